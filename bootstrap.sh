@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to a result with one command:
+#
+#   ./bootstrap.sh demo   install what is missing, build, solve the reference
+#                         case of the paper
+#   ./bootstrap.sh test   install what is missing, build, run all tests
+#   ./bootstrap.sh deps   only install what is missing
+#
+# Running it again is quick: only missing packages are installed and only what
+# changed is built.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+packages=(
+  g++ cmake ninja-build pkg-config
+  coinor-libipopt-dev libmumps-seq-dev libsuitesparse-dev libeigen3-dev
+  libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
+  libcli11-dev libgtest-dev libgmock-dev
+)
+
+say() { printf '== %s\n' "$*"; }
+
+install_packages() {
+  local missing=() package
+  for package in "${packages[@]}"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null |
+      grep -q '^install ok installed$' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    say "all ${#packages[@]} packages are installed"
+    return
+  fi
+  say "installing: ${missing[*]}"
+  local as_root=()
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  "${as_root[@]}" apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq \
+    --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+build() {
+  say "building (preset release, in build/release)"
+  cmake --preset release "$@" >build-configure.log 2>&1 || {
+    cat build-configure.log
+    exit 1
+  }
+  rm -f build-configure.log
+  cmake --build --preset release
+}
+
+case "${1:-}" in
+  deps)
+    install_packages
+    ;;
+  demo)
+    install_packages
+    build -DBRACHISTO_BUILD_TESTS=OFF
+    problem=problems/paper/fig04_reference_case.yaml
+    say "brachisto solve $problem"
+    build/release/src/app/brachisto solve "$problem"
+    ;;
+  test)
+    install_packages
+    build -DBRACHISTO_BUILD_TESTS=ON
+    say "testing"
+    ctest --preset release
+    ;;
+  *)
+    sed -n '2,10s/^# \{0,1\}//p' "$0" >&2
+    exit 2
+    ;;
+esac

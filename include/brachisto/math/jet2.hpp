@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Second-order forward jets: numbers that carry their exact first and second
+/// derivatives through any formula written for a generic Scalar.
+
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace brachisto::math {
+
+/// Value, gradient and Hessian (lower triangle, row by row) with respect to
+/// `Size` independent variables.
+///
+/// \tparam Real  double or long double
+template <class Real, int Size>
+struct Jet2 {
+  static constexpr int kPairs = Size * (Size + 1) / 2;
+
+  Real value{};
+  std::array<Real, Size> gradient{};
+  std::array<Real, kPairs> hessian{};
+
+  Jet2() = default;
+  Jet2(Real constant) : value(constant) {}  // NOLINT: numbers are jets
+
+  /// The independent variable number `index`.
+  [[nodiscard]] static Jet2 variable(Real v, int index) {
+    Jet2 jet(v);
+    jet.gradient[static_cast<std::size_t>(index)] = Real(1);
+    return jet;
+  }
+
+  /// Where ∂²/∂i∂j, j ≤ i, stands in `hessian`.
+  [[nodiscard]] static constexpr std::size_t pair(int i, int j) {
+    return static_cast<std::size_t>(i * (i + 1) / 2 + j);
+  }
+
+  /// f(jet) from f, f' and f'' at its value, by the chain rule.
+  [[nodiscard]] Jet2 chain(Real f, Real df, Real d2f) const {
+    Jet2 out(f);
+    for (int i = 0; i < Size; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      out.gradient[a] = df * gradient[a];
+      for (int j = 0; j <= i; ++j) {
+        const auto b = static_cast<std::size_t>(j);
+        out.hessian[pair(i, j)] =
+            df * hessian[pair(i, j)] + d2f * gradient[a] * gradient[b];
+      }
+    }
+    return out;
+  }
+
+  Jet2& operator+=(const Jet2& other) {
+    value += other.value;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      gradient[i] += other.gradient[i];
+    }
+    for (std::size_t i = 0; i < hessian.size(); ++i) {
+      hessian[i] += other.hessian[i];
+    }
+    return *this;
+  }
+  Jet2& operator-=(const Jet2& other) { return *this += -other; }
+
+  [[nodiscard]] Jet2 operator-() const { return chain(-value, Real(-1), 0); }
+
+  friend Jet2 operator+(Jet2 a, const Jet2& b) { return a += b; }
+  friend Jet2 operator-(Jet2 a, const Jet2& b) { return a -= b; }
+
+  friend Jet2 operator*(const Jet2& a, const Jet2& b) {
+    Jet2 out(a.value * b.value);
+    for (int i = 0; i < Size; ++i) {
+      const auto p = static_cast<std::size_t>(i);
+      out.gradient[p] = a.gradient[p] * b.value + a.value * b.gradient[p];
+      for (int j = 0; j <= i; ++j) {
+        const auto q = static_cast<std::size_t>(j);
+        out.hessian[pair(i, j)] =
+            a.hessian[pair(i, j)] * b.value + a.value * b.hessian[pair(i, j)] +
+            a.gradient[p] * b.gradient[q] + a.gradient[q] * b.gradient[p];
+      }
+    }
+    return out;
+  }
+  friend Jet2 operator/(const Jet2& a, const Jet2& b) {
+    const Real inverse = Real(1) / b.value;
+    return a * b.chain(inverse, -inverse * inverse,
+                       Real(2) * inverse * inverse * inverse);
+  }
+};
+
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> sin(const Jet2<Real, Size>& a) {
+  const Real s = std::sin(a.value);
+  return a.chain(s, std::cos(a.value), -s);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> cos(const Jet2<Real, Size>& a) {
+  const Real c = std::cos(a.value);
+  return a.chain(c, -std::sin(a.value), -c);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> sqrt(const Jet2<Real, Size>& a) {
+  const Real root = std::sqrt(a.value);
+  const Real slope = Real(0.5) / root;
+  return a.chain(root, slope, -slope / (Real(2) * a.value));
+}
+
+}  // namespace brachisto::math

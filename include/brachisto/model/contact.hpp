@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Where the centre starts and ends, given where the body touches the track.
+
+#pragma once
+
+#include "brachisto/model/scene.hpp"
+
+namespace brachisto {
+
+/// A point of the plane, z down [m].
+struct Point {
+  double x = 0.0;
+  double z = 0.0;
+};
+
+/// Centre of a body of the given radius that touches the track at `contact`,
+/// where the track has slope angle β: eqs. (11)–(12) solved for (x_c, z_c).
+[[nodiscard]] Point centre_above(Point contact, double radius, double beta);
+
+/// Point of the track under a centre, eqs. (11)–(12).
+[[nodiscard]] Point track_below(Point centre, double radius, double beta);
+
+/// C_A, where the centre starts [m]: above A with the start angle β₀, or A
+/// itself with Contact::Centre.
+[[nodiscard]] Point start_of_centre(const Scene& scene);
+
+/// C_B(φ), where the centre ends if the track has slope angle φ at B [m].
+/// With Contact::Centre it is B and does not depend on φ.
+[[nodiscard]] Point end_of_centre(const Scene& scene, double phi);
+
+}  // namespace brachisto

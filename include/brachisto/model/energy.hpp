@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Energy height, from which every speed follows.
+
+#pragma once
+
+#include <cmath>
+
+#include "brachisto/model/body.hpp"
+
+namespace brachisto {
+
+/// Energy height E = z − z_0 + r η (sin θ − sin θ_m) [m]: how far the weight
+/// has come down since the start (eq. (1)).
+///
+/// The datum z_0 is the start of the *centre*, where the body is at rest. The
+/// paper prints z for z − z_0, which is the same only if the start is vertical.
+///
+/// The difference of sines is evaluated as 2 cos((θ + θ_m)/2) sin((θ − θ_m)/2),
+/// so that E keeps its relative accuracy next to the start.
+///
+/// \param drop   z − z_0 [m]
+/// \param theta  θ [rad]
+template <class Scalar>
+[[nodiscard]] Scalar energy_height(const Body& body, const Scalar& drop,
+                                   const Scalar& theta) {
+  using std::cos;
+  using std::sin;
+  return drop + cos((theta + body.theta_m) * 0.5) *
+                    sin((theta - body.theta_m) * 0.5) *
+                    (2.0 * body.radius * body.eta_m);
+}
+
+/// a = sin β + η cos θ, the slope of E along the path: dE/ds [-].
+template <class Scalar>
+[[nodiscard]] Scalar energy_slope(const Body& body, const Scalar& theta,
+                                  const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  return sin(beta) + cos(theta) * body.eta_m;
+}
+
+/// E of a rolling body with A = A(θ, β) is half the square of w over g; w is
+/// the speed of a bead that fell the height E: w = √(2 g E) [m/s].
+[[nodiscard]] inline double fall_speed(double gravity, double energy_height) {
+  return std::sqrt(2.0 * gravity * energy_height);
+}
+
+}  // namespace brachisto

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A scene: a body, the point it has to reach, gravity, and what "start" and
+/// "finish" mean.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brachisto/model/body.hpp"
+
+namespace brachisto {
+
+/// What the points A = (0, 0) and B = (L, H) are points of.
+enum class Contact {
+  Smooth,  ///< of the track: the body touches it at A and at B
+  Centre,  ///< of the path of the centre, which starts at A and ends at B
+};
+
+/// Everything that determines the fastest track. z points down.
+struct Scene {
+  Body body;
+  double L = 0.0;         ///< horizontal distance from A to B [m]
+  double H = 0.0;         ///< drop from A to B [m]
+  double gravity = 9.81;  ///< g [m/s²]
+  Contact contact = Contact::Smooth;
+};
+
+/// One reason why a scene is refused.
+struct SceneError {
+  std::string key;      ///< dotted key of the problem file, "scene.body.k"
+  std::string message;  ///< the value, the bound and why the bound holds
+};
+
+/// Slack allowed to bounds that a user can only state rounded, such as
+/// k = 1 − η² with η = 1/√2: a few ulps of numbers of order one.
+inline constexpr double kBoundSlack = 1e-14;
+
+/// Checks a scene against the bounds that physics puts on it.
+///
+///   r > 0, 0 ≤ η_m < 1, 0 ≤ k ≤ 1 − η_m² (with kBoundSlack), L > 0, H > 0,
+///   g > 0, mass > 0 if given, every number finite, a bead without any other
+///   key. η_m = 1 (which leaves k = 0) is refused because A = 1 + η_m² + k −
+///   2 η_m sin(θ − β) then vanishes whenever the mass point touches the track.
+///
+/// \return all violations, empty if the scene is well formed. A well-formed
+///         scene may still have no admissible path; see inadmissibility().
+[[nodiscard]] std::vector<SceneError> validate(const Scene& scene);
+
+}  // namespace brachisto

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Ipopt, the interior-point solver, seen from the outside: no type of its own
+/// stands here.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/result.hpp"
+#include "brachisto/solvers/stop_condition.hpp"
+
+namespace brachisto {
+
+/// Options of one run of Ipopt.
+struct IpoptOptions {
+  double tolerance = 1e-12;        ///< on the scaled KKT residual
+  int max_iterations = 500;        ///< ≥ 0
+  bool check_derivatives = false;  ///< run Ipopt's own second-order checker at
+                                   ///< the start; findings go to the log
+  bool verbose = false;            ///< full iteration log instead of a summary
+  StopCondition stop;
+};
+
+/// Solves a problem with Ipopt and MUMPS from a primal–dual start.
+///
+/// With an empty start.lambda the multipliers are estimated by least squares
+/// (a cold start); otherwise start.x and start.lambda are taken as they are (a
+/// warm start).
+///
+/// One run per process at a time: MUMPS is not safe in threads.
+///
+/// \return how it ended and the last iterate. An exception that the problem
+///         throws ends the run and is rethrown from here.
+[[nodiscard]] SolverResult solve_with_ipopt(nlp::Problem& problem,
+                                            const PrimalDual& start,
+                                            const IpoptOptions& options);
+
+/// "3.11.9", and the version of MUMPS that Ipopt uses.
+[[nodiscard]] std::string ipopt_version();
+[[nodiscard]] std::string mumps_version();
+
+}  // namespace brachisto

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// How a solve ended.
+
+#pragma once
+
+#include <string_view>
+
+namespace brachisto {
+
+/// How a solver stopped; what the point is worth is for the certificate.
+enum class Status {
+  Solved,            ///< the conditions hold to the wanted tolerance
+  NotConverged,      ///< the solver stopped without reaching the tolerance
+  NotEvaluable,      ///< the iteration ran into points where the model is
+                     ///< undefined
+  IterationLimit,    ///< limits.iterations reached
+  TimeLimit,         ///< limits.seconds reached
+  Interrupted,       ///< SIGINT or SIGTERM
+  OutOfMemory,       ///< the linear solver could not get its workspace
+  NoAdmissiblePath,  ///< no path can exist; nothing was solved
+  InternalError,     ///< the solver reported a fault of the set-up
+};
+
+/// One word, as in result files: "solved", "time_limit".
+[[nodiscard]] std::string_view name(Status status);
+
+/// One sentence for the user.
+[[nodiscard]] std::string_view describe(Status status);
+
+}  // namespace brachisto

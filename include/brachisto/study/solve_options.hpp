@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Options of a solve, as a problem file or a caller states them.
+
+#pragma once
+
+#include <cstdint>
+
+#include "brachisto/transcription/discretisation.hpp"
+
+namespace brachisto {
+
+/// How the extremal is found.
+enum class Method { Ipopt };
+
+/// Who factorises the KKT matrix. Auto takes the fastest that is there.
+enum class LinearSolver { Auto, Mumps };
+
+/// Which of several extremals is the answer.
+enum class Search {
+  Principal,  ///< the one that continues from the cycloid as η_m grows from 0
+};
+
+/// Where the first iteration starts.
+enum class Guess {
+  Cycloid,   ///< the centre on the cycloid of the uniform cylinder
+  Straight,  ///< the centre on the straight line between its end points
+};
+
+/// Bounds on the work; reaching one ends the solve with Status::LimitReached.
+struct Limits {
+  int iterations = 500;     ///< of the solver, in all passes together; ≥ 1
+  double seconds = 3600.0;  ///< wall clock, > 0
+};
+
+/// All options of solve(). The defaults are right for almost every scene.
+struct SolveOptions {
+  Discretisation discretisation;
+  Method method = Method::Ipopt;
+  LinearSolver linear_solver = LinearSolver::Auto;
+  double tolerance = 1e-12;  ///< scaled KKT residual, in [1e-14, 1e-6]
+  Search search = Search::Principal;
+  Guess guess = Guess::Cycloid;
+  Limits limits;
+};
+
+}  // namespace brachisto

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The found path in SI units: as functions of σ, as a table, and in numbers.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "brachisto/model/kinematics.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+
+namespace brachisto {
+
+/// One row of a trajectory.
+struct TrajectoryPoint {
+  double u = 0.0;      ///< rolling time [s]
+  double t = 0.0;      ///< time [s]
+  double s = 0.0;      ///< arc length of the centre's path [m]
+  Point centre;        ///< (x_c, z_c) [m]
+  double theta = 0.0;  ///< [rad]
+  double beta = 0.0;   ///< continuous slope angle [rad]
+  Kinematics motion;   ///< SI units, forces in m g
+};
+
+/// Extreme value and where it is taken.
+struct Extreme {
+  double value = 0.0;
+  double x = 0.0;  ///< x_b, of the point of the track [m]
+};
+
+/// What a path does to the body, the start itself left out: there R_n = 0, the
+/// friction needed is infinite and the track's curvature tends to −1/r.
+struct PathDiagnostics {
+  Extreme min_normal_force, max_normal_force;  ///< of R_n [m g]
+  double friction_above_0_3 = 0.0;  ///< share of T with |R_t| > 0.3 R_n
+  double friction_above_0_5 = 0.0;
+  double friction_above_1 = 0.0;
+  Extreme min_curvature, max_curvature;  ///< of κ_b [1/m]
+  Extreme min_fold_margin;               ///< of 1 − r κ_c
+  double max_abs_slope = 0.0;            ///< of the continuous β [rad]
+};
+
+/// A solution on its way out: an ExtremalCurve and the units it was solved in.
+class Trajectory {
+ public:
+  Trajectory(ExtremalCurve curve, const Scene& scene, const Units& units);
+
+  [[nodiscard]] const ExtremalCurve& curve() const { return curve_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  [[nodiscard]] double transit_time() const;        ///< T [s]
+  [[nodiscard]] double tau() const;                 ///< T √(2g/H)
+  [[nodiscard]] double centre_path_length() const;  ///< S [m]
+  [[nodiscard]] double start_angle() const;         ///< [rad]
+  [[nodiscard]] double end_angle() const;           ///< [rad]
+  /// S + r (β₀ − β_end), the signed ∫(1 − r κ_c) ds [m].
+  [[nodiscard]] double rail_length() const;
+  /// θ_end − θ_m [rad]; nothing for a bead.
+  [[nodiscard]] std::optional<double> rotation() const;
+
+  /// At σ ∈ [0, 1].
+  [[nodiscard]] TrajectoryPoint at(double sigma) const;
+  /// At every node.
+  [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const;
+  /// `per_element` places in each element, the element's start left out; the
+  /// first entry is the start of the path.
+  [[nodiscard]] std::vector<TrajectoryPoint> sample(int per_element) const;
+
+  /// From a fine sample of the path.
+  [[nodiscard]] PathDiagnostics diagnose() const;
+
+ private:
+  [[nodiscard]] TrajectoryPoint convert(const ExtremalPoint& point,
+                                        double sigma) const;
+
+  ExtremalCurve curve_;
+  Scene scene_;
+  Units units_;
+};
+
+}  // namespace brachisto

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A solution of one mesh as the start of a solve on another.
+
+#pragma once
+
+#include "brachisto/nlp/primal_dual.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+
+namespace brachisto {
+
+/// States, slopes and multipliers of `curve` at the nodes and collocation
+/// points of `problem`, whose scene has a body of the same kind. Multipliers
+/// go along as λ_j = −b_j p(σ_j); a start without them would be a cold one.
+[[nodiscard]] PrimalDual prolong(const ExtremalCurve& curve,
+                                 const RollingTime& problem);
+
+}  // namespace brachisto

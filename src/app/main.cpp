@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The command `brachisto`.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/provenance.hpp"
+#include "brachisto/report/result_json.hpp"
+
+namespace brachisto::app {
+
+void CommonFlags::add_to(CLI::App& verb) {
+  verb.add_option("FILE", file, "Problem file (YAML)")->required();
+  verb.add_option("--set", overrides,
+                  "Replace a value of the file, such as scene.body.k=1/4")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb.add_flag("--json", json, "Print one JSON document to stdout");
+  verb.add_flag("--quiet", quiet, "Print no results and no progress");
+}
+
+namespace {
+
+std::string version_text() {
+  const report::Provenance made_with = report::provenance();
+  return fmt::format(
+      "brachisto {}\nIpopt {}\nMUMPS {}\nBLAS {}\nSuiteSparse {}\ncompiler {}",
+      made_with.brachisto, made_with.ipopt, made_with.mumps, made_with.blas,
+      made_with.suitesparse, made_with.compiler);
+}
+
+/// What went wrong: on stderr for a person and, with --json, as the one
+/// document on stdout.
+int fail(ExitCode code, std::string_view status, std::string_view message,
+         bool json, nlohmann::ordered_json errors = {}) {
+  fmt::print(stderr, "{}\n", message);
+  if (json) {
+    nlohmann::ordered_json document = {
+        {"schema_version", report::kSchemaVersion},
+        {"status", status},
+        {"verified", false},
+        {"message", message}};
+    if (!errors.is_null()) document["errors"] = std::move(errors);
+    fmt::print("{}\n", document.dump(2, ' ', false,
+                                     nlohmann::json::error_handler_t::replace));
+  }
+  return code;
+}
+
+nlohmann::ordered_json to_json(const io::InputError& error) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const io::Diagnostic& d : error.diagnostics()) {
+    list.push_back({{"file", d.file},
+                    {"line", d.line},
+                    {"column", d.column},
+                    {"key", d.key},
+                    {"message", d.message}});
+  }
+  return list;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Finds the fastest track (brachistochrone) for a bead or a rolling, "
+      "possibly off-centred cylinder.",
+      "brachisto");
+  app.set_version_flag("--version", version_text,
+                       "Print versions of the program and its libraries");
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
+      "  brachisto validate my_case.yaml\n"
+      "`brachisto VERB --help` tells more.");
+  int code = kInternalError;
+  add_solve(app, code);
+  add_validate(app, code);
+
+  const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
+    return std::string_view(a) == "--json";
+  });
+  try {
+    app.parse(argc, argv);
+    return code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kUsage;
+  } catch (const io::InputError& error) {
+    return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
+  } catch (const io::IoError& error) {
+    return fail(kIoError, "io_error", error.what(), json);
+  } catch (const report::OutputError& error) {
+    return fail(kIoError, "io_error", error.what(), json);
+  } catch (const std::exception& error) {
+    return fail(kInternalError, "internal_error",
+                fmt::format("brachisto: internal error: {}", error.what()),
+                json);
+  }
+}
+
+}  // namespace
+
+}  // namespace brachisto::app
+
+int main(int argc, char** argv) {
+  return brachisto::app::run(argc, argv);
+}

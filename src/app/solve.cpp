@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto solve FILE: the fastest track of one scene.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/path_svg.hpp"
+#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/summary.hpp"
+#include "brachisto/report/trajectory_csv.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct SolveFlags : CommonFlags {
+  std::string out;
+  bool verbose = false;
+  bool force = false;
+};
+
+constexpr const char* kResultFile = "result.json";
+constexpr const char* kTrajectoryFile = "trajectory.csv";
+constexpr const char* kPathFile = "path.svg";
+
+/// The files of --out. Without a verified path there is only the result.
+std::vector<report::OutputFile> output_files(const Solution& solution,
+                                             const std::string& json) {
+  std::vector<report::OutputFile> files;
+  if (solution.verified()) {
+    files.push_back(
+        {kTrajectoryFile, report::trajectory_csv(*solution.trajectory)});
+    files.push_back({kPathFile, report::path_svg(*solution.trajectory)});
+  }
+  files.push_back({kResultFile, json});
+  return files;
+}
+
+int run(const SolveFlags& flags) {
+  const io::ProblemFile problem =
+      io::read_problem_file(flags.file, flags.overrides);
+  if (!flags.out.empty()) {
+    report::check_writable(flags.out, {kResultFile, kTrajectoryFile, kPathFile},
+                           flags.force);
+  }
+
+  const std::atomic<int>& signal = catch_signals();
+  const Solution solution =
+      solve(problem.scene, problem.options,
+            {.interrupt = &signal, .verbose = flags.verbose});
+
+  const std::string json = report::result_json(solution);
+  if (flags.verbose) fmt::print(stderr, "{}", solution.log);
+  if (!flags.out.empty()) {
+    report::write_files(flags.out, output_files(solution, json), flags.force);
+  }
+  if (flags.json) {
+    fmt::print("{}", json);
+  } else if (!flags.quiet) {
+    fmt::print("{}", report::summary(solution));
+  }
+  if (solution.status != Status::Solved && flags.quiet) {
+    fmt::print(stderr, "brachisto: {}\n", solution.message);
+  }
+  return exit_code(solution, signal.load());
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<SolveFlags>();
+  CLI::App* verb =
+      app.add_subcommand("solve", "Find the fastest track of one scene");
+  flags->add_to(*verb);
+  verb->add_option("--out", flags->out,
+                   "Write result.json, trajectory.csv and path.svg there")
+      ->type_name("DIR");
+  verb->add_flag("--force", flags->force, "Replace existing results in DIR");
+  verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
+  verb->footer(
+      "Examples:\n"
+      "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
+      "  brachisto solve case.yaml --json | jq .tau\n"
+      "  brachisto solve case.yaml --set scene.finish.L=4 --out results\n"
+      "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or\n"
+      "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"
+      "reached, 130/143 after SIGINT/SIGTERM.");
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The verbs of the command, one source file each.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace brachisto::app {
+
+/// Flags that every verb with a problem file shares.
+struct CommonFlags {
+  std::string file;
+  std::vector<std::string> overrides;  ///< --set KEY=VALUE
+  bool json = false;
+  bool quiet = false;
+
+  void add_to(CLI::App& verb);
+};
+
+/// A verb registers its flags and, in a callback, what it does; the callback
+/// leaves its exit code in `exit_code`.
+void add_solve(CLI::App& app, int& exit_code);
+void add_validate(CLI::App& app, int& exit_code);
+
+}  // namespace brachisto::app

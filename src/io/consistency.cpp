@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/consistency.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/key_spec.hpp"
+
+namespace brachisto::io {
+
+namespace {
+
+constexpr int kDefaultDegree = 5;
+
+void check_bead(const YamlValue& root, Findings& findings) {
+  std::vector<std::string_view> allowed = keys_of("scene.body");
+  std::erase_if(allowed, [](std::string_view name) {
+    return find_key(fmt::format("scene.body.{}", name))->of_cylinder();
+  });
+  for (const KeySpec& spec : key_table()) {
+    const Entry* entry =
+        spec.of_cylinder() ? find_entry(root, spec.path) : nullptr;
+    if (entry == nullptr) continue;
+    findings.add(entry->position, std::string(spec.path),
+                 fmt::format("a bead has no {}; allowed of a bead: {}",
+                             spec.name(), fmt::join(allowed, ", ")));
+  }
+}
+
+void check_cylinder(const YamlValue& root, Findings& findings) {
+  const Entry* body = find_entry(root, "scene.body");
+  for (const KeySpec& spec : key_table()) {
+    if (spec.presence != Presence::RequiredOfCylinder) continue;
+    if (find_entry(root, spec.path) != nullptr) continue;
+    findings.add(body->position, std::string(spec.path),
+                 fmt::format("missing; expected {} ({})", expected(spec),
+                             spec.description));
+  }
+}
+
+}  // namespace
+
+void check_body(const YamlValue& root, const ProblemFile& problem,
+                Findings& findings) {
+  const bool shape_known = find_entry(root, "scene.body.shape") != nullptr &&
+                           !findings.concern("scene.body.shape");
+  if (!shape_known) return;
+  if (problem.scene.body.shape == Shape::Bead) {
+    check_bead(root, findings);
+  } else {
+    check_cylinder(root, findings);
+  }
+}
+
+void check_mesh(const YamlValue& root, const ProblemFile& problem,
+                Findings& findings) {
+  const std::string key = "discretisation.nodes";
+  const Entry* elements = find_entry(root, "discretisation.elements");
+  const Entry* nodes = find_entry(root, key);
+  if (nodes == nullptr) return;
+  if (elements != nullptr) {
+    // The later of the two is the one too many.
+    const bool nodes_later = elements->position < nodes->position;
+    const Entry& extra = nodes_later ? *nodes : *elements;
+    findings.add(extra.position, "discretisation." + extra.key,
+                 fmt::format("{} is given too; elements and nodes both fix "
+                             "the mesh, allowed is one of them",
+                             nodes_later ? "elements" : "nodes"));
+    return;
+  }
+  if (findings.concern(key) || findings.concern("discretisation.degree")) {
+    return;
+  }
+  const Discretisation& mesh = problem.options.discretisation;
+  const int p = mesh.degree.value_or(kDefaultDegree);
+  const int count = mesh.nodes.value();
+  if ((count - 1) % p == 0) return;
+  const int below = (count - 1) / p * p + 1;
+  findings.add(nodes->value.position, key,
+               fmt::format("{} is not allowed; nodes − 1 is a multiple of the "
+                           "degree {}; nearest: {}",
+                           count, p,
+                           below > 1 ? fmt::format("{} or {}", below, below + p)
+                                     : fmt::format("{}", below + p)));
+}
+
+void check_scene(const YamlValue& root, const ProblemFile& problem,
+                 Findings& findings) {
+  // NaN stands for every number that should be there and could not be read, so
+  // that no bound is checked against a value nobody gave.
+  ProblemFile marked = problem;
+  std::vector<std::string_view> unread;
+  for (const KeySpec& spec : key_table()) {
+    const bool of_scene =
+        spec.path.starts_with("scene.") && spec.set != nullptr;
+    const bool needed = spec.presence == Presence::Required ||
+                        spec.presence == Presence::RequiredOfCylinder;
+    const bool absent = find_entry(root, spec.path) == nullptr;
+    if (of_scene && (findings.concern(spec.path) || (needed && absent))) {
+      spec.set(marked, std::numeric_limits<double>::quiet_NaN());
+      unread.push_back(spec.path);
+    }
+  }
+  for (SceneError& error : validate(marked.scene)) {
+    if (std::ranges::count(unread, error.key) > 0) continue;
+    const Position position = position_of(root, error.key);
+    findings.add(position, std::move(error.key), std::move(error.message));
+  }
+}
+
+}  // namespace brachisto::io

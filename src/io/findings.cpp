@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "brachisto/io/diagnostics.hpp"
+
+namespace brachisto::io {
+
+void Findings::add(Position position, std::string key, std::string message) {
+  findings_.push_back({position, std::move(key), std::move(message)});
+}
+
+bool Findings::concern(std::string_view key) const {
+  return std::ranges::any_of(findings_,
+                             [&](const Finding& f) { return f.key == key; });
+}
+
+void Findings::throw_if_any(const std::vector<std::string>& sources) const {
+  if (findings_.empty()) return;
+  std::vector<Finding> ordered = findings_;
+  std::ranges::stable_sort(ordered, std::less<>{}, &Finding::position);
+  std::vector<Diagnostic> diagnostics;
+  diagnostics.reserve(ordered.size());
+  for (Finding& finding : ordered) {
+    const auto [source, line, column] = finding.position;
+    const bool in_file = source == 0;
+    diagnostics.push_back({sources.at(static_cast<std::size_t>(source)),
+                           in_file ? line : 0, in_file ? column : 0,
+                           std::move(finding.key), std::move(finding.message)});
+  }
+  throw InputError(std::move(diagnostics));
+}
+
+std::string in_quotes(std::string_view text) {
+  return '"' + printable(text) + '"';
+}
+
+std::string printable(std::string_view text) {
+  constexpr int kMaxCharacters = 40;
+  std::string shown;
+  int characters = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool continues = (byte & 0xC0U) == 0x80U;
+    if (!continues && ++characters > kMaxCharacters) return shown + "…";
+    const bool control = byte < 0x20 || byte == 0x7F;
+    shown += control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return shown;
+}
+
+}  // namespace brachisto::io

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Mistakes on their way from where they are noticed to an InputError.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace brachisto::io {
+
+/// A place in one of the inputs.
+struct Position {
+  int source = 0;  ///< 0: the file; i: the i-th override
+  int line = 0;    ///< from 1
+  int column = 0;  ///< from 1, in characters
+
+  /// Order of the inputs, and of reading within one.
+  friend bool operator<(const Position& a, const Position& b) {
+    return std::tie(a.source, a.line, a.column) <
+           std::tie(b.source, b.line, b.column);
+  }
+};
+
+/// Collects mistakes in any order and reports them in the order of the inputs,
+/// those in overrides without lines and columns.
+class Findings {
+ public:
+  void add(Position position, std::string key, std::string message);
+
+  /// True if a mistake was added for exactly this key.
+  [[nodiscard]] bool concern(std::string_view key) const;
+
+  /// \param sources  names of the inputs: the file, then each override
+  /// \throws InputError  if anything was added
+  void throw_if_any(const std::vector<std::string>& sources) const;
+
+ private:
+  struct Finding {
+    Position position;
+    std::string key;
+    std::string message;
+  };
+  std::vector<Finding> findings_;
+};
+
+/// Text from an input as it may stand in a message: in quotes, control
+/// characters escaped, cut after 40 characters.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// The same without quotes, for keys.
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace brachisto::io

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/key_spec.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace brachisto::io {
+
+std::string_view KeySpec::name() const {
+  return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
+}
+
+std::string_view KeySpec::parent() const {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? "" : path.substr(0, dot);
+}
+
+const KeySpec* find_key(std::string_view path) {
+  const std::span<const KeySpec> table = key_table();
+  const auto found = std::ranges::find(table, path, &KeySpec::path);
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> keys_of(std::string_view map) {
+  std::vector<std::string_view> names;
+  for (const KeySpec& spec : key_table()) {
+    if (spec.parent() == map && spec.type != KeyType::Reserved) {
+      names.push_back(spec.name());
+    }
+  }
+  return names;
+}
+
+std::vector<std::string_view> choices_of(const KeySpec& spec) {
+  std::vector<std::string_view> names;
+  for (const Choice& choice : spec.choices) {
+    if (choice.set != nullptr) names.push_back(choice.name);
+  }
+  return names;
+}
+
+std::string expected(const KeySpec& spec) {
+  std::string text;
+  switch (spec.type) {
+    case KeyType::Map:
+      return fmt::format("a map with the keys {}",
+                         fmt::join(keys_of(spec.path), ", "));
+    case KeyType::Choice:
+      return fmt::format("{}", fmt::join(choices_of(spec), " or "));
+    case KeyType::Reserved:
+      return "nothing";
+    case KeyType::Angle:
+      return "an angle in rad or, as in 30 deg, in degrees";
+    case KeyType::Integer:
+      text = "an integer";
+      break;
+    case KeyType::Number:
+      text = "a number";
+      break;
+  }
+  if (!spec.unit.empty()) text += fmt::format(" in {}", spec.unit);
+  if (!spec.bounds.empty()) text += fmt::format(", {}", spec.bounds);
+  return text;
+}
+
+}  // namespace brachisto::io

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The table that describes every key of a problem file. Reading, messages and
+/// the reference in the documentation all come from it.
+
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brachisto/io/problem_file.hpp"
+
+namespace brachisto::io {
+
+enum class KeyType {
+  Map,       ///< of further keys of the table
+  Number,    ///< literal or expression
+  Angle,     ///< the same with a suffix
+  Integer,   ///< number with an integral value
+  Choice,    ///< one of some words
+  Reserved,  ///< known, but of a later version of the program
+};
+
+/// Which problem files have a key.
+enum class Presence {
+  Optional,
+  Required,
+  RequiredOfCylinder,  ///< and refused for a bead
+  OptionalOfCylinder,  ///< and refused for a bead
+};
+
+/// A word that a Choice may be.
+struct Choice {
+  std::string_view name;
+  void (*set)(ProblemFile&) = nullptr;  ///< nullptr: reserved
+};
+
+/// Bounds that a number has for the sake of the program. Those that physics
+/// gives are not here: validate(const Scene&) knows them.
+struct Interval {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_allowed = true;
+
+  [[nodiscard]] bool contains(double value) const {
+    return (lower_allowed ? value >= lower : value > lower) && value <= upper;
+  }
+};
+
+/// One key.
+struct KeySpec {
+  std::string_view path;  ///< dotted
+  KeyType type = KeyType::Reserved;
+  Presence presence = Presence::Optional;
+  std::string_view unit = {};
+  std::string_view fallback = {};  ///< what holds if the key is absent
+  std::string_view bounds = {};    ///< in words or as a formula
+  std::string_view description = {};
+  Interval interval = {};
+  void (*set)(ProblemFile&, double) = nullptr;  ///< stores a number
+  std::vector<Choice> choices = {};
+
+  [[nodiscard]] std::string_view name() const;    ///< last part of the path
+  [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
+  [[nodiscard]] bool of_cylinder() const {
+    return presence == Presence::RequiredOfCylinder ||
+           presence == Presence::OptionalOfCylinder;
+  }
+};
+
+/// All keys in the order of the documentation, each map before its keys.
+[[nodiscard]] std::span<const KeySpec> key_table();
+
+/// The key with this path, or nullptr.
+[[nodiscard]] const KeySpec* find_key(std::string_view path);
+
+/// Names of the keys that a map may contain, reserved ones left out.
+[[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
+
+/// Names that a Choice may be, reserved ones left out.
+[[nodiscard]] std::vector<std::string_view> choices_of(const KeySpec& spec);
+
+/// What a value has to be: "a number in m, > 0".
+[[nodiscard]] std::string expected(const KeySpec& spec);
+
+}  // namespace brachisto::io

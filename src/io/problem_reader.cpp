@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/problem_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/expression.hpp"
+#include "io/suggestion.hpp"
+
+namespace brachisto::io {
+
+namespace {
+
+std::string dotted(std::string_view map, std::string_view key) {
+  return map.empty() ? std::string(key) : fmt::format("{}.{}", map, key);
+}
+
+/// Maps in which a key of this name is at home.
+std::vector<std::string_view> homes_of(std::string_view name) {
+  std::vector<std::string_view> homes;
+  for (const KeySpec& spec : key_table()) {
+    if (spec.name() == name && spec.type != KeyType::Reserved) {
+      homes.push_back(spec.parent().empty() ? "the top level" : spec.parent());
+    }
+  }
+  return homes;
+}
+
+std::string allowed_in(std::string_view map) {
+  return fmt::format(
+      "allowed {}: {}",
+      map.empty() ? "at the top level" : fmt::format("in {}", map),
+      fmt::join(keys_of(map), ", "));
+}
+
+}  // namespace
+
+ProblemFile ProblemReader::read(const YamlValue& root) {
+  problem_ = {};
+  if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
+    read_map(root, "", root.position);
+  } else if (root.kind != YamlValue::Kind::Refused) {
+    findings_.add(root.position, "",
+                  fmt::format("{} was read; expected {}", kind_name(root.kind),
+                              expected({.path = "", .type = KeyType::Map})));
+  }
+  return problem_;
+}
+
+void ProblemReader::read_map(const YamlValue& map, std::string_view path,
+                             Position position) {
+  for (const Entry& entry : map.entries) read_entry(entry, path);
+  for (const KeySpec& spec : key_table()) {
+    const bool missing = spec.parent() == path &&
+                         spec.presence == Presence::Required &&
+                         map.find(spec.name()) == nullptr;
+    if (!missing) continue;
+    findings_.add(position, std::string(spec.path),
+                  fmt::format("missing; expected {} ({})", expected(spec),
+                              spec.description));
+  }
+}
+
+void ProblemReader::read_entry(const Entry& entry, std::string_view map) {
+  // A dot within a key must not make it look like a path of the table.
+  const bool word = entry.key.find('.') == std::string::npos;
+  const KeySpec* spec = word ? find_key(dotted(map, entry.key)) : nullptr;
+  if (spec == nullptr) {
+    refuse_unknown(entry, map);
+  } else if (spec->type == KeyType::Reserved) {
+    findings_.add(entry.position, std::string(spec->path),
+                  fmt::format("reserved for a later version of brachisto; {}",
+                              allowed_in(map)));
+  } else {
+    read_value(*spec, entry);
+  }
+}
+
+void ProblemReader::refuse_unknown(const Entry& entry, std::string_view map) {
+  const auto homes = homes_of(entry.key);
+  std::string message;
+  if (!homes.empty()) {
+    message = fmt::format("misplaced key; it belongs in {}; {}",
+                          fmt::join(homes, " or "), allowed_in(map));
+  } else if (find_key(entry.key) != nullptr) {
+    message = fmt::format(
+        "a key with dots; in a file it is written as nested maps; {}",
+        allowed_in(map));
+  } else {
+    message = fmt::format("unknown key; {}{}", allowed_in(map),
+                          suggestion(entry.key, keys_of(map)));
+  }
+  findings_.add(entry.position, dotted(map, printable(entry.key)),
+                std::move(message));
+}
+
+void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
+  const YamlValue& node = entry.value;
+  if (node.kind == YamlValue::Kind::Refused) return;
+  const bool is_map = spec.type == KeyType::Map;
+  if (is_map && (node.kind == YamlValue::Kind::Map ||
+                 node.kind == YamlValue::Kind::Null)) {
+    read_map(node, spec.path, entry.position);
+  } else if (is_map || node.kind != YamlValue::Kind::Scalar) {
+    findings_.add(node.position, std::string(spec.path),
+                  fmt::format("{} was read; expected {}", kind_name(node.kind),
+                              expected(spec)));
+  } else if (spec.type == KeyType::Choice) {
+    read_choice(spec, node);
+  } else {
+    read_number(spec, node);
+  }
+}
+
+void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
+  const auto refuse = [&](std::string_view reason) {
+    findings_.add(node.position, std::string(spec.path),
+                  fmt::format("{} {}; expected {}", in_quotes(node.text),
+                              reason, expected(spec)));
+  };
+  const Unit unit = spec.type == KeyType::Angle ? Unit::Angle : Unit::None;
+  double value = 0.0;
+  try {
+    value = evaluate(node.text, unit);
+  } catch (const ExpressionError& error) {
+    refuse(fmt::format("is not a number: {}", error.what()));
+    return;
+  }
+  if (spec.type == KeyType::Integer && value != std::trunc(value)) {
+    refuse("is not an integer");
+  } else if (!spec.interval.contains(value)) {
+    refuse("is not allowed");
+  } else {
+    spec.set(problem_, value);
+  }
+}
+
+void ProblemReader::read_choice(const KeySpec& spec, const YamlValue& node) {
+  const auto choice = std::ranges::find(spec.choices, node.text, &Choice::name);
+  if (choice == spec.choices.end()) {
+    findings_.add(
+        node.position, std::string(spec.path),
+        fmt::format("{} was read; expected {}{}", in_quotes(node.text),
+                    expected(spec), suggestion(node.text, choices_of(spec))));
+  } else if (choice->set == nullptr) {
+    findings_.add(
+        node.position, std::string(spec.path),
+        fmt::format("{} is reserved for a later version of brachisto; "
+                    "expected {}",
+                    in_quotes(node.text), expected(spec)));
+  } else {
+    choice->set(problem_);
+  }
+}
+
+}  // namespace brachisto::io

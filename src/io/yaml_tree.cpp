@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/yaml_tree.hpp"
+
+#include <algorithm>
+
+namespace brachisto::io {
+
+YamlValue YamlValue::of(Kind kind, Position position, std::string text) {
+  YamlValue value;
+  value.kind = kind;
+  value.position = position;
+  value.text = std::move(text);
+  return value;
+}
+
+Entry* YamlValue::find(std::string_view key) {
+  const auto found = std::ranges::find(entries, key, &Entry::key);
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const Entry* YamlValue::find(std::string_view key) const {
+  const auto found = std::ranges::find(entries, key, &Entry::key);
+  return found == entries.end() ? nullptr : &*found;
+}
+
+std::string_view kind_name(YamlValue::Kind kind) {
+  switch (kind) {
+    case YamlValue::Kind::Null:
+      return "no value";
+    case YamlValue::Kind::Scalar:
+      return "a single value";
+    case YamlValue::Kind::List:
+      return "a list";
+    case YamlValue::Kind::Map:
+      return "a map";
+    case YamlValue::Kind::Refused:
+      break;
+  }
+  return "a refused value";
+}
+
+const Entry* find_entry(const YamlValue& root, std::string_view path) {
+  const YamlValue* node = &root;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    const Entry* entry = node->find(path.substr(0, dot));
+    if (entry == nullptr || dot == std::string_view::npos) return entry;
+    node = &entry->value;
+    path.remove_prefix(dot + 1);
+  }
+}
+
+Position position_of(const YamlValue& root, std::string_view key) {
+  const YamlValue* node = &root;
+  Position position = root.position;
+  while (true) {
+    const std::size_t dot = key.find('.');
+    const Entry* entry = node->find(key.substr(0, dot));
+    if (entry == nullptr) return position;
+    if (dot == std::string_view::npos) return entry->value.position;
+    position = entry->position;
+    node = &entry->value;
+    key.remove_prefix(dot + 1);
+  }
+}
+
+}  // namespace brachisto::io

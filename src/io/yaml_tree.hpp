@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The part of YAML that problem files consist of: maps, lists and scalars,
+/// with the place of each.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/findings.hpp"
+
+namespace brachisto::io {
+
+struct Entry;
+
+/// A value in a YAML document.
+struct YamlValue {
+  enum class Kind {
+    Null,
+    Scalar,
+    List,
+    Map,
+    Refused,  ///< a mistake was already reported; readers pass it over
+  };
+
+  Kind kind = Kind::Null;
+  Position position;
+  std::string text;              ///< of a scalar, unquoted
+  std::vector<YamlValue> items;  ///< of a list
+  std::vector<Entry> entries;    ///< of a map, in file order, keys unique
+
+  [[nodiscard]] static YamlValue of(Kind kind, Position position,
+                                    std::string text = "");
+
+  /// The entry of a map with this key, or nullptr.
+  [[nodiscard]] const Entry* find(std::string_view key) const;
+  [[nodiscard]] Entry* find(std::string_view key);
+};
+
+/// A key of a map with its value.
+struct Entry {
+  std::string key;
+  Position position;  ///< of the key
+  YamlValue value;
+};
+
+/// What a node is, for messages: "a map", "a list", …
+[[nodiscard]] std::string_view kind_name(YamlValue::Kind kind);
+
+/// The entry with a dotted key, or nullptr.
+[[nodiscard]] const Entry* find_entry(const YamlValue& root,
+                                      std::string_view path);
+
+/// Place of the value of a dotted key, of the nearest map above it if the key
+/// is absent.
+[[nodiscard]] Position position_of(const YamlValue& root, std::string_view key);
+
+/// Builds the tree of a text that holds one document.
+///
+/// Repeated keys (the first one counts), anchors, aliases, tags, merge keys and
+/// keys that are not words go to `findings`.
+///
+/// \param text    the result of prepared_text()
+/// \param source  number of the input, see Position
+/// \param key     dotted key under which the text stands, for messages
+/// \return the document; Kind::Null if there is none
+/// \throws SyntaxError  if the text is not YAML, nests more than kMaxNesting
+///                      levels, or holds more than one document
+[[nodiscard]] YamlValue parse_yaml(const std::string& text, int source,
+                                   Findings& findings,
+                                   const std::string& key = "");
+
+}  // namespace brachisto::io

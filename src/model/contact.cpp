@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/model/contact.hpp"
+
+#include <cmath>
+
+#include "brachisto/model/start_angle.hpp"
+
+namespace brachisto {
+
+Point centre_above(Point contact, double radius, double beta) {
+  return {contact.x + radius * std::sin(beta),
+          contact.z - radius * std::cos(beta)};
+}
+
+Point track_below(Point centre, double radius, double beta) {
+  return {centre.x - radius * std::sin(beta),
+          centre.z + radius * std::cos(beta)};
+}
+
+Point start_of_centre(const Scene& scene) {
+  if (scene.contact == Contact::Centre) return {0.0, 0.0};
+  return centre_above({0.0, 0.0}, scene.body.radius, start_angle(scene.body));
+}
+
+Point end_of_centre(const Scene& scene, double phi) {
+  if (scene.contact == Contact::Centre) return {scene.L, scene.H};
+  return centre_above({scene.L, scene.H}, scene.body.radius, phi);
+}
+
+}  // namespace brachisto

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/model/hamiltonian.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace brachisto {
+
+double slope_rate(const Body& body, double gravity, const RollingState& state,
+                  const Costates& p, double beta) {
+  const double along = p.p_x * std::cos(beta) + p.p_z * std::sin(beta);
+  const double across = p.p_z * std::cos(beta) - p.p_x * std::sin(beta);
+  const SlopeHamiltonian h = slope_hamiltonian(body, gravity, state, p, beta);
+  const double pull = state.w * along + p.p_w * gravity * std::sin(beta);
+  const double d2_root = h.d2_beta + pull;
+  const double w_rate = gravity * energy_slope(body, state.theta, beta);
+  double p_w_rate = -along;
+  double theta_rate = 0.0;
+  if (body.rolls()) {
+    p_w_rate -= p.p_theta / body.radius;
+    theta_rate = state.w / body.radius;
+  }
+  return (d2_root * theta_rate - across * w_rate -
+          gravity * std::cos(beta) * p_w_rate) /
+         h.d2_beta;
+}
+
+double minimising_slope(const Body& body, double gravity,
+                        const RollingState& state, const Costates& p,
+                        double near) {
+  // Newton's method, turned into descent where 𝓗 is not convex, and kept from
+  // jumping over a neighbouring maximum by a bound on the step.
+  constexpr double kLongestStep = 0.25;
+  constexpr int kMaxSteps = 100;
+  double beta = near;
+  double last_step = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const SlopeHamiltonian h = slope_hamiltonian(body, gravity, state, p, beta);
+    double step = h.d2_beta > 0.0 ? -h.d_beta / h.d2_beta
+                                  : -std::copysign(kLongestStep, h.d_beta);
+    step = std::clamp(step, -kLongestStep, kLongestStep);
+    beta += step;
+    if (std::isnan(beta)) break;
+    // Converged once a Newton step is at rounding level, where it no longer
+    // shrinks.
+    const double size = std::abs(step);
+    if (h.d2_beta > 0.0 && size < 1e-14 + 1e-15 * std::abs(beta)) return beta;
+    if (h.d2_beta > 0.0 && size < 1e-11 && size >= last_step) return beta;
+    last_step = size;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace brachisto

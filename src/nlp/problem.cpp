@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/nlp/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace brachisto::nlp {
+
+namespace {
+
+void check_size(const char* name, std::size_t got, std::size_t expected) {
+  if (got == expected) return;
+  throw std::invalid_argument(
+      fmt::format("{} has {} entries, expected {}", name, got, expected));
+}
+
+void check_point(bool evaluable) {
+  if (evaluable) return;
+  throw std::logic_error("evaluation asked for at a point that was refused");
+}
+
+std::size_t size(int count) {
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+bool Problem::set_point(std::span<const double> x) {
+  check_size("x", x.size(), size(num_variables()));
+  evaluable_ = do_set_point(x);
+  return evaluable_;
+}
+
+double Problem::eval_f() const {
+  check_point(evaluable_);
+  return do_eval_f();
+}
+
+void Problem::eval_grad_f(std::span<double> grad_f) const {
+  check_point(evaluable_);
+  check_size("grad_f", grad_f.size(), size(num_variables()));
+  do_eval_grad_f(grad_f);
+}
+
+void Problem::eval_g(std::span<double> g) const {
+  check_point(evaluable_);
+  check_size("g", g.size(), size(num_constraints()));
+  do_eval_g(g);
+}
+
+void Problem::eval_jac_g(std::span<double> values) const {
+  check_point(evaluable_);
+  check_size("jac_g", values.size(), jac_g_pattern().num_entries());
+  do_eval_jac_g(values);
+}
+
+void Problem::eval_hess_lag(double objective_factor,
+                            std::span<const double> lambda,
+                            std::span<double> values) const {
+  check_point(evaluable_);
+  check_size("lambda", lambda.size(), size(num_constraints()));
+  check_size("hess_lag", values.size(), hess_lag_pattern().num_entries());
+  do_eval_hess_lag(objective_factor, lambda, values);
+}
+
+}  // namespace brachisto::nlp

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/report/result_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "brachisto/report/provenance.hpp"
+
+namespace brachisto::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json body_json(const Body& body) {
+  Json json;
+  json["shape"] = body.rolls() ? "cylinder" : "bead";
+  if (body.rolls()) {
+    json["radius"] = body.radius;
+    json["eta_m"] = body.eta_m;
+    json["theta_m"] = body.theta_m;
+    json["k"] = body.k;
+  }
+  json["mass"] = or_null(body.mass);
+  return json;
+}
+
+Json scene_json(const Scene& scene) {
+  return {{"body", body_json(scene.body)},
+          {"finish", {{"L", scene.L}, {"H", scene.H}}},
+          {"gravity", scene.gravity},
+          {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"}};
+}
+
+Json options_json(const SolveOptions& options) {
+  const Discretisation& mesh = options.discretisation;
+  return {
+      {"discretisation",
+       {{"formulation", "rolling_time"},
+        {"tolerance", or_null(mesh.tolerance)},
+        {"degree", or_null(mesh.degree)},
+        {"elements", or_null(mesh.elements)},
+        {"nodes", or_null(mesh.nodes)}}},
+      {"solver",
+       {{"method", "ipopt"},
+        {"linear_solver", "mumps"},
+        {"tolerance", options.tolerance},
+        {"search", "principal"},
+        {"guess", options.guess == Guess::Straight ? "straight" : "cycloid"},
+        {"limits",
+         {{"iterations", options.limits.iterations},
+          {"seconds", options.limits.seconds}}}}}};
+}
+
+Json provenance_json(const SolveOptions& options) {
+  const Provenance made_with = provenance();
+  return {{"brachisto", made_with.brachisto},
+          {"ipopt", made_with.ipopt},
+          {"mumps", made_with.mumps},
+          {"blas", made_with.blas},
+          {"suitesparse", made_with.suitesparse},
+          {"compiler", made_with.compiler},
+          {"options", options_json(options)}};
+}
+
+Json check_json(const Check& check) {
+  Json json = {{"name", check.name},
+               {"value", check.value},
+               {"threshold", check.threshold},
+               {"passed", check.passed}};
+  if (!check.where.empty()) json["where"] = check.where;
+  return json;
+}
+
+Json certificate_json(const Certificate& certificate) {
+  // Fixed keys first; null where this version has no such check.
+  Json json = {{"kkt_residual", nullptr},
+               {"reintegration_error", nullptr},
+               {"energy_drift", nullptr},
+               {"contact_error", nullptr},
+               {"second_order", nullptr}};
+  Json checks = Json::array();
+  for (const Check& check : certificate.checks) {
+    json[check.name] = check.value;
+    checks.push_back(check_json(check));
+  }
+  json["checks"] = std::move(checks);
+  return json;
+}
+
+Json continuation_json(const std::vector<ContinuationStep>& steps) {
+  Json json = Json::array();
+  for (const ContinuationStep& step : steps) {
+    json.push_back({{"eta_m", step.eta_m},
+                    {"phi", step.phi},
+                    {"iterations", step.iterations}});
+  }
+  return json;
+}
+
+/// Figures of the path; all null if `trajectory` is.
+void add_path(Json& json, const Trajectory* trajectory,
+              const PathDiagnostics* path, bool rolls) {
+  const auto put = [&](const char* key, auto&& value) {
+    json[key] = trajectory ? Json(value()) : Json(nullptr);
+  };
+  put("tau", [&] { return trajectory->tau(); });
+  put("transit_time", [&] { return trajectory->transit_time(); });
+  put("centre_path_length", [&] { return trajectory->centre_path_length(); });
+  put("rail_length", [&] { return trajectory->rail_length(); });
+  put("start_angle", [&] { return trajectory->start_angle(); });
+  put("end_angle", [&] { return trajectory->end_angle(); });
+  put("rotation", [&] { return or_null(trajectory->rotation()); });
+  const auto diagnose = [&](const char* key, bool exists, auto&& value) {
+    json[key] = path && exists ? Json(value()) : Json(nullptr);
+  };
+  diagnose("normal_force", true, [&] {
+    return Json{{"min", path->min_normal_force.value},
+                {"max", path->max_normal_force.value},
+                {"x_at_max", path->max_normal_force.x}};
+  });
+  diagnose("friction", rolls, [&] {
+    return Json{{"share_above_0.3", path->friction_above_0_3},
+                {"share_above_0.5", path->friction_above_0_5},
+                {"share_above_1", path->friction_above_1}};
+  });
+  diagnose("curvature", true, [&] {
+    return Json{{"min", path->min_curvature.value},
+                {"max", path->max_curvature.value}};
+  });
+  diagnose("fold_margin", rolls,
+           [&] { return Json(path->min_fold_margin.value); });
+}
+
+}  // namespace
+
+std::string result_json(const Solution& solution) {
+  const bool verified = solution.verified();
+  const bool solved = solution.trajectory.has_value();
+  Json json;
+  json["schema_version"] = kSchemaVersion;
+  json["status"] = name(solution.status);
+  json["message"] = solution.message;
+  json["verified"] = verified;
+  json["feasible"] = verified ? Json(solution.feasible()) : Json(nullptr);
+  json["infeasible_because"] =
+      verified ? Json(solution.infeasible_because()) : Json(nullptr);
+  add_path(json, verified ? &*solution.trajectory : nullptr,
+           verified ? &*solution.diagnostics : nullptr,
+           solution.scene.body.rolls());
+  json["estimated_error"] = or_null(solution.estimated_error);
+
+  const auto size = [&](int count) { return solved ? Json(count) : Json(); };
+  json["nodes"] = size(solution.nodes);
+  json["variables"] = size(solution.variables);
+  json["constraints"] = size(solution.constraints);
+  if (solved) {
+    const Mesh& mesh = solution.trajectory->curve().mesh();
+    json["mesh"] = {{"degree", mesh.degree}, {"elements", mesh.num_elements()}};
+  } else {
+    json["mesh"] = nullptr;
+  }
+  const Effort& effort = solution.effort;
+  json["iterations"] = effort.iterations;
+  json["first_iterations"] = effort.first_iterations;
+  json["closure_passes"] = effort.closure_passes;
+  json["passes"] = effort.passes;
+  json["continuation"] = continuation_json(effort.continuation);
+  json["seconds"] = {{"total", effort.seconds},
+                     {"solve", effort.seconds - effort.check_seconds},
+                     {"check", effort.check_seconds}};
+  json["certificate"] = certificate_json(solution.certificate);
+  json["provenance"] = provenance_json(solution.options);
+  json["scene"] = scene_json(solution.scene);
+  return json.dump(2) + "\n";
+}
+
+std::string input_json(const Scene& scene, const SolveOptions& options) {
+  Json json = {{"schema_version", kSchemaVersion},
+               {"valid", true},
+               {"scene", scene_json(scene)}};
+  json.update(options_json(options));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace brachisto::report

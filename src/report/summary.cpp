@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <numbers>
+
+namespace brachisto::report {
+
+namespace {
+
+double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
+std::string describe(const Scene& scene) {
+  const Body& body = scene.body;
+  std::string text =
+      body.rolls() ? fmt::format(
+                         "cylinder r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, "
+                         "k = {:.6g}",
+                         body.radius, body.eta_m, degrees(body.theta_m), body.k)
+                   : std::string("bead");
+  return text + fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²{}",
+                            scene.L, scene.H, scene.gravity,
+                            scene.contact == Contact::Centre
+                                ? ", between points of the centre's path"
+                                : "");
+}
+
+void line(std::string& out, std::string_view label, const std::string& text) {
+  fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
+}
+
+void add_answer(std::string& out, const Solution& solution) {
+  const Trajectory& path = *solution.trajectory;
+  const PathDiagnostics& diagnostics = *solution.diagnostics;
+  line(out, "τ = T √(2g/H)",
+       fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
+                   solution.estimated_error.value_or(0.0)));
+  line(out, "transit time T", fmt::format("{:.12g} s", path.transit_time()));
+  line(out, "path lengths",
+       fmt::format("centre {:.10g} m, track {:.10g} m",
+                   path.centre_path_length(), path.rail_length()));
+  line(out, "slope angles",
+       fmt::format("start {:.6f}°, end {:.6f}°", degrees(path.start_angle()),
+                   degrees(path.end_angle())));
+  if (path.rotation()) {
+    line(out, "rotation", fmt::format("{:.6f}°", degrees(*path.rotation())));
+  }
+  line(out, "normal force",
+       fmt::format("{:.4g} … {:.4g} m g, greatest at x_b = {:.4g} m",
+                   diagnostics.min_normal_force.value,
+                   diagnostics.max_normal_force.value,
+                   diagnostics.max_normal_force.x));
+  if (!solution.scene.body.rolls()) return;
+  line(out, "friction needed",
+       fmt::format("|R_t|/R_n > 0.3 for {:.0f} % of the time, > 0.5 for {:.0f} "
+                   "%, > 1 for {:.0f} %",
+                   100.0 * diagnostics.friction_above_0_3,
+                   100.0 * diagnostics.friction_above_0_5,
+                   100.0 * diagnostics.friction_above_1));
+}
+
+}  // namespace
+
+std::string summary(const Solution& solution) {
+  std::string out = describe(solution.scene) + "\n";
+  const bool verified = solution.verified();
+  if (verified) add_answer(out, solution);
+
+  std::string verdict = verified ? "verified" : "NOT VERIFIED";
+  if (solution.status != Status::Solved) verdict = "NOT SOLVED";
+  if (verified) verdict += solution.feasible() ? ", feasible" : ", INFEASIBLE";
+  line(out, "verdict", verdict);
+  if (verified) {
+    for (const std::string& reason : solution.infeasible_because()) {
+      line(out, "", reason);
+    }
+  }
+  if (solution.status != Status::Solved) {
+    line(out, "", std::string(describe(solution.status)));
+    line(out, "because", solution.message);
+  } else if (!verified) {
+    for (const Check& check : solution.certificate.checks) {
+      if (check.passed) continue;
+      line(out, "failed check",
+           fmt::format("{}: {:.3g} exceeds {:.3g}{}{}", check.name, check.value,
+                       check.threshold, check.where.empty() ? "" : " at ",
+                       check.where));
+    }
+  }
+
+  const Effort& effort = solution.effort;
+  if (solution.trajectory) {
+    const Mesh& mesh = solution.trajectory->curve().mesh();
+    line(out, "mesh",
+         fmt::format("degree {}, {} elements, {} nodes; {} variables, {} "
+                     "constraints",
+                     mesh.degree, mesh.num_elements(), solution.nodes,
+                     solution.variables, solution.constraints));
+  }
+  std::string work =
+      fmt::format("{} iterations in {} passes, {:.3f} s", effort.iterations,
+                  effort.passes, effort.seconds);
+  if (!effort.continuation.empty()) {
+    work += fmt::format("; followed from η_m = 0 in {} steps",
+                        effort.continuation.size());
+  }
+  line(out, "work", work);
+  return out;
+}
+
+}  // namespace brachisto::report

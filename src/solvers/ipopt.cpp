@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/solvers/ipopt.hpp"
+
+#include <IpoptConfig.h>
+#include <dmumps_c.h>
+#include <fmt/format.h>
+#include <mumps_compat.h>
+#include <IpIpoptApplication.hpp>
+
+#include <sstream>
+#include <string_view>
+
+#include "solvers/blas_threads.hpp"
+#include "solvers/ipopt_adapter.hpp"
+
+namespace brachisto {
+
+namespace {
+
+void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
+                 bool warm) {
+  list.SetStringValue("sb", "yes");
+  list.SetIntegerValue("print_level", 0);
+  list.SetNumericValue("tol", options.tolerance);
+  list.SetNumericValue("constr_viol_tol", options.tolerance);
+  list.SetIntegerValue("max_iter", options.max_iterations);
+  // The wall clock is ours to watch; Ipopt knows processor time only.
+  list.SetNumericValue("max_cpu_time", 1e20);
+  // Solved means solved: no second, looser tolerance.
+  list.SetIntegerValue("acceptable_iter", 0);
+  // Problems come in natural units and with scaled defects.
+  list.SetStringValue("nlp_scaling_method", "none");
+  list.SetStringValue("linear_system_scaling", "none");
+  list.SetStringValue("fixed_variable_treatment", "make_parameter");
+  // Without it a NaN in the Hessian surfaces as a failed restoration.
+  list.SetStringValue("check_derivatives_for_naninf", "yes");
+  list.SetStringValue("linear_solver", "mumps");
+  // QAMD copes with the dense column of the global unknown.
+  list.SetIntegerValue("mumps_pivot_order", 6);
+  list.SetIntegerValue("mumps_scaling", 0);
+  list.SetIntegerValue("mumps_permuting_scaling", 0);
+  // There are no inequalities, so there is no barrier to follow.
+  list.SetNumericValue("mu_init", 1e-11);
+  if (warm) list.SetStringValue("warm_start_init_point", "yes");
+  if (options.check_derivatives) {
+    list.SetStringValue("derivative_test", "second-order");
+    list.SetNumericValue("derivative_test_tol", 1e-5);
+  }
+}
+
+Status translate(Ipopt::ApplicationReturnStatus status,
+                 const StopCondition& stop, bool at_refused_point) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return Status::Solved;
+    case Ipopt::User_Requested_Stop:
+      return stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return Status::IterationLimit;
+    case Ipopt::Maximum_CpuTime_Exceeded:
+      return Status::TimeLimit;
+    case Ipopt::Insufficient_Memory:
+      return Status::OutOfMemory;
+    case Ipopt::Invalid_Number_Detected:
+      return Status::NotEvaluable;
+    case Ipopt::Solved_To_Acceptable_Level:
+    case Ipopt::Infeasible_Problem_Detected:
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+    case Ipopt::Diverging_Iterates:
+    case Ipopt::Feasible_Point_Found:
+    case Ipopt::Restoration_Failed:
+    case Ipopt::Error_In_Step_Computation:
+      return at_refused_point ? Status::NotEvaluable : Status::NotConverged;
+    case Ipopt::Not_Enough_Degrees_Of_Freedom:
+    case Ipopt::Invalid_Problem_Definition:
+    case Ipopt::Invalid_Option:
+    case Ipopt::Unrecoverable_Exception:
+    case Ipopt::NonIpopt_Exception_Thrown:
+    case Ipopt::Internal_Error:
+      return Status::InternalError;
+  }
+  return Status::InternalError;
+}
+
+/// What Ipopt says of its own outcome.
+std::string_view describe(Ipopt::ApplicationReturnStatus status) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return "optimal solution found";
+    case Ipopt::Solved_To_Acceptable_Level:
+      return "acceptable level only";
+    case Ipopt::Infeasible_Problem_Detected:
+      return "converged to a point of local infeasibility";
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+      return "search direction becomes too small";
+    case Ipopt::Diverging_Iterates:
+      return "iterates diverge";
+    case Ipopt::User_Requested_Stop:
+      return "stopped on request";
+    case Ipopt::Feasible_Point_Found:
+      return "feasible point found";
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return "iteration limit exceeded";
+    case Ipopt::Restoration_Failed:
+      return "restoration failed";
+    case Ipopt::Error_In_Step_Computation:
+      return "error in step computation";
+    case Ipopt::Maximum_CpuTime_Exceeded:
+      return "processor time exceeded";
+    case Ipopt::Not_Enough_Degrees_Of_Freedom:
+      return "fewer variables than constraints";
+    case Ipopt::Invalid_Problem_Definition:
+      return "invalid problem definition";
+    case Ipopt::Invalid_Option:
+      return "invalid option";
+    case Ipopt::Invalid_Number_Detected:
+      return "a function value or derivative is not finite";
+    case Ipopt::Unrecoverable_Exception:
+      return "unrecoverable exception";
+    case Ipopt::NonIpopt_Exception_Thrown:
+      return "foreign exception";
+    case Ipopt::Insufficient_Memory:
+      return "not enough memory";
+    case Ipopt::Internal_Error:
+      return "internal error";
+  }
+  return "unknown return code";
+}
+
+/// MUMPS running out of workspace surfaces as a failed restoration; only the
+/// journal tells.
+bool memory_failure(std::string_view log) {
+  return log.find("MUMPS returned INFO(1) = -9") != std::string_view::npos ||
+         log.find("MUMPS returned INFO(1) =-13") != std::string_view::npos ||
+         log.find("not enough memory") != std::string_view::npos;
+}
+
+}  // namespace
+
+SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
+                              const IpoptOptions& options) {
+  const SingleThreadedBlas single_threaded;
+  const bool warm = !start.lambda.empty();
+  Ipopt::SmartPtr<IpoptAdapter> adapter =
+      new IpoptAdapter(problem, start, options.stop);
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
+      new Ipopt::IpoptApplication(false);
+
+  std::ostringstream log;
+  Ipopt::SmartPtr<Ipopt::StreamJournal> journal = new Ipopt::StreamJournal(
+      "log", options.verbose || options.check_derivatives
+                 ? Ipopt::J_ITERSUMMARY
+                 : Ipopt::J_STRONGWARNING);
+  journal->SetOutputStream(&log);
+  application->Jnlst()->AddJournal(Ipopt::GetRawPtr(journal));
+
+  set_options(*application->Options(), options, warm);
+  SolverResult result;
+  // The empty name keeps a stray ipopt.opt in the working directory out.
+  if (application->Initialize("") != Ipopt::Solve_Succeeded) {
+    result.message = "Ipopt refused its options";
+    result.log = log.str();
+    return result;
+  }
+  const Ipopt::ApplicationReturnStatus status =
+      application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
+  if (adapter->exception()) std::rethrow_exception(adapter->exception());
+
+  result.log = log.str();
+  result.point = adapter->final_point();
+  result.iterations = adapter->iterations();
+  result.refused_points = adapter->refused_points();
+  result.status =
+      translate(status, options.stop, adapter->refused_points() > 0);
+  if (memory_failure(result.log)) result.status = Status::OutOfMemory;
+  result.message = fmt::format("Ipopt: {} after {} iterations",
+                               describe(status), result.iterations);
+  if (result.status == Status::NotEvaluable) {
+    result.message += fmt::format(
+        " ({} trial points refused, the last because "
+        "{})",
+        result.refused_points, adapter->last_refusal());
+  }
+  return result;
+}
+
+std::string ipopt_version() {
+  return IPOPT_VERSION;
+}
+std::string mumps_version() {
+  return MUMPS_VERSION;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/ipopt_adapter.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace brachisto {
+
+using Ipopt::Index;
+using Ipopt::Number;
+
+namespace {
+
+std::size_t size(Index count) {
+  return static_cast<std::size_t>(count);
+}
+
+// Ipopt counts ±1e19 and beyond as "no bound".
+constexpr Number kNoBound = 2e19;
+
+/// Gives Ipopt the positions of a pattern.
+void copy_pattern(const nlp::SparsityPattern& pattern, Index* rows,
+                  Index* cols) {
+  std::copy(pattern.rows.begin(), pattern.rows.end(), rows);
+  std::copy(pattern.cols.begin(), pattern.cols.end(), cols);
+}
+
+}  // namespace
+
+IpoptAdapter::IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
+                           const StopCondition& stop)
+    : problem_(problem), start_(start), stop_(stop) {}
+
+template <class Evaluate>
+bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
+  if (exception_) return false;
+  try {
+    if (new_x || !have_point_) {
+      accepted_ = problem_.set_point({x, size(problem_.num_variables())});
+      have_point_ = true;
+      if (!accepted_) {
+        ++refused_points_;
+        last_refusal_ = problem_.refusal();
+      }
+    }
+    if (accepted_) evaluate();
+    return accepted_;
+  } catch (...) {
+    exception_ = std::current_exception();
+    return false;
+  }
+}
+
+bool IpoptAdapter::get_nlp_info(Index& n, Index& m, Index& nnz_jac_g,
+                                Index& nnz_h_lag, IndexStyleEnum& index_style) {
+  n = problem_.num_variables();
+  m = problem_.num_constraints();
+  nnz_jac_g = static_cast<Index>(problem_.jac_g_pattern().num_entries());
+  nnz_h_lag = static_cast<Index>(problem_.hess_lag_pattern().num_entries());
+  index_style = C_STYLE;
+  return true;
+}
+
+bool IpoptAdapter::get_bounds_info(Index n, Number* x_l, Number* x_u, Index m,
+                                   Number* g_l, Number* g_u) {
+  for (std::size_t i = 0; i < size(n); ++i) {
+    x_l[i] = std::max(problem_.lower()[i], -kNoBound);
+    x_u[i] = std::min(problem_.upper()[i], kNoBound);
+  }
+  std::fill_n(g_l, m, 0.0);
+  std::fill_n(g_u, m, 0.0);
+  return true;
+}
+
+bool IpoptAdapter::get_starting_point(Index n, bool init_x, Number* x,
+                                      bool init_z, Number* z_L, Number* z_U,
+                                      Index m, bool init_lambda,
+                                      Number* lambda) {
+  if (init_x) std::copy_n(start_.x.begin(), n, x);
+  if (init_z) {
+    // No bounds but those of fixed variables, which are no variables to Ipopt.
+    std::fill_n(z_L, n, 0.0);
+    std::fill_n(z_U, n, 0.0);
+  }
+  if (init_lambda) std::copy_n(start_.lambda.begin(), m, lambda);
+  return true;
+}
+
+bool IpoptAdapter::eval_f(Index, const Number* x, bool new_x,
+                          Number& obj_value) {
+  return guarded(x, new_x, [&] { obj_value = problem_.eval_f(); });
+}
+
+bool IpoptAdapter::eval_grad_f(Index n, const Number* x, bool new_x,
+                               Number* grad_f) {
+  return guarded(x, new_x, [&] { problem_.eval_grad_f({grad_f, size(n)}); });
+}
+
+bool IpoptAdapter::eval_g(Index, const Number* x, bool new_x, Index m,
+                          Number* g) {
+  // Ipopt 3.11.9 reads the norm of constraints it has no storage for yet if
+  // this answers false at a trial point of a second-order correction, and
+  // crashes. Not-a-number is refused by the same check, and safely.
+  if (!guarded(x, new_x, [&] { problem_.eval_g({g, size(m)}); })) {
+    std::fill_n(g, m, std::numeric_limits<Number>::quiet_NaN());
+  }
+  return true;
+}
+
+bool IpoptAdapter::eval_jac_g(Index, const Number* x, bool new_x, Index,
+                              Index nele_jac, Index* iRow, Index* jCol,
+                              Number* values) {
+  if (values == nullptr) {
+    copy_pattern(problem_.jac_g_pattern(), iRow, jCol);
+    return true;
+  }
+  return guarded(x, new_x, [&] {
+    problem_.eval_jac_g({values, size(nele_jac)});
+  });
+}
+
+bool IpoptAdapter::eval_h(Index, const Number* x, bool new_x, Number obj_factor,
+                          Index m, const Number* lambda, bool, Index nele_hess,
+                          Index* iRow, Index* jCol, Number* values) {
+  if (values == nullptr) {
+    copy_pattern(problem_.hess_lag_pattern(), iRow, jCol);
+    return true;
+  }
+  return guarded(x, new_x, [&] {
+    problem_.eval_hess_lag(obj_factor, {lambda, size(m)},
+                           {values, size(nele_hess)});
+  });
+}
+
+bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
+                                         Number, Number, Number, Number, Number,
+                                         Number, Number, Number, Index,
+                                         const Ipopt::IpoptData*,
+                                         Ipopt::IpoptCalculatedQuantities*) {
+  iterations_ = iter;
+  return !exception_ && !stop_.met();
+}
+
+void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,
+                                     const Number* x, const Number*,
+                                     const Number*, Index m, const Number*,
+                                     const Number* lambda, Number,
+                                     const Ipopt::IpoptData*,
+                                     Ipopt::IpoptCalculatedQuantities*) {
+  final_point_.x.assign(x, x + n);
+  final_point_.lambda.assign(lambda, lambda + m);
+}
+
+}  // namespace brachisto

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/solvers/stop_condition.hpp"
+
+namespace brachisto {
+
+StopCondition::StopCondition(double seconds, const std::atomic<int>* interrupt)
+    : interrupt_(interrupt) {
+  // Beyond a century the clock's own range would matter.
+  constexpr double kForever = 3e9;
+  if (seconds >= kForever) return;
+  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                 std::chrono::duration<double>(seconds));
+}
+
+}  // namespace brachisto

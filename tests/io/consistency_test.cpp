@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What the keys of a problem file demand of each other.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "io/reading.hpp"
+
+namespace brachisto::io {
+namespace {
+
+std::string mesh_errors(const std::string& keys) {
+  return errors(kBead + "discretisation: {" + keys + "}\n");
+}
+
+TEST(Consistency, CylindersNeedRadiusAndInertia) {
+  EXPECT_EQ(errors(cylinder("eta_m: 1/2")),
+            "p.yaml:3:3: scene.body.radius: missing; expected a number in m, "
+            "> 0 (r, radius of the cylinder)\n"
+            "p.yaml:3:3: scene.body.k: missing; expected a number, "
+            "0 ≤ k ≤ 1 − η_m² (k = I_cm/(m r²), moment of inertia about the "
+            "centre of mass)");
+}
+
+TEST(Consistency, BeadsHaveNothingButMass) {
+  EXPECT_EQ(errors("scene:\n"
+                   "  body: {radius: 1/3, k: x, shape: bead, mass: 2}\n"
+                   "  finish: {L: 3, H: 1}\n"),
+            "p.yaml:2:10: scene.body.radius: a bead has no radius; allowed of "
+            "a bead: shape, mass\n"
+            "p.yaml:2:23: scene.body.k: a bead has no k; allowed of a bead: "
+            "shape, mass\n"
+            "p.yaml:2:26: scene.body.k: \"x\" is not a number: \"x\" has no "
+            "meaning here; expected a number, 0 ≤ k ≤ 1 − η_m²");
+}
+
+TEST(Consistency, BeadsRefuseTheKeysOfCylindersEvenIfZero) {
+  EXPECT_EQ(errors("scene: {body: {shape: bead, eta_m: 0}, "
+                   "finish: {L: 3, H: 1}}\n"),
+            "p.yaml:1:29: scene.body.eta_m: a bead has no eta_m; allowed of a "
+            "bead: shape, mass");
+}
+
+TEST(Consistency, BoundsOfPhysicsGetAPosition) {
+  EXPECT_EQ(errors(cylinder("radius: 0, k: 1/2")),
+            "p.yaml:3:35: scene.body.radius: 0 m is not allowed: it must be "
+            "> 0, for the radius of a cylinder is a length");
+  EXPECT_NE(errors(cylinder("radius: 1, eta_m: 0.8, k: 0.5"))
+                .find("p.yaml:3:53: scene.body.k: 0.5 is not allowed"),
+            std::string::npos);
+  EXPECT_NE(errors("scene:\n  gravity: -9.81\n  body: {shape: bead}\n"
+                   "  finish: {L: 3, H: 0}\n")
+                .find("p.yaml:2:12: scene.gravity: -9.81 m/s² is not allowed"),
+            std::string::npos);
+}
+
+TEST(Consistency, BoundsOfPhysicsLeaveRoomForRounding) {
+  EXPECT_EQ(errors(cylinder("radius: 1, eta_m: 1/sqrt(2), k: 1/2")), "");
+}
+
+TEST(Consistency, BoundsAreNotCheckedAgainstNumbersNobodyGave) {
+  const std::string message =
+      errors(cylinder("radius: x, eta_m: y, k: 0.9, mass: z"));
+
+  EXPECT_EQ(std::ranges::count(message, '\n'), 2) << message;
+  EXPECT_EQ(message.find("is not allowed:"), std::string::npos) << message;
+}
+
+TEST(Consistency, ElementsAndNodesExcludeEachOther) {
+  EXPECT_EQ(mesh_errors("elements: 10, nodes: 51"),
+            "p.yaml:2:32: discretisation.nodes: elements is given too; "
+            "elements and nodes both fix the mesh, allowed is one of them");
+  EXPECT_EQ(mesh_errors("nodes: 51, elements: 10"),
+            "p.yaml:2:29: discretisation.elements: nodes is given too; "
+            "elements and nodes both fix the mesh, allowed is one of them");
+}
+
+TEST(Consistency, NodesFitTheDegree) {
+  EXPECT_EQ(mesh_errors("nodes: 201"), "");
+  EXPECT_EQ(mesh_errors("nodes: 200, degree: 1"), "");
+  EXPECT_EQ(mesh_errors("nodes: 1e6, degree: 3"), "");
+  EXPECT_EQ(mesh_errors("nodes: 1e6, degree: 2"),
+            "p.yaml:2:25: discretisation.nodes: 1000000 is not allowed; "
+            "nodes − 1 is a multiple of the degree 2; nearest: 999999 or "
+            "1000001");
+  EXPECT_EQ(mesh_errors("nodes: 200"),
+            "p.yaml:2:25: discretisation.nodes: 200 is not allowed; nodes − 1 "
+            "is a multiple of the degree 5; nearest: 196 or 201");
+  EXPECT_EQ(mesh_errors("nodes: 3"),
+            "p.yaml:2:25: discretisation.nodes: 3 is not allowed; nodes − 1 is "
+            "a multiple of the degree 5; nearest: 6");
+}
+
+TEST(Consistency, AllMistakesComeInFileOrder) {
+  const std::string text =
+      "solver: {guess: strait}\n"
+      "scene:\n"
+      "  gravity: 0\n"
+      "  body: {shape: cylinder, k: 1/2, etam: 0}\n"
+      "  finish: {L: -1, H: 1/0}\n"
+      "version: 7\n";
+  const auto line_starts = {
+      "p.yaml:1:17: solver.guess: ",     "p.yaml:3:12: scene.gravity: ",
+      "p.yaml:4:3: scene.body.radius: ", "p.yaml:4:35: scene.body.etam: ",
+      "p.yaml:5:15: scene.finish.L: ",   "p.yaml:5:22: scene.finish.H: ",
+      "p.yaml:6:10: version: "};
+
+  const std::string message = errors(text);
+
+  std::size_t at = 0;
+  for (const std::string start : line_starts) {
+    EXPECT_EQ(message.substr(at, start.size()), start);
+    at = message.find('\n', at) + 1;
+  }
+  EXPECT_EQ(at, 0U) << "more lines than expected: " << message;
+}
+
+}  // namespace
+}  // namespace brachisto::io

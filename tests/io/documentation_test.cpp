@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// docs/problem-files.md says what the program does.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "brachisto/io/key_table.hpp"
+#include "io/expression.hpp"
+#include "io/key_spec.hpp"
+#include "io/reading.hpp"
+
+namespace brachisto::io {
+namespace {
+
+std::string documentation() {
+  std::ifstream file(BRACHISTO_SOURCE_DIR "/docs/problem-files.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// What stands between two marks behind `from`; "" if they are not there.
+std::string between(const std::string& text, const std::string& begin,
+                    const std::string& end, std::size_t from = 0) {
+  const std::size_t first = text.find(begin, from);
+  if (first == std::string::npos) return "";
+  const std::size_t start = first + begin.size();
+  return text.substr(start, text.find(end, start) - start);
+}
+
+TEST(Documentation, QuotesTheTableOfKeys) {
+  EXPECT_EQ(between(documentation(), "<!-- begin key reference -->\n",
+                    "<!-- end key reference -->"),
+            key_reference_markdown());
+}
+
+TEST(Documentation, ExampleIsRead) {
+  const std::string example = between(documentation(), "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  EXPECT_EQ(errors(example), "");
+}
+
+TEST(Documentation, ExampleHasEveryKey) {
+  const std::string example = between(documentation(), "```yaml\n", "```");
+
+  for (const KeySpec& spec : key_table()) {
+    if (spec.type == KeyType::Reserved) continue;
+    EXPECT_NE(example.find(std::string(spec.name()) + ":"), std::string::npos)
+        << spec.path;
+  }
+}
+
+TEST(Documentation, ErrorsAreThoseOfTheProgram) {
+  const std::string text = documentation();
+  const std::size_t section = text.find("## Errors");
+  ASSERT_NE(section, std::string::npos);
+  const std::string bad = between(text, "```yaml\n", "```", section);
+  const std::string shown = between(text, "```text\n", "```", section);
+
+  try {
+    static_cast<void>(read_problem_text(bad, "bad.yaml"));
+    FAIL() << "must not be read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()) + "\n", shown);
+  }
+}
+
+TEST(Documentation, NamesTheParts) {
+  EXPECT_NE(documentation().find(expression_grammar()), std::string::npos)
+      << expression_grammar();
+}
+
+/// All numbers and words of a problem, defaults that stand elsewhere included.
+std::string effective(const ProblemFile& p) {
+  constexpr int kDefaultDegree = 5;
+  std::ostringstream text;
+  const Body& body = p.scene.body;
+  const Discretisation& mesh = p.options.discretisation;
+  text.precision(17);
+  text << static_cast<int>(body.shape) << ' ' << body.radius << ' '
+       << body.eta_m << ' ' << body.theta_m << ' ' << body.k << ' '
+       << body.mass.value_or(0.0) << ' ' << p.scene.L << ' ' << p.scene.H << ' '
+       << p.scene.gravity << ' ' << static_cast<int>(p.scene.contact) << ' '
+       << static_cast<int>(mesh.formulation) << ' '
+       << mesh.tolerance.value_or(kDefaultTolerance) << ' '
+       << mesh.degree.value_or(kDefaultDegree) << ' '
+       << mesh.elements.value_or(0) << ' ' << mesh.nodes.value_or(0) << ' '
+       << static_cast<int>(p.options.method) << ' '
+       << static_cast<int>(p.options.linear_solver) << ' '
+       << p.options.tolerance << ' ' << static_cast<int>(p.options.search)
+       << ' ' << static_cast<int>(p.options.guess) << ' '
+       << p.options.limits.iterations << ' ' << p.options.limits.seconds;
+  return text.str();
+}
+
+TEST(KeyTable, DefaultsAreThoseOfTheProgram) {
+  const std::string text = cylinder("radius: 1/3, k: 1/2");
+  const std::string expected = effective(read(text));
+
+  for (const KeySpec& spec : key_table()) {
+    if (spec.fallback.empty()) continue;
+    const std::string change =
+        std::string(spec.path) + "=" + std::string(spec.fallback);
+    EXPECT_EQ(effective(read(text, {change})), expected) << change;
+  }
+}
+
+TEST(KeyTable, IsComplete) {
+  for (const KeySpec& spec : key_table()) {
+    if (spec.type == KeyType::Reserved) continue;
+    const bool number = spec.type == KeyType::Number ||
+                        spec.type == KeyType::Angle ||
+                        spec.type == KeyType::Integer;
+    EXPECT_FALSE(spec.description.empty()) << spec.path;
+    EXPECT_EQ(spec.set != nullptr, number) << spec.path;
+    EXPECT_EQ(choices_of(spec).empty(), spec.type != KeyType::Choice)
+        << spec.path;
+    EXPECT_TRUE(spec.parent().empty() || find_key(spec.parent()) != nullptr)
+        << spec.path;
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::io

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Which keys a problem file may have, and where.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/reading.hpp"
+
+namespace brachisto::io {
+namespace {
+
+TEST(StrictKeys, UnknownOnesAreRefusedWithTheNearestKnown) {
+  EXPECT_EQ(errors(cylinder("raduis: 1/3, radius: 1/3, k: 1/2")),
+            "p.yaml:3:27: scene.body.raduis: unknown key; allowed in "
+            "scene.body: shape, radius, eta_m, theta_m, k, mass; did you mean "
+            "radius?");
+  EXPECT_EQ(errors(kBead + "friction: 0.3\n"),
+            "p.yaml:2:1: friction: unknown key; allowed at the top level: "
+            "version, scene, discretisation, solver");
+}
+
+TEST(StrictKeys, MisplacedOnesAreSentHome) {
+  EXPECT_EQ(errors(kBead + "k: 1/2\n"),
+            "p.yaml:2:1: k: misplaced key; it belongs in scene.body; allowed "
+            "at the top level: version, scene, discretisation, solver");
+  EXPECT_EQ(errors("scene: {eta_m: 0, body: {shape: bead}, "
+                   "finish: {L: 3, H: 1}}\n"),
+            "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body; "
+            "allowed in scene: body, finish, gravity, contact");
+  EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
+            "p.yaml:2:1: tolerance: misplaced key; it belongs in "
+            "discretisation or solver; allowed at the top level: version, "
+            "scene, discretisation, solver");
+}
+
+TEST(StrictKeys, DottedOnesAreForOverridesOnly) {
+  EXPECT_EQ(errors(kBead + "solver.guess: straight\n"),
+            "p.yaml:2:1: solver.guess: a key with dots; in a file it is "
+            "written as nested maps; allowed at the top level: version, "
+            "scene, discretisation, solver");
+}
+
+TEST(StrictKeys, RequiredOnesAreMissed) {
+  EXPECT_EQ(errors("version: 1\n"),
+            "p.yaml:1:1: scene: missing; expected a map with the keys body, "
+            "finish, gravity, contact (what is to roll where)");
+  EXPECT_EQ(errors("scene:\n  finish:\n    L: 3\n  body: {}\n"),
+            "p.yaml:2:3: scene.finish.H: missing; expected a number in m, > 0 "
+            "(H, drop from A to B)\n"
+            "p.yaml:4:3: scene.body.shape: missing; expected cylinder or bead "
+            "(a cylinder rolls without slip, a bead slides without friction)");
+}
+
+TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {
+  for (const std::string key : {"sweep", "work_precision", "constraints"}) {
+    EXPECT_EQ(errors(kBead + key + ": {}\n"),
+              "p.yaml:2:1: " + key +
+                  ": reserved for a later version of brachisto; allowed at the "
+                  "top level: version, scene, discretisation, solver");
+  }
+  for (const std::string key : {"polish", "certify", "fsolve"}) {
+    EXPECT_EQ(errors(kBead + "solver: {" + key + ": x}\n"),
+              "p.yaml:2:10: solver." + key +
+                  ": reserved for a later version of brachisto; allowed in "
+                  "solver: method, linear_solver, tolerance, search, guess, "
+                  "limits");
+  }
+  EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
+                   "path: 1}\n"),
+            "p.yaml:1:52: scene.path: reserved for a later version of "
+            "brachisto; allowed in scene: body, finish, gravity, contact");
+}
+
+TEST(StrictKeys, ReservedWordsAreNotCalledUnknown) {
+  const auto message = [](const std::string& section, const std::string& key,
+                          const std::string& word) {
+    return errors(kBead + section + ": {" + key + ": " + word + "}\n");
+  };
+  const std::string reserved =
+      " is reserved for a later version of brachisto; expected ";
+
+  EXPECT_EQ(message("discretisation", "formulation", "arc_length"),
+            "p.yaml:2:31: discretisation.formulation: \"arc_length\"" +
+                reserved + "rolling_time");
+  EXPECT_EQ(message("solver", "linear_solver", "chain"),
+            "p.yaml:2:25: solver.linear_solver: \"chain\"" + reserved +
+                "auto or mumps");
+  EXPECT_EQ(message("solver", "search", "global"),
+            "p.yaml:2:18: solver.search: \"global\"" + reserved + "principal");
+  EXPECT_EQ(message("solver", "guess", "random"),
+            "p.yaml:2:17: solver.guess: \"random\"" + reserved +
+                "cycloid or straight");
+  for (const std::string method : {"newton_kkt", "extremal", "fsolve"}) {
+    EXPECT_EQ(
+        message("solver", "method", method),
+        "p.yaml:2:18: solver.method: \"" + method + "\"" + reserved + "ipopt");
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::io

@@ -10,13 +10,13 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(yaml-cpp 0.7 REQUIRED)
 find_package(muparser REQUIRED)
 
-# SuiteSparse of Debian 12 has no CMake package of its own.
-if(NOT TARGET SuiteSparse::SuiteSparseConfig)
-  find_path(SUITESPARSE_INCLUDE_DIR SuiteSparse_config.h
-    PATH_SUFFIXES suitesparse REQUIRED)
-  find_library(SUITESPARSE_CONFIG_LIBRARY suitesparseconfig REQUIRED)
-  add_library(SuiteSparse::SuiteSparseConfig UNKNOWN IMPORTED)
-  set_target_properties(SuiteSparse::SuiteSparseConfig PROPERTIES
-    IMPORTED_LOCATION ${SUITESPARSE_CONFIG_LIBRARY}
+# SuiteSparse of Debian 12 has no CMake package of its own. KLU and what it
+# stands on are LGPL; UMFPACK, which is GPL, is not used.
+if(NOT TARGET SuiteSparse::KLU)
+  find_path(SUITESPARSE_INCLUDE_DIR klu.h PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(KLU_LIBRARY klu REQUIRED)
+  add_library(SuiteSparse::KLU UNKNOWN IMPORTED)
+  set_target_properties(SuiteSparse::KLU PROPERTIES
+    IMPORTED_LOCATION ${KLU_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${SUITESPARSE_INCLUDE_DIR})
 endif()

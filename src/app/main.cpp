@@ -94,9 +94,17 @@ int run(int argc, char** argv) {
   });
   try {
     app.parse(argc, argv);
+    // A full disk or a closed pipe shows when the buffer is written.
+    if (std::fflush(stdout) != 0) {
+      return fail(kIoError, "io_error", "brachisto: cannot write to stdout",
+                  false);
+    }
     return code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kSuccess : kUsage;
+    if (error.get_exit_code() == 0 || !json) {
+      return app.exit(error) == 0 ? kSuccess : kUsage;  // help and version
+    }
+    return fail(kUsage, "usage", error.what(), json);
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {

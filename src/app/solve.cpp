@@ -25,6 +25,7 @@ namespace {
 
 struct SolveFlags : CommonFlags {
   std::string out;
+  std::string certify;
   bool verbose = false;
   bool force = false;
 };
@@ -33,22 +34,41 @@ constexpr const char* kResultFile = "result.json";
 constexpr const char* kTrajectoryFile = "trajectory.csv";
 constexpr const char* kPathFile = "path.svg";
 
-/// The files of --out. Without a verified path there is only the result.
-std::vector<report::OutputFile> output_files(const Solution& solution,
-                                             const std::string& json) {
+/// Writes the files of --out. Without a verified path there is only the result,
+/// and no path of an earlier one stays beside it.
+void write_results(const SolveFlags& flags, const Solution& solution,
+                   const std::string& json) {
   std::vector<report::OutputFile> files;
   if (solution.verified()) {
     files.push_back(
         {kTrajectoryFile, report::trajectory_csv(*solution.trajectory)});
     files.push_back({kPathFile, report::path_svg(*solution.trajectory)});
+  } else {
+    report::remove_files(flags.out, {kTrajectoryFile, kPathFile});
   }
   files.push_back({kResultFile, json});
-  return files;
+  report::write_files(flags.out, files, flags.force);
+}
+
+/// Why the exit code is not zero, for those who see nothing else.
+std::string complaint(const Solution& solution) {
+  if (solution.status != Status::Solved) return solution.message;
+  for (const Check& check : solution.certificate.checks) {
+    if (!check.passed) return "not verified: failed check " + check.name;
+  }
+  for (const std::string& reason : solution.infeasible_because()) {
+    return "verified, but infeasible: " + reason;
+  }
+  return {};
 }
 
 int run(const SolveFlags& flags) {
-  const io::ProblemFile problem =
-      io::read_problem_file(flags.file, flags.overrides);
+  // --certify is short for the key of that name.
+  std::vector<std::string> overrides = flags.overrides;
+  if (!flags.certify.empty()) {
+    overrides.push_back("solver.certify=" + flags.certify);
+  }
+  const io::ProblemFile problem = io::read_problem_file(flags.file, overrides);
   if (!flags.out.empty()) {
     report::check_writable(flags.out, {kResultFile, kTrajectoryFile, kPathFile},
                            flags.force);
@@ -62,16 +82,15 @@ int run(const SolveFlags& flags) {
   const std::string json = report::result_json(solution);
   if (flags.verbose) fmt::print(stderr, "{}", solution.log);
   if (!flags.out.empty()) {
-    report::write_files(flags.out, output_files(solution, json), flags.force);
+    write_results(flags, solution, json);
   }
   if (flags.json) {
     fmt::print("{}", json);
   } else if (!flags.quiet) {
     fmt::print("{}", report::summary(solution));
   }
-  if (solution.status != Status::Solved && flags.quiet) {
-    fmt::print(stderr, "brachisto: {}\n", solution.message);
-  }
+  const std::string why = complaint(solution);
+  if (flags.quiet && !why.empty()) fmt::print(stderr, "brachisto: {}\n", why);
   return exit_code(solution, signal.load());
 }
 
@@ -85,12 +104,16 @@ void add_solve(CLI::App& app, int& exit_code) {
   verb->add_option("--out", flags->out,
                    "Write result.json, trajectory.csv and path.svg there")
       ->type_name("DIR");
+  verb->add_option("--certify", flags->certify,
+                   "Second opinion: none or extremal (solver.certify)")
+      ->type_name("METHOD");
   verb->add_flag("--force", flags->force, "Replace existing results in DIR");
   verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
   verb->footer(
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto solve case.yaml --json | jq .tau\n"
+      "  brachisto solve case.yaml --certify extremal\n"
       "  brachisto solve case.yaml --set scene.finish.L=4 --out results\n"
       "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or\n"
       "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"

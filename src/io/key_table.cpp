@@ -4,6 +4,7 @@
 /// \file
 /// key_table(): every key of a problem file.
 
+#include <cstdint>
 #include <limits>
 
 #include "io/key_spec.hpp"
@@ -139,7 +140,7 @@ std::vector<KeySpec> discretisation_keys() {
                  double v) { p.options.discretisation.tolerance = v; }},
       {.path = "discretisation.degree",
        .type = KeyType::Integer,
-       .fallback = "5",
+       .fallback = "follows the tolerance, 5 on a fixed mesh",
        .bounds = "from 1 to 8",
        .description = "p, polynomial degree of an element",
        .interval = {kMinDegree, kMaxDegree},
@@ -177,12 +178,14 @@ std::vector<KeySpec> solver_keys() {
       {.path = "solver.method",
        .type = KeyType::Choice,
        .fallback = "ipopt",
-       .description = "the solver",
-       .choices = {{"ipopt",
-                    [](ProblemFile& p) { p.options.method = Method::Ipopt; }},
-                   {"newton_kkt"},
-                   {"extremal"},
-                   {"fsolve"}}},
+       .description = "ipopt: collocation and a nonlinear program; extremal: "
+                      "Pontryagin's conditions by multiple shooting",
+       .choices =
+           {{"ipopt", [](ProblemFile& p) { p.options.method = Method::Ipopt; }},
+            {"extremal",
+             [](ProblemFile& p) { p.options.method = Method::Extremal; }},
+            {"newton_kkt"},
+            {"fsolve"}}},
       {.path = "solver.linear_solver",
        .type = KeyType::Choice,
        .fallback = "auto",
@@ -207,22 +210,52 @@ std::vector<KeySpec> solver_keys() {
       {.path = "solver.search",
        .type = KeyType::Choice,
        .fallback = "principal",
-       .description = "which extremal is the answer: the one that continues "
-                      "from the cycloid as η_m grows from 0",
-       .choices = {{"principal",
-                    [](ProblemFile& p) {
-                      p.options.search = Search::Principal;
-                    }},
-                   {"global"}}},
+       .description = "which extremal is the answer. principal: the one that "
+                      "continues from the cycloid as η_m grows from 0; "
+                      "global: the fastest feasible one of all that a search "
+                      "finds",
+       .choices =
+           {{"principal",
+             [](ProblemFile& p) { p.options.search = Search::Principal; }},
+            {"global",
+             [](ProblemFile& p) { p.options.search = Search::Global; }}}},
+      {.path = "solver.polish",
+       .type = KeyType::Choice,
+       .fallback = "true",
+       .description = "last digits by Newton's method on the optimality "
+                      "conditions and the contact together",
+       .choices = {{"true", [](ProblemFile& p) { p.options.polish = true; }},
+                   {"false",
+                    [](ProblemFile& p) { p.options.polish = false; }}}},
+      {.path = "solver.certify",
+       .type = KeyType::Choice,
+       .fallback = "none",
+       .description = "extremal: solve once more by multiple shooting and "
+                      "compare",
+       .choices =
+           {{"none", [](ProblemFile& p) { p.options.certify = Certify::None; }},
+            {"extremal",
+             [](ProblemFile& p) { p.options.certify = Certify::Extremal; }}}},
       {.path = "solver.guess",
        .type = KeyType::Choice,
        .fallback = "cycloid",
-       .description = "path of the centre that the first iteration starts from",
+       .description = "where a cold start begins; straight and random are "
+                      "tried in addition and reported, the answer does not "
+                      "depend on them",
        .choices = {{"cycloid",
                     [](ProblemFile& p) { p.options.guess = Guess::Cycloid; }},
                    {"straight",
                     [](ProblemFile& p) { p.options.guess = Guess::Straight; }},
-                   {"random"}}},
+                   {"random",
+                    [](ProblemFile& p) { p.options.guess = Guess::Random; }}}},
+      {.path = "solver.seed",
+       .type = KeyType::Integer,
+       .fallback = "1",
+       .bounds = "≥ 0",
+       .description = "of the random guess",
+       .interval = {0, kMaxInt},
+       .set = [](ProblemFile& p,
+                 double v) { p.options.seed = static_cast<std::uint64_t>(v); }},
       {.path = "solver.limits",
        .type = KeyType::Map,
        .description = "bounds on the work"},
@@ -244,8 +277,6 @@ std::vector<KeySpec> solver_keys() {
        .description = "wall-clock time",
        .interval = {.lower = 0.0, .lower_allowed = false},
        .set = [](ProblemFile& p, double v) { p.options.limits.seconds = v; }},
-      {.path = "solver.polish"},
-      {.path = "solver.certify"},
       {.path = "solver.fsolve"},
   };
 }

@@ -81,11 +81,12 @@ std::optional<CycloidArc> axisymmetric_optimum(const Scene& scene) {
   const double r = scene.body.radius;
   const double L = scene.L;
   const double H = scene.H;
-  double upper = 0.5 * kPi;
-  if (r >= H) {
-    if (L <= r + std::sqrt((r - H) * (r + H))) return std::nullopt;
-    upper = -std::acos(H / r);
-  }
+  if (std::hypot(L - r, H) <= r) return std::nullopt;
+  // The end lies below the start only where cos φ < H/r: for a large radius an
+  // end slope either steeply up or, if B is left of the centre, steeply down.
+  double first = -0.5 * kPi;
+  double last = 0.5 * kPi;
+  if (r >= H) (L > r ? last : first) = std::copysign(std::acos(H / r), r - L);
   // In terms of ψ = π − 2φ: sin 2φ = sin ψ, so π − 2φ − sin 2φ = ψ − sin ψ, and
   // cos φ = sin ψ/2. Divided by sin²(ψ/2), which keeps the sign of the limit at
   // φ = π/2.
@@ -96,13 +97,12 @@ std::optional<CycloidArc> axisymmetric_optimum(const Scene& scene) {
     if (psi < 1e-8) return -2.0 * reach;
     return (H - r * c) * psi_minus_sin(psi) / (c * c) - 2.0 * reach;
   };
-  // Towards φ = −π/2 the first term grows like 2π H / cos²φ.
-  const double lower =
-      -0.5 * kPi + 0.5 * std::min(1.0, std::sqrt(H / (2.0 * (L + r) + H)));
-  double left = lower;
-  while (mismatch(left) < 0.0) left = 0.5 * (left - 0.5 * kPi);
-  if (left >= upper) return std::nullopt;
-  const double phi = math::find_root(mismatch, left, upper);
+  // At φ = −π/2 the first term grows like 2π H / cos²φ: step in from there.
+  if (first == -0.5 * kPi) {
+    first = 0.5 * (first + last);
+    while (mismatch(first) < 0.0) first = 0.5 * (first - 0.5 * kPi);
+  }
+  const double phi = math::find_root(mismatch, first, last);
   const double c = std::cos(phi);
   return CycloidArc{{r, 0.0}, (H - r * c) / (2.0 * c * c), kPi - 2.0 * phi};
 }

@@ -52,7 +52,7 @@ Kinematics kinematics(const Body& body, double gravity,
   // κ_b = κ_c / (1 − r κ_c) = β_u / (w − r β_u), also at w = 0.
   const double along_track = w - r * state.beta_rate;
   out.kappa_b = state.beta_rate / along_track;
-  out.fold_margin = along_track / w;
+  out.fold_margin = body.rolls() ? along_track / w : 1.0;
   return out;
 }
 

@@ -3,6 +3,8 @@
 
 #include "brachisto/nlp/kkt_residual.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,11 +13,20 @@
 namespace brachisto::nlp {
 
 double KktResidual::max() const {
+  // All are ≥ 0, so their sum is not a number iff one of them is not; std::max
+  // would pass over it.
+  const double sum = stationarity + infeasibility + bound_violation;
+  if (std::isnan(sum)) return sum;
   return std::max({stationarity, infeasibility, bound_violation});
 }
 
 KktResidual kkt_residual(Problem& problem, std::span<const double> x,
                          std::span<const double> lambda) {
+  const auto m = static_cast<std::size_t>(problem.num_constraints());
+  if (lambda.size() != m) {
+    throw std::invalid_argument(
+        fmt::format("lambda has {} entries, expected {}", lambda.size(), m));
+  }
   if (!problem.set_point(x)) {
     throw std::domain_error("KKT residual: " + problem.refusal());
   }

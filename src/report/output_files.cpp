@@ -71,15 +71,32 @@ class TemporaryFile {
 void check_writable(const fs::path& directory,
                     const std::vector<std::string>& names, bool force) {
   std::error_code error;
-  if (fs::exists(directory, error) && !fs::is_directory(directory, error)) {
-    throw OutputError(directory.string() + ": exists and is not a directory");
+  // What is missing would be made; the first thing that is there must let us.
+  fs::path there = fs::absolute(directory);
+  while (!fs::exists(there, error) && there.has_relative_path()) {
+    there = there.parent_path();
   }
-  if (force) return;
+  if (!fs::is_directory(there, error)) {
+    throw OutputError(there.string() + ": exists and is not a directory");
+  }
+  if (::access(there.c_str(), W_OK | X_OK) != 0) fail(there, "write to", errno);
   for (const std::string& name : names) {
-    if (fs::exists(directory / name, error)) {
-      throw OutputError((directory / name).string() +
-                        ": exists; --force replaces it");
+    const fs::path target = directory / name;
+    if (fs::is_directory(target, error)) {
+      throw OutputError(target.string() + ": is a directory");
     }
+    if (!force && fs::exists(target, error)) {
+      throw OutputError(target.string() + ": exists; --force replaces it");
+    }
+  }
+}
+
+void remove_files(const fs::path& directory,
+                  const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    std::error_code error;
+    fs::remove(directory / name, error);
+    if (error) fail(directory / name, "remove", error.value());
   }
 }
 

@@ -38,24 +38,38 @@ Json scene_json(const Scene& scene) {
           {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"}};
 }
 
+Json guess_json(const SolveOptions& options) {
+  switch (options.guess) {
+    case Guess::Cycloid:
+      return "cycloid";
+    case Guess::Straight:
+      return "straight";
+    case Guess::Random:
+      return {{"random", {{"seed", options.seed}}}};
+  }
+  return nullptr;
+}
+
 Json options_json(const SolveOptions& options) {
   const Discretisation& mesh = options.discretisation;
-  return {
-      {"discretisation",
-       {{"formulation", "rolling_time"},
-        {"tolerance", or_null(mesh.tolerance)},
-        {"degree", or_null(mesh.degree)},
-        {"elements", or_null(mesh.elements)},
-        {"nodes", or_null(mesh.nodes)}}},
-      {"solver",
-       {{"method", "ipopt"},
-        {"linear_solver", "mumps"},
-        {"tolerance", options.tolerance},
-        {"search", "principal"},
-        {"guess", options.guess == Guess::Straight ? "straight" : "cycloid"},
-        {"limits",
-         {{"iterations", options.limits.iterations},
-          {"seconds", options.limits.seconds}}}}}};
+  return {{"discretisation",
+           {{"formulation", "rolling_time"},
+            {"tolerance", or_null(mesh.tolerance)},
+            {"degree", or_null(mesh.degree)},
+            {"elements", or_null(mesh.elements)},
+            {"nodes", or_null(mesh.nodes)}}},
+          {"solver",
+           {{"method", options.method == Method::Ipopt ? "ipopt" : "extremal"},
+            {"linear_solver", "mumps"},
+            {"tolerance", options.tolerance},
+            {"search",
+             options.search == Search::Principal ? "principal" : "global"},
+            {"polish", options.polish},
+            {"certify", options.certify == Certify::None ? "none" : "extremal"},
+            {"guess", guess_json(options)},
+            {"limits",
+             {{"iterations", options.limits.iterations},
+              {"seconds", options.limits.seconds}}}}}};
 }
 
 Json provenance_json(const SolveOptions& options) {
@@ -99,9 +113,56 @@ Json continuation_json(const std::vector<ContinuationStep>& steps) {
   for (const ContinuationStep& step : steps) {
     json.push_back({{"eta_m", step.eta_m},
                     {"phi", step.phi},
-                    {"iterations", step.iterations}});
+                    {"newton_steps", step.newton_steps}});
   }
   return json;
+}
+
+Json meshes_json(const std::vector<MeshRecord>& meshes) {
+  Json json = Json::array();
+  for (const MeshRecord& mesh : meshes) {
+    json.push_back({{"degree", mesh.degree},
+                    {"elements", mesh.elements},
+                    {"estimated_error", or_null(mesh.estimated_error)},
+                    {"passes", mesh.passes},
+                    {"iterations", mesh.iterations},
+                    {"newton_steps", mesh.newton_steps}});
+  }
+  return json;
+}
+
+Json branches_json(const std::vector<Branch>& branches) {
+  Json json = Json::array();
+  for (const Branch& branch : branches) {
+    json.push_back({{"tau", branch.verified ? Json(branch.tau) : Json()},
+                    {"estimated_error", branch.estimated_error},
+                    {"end_angle", branch.end_angle},
+                    {"centre_path_length", branch.centre_path_length},
+                    {"principal", branch.principal},
+                    {"verified", branch.verified},
+                    {"minimum", branch.minimum},
+                    {"feasible", branch.feasible},
+                    {"remarks", branch.remarks}});
+  }
+  return json;
+}
+
+Json cold_start_json(const std::optional<ColdStart>& cold) {
+  if (!cold) return nullptr;
+  return {{"status", name(cold->status)},
+          {"tau_coarse", or_null(cold->tau)},
+          {"principal", cold->principal}};
+}
+
+Json extremal_json(const std::optional<ExtremalOpinion>& opinion) {
+  if (!opinion) return nullptr;
+  if (!opinion->solved) {
+    return {{"solved", false}, {"message", opinion->message}};
+  }
+  return {{"solved", true},
+          {"tau", opinion->tau},
+          {"error_estimate", opinion->error_estimate},
+          {"difference", opinion->difference}};
 }
 
 /// Figures of the path; all null if `trajectory` is.
@@ -171,10 +232,16 @@ std::string result_json(const Solution& solution) {
   json["first_iterations"] = effort.first_iterations;
   json["closure_passes"] = effort.closure_passes;
   json["passes"] = effort.passes;
+  json["newton_steps"] = effort.newton_steps;
   json["continuation"] = continuation_json(effort.continuation);
+  json["refinement"] = meshes_json(effort.meshes);
+  json["folds"] = solution.folds;
+  json["cold_start"] = cold_start_json(solution.cold_start);
+  json["branches"] = branches_json(solution.branches);
+  json["extremal"] = extremal_json(solution.extremal);
   json["seconds"] = {{"total", effort.seconds},
-                     {"solve", effort.seconds - effort.check_seconds},
-                     {"check", effort.check_seconds}};
+                     {"solve", effort.seconds - effort.certificate_seconds},
+                     {"certificate", effort.certificate_seconds}};
   json["certificate"] = certificate_json(solution.certificate);
   json["provenance"] = provenance_json(solution.options);
   json["scene"] = scene_json(solution.scene);

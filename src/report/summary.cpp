@@ -65,6 +65,32 @@ void add_answer(std::string& out, const Solution& solution) {
                    100.0 * diagnostics.friction_above_1));
 }
 
+void add_second_opinion(std::string& out, const Solution& solution) {
+  if (!solution.extremal) return;
+  const ExtremalOpinion& opinion = *solution.extremal;
+  line(
+      out, "second opinion",
+      opinion.solved
+          ? fmt::format("τ = {:.14g} by shooting (error about {:.0e}), "
+                        "relative difference {:.1e}",
+                        opinion.tau, opinion.error_estimate, opinion.difference)
+          : "none: " + opinion.message);
+}
+
+void add_branches(std::string& out, const Solution& solution) {
+  std::string_view label = "smooth contacts";
+  for (const Branch& branch : solution.branches) {
+    std::string text = fmt::format(
+        "τ = {:.10f}, end {:.4f}°{}{}{}{}", branch.tau,
+        degrees(branch.end_angle), branch.principal ? ", principal" : "",
+        branch.verified ? "" : ", NOT VERIFIED",
+        branch.minimum ? "" : ", not a minimum",
+        branch.feasible ? ", feasible" : ", INFEASIBLE");
+    line(out, label, text);
+    label = "";
+  }
+}
+
 }  // namespace
 
 std::string summary(const Solution& solution) {
@@ -94,6 +120,16 @@ std::string summary(const Solution& solution) {
     }
   }
 
+  if (!solution.folds.empty()) {
+    line(out, "branch",
+         fmt::format("beyond {} fold{} of the branch from the cycloid, the "
+                     "first at η_m = {:.6f}",
+                     solution.folds.size(),
+                     solution.folds.size() == 1 ? "" : "s",
+                     solution.folds.front()));
+  }
+  add_second_opinion(out, solution);
+  add_branches(out, solution);
   const Effort& effort = solution.effort;
   if (solution.trajectory) {
     const Mesh& mesh = solution.trajectory->curve().mesh();
@@ -103,14 +139,11 @@ std::string summary(const Solution& solution) {
                      mesh.degree, mesh.num_elements(), solution.nodes,
                      solution.variables, solution.constraints));
   }
-  std::string work =
-      fmt::format("{} iterations in {} passes, {:.3f} s", effort.iterations,
-                  effort.passes, effort.seconds);
-  if (!effort.continuation.empty()) {
-    work += fmt::format("; followed from η_m = 0 in {} steps",
-                        effort.continuation.size());
-  }
-  line(out, "work", work);
+  line(
+      out, "work",
+      fmt::format("{} Ipopt iterations in {} passes, {} Newton steps, {:.3f} s",
+                  effort.iterations, effort.passes, effort.newton_steps,
+                  effort.seconds));
   return out;
 }
 

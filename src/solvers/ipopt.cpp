@@ -47,11 +47,17 @@ void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
   if (options.check_derivatives) {
     list.SetStringValue("derivative_test", "second-order");
     list.SetNumericValue("derivative_test_tol", 1e-5);
+    // Ipopt would move the start by up to 10, to where nothing is defined.
+    list.SetNumericValue("point_perturbation_radius", 0.0);
   }
 }
 
 Status translate(Ipopt::ApplicationReturnStatus status,
                  const StopCondition& stop, bool at_refused_point) {
+  // A stop makes the adapter refuse points, which Ipopt answers in many ways.
+  if (status != Ipopt::Solve_Succeeded && stop.met()) {
+    return stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+  }
   switch (status) {
     case Ipopt::Solve_Succeeded:
       return Status::Solved;

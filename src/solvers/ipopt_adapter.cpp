@@ -35,7 +35,8 @@ IpoptAdapter::IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
 
 template <class Evaluate>
 bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
-  if (exception_) return false;
+  // Refusing every point brings Ipopt to its end soonest.
+  if (exception_ || stop_.met()) return false;
   try {
     if (new_x || !have_point_) {
       accepted_ = problem_.set_point({x, size(problem_.num_variables())});

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/transcription/contact_equation.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 
 namespace brachisto {
 
@@ -17,13 +18,17 @@ namespace {
 
 // Steps in η_m, as fractions of the whole way.
 constexpr double kFirstStep = 0.25;
-constexpr double kSmallestStep = 1e-3;
-// A step of Newton's method near its solution needs a handful of iterations;
-// more mean that it went looking.
-constexpr int kQuickIterations = 8;
+constexpr double kSmallestStep = 1e-4;
+// Newton's method near its solution doubles the digits in each step; more than
+// a handful means that it went looking.
+constexpr int kMostNewtonSteps = 6;
+// After that few the next step may be twice as long.
+constexpr int kFewNewtonSteps = 4;
 // How far a slope angle may end from its prediction [rad]. The secant predicts
-// to the second order in the step; branches lie further apart.
+// to second order in the step; branches lie further apart.
 constexpr double kLargestSurprise = 0.35;
+// Good enough to tell where the branch runs; the final mesh does the rest.
+constexpr double kTolerance = 1e-8;
 
 /// A solution at one η_m.
 struct State {
@@ -32,21 +37,21 @@ struct State {
   double phi;
 };
 
-/// `from` moved on along the line through `before` and `from`.
-void extrapolate(const State& before, const State& from, double fraction,
-                 MeshStart& start) {
+/// The line through `before` and `from`, at `fraction`.
+State extrapolate(const State& before, const State& from, double fraction) {
   const double ratio =
       (fraction - from.fraction) / (from.fraction - before.fraction);
+  State out{fraction, from.point, from.phi + ratio * (from.phi - before.phi)};
   const auto move = [&](const std::vector<double>& a,
                         const std::vector<double>& b,
-                        std::vector<double>& out) {
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = b[i] + ratio * (b[i] - a[i]);
+                        std::vector<double>& result) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = b[i] + ratio * (b[i] - a[i]);
     }
   };
-  move(before.point.x, from.point.x, start.point.x);
-  move(before.point.lambda, from.point.lambda, start.point.lambda);
-  start.phi = from.phi + ratio * (from.phi - before.phi);
+  move(before.point.x, from.point.x, out.point.x);
+  move(before.point.lambda, from.point.lambda, out.point.lambda);
+  return out;
 }
 
 double largest_surprise(const VariableLayout& layout, const PrimalDual& found,
@@ -59,87 +64,88 @@ double largest_surprise(const VariableLayout& layout, const PrimalDual& found,
   return worst;
 }
 
-bool final(Status status) {
-  return status == Status::Interrupted || status == Status::TimeLimit ||
-         status == Status::OutOfMemory || status == Status::InternalError;
+bool moves_forward(const ExtremalCurve& curve) {
+  const auto& w = curve.w_at_points();
+  return std::all_of(w.begin(), w.end(), [](double v) { return v > 0.0; });
 }
 
 }  // namespace
 
 Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
                                    const Mesh& mesh,
-                                   const MeshOptions& options) {
+                                   const StopCondition& stop) {
   Continuation result;
-  const auto record = [&](const MeshSolution& solution) {
-    result.iterations += solution.iterations;
-    result.passes += solution.closure.passes;
-    result.log += solution.log;
-    result.status = solution.status;
-    result.message = solution.message;
-  };
-  const auto at_fraction = [&](double fraction) {
+  NewtonOptions newton;
+  newton.tolerance = kTolerance;
+  newton.max_iterations = kMostNewtonSteps;
+  newton.max_halvings = 1;
+  newton.stop = stop;
+  const auto at_fraction = [&](double fraction, double phi) {
     Scene scaled = scene;
     scaled.body.eta_m *= fraction;
-    return scaled;
+    return RollingTime(scaled, mesh, phi);
+  };
+  const auto correct = [&](RollingTime& problem, const State& predicted) {
+    if (scene.contact == Contact::Centre) {
+      return solve_with_newton(problem, nullptr, predicted.point, predicted.phi,
+                               newton);
+    }
+    ContactEquation contact(problem);
+    return solve_with_newton(problem, &contact, predicted.point, predicted.phi,
+                             newton);
   };
 
-  // η = 0: the axisymmetric body, whose problem has no θ.
+  // At η_m = 0 the cycloid is the solution. An offset next to nothing stands
+  // for none, so that the problem has its θ from the start.
+  constexpr double kNextToNothing = 1e-12;
   const double phi_0 = arc.slope_angle(arc.psi_end);
-  RollingTime axisymmetric(at_fraction(0.0), mesh, phi_0);
-  MeshSolution solution = solve_on_mesh(
-      axisymmetric, {cycloid_guess(axisymmetric, arc), phi_0}, options);
-  record(solution);
-  if (!solution.solved()) return result;
-  result.steps.push_back({0.0, solution.closure.phi, solution.iterations});
-  const ExtremalCurve cycloid(axisymmetric, solution.point);
-
-  // From here on all problems have the same unknowns.
-  RollingTime problem(scene, mesh, phi_0);
-  State last{0.0, prolong(cycloid, problem), solution.closure.phi};
+  RollingTime problem = at_fraction(kNextToNothing, phi_0);
+  State last{0.0, cycloid_extremal(problem, arc), phi_0};
   std::optional<State> before;
-  double slope = solution.closure.slope;
-  double step = kFirstStep;
+  int orientation = 0;  // of the branch: sign of the Jacobian's determinant
+  result.steps.push_back({0.0, phi_0, 0});
+  double step = scene.body.off_centred() ? kFirstStep : 1.0;
   while (last.fraction < 1.0) {
     const double fraction = std::min(1.0, last.fraction + step);
-    problem = RollingTime(at_fraction(fraction), mesh, last.phi);
-    MeshStart start{last.point, last.phi, slope};
-    if (before) extrapolate(*before, last, fraction, start);
-    MeshOptions remaining = options;
-    remaining.ipopt.max_iterations -= result.iterations;
-    if (remaining.ipopt.max_iterations <= 0) {
-      result.status = Status::IterationLimit;
+    State predicted = before ? extrapolate(*before, last, fraction) : last;
+    problem = at_fraction(fraction, predicted.phi);
+    const NewtonResult corrected = correct(problem, predicted);
+    result.newton_steps += corrected.iterations;
+    if (stop.met()) {
+      result.status =
+          stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
       break;
     }
-    solution = solve_on_mesh(problem, start, remaining);
-    record(solution);
-    if (final(solution.status)) break;
-    const bool on_branch = solution.solved() &&
-                           solution.first_iterations <= kQuickIterations &&
-                           largest_surprise(problem.layout(), solution.point,
-                                            start.point) <= kLargestSurprise;
+    // A point without a Newton step is the prediction itself.
+    const int sign = corrected.determinant_sign;
+    const bool on_branch =
+        corrected.status == Status::Solved &&
+        (sign == orientation || orientation == 0 || sign == 0) &&
+        largest_surprise(problem.layout(), corrected.point, predicted.point) <=
+            kLargestSurprise &&
+        moves_forward(ExtremalCurve(problem, corrected.point));
     if (!on_branch) {
-      step *= 0.5;
+      ++result.rejected_steps;
+      step = 0.5 * (fraction - last.fraction);
       if (step >= kSmallestStep) continue;
-      if (solution.solved()) result.status = Status::NotConverged;
       break;
     }
+    if (sign != 0) orientation = sign;
     before = std::move(last);
-    last = {fraction, std::move(solution.point), solution.closure.phi};
-    slope = solution.closure.slope;
+    last = {fraction, corrected.point, corrected.phi};
     result.steps.push_back(
-        {fraction * scene.body.eta_m, last.phi, solution.iterations});
-    if (solution.first_iterations <= kQuickIterations / 2) step *= 2.0;
+        {fraction * scene.body.eta_m, last.phi, corrected.iterations});
+    if (corrected.iterations <= kFewNewtonSteps) step *= 2.0;
   }
   if (last.fraction < 1.0) {
     result.message = fmt::format(
-        "the branch from the cycloid was followed to η_m = {:.6g} of {:.6g}: "
-        "{}",
-        last.fraction * scene.body.eta_m, scene.body.eta_m, result.message);
+        "the extremal that continues from the cycloid could be followed to "
+        "η_m = {:.6g} only, of {:.6g}",
+        last.fraction * scene.body.eta_m, scene.body.eta_m);
     return result;
   }
   result.status = Status::Solved;
   result.phi = last.phi;
-  result.closure_slope = slope;
   result.curve.emplace(problem, last.point);
   return result;
 }

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/transcription/contact_equation.hpp"
 
 namespace brachisto {
 
@@ -25,6 +27,31 @@ bool solved_up_to_rounding(RollingTime& problem, const SolverResult& result) {
   }
   return nlp::kkt_residual(problem, result.point.x, result.point.lambda)
              .max() <= kRoundingResidual;
+}
+
+double slope_at_end(const RollingTime& problem, const PrimalDual& point) {
+  return end_slope(problem, point.x, costates(problem, point.x, point.lambda));
+}
+
+void polish(RollingTime& problem, const MeshOptions& options,
+            MeshSolution& solution) {
+  NewtonOptions newton;
+  newton.tolerance = options.ipopt.tolerance;
+  newton.to_rounding = true;
+  newton.stop = options.ipopt.stop;
+  const bool smooth = problem.scene().contact == Contact::Smooth;
+  std::optional<ContactEquation> contact;
+  if (smooth) contact.emplace(problem);
+  NewtonResult result =
+      solve_with_newton(problem, smooth ? &*contact : nullptr, solution.point,
+                        solution.closure.phi, newton);
+  solution.polish = {result.iterations, result.first_residual, result.residual};
+  if (result.residual >= result.first_residual) return;
+  solution.point = std::move(result.point);
+  solution.closure.phi = result.phi;
+  if (!smooth) return;
+  solution.closure.mismatch =
+      slope_at_end(problem, solution.point) - result.phi;
 }
 
 }  // namespace
@@ -53,20 +80,29 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     }
     solution.status = Status::Solved;
     solution.point = std::move(result.point);
-    return end_slope(
-        problem, solution.point.x,
-        costates(problem, solution.point.x, solution.point.lambda));
+    return slope_at_end(problem, solution.point);
   };
 
-  if (problem.scene().contact == Contact::Centre) {
+  const bool smooth = problem.scene().contact == Contact::Smooth;
+  ClosureOptions closure = options.closure;
+  closure.initial_slope = start.closure_slope;
+  if (options.polish) closure.tolerance = kPolishedFrom;
+  if (smooth) {
+    const double final_tolerance = options.closure.loose_tolerance;
+    solution.closure = close_contact(pass, start.phi, closure);
+    if (solution.closure.closed && options.polish) {
+      polish(problem, options, solution);
+      solution.closure.closed =
+          std::abs(solution.closure.mismatch) <= final_tolerance;
+    }
+  } else {
     pass(start.phi);
     solution.closure.phi = start.phi;
     solution.closure.closed = solution.solved();
-    return solution;
+    if (solution.solved() && options.polish) {
+      polish(problem, options, solution);
+    }
   }
-  ClosureOptions closure = options.closure;
-  closure.initial_slope = start.closure_slope;
-  solution.closure = close_contact(pass, start.phi, closure);
   if (solution.solved() && !solution.closure.closed) {
     solution.status = Status::NotConverged;
     solution.message = fmt::format(

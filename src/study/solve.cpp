@@ -6,13 +6,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/study/extremal_bridge.hpp"
+#include "brachisto/study/global_search.hpp"
+#include "brachisto/transcription/element_errors.hpp"
+#include "brachisto/transcription/equidistribution.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 
@@ -20,260 +23,432 @@ namespace brachisto {
 
 namespace {
 
-constexpr int kDefaultDegree = 5;
-constexpr int kMaxMeshes = 8;
+constexpr int kMaxMeshes = 12;
+constexpr int kFixedMeshDegree = 5;
 
-// A cold start is trusted to have found the principal branch if Newton's method
-// went straight to it; anything longer is repeated by continuation in η_m.
-constexpr int kTrustedIterations = 10;
+// The continuation only has to tell branches apart; degree 5 with eight
+// elements per turn of the body keeps its τ right to six digits or so.
+constexpr int kCoarseDegree = 5;
+constexpr double kCoarseElementsPerTurn = 7.0;
+constexpr int kFewestCoarseElements = 8;
 
 // With a fixed mesh and no wanted tolerance, what the coarsest mesh must reach
 // for its numbers to mean anything.
 constexpr double kCoarsestAgreement = 1e-2;
-
-// What rounding leaves of T, relative: a few ulps from the sum of the integral.
-constexpr double kRoundingError = 1e-15;
 
 double seconds_since(StopCondition::Clock::time_point start) {
   return std::chrono::duration<double>(StopCondition::Clock::now() - start)
       .count();
 }
 
-/// Turns of the body on its way, as far as the cycloid tells; each turn makes
-/// the track go up and down once. Zero if turning has no influence.
-double estimated_turns(const Scene& scene, const CycloidArc& arc) {
-  if (!scene.body.off_centred()) return 0.0;
-  return arc.arc_length(arc.psi_end) /
-         (2.0 * std::numbers::pi * scene.body.radius);
+/// The mesh of the continuation: so many elements for each turn of the body,
+/// which makes the track go up and down once.
+Mesh coarse_mesh(const Scene& scene, const CycloidArc& arc) {
+  double turns = 0.0;
+  if (scene.body.off_centred()) {
+    turns = arc.arc_length(arc.psi_end) /
+            (2.0 * std::numbers::pi * scene.body.radius);
+  }
+  const double wanted = kCoarseElementsPerTurn * (turns + 0.5);
+  return uniform_mesh(
+      kCoarseDegree,
+      std::max(kFewestCoarseElements, static_cast<int>(std::ceil(wanted))));
 }
 
-/// Elements of degree p for a relative error ε of T. With degree 5 and 12
-/// elements a turn the cases of the paper reach about 1e-10; the error falls
-/// like N^(−2p).
-int initial_elements(double turns, int degree, double tolerance) {
-  const double per_turn = 12.0 * (5.0 / degree);
-  const double refinement = std::pow(1e-10 / tolerance, 0.5 / degree);
-  const double count = std::max(8.0, per_turn * (turns + 0.5)) * refinement;
-  return std::max(4, static_cast<int>(std::ceil(count)));
+std::string no_cycloid(const Scene& scene) {
+  return fmt::format(
+      "B lies inside the uniform cylinder at its start, (L − r)² + H² ≤ r² "
+      "with "
+      "r = {:g}, L = {:g}, H = {:g}: that body has no path to B, and so the "
+      "principal branch, which starts from it, does not exist. Try a smaller "
+      "radius or a point B further away",
+      scene.body.radius, scene.L, scene.H);
 }
 
 /// One solve: its parts share the scene, the budget and the protocol.
 class Run {
  public:
   Run(const Scene& scene, const SolveOptions& options, const SolveHooks& hooks)
-      : natural_(in_natural_units(scene)),
+      : scene_(scene),
+        natural_(in_natural_units(scene)),
         units_(natural_units(scene)),
-        start_time_(StopCondition::Clock::now()),
-        options_(options) {
-    solution_.scene = scene;
-    solution_.options = options;
+        options_(options),
+        start_time_(StopCondition::Clock::now()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
     mesh_options_.ipopt.verbose = hooks.verbose;
     mesh_options_.ipopt.stop =
         StopCondition(options.limits.seconds, hooks.interrupt);
+    mesh_options_.polish = options.polish;
+    out_.scene = scene;
+    out_.options = options;
   }
 
   Solution execute() {
     find();
-    solution_.effort.seconds = seconds_since(start_time_);
-    return std::move(solution_);
+    out_.effort.seconds = seconds_since(start_time_);
+    return std::move(out_);
   }
 
  private:
   void find();
-  bool start_cold(const CycloidArc& arc, const Mesh& mesh);
-  bool continue_in_eta(const CycloidArc& arc, const Mesh& mesh);
-  bool solve_from(const MeshStart& start);
-  void refine(int degree, double tolerance);
-  void check();
-  void report();
+  void find_fastest(const CycloidArc& arc, const Continuation& principal);
+  void solve_by_shooting();
+  void follow_folds(Continuation& principal);
+  void try_other_start(const CycloidArc& arc, const Continuation& principal);
+  [[nodiscard]] std::optional<MeshAnswer> refine(const ExtremalCurve& curve,
+                                                 double phi);
+  [[nodiscard]] Branch judge(MeshAnswer& answer);
+  void report(MeshAnswer& answer);
+  void ask_extremal(const MeshAnswer& answer);
 
-  /// Books a solve; false if it failed.
-  bool book(const MeshSolution& solution);
-  [[nodiscard]] MeshOptions budget() const;
-  [[nodiscard]] ExtremalCurve curve() const {
-    return ExtremalCurve(*problem_, found_.point);
+  [[nodiscard]] double wanted_tolerance() const {
+    return options_.discretisation.tolerance.value_or(kDefaultTolerance);
   }
+  [[nodiscard]] const StopCondition& stop() const {
+    return mesh_options_.ipopt.stop;
+  }
+  [[nodiscard]] MeshOptions budget() const;
+  void book(const MeshAnswer& answer);
+  [[nodiscard]] Certificate certificate(MeshAnswer& answer) const;
 
-  Scene natural_;
+  Scene scene_, natural_;
   Units units_;
-  StopCondition::Clock::time_point start_time_;
   SolveOptions options_;
+  StopCondition::Clock::time_point start_time_;
   MeshOptions mesh_options_;
-  Solution solution_;
-  std::optional<RollingTime> problem_;
-  MeshSolution found_;  ///< on problem_'s mesh
+  Solution out_;
 };
 
 MeshOptions Run::budget() const {
   MeshOptions options = mesh_options_;
   options.ipopt.max_iterations =
-      std::max(0, options_.limits.iterations - solution_.effort.iterations);
+      std::max(0, options_.limits.iterations - out_.effort.iterations);
   return options;
 }
 
-bool Run::book(const MeshSolution& solution) {
-  solution_.effort.iterations += solution.iterations;
-  solution_.effort.passes += solution.closure.passes;
-  solution_.log += solution.log;
-  solution_.status = solution.status;
-  solution_.message = solution.message;
-  return solution.solved();
+void Run::book(const MeshAnswer& answer) {
+  const MeshSolution& solution = answer.solution;
+  Effort& effort = out_.effort;
+  effort.iterations += solution.iterations;
+  effort.passes += solution.closure.passes;
+  effort.newton_steps += solution.polish.newton_steps;
+  effort.first_iterations = solution.first_iterations;
+  effort.closure_passes = solution.closure.passes;
+  effort.meshes.push_back({answer.problem.mesh().degree,
+                           answer.problem.mesh().num_elements(),
+                           answer.estimated_error, solution.closure.passes,
+                           solution.iterations, solution.polish.newton_steps});
+  out_.log += solution.log;
+  out_.status = solution.status;
+  out_.message = solution.message;
 }
 
-bool Run::start_cold(const CycloidArc& arc, const Mesh& mesh) {
-  const double phi = arc.slope_angle(arc.psi_end);
-  problem_.emplace(natural_, mesh, phi);
-  const PrimalDual guess = options_.guess == Guess::Straight
-                               ? straight_guess(*problem_)
-                               : cycloid_guess(*problem_, arc);
-  found_ = solve_on_mesh(*problem_, {guess, phi}, budget());
-  const bool straight_to_it = found_.first_iterations <= kTrustedIterations &&
-                              found_.refused_points == 0;
-  return book(found_) && (straight_to_it || !natural_.body.off_centred());
-}
-
-bool Run::solve_from(const MeshStart& start) {
-  found_ = solve_on_mesh(*problem_, start, budget());
-  return book(found_);
-}
-
-bool Run::continue_in_eta(const CycloidArc& arc, const Mesh& mesh) {
-  // Coarse, since it only has to tell branches apart.
-  const int elements =
-      initial_elements(estimated_turns(natural_, arc), kDefaultDegree, 1e-6);
-  Continuation path = continue_from_cycloid(
-      natural_, arc, uniform_mesh(kDefaultDegree, elements), budget());
-  solution_.effort.iterations += path.iterations;
-  solution_.effort.passes += path.passes;
-  solution_.effort.continuation = path.steps;
-  solution_.log += path.log;
-  solution_.status = path.status;
-  solution_.message = path.message;
-  if (!path.curve) return false;
-  problem_.emplace(natural_, mesh, path.phi);
-  return solve_from(
-      {prolong(*path.curve, *problem_), path.phi, path.closure_slope});
-}
-
-/// Solves the same scene with degree p + 1 and compares.
-void Run::check() {
-  const auto begin = StopCondition::Clock::now();
-  const ExtremalCurve coarse = curve();
-  Mesh mesh = coarse.mesh();
-  mesh.degree += 1;
-  RollingTime finer(natural_, mesh, found_.closure.phi);
-  const MeshSolution solution = solve_on_mesh(
-      finer, {prolong(coarse, finer), found_.closure.phi, found_.closure.slope},
-      budget());
-  solution_.effort.iterations += solution.iterations;
-  solution_.effort.passes += solution.closure.passes;
-  solution_.log += solution.log;
-  if (solution.solved()) {
-    const ExtremalCurve fine(finer, solution.point);
-    const double T = coarse.transit_time();
-    const double open_contact = std::abs(found_.closure.mismatch) *
-                                natural_.body.radius * coarse.transit_time() /
-                                std::max(coarse.arc_length(), 1e-300);
-    solution_.estimated_error =
-        (std::abs(fine.transit_time() - T) + open_contact) / T + kRoundingError;
-  } else {
-    solution_.estimated_error.reset();
-    if (solution.status == Status::Interrupted ||
-        solution.status == Status::TimeLimit ||
-        solution.status == Status::IterationLimit) {
-      solution_.status = solution.status;
-      solution_.message =
-          "while checking with degree p + 1: " + solution.message;
-    }
-  }
-  solution_.effort.check_seconds += seconds_since(begin);
-}
-
-/// Refines the mesh until the check agrees to the tolerance.
-void Run::refine(int degree, double tolerance) {
-  for (int meshes = 1; meshes < kMaxMeshes; ++meshes) {
-    if (solution_.status != Status::Solved) return;
-    double factor = 2.0;
-    if (solution_.estimated_error) {
-      if (*solution_.estimated_error <= tolerance) return;
-      factor = std::clamp(
-          1.1 * std::pow(*solution_.estimated_error / tolerance, 0.5 / degree),
-          1.25, 2.5);
-    }
-    const ExtremalCurve coarse = curve();
+/// Solves on the fixed mesh, or on meshes that follow the tolerance, each from
+/// the solution of the one before.
+std::optional<MeshAnswer> Run::refine(const ExtremalCurve& curve, double phi) {
+  const Discretisation& wanted = options_.discretisation;
+  if (wanted.fixed()) {
+    const int degree = wanted.degree.value_or(kFixedMeshDegree);
     const int elements =
-        static_cast<int>(std::ceil(factor * coarse.mesh().num_elements()));
-    problem_.emplace(natural_, uniform_mesh(degree, elements),
-                     found_.closure.phi);
-    if (!solve_from({prolong(coarse, *problem_), found_.closure.phi,
-                     found_.closure.slope})) {
-      return;
-    }
-    check();
+        wanted.elements ? *wanted.elements : (*wanted.nodes - 1) / degree;
+    MeshAnswer answer = answer_on_mesh(natural_, uniform_mesh(degree, elements),
+                                       curve, phi, budget());
+    book(answer);
+    if (!answer.solution.solved()) return std::nullopt;
+    return answer;
   }
+
+  const double tolerance = wanted_tolerance();
+  // From the coarse curve's own error, carried over to the wanted degree.
+  const int degree = wanted.degree.value_or(starting_degree(tolerance));
+  Mesh mesh = equidistribute(curve.mesh(), element_errors(curve),
+                             0.1 * tolerance * curve.transit_time());
+  mesh.degree = degree;
+  if (degree != curve.mesh().degree) {
+    // Elements of another degree are as good if they have as many unknowns.
+    const double ratio = static_cast<double>(curve.mesh().degree) / degree;
+    mesh = stretch(
+        mesh,
+        std::max(4, static_cast<int>(std::ceil(ratio * mesh.num_elements()))));
+  }
+  std::optional<MeshAnswer> best;
+  ExtremalCurve from = curve;
+  double from_phi = phi;
+  for (int i = 0; i < kMaxMeshes; ++i) {
+    MeshAnswer answer =
+        answer_on_mesh(natural_, mesh, from, from_phi, budget());
+    book(answer);
+    if (!answer.solution.solved()) return std::nullopt;
+    if (stop().met()) break;
+    const bool improved = !best ||
+                          (answer.estimated_error &&
+                           answer.estimated_error < best->estimated_error) ||
+                          !best->estimated_error;
+    if (improved) best.emplace(std::move(answer));
+    if (best->estimated_error && *best->estimated_error <= tolerance) break;
+    // Rounding has the last word: finer meshes only get worse.
+    if (!improved) break;
+    mesh = next_mesh(*best, tolerance, wanted.degree.has_value());
+    if (best->finer) {
+      from = *best->finer;
+      from_phi = best->finer_phi;
+    } else {
+      from = best->curve();
+      from_phi = best->solution.closure.phi;
+    }
+  }
+  return best;
+}
+
+Certificate Run::certificate(MeshAnswer& answer) const {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Discretisation& wanted = options_.discretisation;
+  double threshold = wanted_tolerance();
+  if (wanted.fixed() && !wanted.tolerance) threshold = kCoarsestAgreement;
+  const double estimated = answer.estimated_error.value_or(nan);
+  // A mesh that missed the tolerance is judged by what it reached.
+  const double error = wanted.fixed() && !wanted.tolerance
+                           ? estimated
+                           : std::max(wanted_tolerance(), estimated);
+  Certificate result = certify(answer.problem, answer.solution.point,
+                               answer.solution.closure.phi, error);
+  const Mesh& mesh = answer.problem.mesh();
+  result.add("agreement", estimated, threshold,
+             fmt::format("degree {} against {} on {} elements", mesh.degree,
+                         mesh.degree + 1, mesh.num_elements()));
+  return result;
+}
+
+void Run::report(MeshAnswer& answer) {
+  out_.status = Status::Solved;
+  out_.message = answer.solution.message;
+  out_.estimated_error = answer.estimated_error;
+  out_.nodes = answer.problem.mesh().num_nodes();
+  out_.variables = answer.problem.num_variables();
+  out_.constraints = answer.problem.num_constraints();
+  out_.trajectory.emplace(answer.curve(), scene_, units_);
+  out_.diagnostics = out_.trajectory->diagnose();
+  const auto begin = StopCondition::Clock::now();
+  out_.certificate = certificate(answer);
+  if (options_.certify == Certify::Extremal) ask_extremal(answer);
+  out_.effort.certificate_seconds += seconds_since(begin);
+}
+
+void Run::ask_extremal(const MeshAnswer& answer) {
+  const ExtremalCurve curve = answer.curve();
+  ExtremalOptions options;
+  options.max_seconds = options_.limits.seconds;
+  const ExtremalSolution other = solve_extremal(
+      scene_, as_guess(curve, units_, answer.solution.closure.phi), options);
+  ExtremalOpinion opinion;
+  opinion.solved = other.solved();
+  opinion.message = other.message;
+  double difference = std::numeric_limits<double>::quiet_NaN();
+  if (other.solved()) {
+    opinion.tau = other.tau;
+    opinion.error_estimate = other.error_estimate;
+    difference = std::abs(out_.trajectory->tau() - other.tau) / other.tau;
+    opinion.difference = difference;
+  }
+  // Two right answers differ by no more than both their errors.
+  out_.certificate.add(
+      "extremal", difference,
+      answer.estimated_error.value_or(0.0) + opinion.error_estimate,
+      other.message);
+  out_.extremal = opinion;
+}
+
+/// Runs the solver from the start that was asked for and says where it led. The
+/// principal branch stays the answer.
+void Run::try_other_start(const CycloidArc& arc,
+                          const Continuation& principal) {
+  const ExtremalCurve& known = *principal.curve;
+  RollingTime problem(natural_, known.mesh(), principal.phi);
+  const PrimalDual guess = options_.guess == Guess::Straight
+                               ? straight_guess(problem)
+                               : random_guess(problem, arc, options_.seed);
+  const MeshSolution found =
+      solve_on_mesh(problem, {guess, principal.phi, -1.0}, budget());
+  out_.effort.iterations += found.iterations;
+  out_.effort.passes += found.closure.passes;
+  out_.log += found.log;
+  ColdStart cold;
+  cold.status = found.status;
+  if (found.solved()) {
+    const ExtremalCurve curve(problem, found.point);
+    cold.tau = Trajectory(curve, scene_, units_).tau();
+    // On the same mesh the same extremal has the same T, to the tolerance of
+    // the continuation.
+    cold.principal =
+        std::abs(curve.transit_time() / known.transit_time() - 1.0) < 1e-6;
+  }
+  out_.cold_start = cold;
+}
+
+Branch Run::judge(MeshAnswer& answer) {
+  const Trajectory trajectory(answer.curve(), scene_, units_);
+  const Certificate checks = certificate(answer);
+  Solution judged;
+  judged.scene = scene_;
+  judged.diagnostics = trajectory.diagnose();
+  Branch branch;
+  branch.tau = trajectory.tau();
+  branch.estimated_error =
+      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
+  branch.end_angle = trajectory.end_angle();
+  branch.centre_path_length = trajectory.centre_path_length();
+  branch.verified = checks.verified();
+  const Check* second_order = checks.find("second_order");
+  branch.minimum = second_order != nullptr && second_order->passed;
+  branch.remarks = judged.infeasible_because();
+  branch.feasible = branch.remarks.empty();
+  for (const Check& check : checks.checks) {
+    if (!check.passed) branch.remarks.push_back("failed check " + check.name);
+  }
+  return branch;
+}
+
+void Run::find_fastest(const CycloidArc& arc, const Continuation& principal) {
+  std::vector<ContactCandidate> known;
+  if (principal.curve) known.push_back({*principal.curve, principal.phi});
+  const std::vector<ContactCandidate> candidates = find_contacts(
+      natural_, arc, coarse_mesh(natural_, arc), std::move(known), stop());
+  struct Judged {
+    Branch branch;
+    MeshAnswer answer;
+  };
+  std::vector<Judged> judged;
+  for (std::size_t i = 0; i < candidates.size() && !stop().met(); ++i) {
+    std::optional<MeshAnswer> answer =
+        refine(candidates[i].curve, candidates[i].phi);
+    if (!answer) continue;
+    Branch branch = judge(*answer);
+    branch.principal = i == 0 && principal.curve.has_value();
+    // Candidates that refinement led to one and the same extremal count once.
+    const bool again =
+        std::any_of(judged.begin(), judged.end(), [&](const Judged& other) {
+          return std::abs(other.branch.tau / branch.tau - 1.0) < 1e-7 &&
+                 std::abs(other.branch.end_angle - branch.end_angle) < 1e-6;
+        });
+    if (!again) judged.push_back({std::move(branch), std::move(*answer)});
+  }
+  std::stable_sort(judged.begin(), judged.end(),
+                   [](const Judged& a, const Judged& b) {
+                     return a.branch.tau < b.branch.tau;
+                   });
+  for (const Judged& one : judged) out_.branches.push_back(one.branch);
+  if (stop().met()) {
+    out_.status =
+        stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+    return;
+  }
+  const auto fastest =
+      std::find_if(judged.begin(), judged.end(), [](const Judged& one) {
+        return one.branch.verified && one.branch.feasible;
+      });
+  if (fastest != judged.end()) {
+    report(fastest->answer);
+  } else if (!judged.empty()) {
+    report(judged.front().answer);
+  } else {
+    out_.status = Status::NotConverged;
+    out_.message = "the search over φ found no smooth contact";
+  }
+}
+
+/// Method::Extremal: the numbers come from the indirect method; the collocation
+/// problem on a fine mesh, which they must satisfy, is their certificate.
+void Run::solve_by_shooting() {
+  ExtremalOptions options;
+  options.max_seconds = options_.limits.seconds;
+  options.follow_folds = true;
+  const ExtremalSolution extremal = solve_extremal(scene_, options);
+  out_.folds = extremal.continuation.folds;
+  out_.effort.newton_steps = extremal.newton_steps;
+  if (!extremal.solved()) {
+    out_.status =
+        extremal.status == ExtremalStatus::NoCycloid ? Status::NoAdmissiblePath
+        : extremal.status == ExtremalStatus::TimeLimit ? Status::TimeLimit
+                                                       : Status::NotConverged;
+    out_.message = extremal.message;
+    return;
+  }
+  constexpr int kElementsPerTurn = 16;
+  const double turns =
+      natural_.body.off_centred()
+          ? std::abs(extremal.rotation) / (2.0 * std::numbers::pi)
+          : 0.0;
+  const Mesh mesh = uniform_mesh(
+      kMaxDegree,
+      static_cast<int>(std::ceil(kElementsPerTurn * (turns + 1.0))));
+  MeshAnswer answer{
+      RollingTime(natural_, mesh, extremal.phi), {}, {}, {}, extremal.phi};
+  answer.solution.status = Status::Solved;
+  answer.solution.message = extremal.message;
+  answer.solution.point = sample_extremal(extremal, units_, answer.problem);
+  answer.solution.closure.phi = extremal.phi;
+  answer.solution.closure.closed = true;
+  const double T = answer.curve().transit_time() * units_.time;
+  answer.estimated_error =
+      std::abs(T - extremal.transit_time) / extremal.transit_time +
+      extremal.error_estimate;
+  report(answer);
+}
+
+/// Where the short continuation is stuck, pseudo-arclength continuation of the
+/// indirect method goes on: through folds, and past near meetings of branches.
+void Run::follow_folds(Continuation& principal) {
+  ExtremalOptions options;
+  options.follow_folds = true;
+  options.tolerance = 1e-10;
+  options.max_seconds = options_.limits.seconds;
+  const ExtremalSolution extremal = solve_extremal(scene_, options);
+  out_.effort.newton_steps += extremal.newton_steps;
+  if (!extremal.solved()) {
+    out_.message += ". By shooting: " + extremal.message;
+    return;
+  }
+  out_.folds = extremal.continuation.folds;
+  const double turns = std::abs(extremal.rotation) / (2.0 * std::numbers::pi);
+  constexpr double kElementsPerTurn = 12.0;
+  const Mesh mesh = uniform_mesh(
+      kCoarseDegree,
+      static_cast<int>(std::ceil(kElementsPerTurn * (turns + 0.5))));
+  const RollingTime problem(natural_, mesh, extremal.phi);
+  principal.curve.emplace(problem, sample_extremal(extremal, units_, problem));
+  principal.phi = extremal.phi;
 }
 
 void Run::find() {
+  if (options_.method == Method::Extremal) return solve_by_shooting();
   const std::optional<CycloidArc> arc = axisymmetric_optimum(natural_);
   if (!arc) {
-    solution_.status = Status::NoAdmissiblePath;
-    solution_.message = fmt::format(
-        "the centre would have to end above its start: with r = {:g} ≥ H = "
-        "{:g} "
-        "a smooth contact at B needs L > r + √(r² − H²) = {:g}, but L = {:g}. "
-        "Try a smaller radius or a point B further away",
-        solution_.scene.body.radius, solution_.scene.H,
-        units_.length * (natural_.body.radius +
-                         std::sqrt((natural_.body.radius - natural_.H) *
-                                   (natural_.body.radius + natural_.H))),
-        solution_.scene.L);
+    out_.status = Status::NoAdmissiblePath;
+    out_.message = no_cycloid(scene_);
     return;
   }
-
-  const Discretisation& wanted = options_.discretisation;
-  const int degree = wanted.degree.value_or(kDefaultDegree);
-  const double tolerance = wanted.tolerance.value_or(kDefaultTolerance);
-  int elements =
-      initial_elements(estimated_turns(natural_, *arc), degree, tolerance);
-  if (wanted.elements) elements = *wanted.elements;
-  if (wanted.nodes) elements = (*wanted.nodes - 1) / degree;
-  const Mesh mesh = uniform_mesh(degree, elements);
-
-  if (!start_cold(*arc, mesh)) {
-    const bool stopped = mesh_options_.ipopt.stop.met() ||
-                         solution_.status == Status::IterationLimit;
-    if (stopped || !natural_.body.off_centred()) return;
-    if (!continue_in_eta(*arc, mesh)) return;
+  Continuation principal = continue_from_cycloid(
+      natural_, *arc, coarse_mesh(natural_, *arc), stop());
+  out_.effort.newton_steps += principal.newton_steps;
+  out_.effort.continuation = principal.steps;
+  out_.status = principal.status;
+  out_.message = principal.message;
+  const bool global =
+      options_.search == Search::Global && natural_.contact == Contact::Smooth;
+  if (!principal.curve && !stop().met()) follow_folds(principal);
+  if (stop().met()) return;
+  if (global) return find_fastest(*arc, principal);
+  if (!principal.curve) {
+    out_.message += ". Try search: global, which looks for other extremals";
+    return;
   }
-  check();
-  if (!wanted.fixed()) refine(degree, tolerance);
-  if (solution_.status == Status::Solved) report();
-}
-
-void Run::report() {
-  solution_.nodes = problem_->mesh().num_nodes();
-  solution_.variables = problem_->num_variables();
-  solution_.constraints = problem_->num_constraints();
-  solution_.effort.first_iterations = found_.first_iterations;
-  solution_.effort.closure_passes = found_.closure.passes;
-  solution_.trajectory.emplace(curve(), solution_.scene, units_);
-  solution_.diagnostics = solution_.trajectory->diagnose();
-
-  const auto begin = StopCondition::Clock::now();
-  solution_.certificate = certify(*problem_, found_.point, found_.closure.phi);
-  const Discretisation& wanted = options_.discretisation;
-  double threshold = wanted.tolerance.value_or(kDefaultTolerance);
-  if (wanted.fixed() && !wanted.tolerance) threshold = kCoarsestAgreement;
-  solution_.certificate.add(
-      "agreement",
-      solution_.estimated_error.value_or(
-          std::numeric_limits<double>::quiet_NaN()),
-      threshold,
-      fmt::format("degree {} against {} on {} elements",
-                  problem_->mesh().degree, problem_->mesh().degree + 1,
-                  problem_->mesh().num_elements()));
-  solution_.effort.check_seconds += seconds_since(begin);
+  if (options_.guess != Guess::Cycloid) try_other_start(*arc, principal);
+  std::optional<MeshAnswer> answer = refine(*principal.curve, principal.phi);
+  if (answer && !stop().met()) report(*answer);
+  if (stop().met()) {
+    out_.status =
+        stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+  }
 }
 
 }  // namespace
@@ -281,6 +456,12 @@ void Run::report() {
 std::vector<std::string> Solution::infeasible_because() const {
   std::vector<std::string> reasons;
   if (!diagnostics || !scene.body.rolls()) return reasons;
+  if (scene.contact == Contact::Smooth) {
+    const Point start = start_of_centre(scene);
+    if (std::hypot(scene.L - start.x, scene.H - start.z) < scene.body.radius) {
+      reasons.emplace_back("B lies inside the body at its start");
+    }
+  }
   const Extreme& force = diagnostics->min_normal_force;
   if (!(force.value > 0.0)) {
     reasons.push_back(
@@ -292,6 +473,11 @@ std::vector<std::string> Solution::infeasible_because() const {
     reasons.push_back(
         fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
                     margin.value, margin.x));
+  }
+  if (diagnostics->self_crossing) {
+    reasons.push_back(fmt::format(
+        "the track crosses itself at x_b = {:.4g}, z_b = {:.4g}",
+        diagnostics->self_crossing->x, diagnostics->self_crossing->z));
   }
   return reasons;
 }

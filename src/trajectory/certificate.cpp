@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "brachisto/model/contact.hpp"
+#include "brachisto/model/energy.hpp"
 #include "brachisto/model/start_angle.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/solvers/inertia.hpp"
+#include "brachisto/trajectory/extended_residual.hpp"
+#include "brachisto/trajectory/reintegration.hpp"
 
 namespace brachisto {
 
@@ -88,18 +92,116 @@ void check_speed(const ExtremalCurve& curve, Certificate& certificate) {
                   0.0, where);
 }
 
+/// The largest of values that belong to places of the path; a NaN is larger.
+struct Largest {
+  double value = 0.0;
+  double sigma = 0.0;
+
+  void see(double candidate, double at) {
+    if (std::isnan(value) || candidate <= value) return;
+    value = candidate;
+    sigma = at;
+  }
+  [[nodiscard]] std::string where() const {
+    return fmt::format("σ = {:.6g}", sigma);
+  }
+};
+
+/// 𝓗 and its derivatives between the nodes.
+void check_hamiltonian(const ExtremalCurve& curve, double interior,
+                       double slope_threshold, Certificate& certificate) {
+  const Mesh& mesh = curve.mesh();
+  const Scene& scene = curve.scene();
+  Largest hamiltonian_off, slope_off;
+  Largest flattest{-std::numeric_limits<double>::infinity(), 0.0};
+  // Places that are neither nodes nor collocation points, both ends included.
+  const int places = mesh.degree + 2;
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    for (int i = 0; i <= places; ++i) {
+      const double t = static_cast<double>(i) / places;
+      const double sigma =
+          mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
+      const ExtremalPoint at = curve.at(e, t);
+      const RollingState state{at.theta, at.w};
+      const double root =
+          std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+      const SlopeHamiltonian h =
+          slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta);
+      const SlopeHamiltonian interpolated =
+          slope_hamiltonian(scene.body, scene.gravity, state, at.p,
+                            curve.interpolated_slope(e, t));
+      hamiltonian_off.see(std::abs(hamiltonian(scene.body, scene.gravity, state,
+                                               at.p, at.beta)) /
+                              root,
+                          sigma);
+      slope_off.see(std::abs(interpolated.d_beta) / root, sigma);
+      flattest.see(-h.d2_beta, sigma);
+    }
+  }
+  certificate.add("hamiltonian", hamiltonian_off.value, interior,
+                  hamiltonian_off.where());
+  certificate.add("slope", slope_off.value, slope_threshold, slope_off.where());
+  certificate.add("legendre", flattest.value,
+                  -std::numeric_limits<double>::min(), flattest.where());
+}
+
+void check_energy(const ExtremalCurve& curve, double threshold,
+                  Certificate& certificate) {
+  const Scene& scene = curve.scene();
+  const double z_0 = curve.at(0.0).centre.z;
+  Largest drift;
+  for (int e = 0; e < curve.mesh().num_elements(); ++e) {
+    const ExtremalPoint at = curve.at(e, 1.0);
+    const double E = energy_height(scene.body, at.centre.z - z_0, at.theta);
+    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - E),
+              curve.mesh().boundaries[static_cast<std::size_t>(e) + 1]);
+  }
+  certificate.add("energy_drift", drift.value, threshold, drift.where());
+}
+
+void check_second_order(RollingTime& problem, const PrimalDual& point,
+                        Certificate& certificate) {
+  int free = 0;
+  for (std::size_t i = 0; i < point.x.size(); ++i) {
+    if (problem.lower()[i] != problem.upper()[i]) ++free;
+  }
+  const Inertia inertia = kkt_inertia(problem, point);
+  const double wrong = inertia.known
+                           ? std::abs(inertia.positive - free) + inertia.zero
+                           : std::numeric_limits<double>::quiet_NaN();
+  certificate.add("second_order", wrong, 0.0,
+                  fmt::format("inertia ({}, {}, {}), wanted ({}, {}, 0)",
+                              inertia.positive, inertia.negative, inertia.zero,
+                              free, problem.num_constraints()));
+}
+
+void check_motion(const ExtremalCurve& curve, double threshold,
+                  Certificate& certificate) {
+  const Reintegration motion = reintegrate(curve);
+  const double worst =
+      motion.arrived ? std::max({motion.time_error, motion.speed_error,
+                                 motion.position_error, motion.rotation_error})
+                     : std::numeric_limits<double>::quiet_NaN();
+  certificate.add("reintegration_error", worst, threshold,
+                  motion.arrived ? "" : "the body does not reach the end");
+}
+
 }  // namespace
 
 Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
-                    const CertificateThresholds& thresholds) {
+                    double error, const CertificateThresholds& thresholds) {
   Certificate certificate;
   problem.set_end_angle(phi);
-  const nlp::KktResidual kkt =
-      nlp::kkt_residual(problem, point.x, point.lambda);
-  certificate.add("kkt_residual", kkt.stationarity, thresholds.kkt_residual,
-                  kkt.worst_variable);
-  certificate.add("defects", kkt.infeasibility, thresholds.defects,
-                  kkt.worst_constraint);
+  if (!problem.set_point(point.x)) {
+    // Says the reason instead of measuring what has no meaning.
+    certificate.add("speed", 1.0, 0.0, problem.refusal());
+    return certificate;
+  }
+  const ExtendedResidual residual = extended_residual(problem, point);
+  certificate.add("kkt_residual", residual.stationarity,
+                  thresholds.kkt_residual, residual.worst_variable);
+  certificate.add("defects", std::max(residual.defects, residual.fixed_values),
+                  thresholds.defects, residual.worst_constraint);
 
   const ExtremalCurve curve(problem, point);
   certificate.add("contact_error", contact_error(curve),
@@ -110,6 +212,18 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   }
   check_slope(curve, certificate);
   check_speed(curve, certificate);
+
+  const double p = problem.mesh().degree;
+  const double interior =
+      thresholds.interior_factor * std::pow(error, 0.5 * (p + 1.0) / p);
+  const double slopes = thresholds.interior_factor * std::sqrt(error);
+  check_hamiltonian(curve, interior, slopes, certificate);
+  certificate.add(
+      "start_angle",
+      std::abs(curve.at(0.0).beta - start_angle(problem.scene().body)), slopes);
+  check_energy(curve, thresholds.interior_factor * error, certificate);
+  check_second_order(problem, point, certificate);
+  check_motion(curve, interior, certificate);
   return certificate;
 }
 

@@ -4,11 +4,13 @@
 #include "brachisto/trajectory/trajectory.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 #include "brachisto/model/start_angle.hpp"
+#include "brachisto/trajectory/self_crossing.hpp"
 
 namespace brachisto {
 
@@ -107,31 +109,76 @@ std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
   return rows;
 }
 
+namespace {
+
+/// Smallest value of f(row) along the path.
+///
+/// Samples bracket the minimum, Brent's method finds it. With `skip_rise` the
+/// stretch from the start on which f only rises does not count.
+template <class Function>
+Extreme smallest(const Trajectory& trajectory,
+                 const std::vector<TrajectoryPoint>& rows, bool skip_rise,
+                 Function&& f) {
+  std::size_t first = 1;
+  if (skip_rise) {
+    while (first + 1 < rows.size() && f(rows[first + 1]) > f(rows[first])) {
+      ++first;
+    }
+  }
+  std::size_t best = first;
+  for (std::size_t i = first; i < rows.size(); ++i) {
+    // Written so that a NaN counts as smallest and stays.
+    if (!(f(rows[i]) >= f(rows[best]))) best = i;
+  }
+  Extreme extreme{f(rows[best]), rows[best].motion.contact.x};
+  if (best == first || best + 1 == rows.size()) return extreme;
+  const double u_end = rows.back().u;
+  constexpr int kHalfTheBits = 26;  // more than a minimum can be located to
+  std::uintmax_t evaluations = 40;
+  const auto [sigma, value] = boost::math::tools::brent_find_minima(
+      [&](double s) { return f(trajectory.at(s)); }, rows[best - 1].u / u_end,
+      rows[best + 1].u / u_end, kHalfTheBits, evaluations);
+  if (value < extreme.value) {
+    extreme = {value, trajectory.at(sigma).motion.contact.x};
+  }
+  return extreme;
+}
+
+template <class Function>
+Extreme largest(const Trajectory& trajectory,
+                const std::vector<TrajectoryPoint>& rows, Function&& f) {
+  Extreme extreme = smallest(trajectory, rows, false,
+                             [&](const TrajectoryPoint& p) { return -f(p); });
+  extreme.value = -extreme.value;
+  return extreme;
+}
+
+double normal_force(const TrajectoryPoint& p) {
+  return p.motion.R_n;
+}
+double curvature(const TrajectoryPoint& p) {
+  return p.motion.kappa_b;
+}
+double fold_margin(const TrajectoryPoint& p) {
+  return p.motion.fold_margin;
+}
+
+}  // namespace
+
 PathDiagnostics Trajectory::diagnose() const {
-  // Two places per node keep the sampling error of extremes at O(h²/p²) of
-  // quantities that vary over an element at most.
   const std::vector<TrajectoryPoint> rows = sample(2 * curve_.mesh().degree);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   PathDiagnostics out;
-  out.min_normal_force.value = out.min_curvature.value =
-      out.min_fold_margin.value = kInfinity;
-  out.max_normal_force.value = out.max_curvature.value = -kInfinity;
+  out.min_normal_force = smallest(*this, rows, true, normal_force);
+  out.max_normal_force = largest(*this, rows, normal_force);
+  out.min_curvature = smallest(*this, rows, true, curvature);
+  out.max_curvature = largest(*this, rows, curvature);
+  out.min_fold_margin = smallest(*this, rows, false, fold_margin);
   out.max_abs_slope = std::abs(rows.front().beta);
-  const auto lower = [](Extreme& extreme, double value, double x) {
-    if (value < extreme.value) extreme = {value, x};
-  };
-  const auto raise = [](Extreme& extreme, double value, double x) {
-    if (value > extreme.value) extreme = {value, x};
-  };
+  std::vector<Point> track{rows.front().motion.contact};
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Kinematics& motion = rows[i].motion;
-    const double x = motion.contact.x;
-    lower(out.min_normal_force, motion.R_n, x);
-    raise(out.max_normal_force, motion.R_n, x);
-    lower(out.min_curvature, motion.kappa_b, x);
-    raise(out.max_curvature, motion.kappa_b, x);
-    lower(out.min_fold_margin, motion.fold_margin, x);
     out.max_abs_slope = std::max(out.max_abs_slope, std::abs(rows[i].beta));
+    track.push_back(motion.contact);
     // Shares count the step that ends here.
     const double share = (rows[i].t - rows[i - 1].t) / rows.back().t;
     const double friction = std::abs(motion.R_t);
@@ -139,6 +186,7 @@ PathDiagnostics Trajectory::diagnose() const {
     if (!(friction <= 0.5 * motion.R_n)) out.friction_above_0_5 += share;
     if (!(friction <= motion.R_n)) out.friction_above_1 += share;
   }
+  out.self_crossing = self_crossing(track);
   return out;
 }
 

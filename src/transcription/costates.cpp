@@ -3,6 +3,9 @@
 
 #include "brachisto/transcription/costates.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace brachisto {
 
 namespace {
@@ -119,9 +122,10 @@ double end_slope(const RollingTime& problem, std::span<const double> x,
   RollingState end;
   end.w = x[at(layout.state(last, W))];
   if (layout.has_theta()) end.theta = x[at(layout.state(last, Theta))];
-  return minimising_slope(problem.scene().body, problem.scene().gravity, end,
-                          {.p_x = p.p_x, .p_z = p.p_z},
-                          x[at(layout.beta(last - 1))]);
+  return minimising_slope(
+      problem.scene().body, problem.scene().gravity, end,
+      {.p_x = p.p_x, .p_z = p.p_z},
+      std::remainder(x[at(layout.beta(last - 1))], 2.0 * std::numbers::pi));
 }
 
 }  // namespace brachisto

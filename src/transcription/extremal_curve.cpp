@@ -115,15 +115,21 @@ ExtremalPoint ExtremalCurve::at(int element, double t) const {
     point.theta = scene_.body.theta_m + point.s / scene_.body.radius;
   }
 
-  const std::span<double> slopes(storage.data(), at_index(p));
-  scheme_->points.evaluate(t, slopes);
-  double near = 0.0;
-  for (std::size_t j = 0; j < slopes.size(); ++j) {
-    near += slopes[j] * beta_points_[first + j];
-  }
-  point.beta = minimising_slope(scene_.body, scene_.gravity,
-                                {point.theta, point.w}, point.p, near);
+  point.beta =
+      minimising_slope(scene_.body, scene_.gravity, {point.theta, point.w},
+                       point.p, interpolated_slope(element, t));
   return point;
+}
+
+double ExtremalCurve::interpolated_slope(int element, double t) const {
+  std::array<double, kLargestDegree> storage{};
+  const std::span<double> basis(storage.data(), at_index(mesh_.degree));
+  scheme_->points.evaluate(t, basis);
+  double slope = 0.0;
+  for (std::size_t j = 0; j < basis.size(); ++j) {
+    slope += basis[j] * beta_points_[at_index(element * mesh_.degree) + j];
+  }
+  return slope;
 }
 
 ExtremalPoint ExtremalCurve::at(double sigma) const {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "brachisto/model/inertia.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -76,6 +78,37 @@ PrimalDual cycloid_guess(const RollingTime& problem, const CycloidArc& arc) {
   });
 }
 
+PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
+  using enum StateComponent;
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  PrimalDual out = cycloid_guess(problem, arc);
+  const VariableLayout& layout = problem.layout();
+  const Mesh& mesh = problem.mesh();
+  const double g = problem.scene().gravity;
+  const double root =
+      std::sqrt(axisymmetric_inertia_factor(problem.scene().body));
+  const double w_end = arc.fall_speed(g, arc.psi_end);
+  const double phi = arc.slope_angle(arc.psi_end);
+  const double p_x = -root * std::cos(phi) / w_end;
+  const double p_z = -root * std::sin(phi) / w_end;
+  out.lambda.assign(at(layout.num_constraints()), 0.0);
+  for (int c = 0; c < mesh.num_points(); ++c) {
+    const int e = c / mesh.degree;
+    const std::size_t j = at(c % mesh.degree);
+    const double t = problem.scheme().rule.points[j];
+    const double psi =
+        arc.psi_end * (mesh.boundaries[at(e)] + t * mesh.length(e));
+    const double p_w = (-root * std::sin(arc.slope_angle(psi)) -
+                        arc.fall_speed(g, psi) * p_z) /
+                       g;
+    const double b = problem.scheme().rule.weights[j];
+    out.lambda[at(layout.defect(c, X))] = -b * p_x;
+    out.lambda[at(layout.defect(c, Z))] = -b * p_z;
+    out.lambda[at(layout.defect(c, W))] = -b * p_w;
+  }
+  return out;
+}
+
 PrimalDual straight_guess(const RollingTime& problem) {
   const Point start = fixed_centre(problem, 0);
   const Point end = fixed_centre(problem, problem.mesh().num_points());
@@ -94,6 +127,29 @@ PrimalDual straight_guess(const RollingTime& problem) {
         acceleration * U * sigma,
         beta};
   });
+}
+
+PrimalDual random_guess(const RollingTime& problem, const CycloidArc& arc,
+                        std::uint64_t seed) {
+  using enum StateComponent;
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  PrimalDual out = cycloid_guess(problem, arc);
+  // SplitMix64: a few lines that give the same numbers on every platform, which
+  // the distributions of the standard library do not promise.
+  const auto uniform = [&seed] {
+    seed += 0x9e3779b97f4a7c15U;
+    std::uint64_t bits = seed;
+    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
+    bits ^= bits >> 31U;
+    return static_cast<double>(bits >> 11U) * 0x1p-53;
+  };
+  const VariableLayout& layout = problem.layout();
+  for (int c = 0; c < layout.num_points(); ++c) {
+    out.x[at(layout.beta(c))] += uniform() - 0.5;
+    out.x[at(layout.state(c + 1, W))] *= 0.5 + uniform();
+  }
+  return out;
 }
 
 }  // namespace brachisto

@@ -6,6 +6,13 @@
 namespace brachisto {
 
 PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
+  return sample_at_mesh(problem, curve.rolling_time(),
+                        [&](double sigma) { return curve.at(sigma); });
+}
+
+PrimalDual sample_at_mesh(
+    const RollingTime& problem, double rolling_time,
+    const std::function<ExtremalPoint(double sigma)>& extremal) {
   using enum StateComponent;
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const VariableLayout& layout = problem.layout();
@@ -18,7 +25,7 @@ PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
     const int e = std::min(n / mesh.degree, mesh.num_elements() - 1);
     const double t = scheme.nodes.nodes()[at(n - e * mesh.degree)];
     const ExtremalPoint point =
-        curve.at(mesh.boundaries[at(e)] + t * mesh.length(e));
+        extremal(mesh.boundaries[at(e)] + t * mesh.length(e));
     out.x[at(layout.state(n, X))] = point.centre.x;
     out.x[at(layout.state(n, Z))] = point.centre.z;
     out.x[at(layout.state(n, W))] = point.w;
@@ -27,7 +34,7 @@ PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
   for (int c = 0; c < mesh.num_points(); ++c) {
     const int e = c / mesh.degree;
     const int j = c % mesh.degree;
-    const ExtremalPoint point = curve.at(
+    const ExtremalPoint point = extremal(
         mesh.boundaries[at(e)] + scheme.rule.points[at(j)] * mesh.length(e));
     const double weight = scheme.rule.weights[at(j)];
     out.x[at(layout.beta(c))] = point.beta;
@@ -38,7 +45,7 @@ PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
       out.lambda[at(layout.defect(c, Theta))] = -weight * point.p.p_theta;
     }
   }
-  out.x[at(layout.rolling_time())] = curve.rolling_time();
+  out.x[at(layout.rolling_time())] = rolling_time;
   return out;
 }
 

@@ -282,9 +282,9 @@ void RollingTime::visit_hess_lag(double objective_factor,
                                  std::span<const double> lambda,
                                  Put&& put) const {
   // The Lagrangian is a sum over collocation points of
-  //   h U { φ b √A(θ, β) − λ_x w cos β − λ_z w sin β − λ_θ w/r
+  //   h U { s b √A(θ, β) − λ_x w cos β − λ_z w sin β − λ_θ w/r
   //         − λ_w g (sin β + η cos θ) }
-  // plus terms linear in the nodal states, φ being the objective factor. So all
+  // plus terms linear in the nodal states, s being the objective factor. So all
   // second derivatives come from θ, w, β and U at the point; those in θ and w
   // are spread to the nodes by the interpolation.
   const int p = mesh_.degree;

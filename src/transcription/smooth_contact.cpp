@@ -20,7 +20,9 @@ ContactClosure close_contact(
   closure.phi = phi_start;
   closure.slope = options.initial_slope;
 
+  double phi = phi_start;
   while (closure.passes < options.max_passes) {
+    closure.phi = phi;
     const std::optional<double> slope = end_slope(closure.phi);
     ++closure.passes;
     if (!slope || !std::isfinite(*slope)) return closure;
@@ -47,7 +49,7 @@ ContactClosure close_contact(
       if (next == low || next == high) return closure;
     }
     previous = now;
-    closure.phi = next;
+    phi = next;
   }
   return closure;
 }

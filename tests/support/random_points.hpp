@@ -60,8 +60,7 @@ class Random {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const VariableLayout& layout = problem.layout();
   const int degree = problem.mesh().degree;
-  std::vector<double> x =
-      random.vector(problem.num_variables(), -1.0, 1.0);
+  std::vector<double> x = random.vector(problem.num_variables(), -1.0, 1.0);
   // Interpolation amplifies what shakes the nodes by less than 3 for degrees
   // up to 8, so w stays positive.
   for (int n = 0; n < layout.num_nodes(); ++n) {

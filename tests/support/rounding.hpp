@@ -20,8 +20,8 @@ namespace brachisto::testing {
 
 /// Fifty digits. Doubles convert to it exactly, so that a formula evaluated
 /// literally in it is the exact value for the doubles put in.
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<50>,
-    boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                  boost::multiprecision::et_off>;
 
 }  // namespace brachisto::testing

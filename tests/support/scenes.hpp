@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Scenes that tests have in common: H = 1, L = 3, r = 1/3 unless said
-/// otherwise, in natural units where a test solves them.
+/// Scenes that tests have in common: H = 1, L = 3, r = 1/3.
 
 #pragma once
 
@@ -31,6 +30,12 @@ inline constexpr double kPi = std::numbers::pi;
 /// The base cylinder, η_m = 2/3 and k = 1/2.
 [[nodiscard]] inline Scene off_centred_scene(double theta_m = 0.0) {
   return scene_of(Body::cylinder(1.0 / 3.0, 2.0 / 3.0, theta_m, 0.5));
+}
+
+/// The same scene in the unit of time for which 2 g = 1, as solvers like it.
+[[nodiscard]] inline Scene natural(Scene scene) {
+  scene.gravity = 0.5;
+  return scene;
 }
 
 }  // namespace brachisto::testing

@@ -46,7 +46,8 @@ class LagrangeBasis {
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }
 
-  /// values[j] = ℓ_j(t); exact 0 and 1 at the nodes. size() values.
+  /// values[j] = ℓ_j(t); at the nodes exactly 0, and 1 up to rounding. size()
+  /// values.
   void evaluate(double t, std::span<double> values) const;
   /// slopes[j] = ℓ_j'(t); size() values.
   void differentiate(double t, std::span<double> slopes) const;

@@ -46,8 +46,8 @@ struct CycloidArc {
 ///
 ///     (H − r cos φ)(π − 2φ − sin 2φ) − 2 cos²φ (L − r + r sin φ) = 0.
 ///
-/// The transit time is U √(1 + k). There is no root, and no such path, iff
-/// r ≥ H and L ≤ r + √(r² − H²): the centre would end above its start. With
+/// The transit time is U √(1 + k). There is a root, and then only one, iff
+/// (L − r)² + H² > r², that is unless B lies inside the body at its start. With
 /// Contact::Centre this is the cycloid from A to B.
 [[nodiscard]] std::optional<CycloidArc> axisymmetric_optimum(
     const Scene& scene);

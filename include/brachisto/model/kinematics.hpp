@@ -40,8 +40,8 @@ struct Kinematics {
 ///     A_u = −2 η cos(θ − β)(w/r − β_u),   t = (cos β, sin β), n_⊥ = dt/dβ,
 ///
 /// written without κ_c so that nothing is singular at the start, where w = 0.
-/// Only kappa_b and fold_margin refer to κ_c; at w = 0 they are its limits:
-/// −1/r and +∞ if β_u < 0 there.
+/// Only kappa_b and fold_margin refer to κ_c; at w = 0 they are its limits, for
+/// a cylinder −1/r and +∞ if β_u < 0 there.
 [[nodiscard]] Kinematics kinematics(const Body& body, double gravity,
                                     const PathState& state);
 

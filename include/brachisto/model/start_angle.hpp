@@ -10,11 +10,13 @@
 
 namespace brachisto {
 
-/// Start angle β₀ [rad]: the direction in which a body at rest gains speed
-/// fastest.
+/// Start angle β₀ [rad]: the direction in which the fastest track leaves the
+/// start.
 ///
-/// Near the start v_c² = 2 g E / A with E ≈ a s, so β₀ maximises a² / A over
-/// the directions with a = sin β + η cos θ_m > 0, A = A(θ_m, β). There
+/// From rest w = √(2 g E) grows in time like g a/√A, and β₀ makes that growth
+/// largest: it maximises a²/A over the directions with a = sin β + η cos θ_m >
+/// 0 and A = A(θ_m, β). (The speed of the centre grows like g a/A instead.)
+/// There
 ///
 ///     A cos β = a η cos(θ_m − β),
 ///

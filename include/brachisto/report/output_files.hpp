@@ -35,9 +35,14 @@ struct OutputFile {
 void write_files(const std::filesystem::path& directory,
                  const std::vector<OutputFile>& files, bool force);
 
-/// Checks beforehand what write_files() would refuse.
-/// \throws OutputError
+/// Checks beforehand what write_files() would refuse, as far as it can be
+/// known. \throws OutputError
 void check_writable(const std::filesystem::path& directory,
                     const std::vector<std::string>& names, bool force);
+
+/// Removes files of that name if they are there.
+/// \throws OutputError
+void remove_files(const std::filesystem::path& directory,
+                  const std::vector<std::string>& names);
 
 }  // namespace brachisto::report

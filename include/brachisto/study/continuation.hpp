@@ -7,45 +7,49 @@
 
 #pragma once
 
-#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/solvers/status.hpp"
+#include "brachisto/solvers/stop_condition.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
 
 namespace brachisto {
 
 /// One accepted step of a continuation.
 struct ContinuationStep {
   double eta_m = 0.0;
-  double phi = 0.0;    ///< [rad]
-  int iterations = 0;  ///< of all its passes
+  double phi = 0.0;      ///< [rad]
+  int newton_steps = 0;  ///< to get there from the prediction
 };
 
 /// Outcome of a continuation.
 struct Continuation {
-  Status status = Status::InternalError;
+  Status status = Status::NotConverged;
   std::string message;  ///< why and at which η_m it stopped
   std::vector<ContinuationStep> steps;
   std::optional<ExtremalCurve> curve;  ///< at the scene's own η_m if solved
   double phi = 0.0;                    ///< [rad]
-  double closure_slope = -1.0;
-  int iterations = 0;
-  int passes = 0;
-  std::string log;
+  int newton_steps = 0;                ///< in all, rejected steps included
+  int rejected_steps = 0;
 };
 
 /// Follows the extremal of `scene` from η_m = 0, where it is the given cycloid,
 /// to the scene's η_m on a fixed mesh.
 ///
-/// Every step starts from the last solution, moved on along the secant of the
-/// last two. A step is accepted if it is solved with few iterations and its
-/// slope angles stay near the prediction; otherwise it is halved. That keeps
-/// the path on one branch, or ends it with the η_m that could not be passed.
+/// Every step predicts states, multipliers and φ along the secant of the last
+/// two solutions and corrects them by Newton's method on all of them together.
+/// A step is accepted if few iterations suffice, no slope angle ends far from
+/// its prediction, and the determinant of the Jacobian keeps its sign, which
+/// neighbouring branches have opposite; otherwise it is halved. That keeps the
+/// path on one branch, or ends it with the η_m that could not be passed.
 ///
 /// \param scene  in natural units
 [[nodiscard]] Continuation continue_from_cycloid(const Scene& scene,
                                                  const CycloidArc& arc,
                                                  const Mesh& mesh,
-                                                 const MeshOptions& options);
+                                                 const StopCondition& stop);
 
 }  // namespace brachisto

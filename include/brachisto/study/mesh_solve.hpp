@@ -6,11 +6,8 @@
 
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 
-#include "brachisto/model/cycloid.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/smooth_contact.hpp"
@@ -24,12 +21,20 @@ struct MeshStart {
   double closure_slope = -1.0;  ///< d(mismatch)/dφ, −1 if unknown
 };
 
+/// What polishing did.
+struct Polish {
+  int newton_steps = 0;
+  double residual_before = 0.0;  ///< largest of the full system
+  double residual_after = 0.0;   ///< never larger
+};
+
 /// Outcome of all passes on one mesh.
 struct MeshSolution {
   Status status = Status::InternalError;
   std::string message;
   PrimalDual point;          ///< of the last pass that was solved
   ContactClosure closure;    ///< with Contact::Centre: one pass, closed
+  Polish polish;             ///< all zero if not asked for
   int first_iterations = 0;  ///< of the first pass
   int iterations = 0;        ///< of all passes
   int refused_points = 0;    ///< in the first pass
@@ -42,17 +47,23 @@ struct MeshSolution {
 struct MeshOptions {
   IpoptOptions ipopt;
   ClosureOptions closure;
+  bool polish = true;
 };
 
-/// Solves the problem between fixed end points and closes the contact around
-/// it, each pass warm-started from the one before.
-///
 /// A pass that Ipopt breaks off near the solution, because steps drown in
-/// rounding, counts as solved if its KKT residual is below kRoundingResidual.
+/// rounding, counts as solved if its KKT residual is below this.
+inline constexpr double kRoundingResidual = 1e-10;
+
+/// With polishing, the mismatch at which Newton's method takes over [rad]: its
+/// first step leaves the square of it.
+inline constexpr double kPolishedFrom = 1e-5;
+
+/// Solves the problem between fixed end points with Ipopt and closes the
+/// contact around it, each pass warm-started from the one before. With
+/// polishing, Newton's method on the optimality conditions and the contact
+/// together does the last digits.
 [[nodiscard]] MeshSolution solve_on_mesh(RollingTime& problem,
                                          const MeshStart& start,
                                          const MeshOptions& options);
-
-inline constexpr double kRoundingResidual = 1e-10;
 
 }  // namespace brachisto

@@ -13,6 +13,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
+#include "brachisto/study/adaptive_mesh.hpp"
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
@@ -22,13 +23,44 @@ namespace brachisto {
 
 /// What was done to find a solution.
 struct Effort {
-  int iterations = 0;          ///< of the solver, in all passes on all meshes
-  int first_iterations = 0;    ///< of the first pass on the final mesh
-  int passes = 0;              ///< solves between fixed end points, in all
-  int closure_passes = 0;      ///< of these on the final mesh
-  double seconds = 0.0;        ///< wall clock, all of solve()
-  double check_seconds = 0.0;  ///< of these for the certificate
-  std::vector<ContinuationStep> continuation;  ///< empty: a cold start sufficed
+  int iterations = 0;        ///< of Ipopt, in all passes on all meshes
+  int first_iterations = 0;  ///< of the first pass on the final mesh
+  int passes = 0;            ///< solves between fixed end points, in all
+  int closure_passes = 0;    ///< of these on the final mesh
+  int newton_steps = 0;      ///< of continuation, polishing and checks
+  double seconds = 0.0;      ///< wall clock, all of solve()
+  double certificate_seconds = 0.0;  ///< of these for the certificate
+  std::vector<ContinuationStep> continuation;
+  std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
+};
+
+/// A start other than the cycloid, and where it led on a coarse mesh.
+struct ColdStart {
+  Status status = Status::NotConverged;
+  std::optional<double> tau;  ///< on the coarse mesh, if it converged
+  bool principal = false;     ///< it led to the principal branch
+};
+
+/// One smooth contact that Search::Global found.
+struct Branch {
+  double tau = 0.0;
+  double estimated_error = 0.0;     ///< relative
+  double end_angle = 0.0;           ///< [rad]
+  double centre_path_length = 0.0;  ///< [m]
+  bool principal = false;
+  bool verified = false;
+  bool minimum = false;  ///< second-order sufficiency at fixed φ
+  bool feasible = false;
+  std::vector<std::string> remarks;  ///< failed checks, why infeasible
+};
+
+/// A second opinion from the indirect method.
+struct ExtremalOpinion {
+  bool solved = false;
+  std::string message;
+  double tau = 0.0;
+  double error_estimate = 0.0;  ///< relative, of the extremal method
+  double difference = 0.0;  ///< relative, |τ − τ_extremal| / τ_extremal
 };
 
 /// Outcome of solve(). Numbers of the path live in `trajectory`; they are worth
@@ -41,20 +73,25 @@ struct Solution {
   std::optional<Trajectory> trajectory;
   std::optional<PathDiagnostics> diagnostics;
   Certificate certificate;
-  /// Relative, of T: the difference to the same scene with degree p + 1, and
-  /// what an open contact and rounding add.
-  std::optional<double> estimated_error;
+  std::optional<double> estimated_error;  ///< relative, of T
   int nodes = 0, variables = 0, constraints = 0;
   Effort effort;
-  std::string log;  ///< of the solver, if asked for
+  /// η_m at which the branch from the cycloid turned on its way to the scene's
+  /// η_m. Usually empty. Otherwise the solution lies beyond a fold: connected
+  /// with the cycloid, but not what it turns into as η_m grows.
+  std::vector<double> folds;
+  std::optional<ColdStart> cold_start;
+  std::vector<Branch> branches;  ///< of Search::Global, fastest first
+  std::optional<ExtremalOpinion> extremal;
+  std::string log;  ///< of Ipopt, if asked for
 
   /// Solved, and every check of the certificate passed.
   [[nodiscard]] bool verified() const {
     return status == Status::Solved && certificate.verified();
   }
-  /// Why the body could not run on this track: it would lift off (R_n ≤ 0) or
-  /// the track folds (1 − r κ_c ≤ 0). Empty if neither happens; a bead on a
-  /// wire can do both.
+  /// Why the body could not run on this track: it would lift off (R_n ≤ 0), or
+  /// the track folds (1 − r κ_c ≤ 0) or crosses itself. Empty if none of that
+  /// happens; a bead on a wire may do all of it.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
 };
@@ -65,9 +102,9 @@ struct SolveHooks {
   bool verbose = false;                         ///< keep the solver's log
 };
 
-/// Finds the fastest track of a scene on the principal branch.
+/// Finds the fastest track of a scene.
 ///
-/// \throws std::invalid_argument if the scene is not valid()
+/// \throws std::invalid_argument if the scene is not valid
 [[nodiscard]] Solution solve(const Scene& scene,
                              const SolveOptions& options = {},
                              const SolveHooks& hooks = {});

@@ -13,7 +13,10 @@
 namespace brachisto {
 
 /// How the extremal is found.
-enum class Method { Ipopt };
+enum class Method {
+  Ipopt,     ///< the nonlinear program
+  Extremal,  ///< Pontryagin's conditions by multiple shooting, no program
+};
 
 /// Who factorises the KKT matrix. Auto takes the fastest that is there.
 enum class LinearSolver { Auto, Mumps };
@@ -21,15 +24,24 @@ enum class LinearSolver { Auto, Mumps };
 /// Which of several extremals is the answer.
 enum class Search {
   Principal,  ///< the one that continues from the cycloid as η_m grows from 0
+  Global,     ///< the fastest feasible of all that a search over φ finds
 };
 
 /// Where the first iteration starts.
 enum class Guess {
   Cycloid,   ///< the centre on the cycloid of the uniform cylinder
   Straight,  ///< the centre on the straight line between its end points
+  Random,    ///< the cycloid with random slopes and speeds
 };
 
-/// Bounds on the work; reaching one ends the solve with Status::LimitReached.
+/// Who gives a second opinion.
+enum class Certify {
+  None,
+  Extremal,  ///< Pontryagin's conditions solved by multiple shooting
+};
+
+/// Bounds on the work; reaching one ends the solve with Status::IterationLimit
+/// or Status::TimeLimit.
 struct Limits {
   int iterations = 500;     ///< of the solver, in all passes together; ≥ 1
   double seconds = 3600.0;  ///< wall clock, > 0
@@ -42,7 +54,10 @@ struct SolveOptions {
   LinearSolver linear_solver = LinearSolver::Auto;
   double tolerance = 1e-12;  ///< scaled KKT residual, in [1e-14, 1e-6]
   Search search = Search::Principal;
+  bool polish = true;  ///< last digits by Newton's method on the whole system
+  Certify certify = Certify::None;
   Guess guess = Guess::Cycloid;
+  std::uint64_t seed = 1;  ///< of Guess::Random
   Limits limits;
 };
 

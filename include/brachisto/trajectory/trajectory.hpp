@@ -32,8 +32,11 @@ struct Extreme {
   double x = 0.0;  ///< x_b, of the point of the track [m]
 };
 
-/// What a path does to the body, the start itself left out: there R_n = 0, the
-/// friction needed is infinite and the track's curvature tends to −1/r.
+/// What a path does to the body. At the start itself R_n = 0, the friction
+/// needed is infinite if k > 0, and the track's curvature tends to −1/r. These
+/// limits say nothing about the path, so R_n and κ_b count from the end of
+/// their first monotone rise; what remains are true extrema, found by
+/// minimisation between samples.
 struct PathDiagnostics {
   Extreme min_normal_force, max_normal_force;  ///< of R_n [m g]
   double friction_above_0_3 = 0.0;  ///< share of T with |R_t| > 0.3 R_n
@@ -42,6 +45,7 @@ struct PathDiagnostics {
   Extreme min_curvature, max_curvature;  ///< of κ_b [1/m]
   Extreme min_fold_margin;               ///< of 1 − r κ_c
   double max_abs_slope = 0.0;            ///< of the continuous β [rad]
+  std::optional<Point> self_crossing;    ///< of the track [m]
 };
 
 /// A solution on its way out: an ExtremalCurve and the units it was solved in.

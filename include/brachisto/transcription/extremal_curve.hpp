@@ -45,6 +45,9 @@ class ExtremalCurve {
   [[nodiscard]] ExtremalPoint at(int element, double t) const;
   /// At σ ∈ [0, 1].
   [[nodiscard]] ExtremalPoint at(double sigma) const;
+  /// The polynomial of degree p − 1 through the slopes at the collocation
+  /// points of element e, at t ∈ [0, 1].
+  [[nodiscard]] double interpolated_slope(int element, double t) const;
   /// At node 0 … N p.
   [[nodiscard]] ExtremalPoint at_node(int node) const;
 

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <cstdint>
+
 #include "brachisto/model/cycloid.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
@@ -19,8 +21,24 @@ namespace brachisto {
 [[nodiscard]] PrimalDual cycloid_guess(const RollingTime& problem,
                                        const CycloidArc& arc);
 
+/// The same with the multipliers of the axisymmetric body, for which this is
+/// the extremal itself: with 𝓗 = ∂𝓗/∂β = 0 along the cycloid,
+///
+///     w p_x = −√A cos β,  w p_z + g p_w = −√A sin β,  p_θ = 0,  A = 1 + k,
+///
+/// p_x and p_z constant and p_w = 0 at the end. Where a continuation starts.
+[[nodiscard]] PrimalDual cycloid_extremal(const RollingTime& problem,
+                                          const CycloidArc& arc);
+
 /// The centre on the straight line between the end points of `problem`,
 /// accelerated evenly. No multipliers.
 [[nodiscard]] PrimalDual straight_guess(const RollingTime& problem);
+
+/// The cycloid guess with a random amount, up to 0.5 rad, added to every slope
+/// angle and every speed changed by a random factor between 1/2 and 3/2. The
+/// same seed gives the same guess everywhere. No multipliers.
+[[nodiscard]] PrimalDual random_guess(const RollingTime& problem,
+                                      const CycloidArc& arc,
+                                      std::uint64_t seed);
 
 }  // namespace brachisto

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <functional>
+
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 
@@ -16,5 +18,11 @@ namespace brachisto {
 /// go along as λ_j = −b_j p(σ_j); a start without them would be a cold one.
 [[nodiscard]] PrimalDual prolong(const ExtremalCurve& curve,
                                  const RollingTime& problem);
+
+/// The same for states, slopes and costates given as a function of σ ∈ [0, 1],
+/// in the units of the problem's scene; s and t are not used.
+[[nodiscard]] PrimalDual sample_at_mesh(
+    const RollingTime& problem, double rolling_time,
+    const std::function<ExtremalPoint(double sigma)>& extremal);
 
 }  // namespace brachisto

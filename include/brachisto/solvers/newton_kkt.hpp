@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Newton's method on the optimality conditions as one square system.
+
+#pragma once
+
+#include "brachisto/nlp/closing_equation.hpp"
+#include "brachisto/nlp/primal_dual.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/status.hpp"
+#include "brachisto/solvers/stop_condition.hpp"
+
+namespace brachisto {
+
+/// Options of solve_with_newton().
+struct NewtonOptions {
+  double tolerance = 1e-12;  ///< on the largest residual
+  /// Go on below the tolerance as long as a step at least halves the residual.
+  bool to_rounding = false;
+  int max_iterations = 20;
+  /// A step may be halved this often to make the residual fall.
+  int max_halvings = 4;
+  StopCondition stop;
+};
+
+/// Outcome of solve_with_newton().
+struct NewtonResult {
+  Status status = Status::NotConverged;
+  PrimalDual point;             ///< best point seen
+  double phi = 0.0;             ///< parameter of the closing equation there
+  double residual = 0.0;        ///< largest residual there
+  double first_residual = 0.0;  ///< largest residual at the start
+  int iterations = 0;
+  /// Sign of the determinant of the system's Jacobian where the last step
+  /// started: ±1, or 0 if it was singular or no step was made. It changes where
+  /// a branch turns back, and between neighbouring branches.
+  int determinant_sign = 0;
+};
+
+/// Newton's method for the unknowns (x, λ, φ) on
+///
+///     ∂(f + λᵀg)/∂x_i = 0 (i free),  x_i = value_i(φ) (i fixed),
+///     g(x) = 0,  F(x, λ, φ) = 0,
+///
+/// with exact derivatives, sparse LU (KLU) and iterative refinement in long
+/// double. It converges quadratically near a solution and, unlike a minimiser,
+/// to any kind of stationary point: use it where the start is close.
+///
+/// \param closing  may be null: then there is no φ
+/// \return the point of the smallest residual, the start itself at worst
+[[nodiscard]] NewtonResult solve_with_newton(nlp::Problem& problem,
+                                             nlp::ClosingEquation* closing,
+                                             const PrimalDual& start,
+                                             double phi,
+                                             const NewtonOptions& options);
+
+}  // namespace brachisto

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A mesh that follows the error.
+
+#pragma once
+
+#include <span>
+
+#include "brachisto/transcription/mesh.hpp"
+
+namespace brachisto {
+
+/// A mesh of degree p on which every element has about the same share of the
+/// error, and all shares together about `target`.
+///
+/// \param mesh    of degree p, which `errors` were measured on
+/// \param errors  one per element, in the units of target; signs do not matter
+///
+/// An element of length h has the error C h^(2p+1); the number of elements per
+/// unit of σ is taken proportional to C^(1/(2p+1)), interpolated between the
+/// old elements. At least a quarter of the old number of elements stays.
+[[nodiscard]] Mesh equidistribute(const Mesh& mesh,
+                                  std::span<const double> errors,
+                                  double target);
+
+/// A mesh of `count` elements whose lengths follow those of `mesh`.
+[[nodiscard]] Mesh stretch(const Mesh& mesh, int count);
+
+}  // namespace brachisto

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/extremal/extremal_path.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "extremal/arc_integration.hpp"
+
+namespace brachisto {
+
+using shooting::CanonicalFlow;
+
+namespace {
+
+/// Rounding and integration errors of slopes and of 𝓗, with a wide margin.
+constexpr double kSlack = 1e-9;
+
+}  // namespace
+
+bool Regularity::free_of_loops() const {
+  return min_beta >= -std::numbers::pi - kSlack &&
+         max_beta <= std::numbers::pi + kSlack;
+}
+
+bool Regularity::weierstrass_holds() const {
+  return min_excess >= -kSlack;
+}
+
+ExtremalPath::ExtremalPath(const Scene& natural, const Units& units, double p_x,
+                           double p_z, std::vector<Knot> knots)
+    : natural_(natural),
+      units_(units),
+      p_x_(p_x),
+      p_z_(p_z),
+      knots_(std::move(knots)) {}
+
+ExtremalState ExtremalPath::at(double sigma) const {
+  assert(!empty());
+  const double U = knots_.back().u;
+  const double u = std::clamp(sigma, 0.0, 1.0) * U;
+  const auto next = std::upper_bound(
+      knots_.begin(), knots_.end(), u,
+      [](double value, const Knot& knot) { return value < knot.u; });
+  const Knot& knot = *std::prev(next);
+  if (knot.u == u) return in_si(knot);
+  const CanonicalFlow flow(natural_.body, natural_.gravity,
+                           {p_x_, p_z_, natural_.body.eta_m});
+  return in_si(shooting::step_from(flow, knot, u - knot.u));
+}
+
+ExtremalState ExtremalPath::in_si(const Knot& knot) const {
+  const bool rolls = natural_.body.rolls();
+  return {.x = knot.y[shooting::kX] * units_.length,
+          .z = knot.y[shooting::kZ] * units_.length,
+          .theta = rolls ? knot.y[shooting::kTheta] : 0.0,
+          .w = knot.y[shooting::kW] * units_.speed(),
+          .p_theta = rolls ? knot.y[shooting::kPTheta] * units_.time : 0.0,
+          .p_w = knot.y[shooting::kPW] * units_.time / units_.speed(),
+          .beta = knot.beta,
+          .t = knot.t * units_.time};
+}
+
+std::vector<double> ExtremalPath::sigmas() const {
+  std::vector<double> out;
+  out.reserve(knots_.size());
+  for (const Knot& knot : knots_) out.push_back(knot.u / knots_.back().u);
+  return out;
+}
+
+Regularity ExtremalPath::regularity() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Regularity found{.min_legendre = kInfinity,
+                   .min_excess = kInfinity,
+                   .min_w = kInfinity,
+                   .min_beta = kInfinity,
+                   .max_beta = -kInfinity,
+                   .max_hamiltonian = 0.0};
+  const CanonicalFlow flow(natural_.body, natural_.gravity,
+                           {p_x_, p_z_, natural_.body.eta_m});
+  double max_w = 0.0;
+  for (const Knot& knot : knots_) {
+    const shooting::State& y = knot.y;
+    CanonicalFlow::Slope slope;
+    const bool minimal = flow.find_slope(y, knot.beta, slope);
+    const double legendre = minimal ? slope.legendre : -kInfinity;
+    found.min_legendre = std::min(found.min_legendre, legendre);
+    found.min_excess =
+        std::min(found.min_excess, flow.weierstrass_excess(y, knot.beta));
+    if (&knot != &knots_.front()) {
+      found.min_w = std::min(found.min_w, y[shooting::kW]);
+    }
+    max_w = std::max(max_w, y[shooting::kW]);
+    found.min_beta = std::min(found.min_beta, knot.beta);
+    found.max_beta = std::max(found.max_beta, knot.beta);
+    found.max_hamiltonian = std::max(found.max_hamiltonian,
+                                     std::abs(flow.hamiltonian(y, knot.beta)));
+  }
+  found.min_w /= max_w;
+  return found;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Newton's method for the shooting equations.
+
+#pragma once
+
+#include <chrono>
+
+#include "extremal/shooting_system.hpp"
+
+namespace brachisto::shooting {
+
+using Clock = std::chrono::steady_clock;
+
+/// The equation that the shooting system lacks for its unknowns with η among
+/// them: row·q = value.
+struct ClosingRow {
+  Globals row;
+  double value = 0.0;
+
+  /// η is given.
+  [[nodiscard]] static ClosingRow offset(double eta);
+};
+
+struct NewtonOptions {
+  StepControl integration;
+  double tolerance = 1e-12;  ///< of the scaled correction
+  int max_steps = 50;
+  /// Damping: smallest share of a Newton step that is tried; 1 for none.
+  double smallest_factor = 1e-4;
+  Clock::time_point deadline = Clock::time_point::max();
+};
+
+enum class NewtonEnd { Converged, Diverged, MaxSteps, NotEvaluable, Deadline };
+
+struct NewtonResult {
+  NewtonEnd end = NewtonEnd::NotEvaluable;
+  ChainVector point;
+  Linearisation at;  ///< at `point`
+  int steps = 0;
+  double first_contraction = 0.0;   ///< ‖second correction‖ / ‖first‖
+  double last_correction = 0.0;     ///< scaled; not applied
+  double last_change_of_phi = 0.0;  ///< its share in φ [rad]
+};
+
+/// Damped Newton method with the natural monotonicity test: a step λ Δ is
+/// taken if the simplified correction at its end, computed with the same
+/// factors, is shorter than (1 − λ/4) ‖Δ‖ (Deuflhard, "Newton Methods for
+/// Nonlinear Problems", 2004, sec. 3.3). The test does not depend on how the
+/// equations are scaled. Ends when the correction is below the tolerance, or
+/// when rounding keeps it from shrinking further.
+[[nodiscard]] NewtonResult solve_newton(const ShootingSystem& system,
+                                        const ChainVector& start,
+                                        const ChainScale& scale,
+                                        const ClosingRow& closing,
+                                        const NewtonOptions& options);
+
+}  // namespace brachisto::shooting

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/extremal/shooting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "brachisto/model/start_angle.hpp"
+#include "extremal/boundary.hpp"
+#include "extremal/continuation.hpp"
+#include "extremal/first_unknowns.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using namespace shooting;
+
+Clock::time_point deadline_of(const ExtremalOptions& options) {
+  constexpr double kLongest = 1e8;  // beyond it the clock would overflow
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(std::clamp(
+                                options.max_seconds, 0.0, kLongest)));
+}
+
+/// What the two ways to a solution share.
+class Solve {
+ public:
+  Solve(const Scene& scene, const ExtremalOptions& options,
+        const ExtremalGuess& guess)
+      : scene_(scene),
+        options_(options),
+        units_(natural_units(scene)),
+        natural_(in_natural_units(scene)),
+        deadline_(deadline_of(options)),
+        system_(natural_, choose_arcs(natural_, guess, options.arcs)),
+        start_(to_chain(natural_, units_, guess, system_.num_arcs())),
+        scale_(scale_of(natural_, start_)) {
+    solution_.arcs = system_.num_arcs();
+    solution_.start_angle = brachisto::start_angle(scene.body);
+  }
+
+  /// Follows the branch from the cycloid; false if it does not arrive.
+  bool continue_in_offset();
+  /// Newton's method to full accuracy, and the result.
+  void finish();
+
+  [[nodiscard]] ExtremalSolution take() { return std::move(solution_); }
+
+ private:
+  void fail(ExtremalStatus status, std::string_view details) {
+    solution_.status = status;
+    solution_.message = fmt::format("{}: {}", describe(status), details);
+  }
+  void fill(const NewtonResult& result);
+  void judge();
+  /// T, corrected for the matching errors left [natural units].
+  [[nodiscard]] double time_of(const NewtonResult& result) const {
+    return result.at.transit_time +
+           system_.time_missing(result.point, result.at.residual);
+  }
+  /// What is known of ∂²𝓗/∂β² along a point of the branch, in words.
+  [[nodiscard]] std::string legendre_at(const ChainVector& point) const;
+  [[nodiscard]] double rounding_error(const NewtonResult& result) const;
+
+  const Scene& scene_;
+  const ExtremalOptions& options_;
+  Units units_;
+  Scene natural_;
+  Clock::time_point deadline_;
+  ShootingSystem system_;
+  ChainVector start_;
+  ChainScale scale_;
+  ExtremalSolution solution_;
+};
+
+bool Solve::continue_in_offset() {
+  const double target = natural_.body.eta_m;
+  start_.globals(kEta) = 0.0;
+  if (target == 0.0) return true;
+  Branch branch =
+      follow_branch(system_, start_, scale_, target, options_, deadline_);
+  solution_.newton_steps += branch.newton_steps;
+  solution_.continuation = std::move(branch.report);
+  ContinuationReport& report = solution_.continuation;
+  for (ContinuationPoint& point : report.points) {
+    point.transit_time *= units_.time;
+  }
+  start_ = std::move(branch.point);
+  const double eta = start_.globals(kEta);
+  const double phi = start_.globals(kPhi);
+  switch (branch.end) {
+    case BranchEnd::Reached:
+      return true;
+    case BranchEnd::TurnsBack:
+      fail(ExtremalStatus::BranchTurnsBack,
+           fmt::format(
+               "it turns at η = {:.6g} (φ = {:.4g}), below η_m = {:.6g};"
+               " no extremal continues from the cycloid. Try to follow "
+               "the fold, a guess from a direct method, or a smaller "
+               "η_m",
+               report.folds.empty() ? eta : report.folds.front(), phi, target));
+      break;
+    case BranchEnd::StepTooSmall:
+    case BranchEnd::MaxSteps:
+      fail(ExtremalStatus::StepTooSmall,
+           fmt::format("at η = {:.6g} (φ = {:.4g}) of {:.6g} after {} points, "
+                       "where {}; try more arcs than {}, or a guess from a "
+                       "direct method",
+                       eta, phi, target, report.points.size(),
+                       legendre_at(start_), system_.num_arcs()));
+      break;
+    case BranchEnd::NoStart:
+      fail(ExtremalStatus::NewtonFailed,
+           "already at η = 0, where the cycloid should satisfy all conditions; "
+           "try more arcs");
+      break;
+    case BranchEnd::Deadline:
+      fail(ExtremalStatus::TimeLimit,
+           fmt::format("{} s, at η = {:.6g} of {:.6g}", options_.max_seconds,
+                       eta, target));
+      break;
+  }
+  return false;
+}
+
+// Where ∂²𝓗/∂β² reaches zero, extremals get corners and are not followed.
+std::string Solve::legendre_at(const ChainVector& point) const {
+  const Globals& q = point.globals;
+  Scene scene = natural_;
+  scene.body.eta_m = q(kEta);
+  const ExtremalPath path(scene, units_, q(kPX), q(kPZ),
+                          system_.path(point, {}));
+  if (path.empty()) {
+    return "the path cannot be integrated accurately, as happens when "
+           "∂²𝓗/∂β² reaches zero along it";
+  }
+  return fmt::format("∂²𝓗/∂β² falls to {:.2g} along the path",
+                     path.regularity().min_legendre);
+}
+
+void Solve::finish() {
+  // The local error is well below the wanted accuracy of the whole.
+  constexpr double kShare = 0.1;
+  constexpr double kTightest = 1e-15;
+  const double wanted = std::max(options_.tolerance, 1e-14);
+  NewtonOptions newton{
+      .integration = {.tolerance = std::max(kShare * wanted, kTightest),
+                      .halve = false},
+      .tolerance = wanted,
+      .max_steps = options_.max_newton_steps,
+      .deadline = deadline_};
+  const ClosingRow closing = ClosingRow::offset(natural_.body.eta_m);
+
+  const NewtonResult coarse =
+      solve_newton(system_, start_, scale_, closing, newton);
+  solution_.newton_steps += coarse.steps;
+  const auto describe_stop = [&](const NewtonResult& result) {
+    return fmt::format(
+        "after {} steps the correction is {:.1e}, the residual "
+        "{:.1e}",
+        result.steps, result.last_correction, scale_.norm(result.at.residual));
+  };
+  switch (coarse.end) {
+    case NewtonEnd::Converged:
+      break;
+    case NewtonEnd::NotEvaluable:
+      fail(ExtremalStatus::BadGuess,
+           fmt::format("on arc {} of {} no slope makes 𝓗 minimal, or the step "
+                       "became too small; try a guess nearer to an extremal, "
+                       "or more arcs",
+                       coarse.at.arc + 1, system_.num_arcs()));
+      return;
+    case NewtonEnd::Deadline:
+      fail(ExtremalStatus::TimeLimit, describe_stop(coarse));
+      return;
+    case NewtonEnd::Diverged:
+    case NewtonEnd::MaxSteps:
+      fail(ExtremalStatus::NewtonFailed,
+           describe_stop(coarse) + "; try a better guess, or more arcs");
+      return;
+  }
+  newton.integration.halve = true;
+  const NewtonResult fine =
+      solve_newton(system_, coarse.point, scale_, closing, newton);
+  solution_.newton_steps += fine.steps;
+  if (fine.end == NewtonEnd::Deadline) {
+    fail(ExtremalStatus::TimeLimit, describe_stop(fine));
+    return;
+  }
+  fill(fine.end == NewtonEnd::Converged ? fine : coarse);
+
+  solution_.error_estimate =
+      std::abs(time_of(fine) - time_of(coarse)) / time_of(fine) +
+      rounding_error(fine);
+  if (fine.end != NewtonEnd::Converged) {
+    fail(ExtremalStatus::NewtonFailed,
+         "with every step halved " + describe_stop(fine));
+    return;
+  }
+  solution_.path = ExtremalPath(natural_, units_, fine.point.globals(kPX),
+                                fine.point.globals(kPZ),
+                                system_.path(fine.point, newton.integration));
+  if (solution_.path.empty()) {
+    fail(ExtremalStatus::NewtonFailed,
+         "the solution cannot be integrated again");
+    return;
+  }
+  judge();
+}
+
+void Solve::fill(const NewtonResult& result) {
+  const Globals& q = result.point.globals;
+  solution_.transit_time = time_of(result) * units_.time;
+  solution_.tau =
+      solution_.transit_time * std::sqrt(2.0 * scene_.gravity / scene_.H);
+  solution_.rolling_time = q(kU) * units_.time;
+  solution_.phi = q(kPhi);
+  // No-slip: S = r (θ_end − θ_m). For a bead θ counts arc length.
+  const double turned =
+      result.point.nodes.back()(kTheta) - natural_.body.theta_m;
+  solution_.rotation = natural_.body.rolls() ? turned : 0.0;
+  solution_.centre_path_length =
+      turned / inverse_radius(natural_.body) * units_.length;
+  solution_.p_x = q(kPX) / units_.speed();
+  solution_.p_z = q(kPZ) / units_.speed();
+  solution_.integration_steps = result.at.steps;
+  solution_.residual = scale_.norm(result.at.residual);
+}
+
+// Every step rounds the states, which T feels through the costates; the errors
+// are independent. The slope at the end, which determines φ and so the end
+// point, is as wrong as the last correction that could not be told from zero.
+double Solve::rounding_error(const NewtonResult& result) const {
+  const double T = result.at.transit_time;
+  const Globals& q = result.point.globals;
+  double largest = T;
+  for (const Vector6& node : result.point.nodes) {
+    largest = std::max(largest, std::abs(q(kPX) * node(kX)) +
+                                    std::abs(q(kPZ) * node(kZ)) +
+                                    std::abs(node(kPTheta) * node(kTheta)) +
+                                    std::abs(node(kPW) * node(kW)));
+  }
+  const EndSlide slide = end_slide(natural_, q(kPhi));
+  const double per_phi = q(kPX) * slide.dx_dphi + q(kPZ) * slide.dz_dphi;
+  return (std::numeric_limits<double>::epsilon() *
+              std::sqrt(1.0 + result.at.steps) * largest +
+          std::abs(per_phi * result.last_change_of_phi)) /
+         T;
+}
+
+void Solve::judge() {
+  Regularity& found = solution_.regularity;
+  found = solution_.path.regularity();
+  if (!found.keeps_moving()) {
+    fail(ExtremalStatus::Stalls,
+         fmt::format("its speed falls to {:.3g} of the largest; try another "
+                     "guess",
+                     found.min_w));
+  } else if (!found.free_of_loops()) {
+    fail(ExtremalStatus::Loop,
+         fmt::format("its slope angle runs from {:.4g} to {:.4g}; try another "
+                     "guess",
+                     found.min_beta, found.max_beta));
+  } else if (!found.legendre_holds()) {
+    fail(ExtremalStatus::NotMinimal,
+         fmt::format("∂²𝓗/∂β² falls to {:.3g}; try another guess",
+                     found.min_legendre));
+  } else if (!(solution_.error_estimate <=
+               std::max(options_.tolerance, 1e-14))) {
+    fail(ExtremalStatus::AccuracyNotReached,
+         fmt::format("the relative error of T is about {:.1e} instead of "
+                     "{:.1e}, because of rounding or a sharply bent path",
+                     solution_.error_estimate, options_.tolerance));
+  } else {
+    solution_.status = ExtremalStatus::Solved;
+    solution_.message = describe(ExtremalStatus::Solved);
+  }
+}
+
+}  // namespace
+
+ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
+                                const ExtremalOptions& options) {
+  Solve solve(scene, options, guess);
+  solve.finish();
+  return solve.take();
+}
+
+ExtremalSolution solve_extremal(const Scene& scene,
+                                const ExtremalOptions& options) {
+  const ExtremalGuess cycloid = cycloid_guess(scene);
+  if (!cycloid.state) {
+    ExtremalSolution none;
+    none.status = ExtremalStatus::NoCycloid;
+    none.message = fmt::format(
+        "{}: with r ≥ H its centre would end above its start unless L > r + "
+        "√(r² − H²); try a larger H or L, or a smaller radius",
+        describe(none.status));
+    return none;
+  }
+  Solve solve(scene, options, cycloid);
+  if (solve.continue_in_offset()) solve.finish();
+  return solve.take();
+}
+
+}  // namespace brachisto

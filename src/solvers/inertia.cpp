@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/solvers/inertia.hpp"
+
+#include <dmumps_c.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "solvers/blas_threads.hpp"
+
+namespace brachisto {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A MUMPS instance for a general symmetric matrix, sequential.
+class Mumps {
+ public:
+  Mumps() {
+    data_.job = -1;
+    data_.par = 1;
+    data_.sym = 2;
+    data_.comm_fortran = -987654;  // MPI_COMM_WORLD, in MUMPS' own words
+    dmumps_c(&data_);
+    // No output; QAMD ordering and no scaling, as in the solver; report null
+    // pivots; room for delayed pivots.
+    icntl(1) = icntl(2) = icntl(3) = -1;
+    icntl(4) = 0;
+    icntl(6) = 0;
+    icntl(7) = 6;
+    icntl(8) = 0;
+    icntl(13) = 1;  // count negative pivots of the root exactly
+    icntl(14) = 100;
+    icntl(24) = 1;
+  }
+  ~Mumps() {
+    data_.job = -2;
+    dmumps_c(&data_);
+  }
+  Mumps(const Mumps&) = delete;
+  Mumps& operator=(const Mumps&) = delete;
+
+  /// Lower or upper triangle by 1-based coordinates.
+  Inertia factorise(int size, std::vector<int>& rows, std::vector<int>& cols,
+                    std::vector<double>& values) {
+    data_.n = size;
+    data_.nz = static_cast<int>(rows.size());
+    data_.irn = rows.data();
+    data_.jcn = cols.data();
+    data_.a = values.data();
+    data_.job = 4;
+    dmumps_c(&data_);
+    Inertia inertia;
+    inertia.known = data_.infog[0] >= 0;
+    inertia.negative = data_.infog[12 - 1];
+    inertia.zero = data_.infog[28 - 1];
+    inertia.positive = size - inertia.negative - inertia.zero;
+    return inertia;
+  }
+
+ private:
+  MUMPS_INT& icntl(int number) { return data_.icntl[number - 1]; }
+
+  DMUMPS_STRUC_C data_ = {};
+};
+
+}  // namespace
+
+Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point) {
+  if (!problem.set_point(point.x)) {
+    throw std::domain_error("KKT inertia: " + problem.refusal());
+  }
+  const SingleThreadedBlas single_threaded;
+  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
+  problem.eval_hess_lag(1.0, point.lambda, hess);
+  std::vector<double> jac(problem.jac_g_pattern().num_entries());
+  problem.eval_jac_g(jac);
+
+  // Numbers of the free variables; fixed ones drop out.
+  std::vector<int> number(at(problem.num_variables()), 0);
+  int free = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (problem.lower()[i] != problem.upper()[i]) number[i] = ++free;
+  }
+  std::vector<int> rows;
+  std::vector<int> cols;
+  std::vector<double> values;
+  const auto put = [&](int row, int col, double value) {
+    if (row == 0 || col == 0) return;
+    rows.push_back(row);
+    cols.push_back(col);
+    values.push_back(value);
+  };
+  const auto& hess_pattern = problem.hess_lag_pattern();
+  for (std::size_t e = 0; e < hess.size(); ++e) {
+    put(number[at(hess_pattern.rows[e])], number[at(hess_pattern.cols[e])],
+        hess[e]);
+  }
+  const auto& jac_pattern = problem.jac_g_pattern();
+  for (std::size_t e = 0; e < jac.size(); ++e) {
+    put(free + 1 + jac_pattern.rows[e], number[at(jac_pattern.cols[e])],
+        jac[e]);
+  }
+  return Mumps().factorise(free + problem.num_constraints(), rows, cols,
+                           values);
+}
+
+}  // namespace brachisto

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/kkt_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brachisto {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing)
+    : problem_(problem),
+      closing_(closing),
+      n_(problem.num_variables()),
+      m_(problem.num_constraints()),
+      fixed_(at(n_)),
+      x_(at(n_)),
+      lambda_(at(m_)),
+      grad_f_(at(n_)),
+      g_(at(m_)),
+      jac_g_(problem.jac_g_pattern().num_entries()),
+      hess_lag_(problem.hess_lag_pattern().num_entries()),
+      residual_(at(size())) {
+  for (int i = 0; i < n_; ++i) {
+    fixed_[at(i)] = problem.lower()[at(i)] == problem.upper()[at(i)] ? 1 : 0;
+  }
+  if (closing_ != nullptr) closing_at_ = closing_->linearise(x_, lambda_);
+  visit([&](int row, int col, double) {
+    pattern_.rows.push_back(row);
+    pattern_.cols.push_back(col);
+  });
+  jacobian_.resize(pattern_.num_entries());
+}
+
+bool KktSystem::evaluate(std::span<const double> x,
+                         std::span<const double> lambda, double phi) {
+  if (closing_ != nullptr) closing_->set_parameter(phi);
+  std::copy(x.begin(), x.end(), x_.begin());
+  std::copy(lambda.begin(), lambda.end(), lambda_.begin());
+  if (!problem_.set_point(x)) return false;
+  problem_.eval_grad_f(grad_f_);
+  problem_.eval_g(g_);
+  problem_.eval_jac_g(jac_g_);
+
+  // The sums of the stationarity conditions cancel at a solution; in long
+  // double that leaves only the rounding of their terms.
+  std::vector<long double> grad(grad_f_.begin(), grad_f_.end());
+  const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
+  for (std::size_t e = 0; e < jac_g_.size(); ++e) {
+    grad[at(jac.cols[e])] +=
+        static_cast<long double>(jac_g_[e]) * lambda_[at(jac.rows[e])];
+  }
+  for (int i = 0; i < n_; ++i) {
+    residual_[at(i)] = fixed(i) ? x_[at(i)] - problem_.lower()[at(i)]
+                                : static_cast<double>(grad[at(i)]);
+  }
+  std::copy(g_.begin(), g_.end(), residual_.begin() + n_);
+  if (closing_ != nullptr) {
+    closing_at_ = closing_->linearise(x_, lambda_);
+    residual_.back() = closing_at_.residual;
+  }
+  return true;
+}
+
+double KktSystem::max_residual() const {
+  double worst = 0.0;
+  for (const double value : residual_) {
+    if (!(std::abs(value) <= worst)) worst = std::abs(value);
+    if (std::isnan(worst)) break;
+  }
+  return worst;
+}
+
+template <class Put>
+void KktSystem::visit(Put&& put) const {
+  const nlp::SparsityPattern& hess = problem_.hess_lag_pattern();
+  for (std::size_t e = 0; e < hess.num_entries(); ++e) {
+    const int i = hess.rows[e];
+    const int j = hess.cols[e];
+    if (!fixed(i)) put(i, j, hess_lag_[e]);
+    if (i != j && !fixed(j)) put(j, i, hess_lag_[e]);
+  }
+  const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
+  for (std::size_t e = 0; e < jac.num_entries(); ++e) {
+    const int row = jac.rows[e];
+    const int col = jac.cols[e];
+    put(n_ + row, col, jac_g_[e]);
+    if (!fixed(col)) put(col, n_ + row, jac_g_[e]);
+  }
+  for (int i = 0; i < n_; ++i) {
+    if (fixed(i)) put(i, i, 1.0);
+  }
+  if (closing_ == nullptr) return;
+  const int last = n_ + m_;
+  const nlp::SparseVector& rates = closing_->fixed_rates();
+  for (std::size_t e = 0; e < rates.index.size(); ++e) {
+    put(rates.index[e], last, -rates.value[e]);
+  }
+  const auto put_row = [&](const nlp::SparseVector& row, int offset) {
+    for (std::size_t e = 0; e < row.index.size(); ++e) {
+      put(last, offset + row.index[e], row.value[e]);
+    }
+  };
+  put_row(closing_at_.by_x, 0);
+  put_row(closing_at_.by_lambda, n_);
+  put(last, last, closing_at_.by_parameter);
+}
+
+std::span<const double> KktSystem::jacobian() {
+  problem_.eval_hess_lag(1.0, lambda_, hess_lag_);
+  std::size_t entry = 0;
+  visit([&](int, int, double value) { jacobian_[entry++] = value; });
+  return jacobian_;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The optimality conditions of a problem and its closing equation as a square
+// system of equations, residual and Jacobian.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "brachisto/nlp/closing_equation.hpp"
+#include "brachisto/nlp/problem.hpp"
+
+namespace brachisto {
+
+/// Rows: stationarity of free variables or the value of fixed ones (n), then
+/// constraints (m), then the closing equation. Columns: x (n), λ (m), φ.
+class KktSystem {
+ public:
+  /// \param closing  may be null; both must outlive this
+  KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing);
+
+  [[nodiscard]] int size() const { return n_ + m_ + (closing_ ? 1 : 0); }
+  [[nodiscard]] const nlp::SparsityPattern& pattern() const { return pattern_; }
+
+  /// Moves to (x, λ, φ) and evaluates the residual. False if the problem
+  /// refuses the point.
+  [[nodiscard]] bool evaluate(std::span<const double> x,
+                              std::span<const double> lambda, double phi);
+  [[nodiscard]] std::span<const double> residual() const { return residual_; }
+  [[nodiscard]] double max_residual() const;
+  /// Entries of the Jacobian at the same point, in the order of pattern().
+  [[nodiscard]] std::span<const double> jacobian();
+
+ private:
+  /// Calls put(row, col, value) for every entry in a fixed order.
+  template <class Put>
+  void visit(Put&& put) const;
+  [[nodiscard]] bool fixed(int variable) const {
+    return fixed_[static_cast<std::size_t>(variable)] != 0;
+  }
+
+  nlp::Problem& problem_;
+  nlp::ClosingEquation* closing_;
+  int n_, m_;
+  std::vector<char> fixed_;
+  nlp::SparsityPattern pattern_;
+  std::vector<double> x_, lambda_;
+  std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_, jacobian_;
+  nlp::ClosingEquation::Linearisation closing_at_;
+};
+
+}  // namespace brachisto

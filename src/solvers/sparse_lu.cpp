@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/sparse_lu.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <new>
+#include <numeric>
+
+namespace brachisto {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// +1 for an even permutation, −1 for an odd one.
+int parity(std::span<const int> permutation) {
+  std::vector<char> seen(permutation.size());
+  int sign = 1;
+  for (std::size_t i = 0; i < permutation.size(); ++i) {
+    // A cycle of even length is odd.
+    for (std::size_t j = at(permutation[i]); j != i && seen[i] == 0;
+         j = at(permutation[j])) {
+      seen[j] = 1;
+      sign = -sign;
+    }
+  }
+  return sign;
+}
+
+}  // namespace
+
+SparseLu::SparseLu(int size, const nlp::SparsityPattern& pattern)
+    : size_(size), slots_(pattern.num_entries()) {
+  klu_defaults(&common_);
+  // Sort entries by column, then row; equal positions share a slot.
+  std::vector<int> order(pattern.num_entries());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const auto key = [&](int e) {
+      return std::pair(pattern.cols[at(e)], pattern.rows[at(e)]);
+    };
+    return key(a) < key(b);
+  });
+  column_starts_.assign(at(size) + 1, 0);
+  int column = -1;
+  for (const int entry : order) {
+    const int row = pattern.rows[at(entry)];
+    const int col = pattern.cols[at(entry)];
+    if (col != column || rows_.back() != row) {
+      rows_.push_back(row);
+      ++column_starts_[at(col) + 1];
+      column = col;
+    }
+    slots_[at(entry)] = static_cast<int>(rows_.size()) - 1;
+  }
+  std::partial_sum(column_starts_.begin(), column_starts_.end(),
+                   column_starts_.begin());
+  values_.resize(rows_.size());
+  symbolic_ = klu_analyze(size, column_starts_.data(), rows_.data(), &common_);
+  if (symbolic_ == nullptr) throw std::bad_alloc();
+}
+
+SparseLu::~SparseLu() {
+  klu_free_numeric(&numeric_, &common_);
+  klu_free_symbolic(&symbolic_, &common_);
+}
+
+bool SparseLu::factorise(std::span<const double> values) {
+  std::fill(values_.begin(), values_.end(), 0.0);
+  for (std::size_t e = 0; e < slots_.size(); ++e) {
+    values_[at(slots_[e])] += values[e];
+  }
+  klu_free_numeric(&numeric_, &common_);
+  numeric_ = klu_factor(column_starts_.data(), rows_.data(), values_.data(),
+                        symbolic_, &common_);
+  return numeric_ != nullptr && common_.status == KLU_OK;
+}
+
+int SparseLu::determinant_sign() const {
+  if (numeric_ == nullptr || common_.status != KLU_OK) return 0;
+  // P R A Q = L U with positive row scaling R and unit diagonal of L.
+  int sign =
+      parity({numeric_->Pnum, at(size_)}) * parity({symbolic_->Q, at(size_)});
+  const auto* diagonal = static_cast<const double*>(numeric_->Udiag);
+  for (int i = 0; i < size_; ++i) {
+    if (diagonal[i] < 0.0) sign = -sign;
+  }
+  return sign;
+}
+
+std::vector<double> SparseLu::solve(std::span<const double> b) {
+  std::vector<double> y(b.begin(), b.end());
+  klu_solve(symbolic_, numeric_, size_, 1, y.data(), &common_);
+
+  std::vector<long double> residual(b.begin(), b.end());
+  for (int col = 0; col < size_; ++col) {
+    for (int e = column_starts_[at(col)]; e < column_starts_[at(col) + 1];
+         ++e) {
+      residual[at(rows_[at(e)])] -=
+          static_cast<long double>(values_[at(e)]) * y[at(col)];
+    }
+  }
+  std::vector<double> correction(residual.begin(), residual.end());
+  klu_solve(symbolic_, numeric_, size_, 1, correction.data(), &common_);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += correction[i];
+  return y;
+}
+
+}  // namespace brachisto

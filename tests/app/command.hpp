@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Runs the command `brachisto` and collects what it writes.
+
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace brachisto::testing {
+
+namespace fs = std::filesystem;
+
+/// A problem file of the paper.
+[[nodiscard]] inline std::string paper_problem(const std::string& name) {
+  return BRACHISTO_PROBLEMS_DIR "/paper/" + name + ".yaml";
+}
+
+/// A directory that goes away with its owner.
+class ScratchDirectory {
+ public:
+  ScratchDirectory() {
+    std::string name =
+        (fs::temp_directory_path() / "brachisto-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("no temporary directory");
+    }
+    path_ = name;
+  }
+  ~ScratchDirectory() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  /// Writes a file and gives its path.
+  [[nodiscard]] std::string file(const std::string& name,
+                                 const std::string& content) const {
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return (path_ / name).string();
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// What a finished process left.
+struct Output {
+  int code = -1;  ///< exit code, or minus the signal that killed it
+  std::string out, err;
+};
+
+/// A running command.
+class Process {
+ public:
+  explicit Process(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), BRACHISTO_APP);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    const auto redirect = [&](int descriptor, const fs::path& to) {
+      ::posix_spawn_file_actions_addopen(&actions, descriptor, to.c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    };
+    redirect(STDOUT_FILENO, files_.path() / "out");
+    redirect(STDERR_FILENO, files_.path() / "err");
+    const int error = ::posix_spawn(&pid_, BRACHISTO_APP, &actions, nullptr,
+                                    argv.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) throw std::runtime_error("cannot run " BRACHISTO_APP);
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void signal(int number) const { ::kill(pid_, number); }
+
+  /// Waits for the end; nothing if it does not come in time.
+  [[nodiscard]] std::optional<Output> wait(std::chrono::seconds patience) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    int status = 0;
+    while (::waitpid(pid_, &status, WNOHANG) == 0) {
+      if (std::chrono::steady_clock::now() > deadline) return std::nullopt;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    pid_ = -1;
+    return Output{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+                  content("out"), content("err")};
+  }
+
+ private:
+  [[nodiscard]] std::string content(const char* name) const {
+    std::ifstream in(files_.path() / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  ScratchDirectory files_;
+  pid_t pid_ = -1;
+};
+
+/// Runs to the end, which no call here takes a minute to reach.
+[[nodiscard]] inline Output run(std::vector<std::string> arguments) {
+  auto output = Process(std::move(arguments)).wait(std::chrono::seconds(60));
+  if (!output) throw std::runtime_error("the command does not end");
+  return *output;
+}
+
+}  // namespace brachisto::testing

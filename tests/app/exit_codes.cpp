@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Exit codes, on which scripts rely.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::Output;
+using testing::paper_problem;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kBead = "fig06_bead";
+
+TEST(ExitCode, Is0IfSolvedAndVerified) {
+  EXPECT_EQ(run({"solve", paper_problem(kBead)}).code, 0);
+  EXPECT_EQ(run({"validate", paper_problem(kBead)}).code, 0);
+  EXPECT_EQ(run({"--help"}).code, 0);
+  EXPECT_EQ(run({"solve", "--help"}).code, 0);
+  EXPECT_EQ(run({"--version"}).code, 0);
+}
+
+TEST(ExitCode, Is2ForAWrongCommandLine) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{},
+        {"solve"},
+        {"slove", "x.yaml"},
+        {"solve", paper_problem(kBead), "--jsno"},
+        {"solve", paper_problem(kBead), "another.yaml"},
+        {"solve", paper_problem(kBead), "--set"},
+        {"--frobnicate"}}) {
+    const Output output = run(arguments);
+
+    EXPECT_EQ(output.code, 2) << ::testing::PrintToString(arguments);
+    EXPECT_EQ(output.out, "") << ::testing::PrintToString(arguments);
+    EXPECT_NE(output.err, "") << ::testing::PrintToString(arguments);
+  }
+}
+
+TEST(ExitCode, Is3ForABadProblemFile) {
+  const ScratchDirectory scratch;
+  for (const std::string text :
+       {"scene: [", "scene: {bodi: {shape: bead}}", "", "scene: {}",
+        "scene: {body: {shape: bead}, finish: {L: 3, H: -1}}"}) {
+    const std::string file = scratch.file("bad.yaml", text);
+    for (const char* verb : {"solve", "validate"}) {
+      const Output output = run({verb, file});
+
+      EXPECT_EQ(output.code, 3) << verb << ": " << text;
+      EXPECT_EQ(output.out, "") << verb << ": " << text;
+      EXPECT_NE(output.err.find("bad.yaml"), std::string::npos) << output.err;
+    }
+  }
+}
+
+TEST(ExitCode, Is3ForAWrongOverride) {
+  for (const std::string override :
+       {"scene.body.shpae=bead", "scene.finish.H=0", "scene.finish.H", "=3",
+        "scene.finish.L=three"}) {
+    const Output output =
+        run({"solve", paper_problem(kBead), "--set", override});
+
+    EXPECT_EQ(output.code, 3) << override;
+    EXPECT_EQ(output.out, "") << override;
+    EXPECT_NE(output.err, "") << override;
+  }
+}
+
+TEST(ExitCode, Is4IfThereIsNoAdmissiblePath) {
+  const Output output = run({"solve", paper_problem("fig06_uniform_cylinder"),
+                             "--set", "scene.body.radius=2"});
+
+  EXPECT_EQ(output.code, 4);
+  EXPECT_NE(output.out.find("above its start"), std::string::npos)
+      << output.out;
+}
+
+TEST(ExitCode, Is4IfNotVerified) {
+  const Output output =
+      run({"solve", paper_problem("fig04_reference_case"), "--set",
+           "discretisation={degree: 2, elements: 8, tolerance: 1e-9}"});
+
+  EXPECT_EQ(output.code, 4) << output.err;
+  EXPECT_NE(output.out.find("NOT VERIFIED"), std::string::npos) << output.out;
+}
+
+TEST(ExitCode, Is5IfTheBodyCouldNotRunOnTheTrack) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file(
+      "thrown_off.yaml",
+      "scene:\n"
+      "  body: {shape: cylinder, radius: 0.2, eta_m: 0.8, k: 0.02}\n"
+      "  finish: {L: 0.5, H: 1}\n");
+
+  const Output output = run({"solve", file});
+
+  EXPECT_EQ(output.code, 5) << output.err;
+  EXPECT_NE(output.out.find("lift off"), std::string::npos) << output.out;
+}
+
+TEST(ExitCode, Is6ForAFileThatCannotBeRead) {
+  const ScratchDirectory scratch;
+  for (const std::string& file :
+       {scratch.path().string() + "/missing.yaml", scratch.path().string()}) {
+    const Output output = run({"solve", file});
+
+    EXPECT_EQ(output.code, 6) << file;
+    EXPECT_EQ(output.out, "") << file;
+    EXPECT_NE(output.err.find(file), std::string::npos) << output.err;
+  }
+}
+
+TEST(ExitCode, Is6IfNothingCanBeWritten) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file("file", "text");
+
+  EXPECT_EQ(run({"solve", paper_problem(kBead), "--out", file}).code, 6);
+  EXPECT_EQ(run({"solve", paper_problem(kBead), "--out", file + "/below"}).code,
+            6);
+}
+
+TEST(ExitCode, Is7IfALimitIsReached) {
+  EXPECT_EQ(run({"solve", paper_problem("fig04_reference_case"), "--set",
+                 "solver.limits.iterations=3"})
+                .code,
+            7);
+  EXPECT_EQ(run({"solve", paper_problem("fig04_reference_case"), "--set",
+                 "solver.limits.seconds=1e-6"})
+                .code,
+            7);
+}
+
+TEST(ExitCode, IsNotZeroIfTheResultCannotBePrinted) {
+  // /dev/full takes nothing: the answer is lost, and a script has to know.
+  const std::string command = std::string(BRACHISTO_APP) + " solve " +
+                              paper_problem(kBead) +
+                              " > /dev/full 2> /dev/null";
+
+  EXPECT_NE(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The number of iterations does not grow with the mesh: the defects are in
+// integral form, so that tolerances mean the same on every mesh.
+
+#include <gtest/gtest.h>
+
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/study/solve.hpp"
+#include "brachisto/transcription/initial_guess.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+// From the plain cycloid Newton's method needs five or six steps here; ten
+// leave room for other builds of the linear algebra. With quadratic
+// convergence the warm-started passes that close the contact need 3 + 3 + 2 +
+// … more.
+constexpr int kFirstIterations = 10;
+constexpr int kAllIterations = 25;
+
+class MeshIndependence : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Elements, MeshIndependence,
+                         ::testing::Values(10, 100, 500, 2000));
+
+TEST_P(MeshIndependence, HoldsForTheIterationsOfAllPasses) {
+  const Scene scene =
+      in_natural_units(testing::reference("reference_case").scene());
+  const auto arc = axisymmetric_optimum(scene);
+  ASSERT_TRUE(arc);
+  const double phi = arc->slope_angle(arc->psi_end);
+  RollingTime problem(scene, uniform_mesh(5, GetParam()), phi);
+
+  const MeshSolution solution =
+      solve_on_mesh(problem, {cycloid_guess(problem, *arc), phi}, {});
+
+  ASSERT_TRUE(solution.solved()) << solution.message;
+  EXPECT_LE(solution.first_iterations, kFirstIterations);
+  EXPECT_LE(solution.iterations, kAllIterations);
+  EXPECT_EQ(solution.refused_points, 0);
+}
+
+TEST(MeshIndependence, HoldsForAWholeSolve) {
+  SolveOptions options;
+  options.discretisation.elements = 500;
+
+  const Solution solution =
+      solve(testing::reference("reference_case").scene(), options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_LE(solution.effort.first_iterations, kFirstIterations);
+  // The check with degree p + 1 is part of this count: as many more.
+  EXPECT_LE(solution.effort.iterations, 2 * kAllIterations);
+  EXPECT_TRUE(solution.effort.continuation.empty());
+}
+
+}  // namespace
+}  // namespace brachisto

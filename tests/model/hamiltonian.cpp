@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/model/hamiltonian.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "brachisto/math/jet2.hpp"
+#include "brachisto/model/cycloid.hpp"
+#include "support/observed_order.hpp"
+#include "support/random_points.hpp"
+#include "support/rounding.hpp"
+#include "support/scenes.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+using Jet = math::Jet2<double, 1>;
+
+/// 𝓗 written out as √A + p·f, A as in the paper.
+template <class Scalar>
+Scalar literal_hamiltonian(const Body& body, double gravity,
+                           const RollingState& state, const Costates& p,
+                           const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const double eta = body.eta_m;
+  const Scalar A =
+      1.0 + eta * eta + body.k - 2.0 * eta * sin(state.theta - beta);
+  Scalar h = sqrt(A) + p.p_x * state.w * cos(beta) +
+             p.p_z * state.w * sin(beta) +
+             p.p_w * gravity * (sin(beta) + eta * std::cos(state.theta));
+  if (body.rolls()) h += p.p_theta * state.w / body.radius;
+  return h;
+}
+
+/// A moving body somewhere, with costates of order one; k ≥ 0.05 keeps A away
+/// from zero, so that derivatives of √A are below 20.
+struct Sample {
+  Body body;
+  double gravity;
+  RollingState state;
+  Costates p;
+};
+
+Sample random_sample(Random& random) {
+  Sample sample;
+  sample.body = random_cylinder(random, 0.9);
+  sample.body.k = std::max(sample.body.k, 0.05);
+  sample.gravity = random.uniform(0.5, 2.0);
+  sample.state = {random.uniform(-2.0, 6.0), random.uniform(0.1, 2.0)};
+  sample.p = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+              random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+  return sample;
+}
+
+TEST(SlopeHamiltonian, HasTheDerivativesThatJetsHave) {
+  constexpr std::uint32_t kSeed = 1;
+  Random random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    const Sample s = random_sample(random);
+    const double beta = random.uniform(-kPi, kPi);
+
+    const SlopeHamiltonian h =
+        slope_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
+
+    const Jet exact = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
+                                          Jet::variable(beta, 0));
+    // Terms below 20, a rounding of A enters the second derivative as
+    // 3/(4 A^{5/2}) η² < 20 at worst where A is smallest, 0.06.
+    EXPECT_NEAR(h.d_beta, exact.gradient[0], ulps(32.0, 20.0))
+        << "seed " << kSeed << " sample " << i;
+    EXPECT_NEAR(h.d2_beta, exact.hessian[0], ulps(32.0, 400.0))
+        << "seed " << kSeed << " sample " << i;
+  }
+}
+
+TEST(Hamiltonian, IsTheRootOfAPlusTheCostatesTimesTheRates) {
+  constexpr std::uint32_t kSeed = 2;
+  Random random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    Sample s = random_sample(random);
+    if (i % 5 == 0) s.body = Body::bead();
+    const double beta = random.uniform(-kPi, kPi);
+
+    const double h = hamiltonian(s.body, s.gravity, s.state, s.p, beta);
+
+    // Six terms, the largest w p_θ/r below 20.
+    EXPECT_NEAR(h, literal_hamiltonian(s.body, s.gravity, s.state, s.p, beta),
+                ulps(16.0, 20.0))
+        << "seed " << kSeed << " sample " << i;
+  }
+}
+
+TEST(MinimisingSlope, OfACentredBodyPointsAgainstThePullOfTheCostates) {
+  // h = √A + P cos β + Q sin β is least at atan2(−Q, −P), and there is one
+  // minimum per turn.
+  constexpr std::uint32_t kSeed = 3;
+  Random random(kSeed);
+  for (int i = 0; i < 200; ++i) {
+    Sample s = random_sample(random);
+    s.body.eta_m = 0.0;
+    const double P = s.state.w * s.p.p_x;
+    const double Q = s.state.w * s.p.p_z + s.gravity * s.p.p_w;
+    const double minimum = std::atan2(-Q, -P);
+    for (const double away : {-3.1, -1.5, -0.01, 0.0, 0.4, 2.0, 3.1}) {
+      const double beta =
+          minimising_slope(s.body, s.gravity, s.state, s.p, minimum + away);
+
+      // The pulls round like their terms, and turn the direction by that over
+      // the length of (P, Q).
+      EXPECT_NEAR(beta, minimum, ulps(16.0, 1.0 + 4.0 / std::hypot(P, Q)))
+          << "seed " << kSeed << " sample " << i << " started " << away
+          << " away";
+    }
+  }
+}
+
+TEST(MinimisingSlope, FindsTheMinimumOfTheValleyItStartsIn) {
+  constexpr std::uint32_t kSeed = 4;
+  constexpr int kDirections = 2000;
+  Random random(kSeed);
+  for (int i = 0; i < 100; ++i) {
+    const Sample s = random_sample(random);
+    const auto h = [&](double beta) {
+      return literal_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
+    };
+    double best = 0.0;
+    for (int d = 0; d < kDirections; ++d) {
+      const double beta = 2.0 * kPi * d / kDirections;
+      if (h(beta) < h(best)) best = beta;
+    }
+
+    const double beta = minimising_slope(s.body, s.gravity, s.state, s.p, best);
+
+    EXPECT_NEAR(beta, best, 2.0 * kPi / kDirections)
+        << "seed " << kSeed << " sample " << i;
+    EXPECT_LE(h(beta), h(best) + ulps(16.0, 20.0));
+    EXPECT_GT(slope_hamiltonian(s.body, s.gravity, s.state, s.p, beta).d2_beta,
+              0.0);
+  }
+}
+
+TEST(MinimisingSlope, IsNotANumberWithoutOne) {
+  const Body body = Body::cylinder(0.5, 0.0, 0.0, 0.5);
+  const double nan = std::nan("");
+
+  // Without any pull 𝓗 does not depend on β at all.
+  EXPECT_TRUE(std::isnan(minimising_slope(body, 1.0, {0.0, 1.0}, {}, 0.3)));
+  EXPECT_TRUE(
+      std::isnan(minimising_slope(body, 1.0, {0.0, 1.0}, {.p_x = nan}, 0.3)));
+}
+
+TEST(SlopeRate, OfACycloidIsConstant) {
+  // From ∂𝓗/∂β = 𝓗 = 0 at η = 0: (w p_x, w p_z + g p_w) = −√A (cos β, sin β),
+  // with p_x and p_z constant and p_w = 0 at the end.
+  const double g = 9.81;
+  for (const Scene& scene : {bead_scene(), uniform_scene()}) {
+    const CycloidArc arc = *axisymmetric_optimum(scene);
+    const double root = std::sqrt(1.0 + scene.body.k);
+    const double w_end = arc.fall_speed(g, arc.psi_end);
+    Costates p;
+    p.p_x = -root * std::cos(arc.slope_angle(arc.psi_end)) / w_end;
+    p.p_z = -root * std::sin(arc.slope_angle(arc.psi_end)) / w_end;
+    const double rate = -arc.psi_end / (2.0 * arc.rolling_time(g));
+    for (const double part : {0.0, 1e-6, 0.1, 0.5, 0.9, 1.0}) {
+      const double psi = part * arc.psi_end;
+      const double beta = arc.slope_angle(psi);
+      const RollingState state{0.0, arc.fall_speed(g, psi)};
+      p.p_w = (-root * std::sin(beta) - state.w * p.p_z) / g;
+
+      // Three terms below 2 |β'|, divided by √A.
+      EXPECT_NEAR(slope_rate(scene.body, g, state, p, beta), rate,
+                  ulps(16.0, 2.0 * std::abs(rate)))
+          << "ψ " << psi;
+    }
+  }
+}
+
+TEST(SlopeRate, IsThatOfTheMinimisingSlopeAlongTheCanonicalFlow) {
+  constexpr std::uint32_t kSeed = 6;
+  Random random(kSeed);
+  int measured = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Sample s = random_sample(random);
+    const double g = s.gravity;
+    const double r = s.body.radius;
+    // The costates of an extremal make 𝓗 pull hard: a deep valley.
+    Costates p = s.p;
+    p.p_x -= 3.0;
+    const double beta =
+        minimising_slope(s.body, g, s.state, p, random.uniform(-1.0, 1.0));
+    ASSERT_FALSE(std::isnan(beta));
+    // θ' = w/r, w' = g (sin β + η cos θ), p' = −∂𝓗/∂(θ, w).
+    const double A = inertia_factor(s.body, s.state.theta, beta);
+    const double theta_rate = s.state.w / r;
+    const double w_rate =
+        g * (std::sin(beta) + s.body.eta_m * std::cos(s.state.theta));
+    const double p_theta_rate =
+        s.body.eta_m * std::cos(s.state.theta - beta) / std::sqrt(A) +
+        p.p_w * g * s.body.eta_m * std::sin(s.state.theta);
+    const double p_w_rate =
+        -(p.p_x * std::cos(beta) + p.p_z * std::sin(beta) + p.p_theta / r);
+    const auto moved = [&](double du) {
+      const RollingState state{s.state.theta + du * theta_rate,
+                               s.state.w + du * w_rate};
+      const Costates q{p.p_x, p.p_z, p.p_theta + du * p_theta_rate,
+                       p.p_w + du * p_w_rate};
+      return minimising_slope(s.body, g, state, q, beta);
+    };
+
+    const double rate = slope_rate(s.body, g, s.state, p, beta);
+
+    // A central difference: its error falls as the square of the step.
+    std::array<double, 4> steps{}, errors{};
+    for (std::size_t level = 0; level < steps.size(); ++level) {
+      const double du = std::ldexp(4e-3, -static_cast<int>(level));
+      steps[level] = du;
+      errors[level] = std::abs((moved(du) - moved(-du)) / (2.0 * du) - rate);
+    }
+    // … until rounding of β, over the step, hides it.
+    if (errors.back() < ulps(64.0) / steps.back()) continue;
+    ++measured;
+    EXPECT_NEAR(observed_order(steps, errors), 2.0, 0.1)
+        << "seed " << kSeed << " sample " << i << " errors " << errors.front()
+        << " … " << errors.back();
+  }
+  EXPECT_GE(measured, 40) << "too few samples left above rounding";
+}
+
+}  // namespace
+}  // namespace brachisto::testing

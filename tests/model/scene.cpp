@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/model/scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/scenes.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One way to spoil a good scene, and what is to be said about it.
+struct Spoiled {
+  const char* name;
+  Scene scene;
+  const char* key;
+  const char* message;
+};
+
+template <class Spoil>
+Spoiled spoil(const char* name, Scene scene, Spoil&& change, const char* key,
+              const char* message) {
+  change(scene);
+  return {name, scene, key, message};
+}
+
+void PrintTo(const Spoiled& spoiled, std::ostream* out) {
+  *out << spoiled.name;
+}
+
+class Validate : public ::testing::TestWithParam<Spoiled> {};
+
+TEST_P(Validate, NamesTheKeyTheValueAndTheBound) {
+  const std::vector<SceneError> errors = validate(GetParam().scene);
+
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].key, GetParam().key);
+  EXPECT_EQ(errors[0].message, GetParam().message);
+}
+
+constexpr const char* kBeadHasNone =
+    "a bead is a point mass and has no such property";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Validate,
+    ::testing::Values(
+        spoil(
+            "ZeroRadius", uniform_scene(),
+            [](Scene& s) { s.body.radius = 0.0; }, "scene.body.radius",
+            "0 m is not allowed: it must be > 0, for the radius of a cylinder "
+            "is a length"),
+        spoil(
+            "NegativeOffset", uniform_scene(),
+            [](Scene& s) { s.body.eta_m = -0.25; }, "scene.body.eta_m",
+            "-0.25 is not allowed: 0 ≤ η_m ≤ 1, for the centre of mass lies "
+            "inside the cylinder"),
+        spoil(
+            "OffsetBeyondTheRim", uniform_scene(),
+            [](Scene& s) { s.body.eta_m = 1.25; }, "scene.body.eta_m",
+            "1.25 is not allowed: 0 ≤ η_m ≤ 1, for the centre of mass lies "
+            "inside the cylinder"),
+        spoil(
+            "MassPointOnTheRim", uniform_scene(),
+            [](Scene& s) {
+              s.body.eta_m = 1.0;
+              s.body.k = 0.0;
+            },
+            "scene.body.eta_m",
+            "1 is not allowed: all mass would sit in one point of the rim "
+            "(k = 0), whose speed, and with it the inertia factor A, vanishes "
+            "whenever that point touches the track"),
+        spoil(
+            "NegativeInertia", uniform_scene(),
+            [](Scene& s) { s.body.k = -0.5; }, "scene.body.k",
+            "-0.5 is not allowed: 0 ≤ k, for a moment of inertia is not "
+            "negative"),
+        spoil(
+            "MoreInertiaThanTheRimAllows", off_centred_scene(),
+            [](Scene& s) {
+              s.body.eta_m = 0.5;
+              s.body.k = 0.875;
+            },
+            "scene.body.k",
+            "0.875 is not allowed: k ≤ 1 − η_m² = 0.75 for η_m = 0.5, reached "
+            "when all mass sits on the rim"),
+        spoil(
+            "FinishStraightBelow", uniform_scene(), [](Scene& s) { s.L = 0.0; },
+            "scene.finish.L",
+            "0 m is not allowed: it must be > 0, for B lies to the right of A"),
+        spoil(
+            "FinishAbove", uniform_scene(), [](Scene& s) { s.H = -1.0; },
+            "scene.finish.H",
+            "-1 m is not allowed: it must be > 0, for B lies below A (z points "
+            "down)"),
+        spoil(
+            "NoGravity", uniform_scene(), [](Scene& s) { s.gravity = 0.0; },
+            "scene.gravity",
+            "0 m/s² is not allowed: it must be > 0, for it is what moves the "
+            "body"),
+        spoil(
+            "NoMass", uniform_scene(), [](Scene& s) { s.body.mass = 0.0; },
+            "scene.body.mass",
+            "0 kg is not allowed: it must be > 0, for it turns forces into "
+            "newtons"),
+        spoil(
+            "RadiusNotANumber", uniform_scene(),
+            [](Scene& s) { s.body.radius = kNaN; }, "scene.body.radius",
+            "nan is not a finite number"),
+        spoil(
+            "OffsetNotANumber", uniform_scene(),
+            [](Scene& s) { s.body.eta_m = kNaN; }, "scene.body.eta_m",
+            "nan is not a finite number"),
+        spoil(
+            "AngleInfinite", uniform_scene(),
+            [](Scene& s) { s.body.theta_m = -kInfinity; }, "scene.body.theta_m",
+            "-inf is not a finite number"),
+        spoil(
+            "InertiaNotANumber", uniform_scene(),
+            [](Scene& s) { s.body.k = kNaN; }, "scene.body.k",
+            "nan is not a finite number"),
+        spoil(
+            "FinishInfinitelyFar", bead_scene(),
+            [](Scene& s) { s.L = kInfinity; }, "scene.finish.L",
+            "inf is not a finite number"),
+        spoil(
+            "DropNotANumber", bead_scene(), [](Scene& s) { s.H = kNaN; },
+            "scene.finish.H", "nan is not a finite number"),
+        spoil(
+            "GravityNotANumber", bead_scene(),
+            [](Scene& s) { s.gravity = kNaN; }, "scene.gravity",
+            "nan is not a finite number"),
+        spoil(
+            "MassNotANumber", bead_scene(),
+            [](Scene& s) { s.body.mass = kNaN; }, "scene.body.mass",
+            "nan is not a finite number"),
+        spoil(
+            "BeadWithRadius", bead_scene(),
+            [](Scene& s) { s.body.radius = 0.5; }, "scene.body.radius",
+            kBeadHasNone),
+        spoil(
+            "BeadWithOffset", bead_scene(),
+            [](Scene& s) { s.body.eta_m = 0.5; }, "scene.body.eta_m",
+            kBeadHasNone),
+        spoil(
+            "BeadWithAngle", bead_scene(),
+            [](Scene& s) { s.body.theta_m = kNaN; }, "scene.body.theta_m",
+            kBeadHasNone),
+        spoil(
+            "BeadWithInertia", bead_scene(), [](Scene& s) { s.body.k = 0.5; },
+            "scene.body.k", kBeadHasNone)),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ValidateScene, AcceptsGoodScenes) {
+  Scene heavy = bead_scene();
+  heavy.body.mass = 2.5;
+
+  EXPECT_TRUE(validate(heavy).empty());
+  EXPECT_TRUE(validate(bead_scene()).empty());
+  EXPECT_TRUE(validate(uniform_scene()).empty());
+  EXPECT_TRUE(validate(off_centred_scene(-kPi / 6.0)).empty());
+}
+
+TEST(ValidateScene, AcceptsTheBoundsThemselves) {
+  EXPECT_TRUE(validate(scene_of(Body::cylinder(0.5, 0.0, 0.0, 0.0))).empty());
+  EXPECT_TRUE(validate(scene_of(Body::cylinder(0.5, 0.0, 0.0, 1.0))).empty());
+  EXPECT_TRUE(validate(scene_of(Body::cylinder(0.5, 0.5, 0.0, 0.75))).empty());
+}
+
+TEST(ValidateScene, AllowsForRoundingOfInertiaOnTheRim) {
+  // 1/√2 rounded up, as √(1/2) is: ½ is then more than 1 − η².
+  const double eta = std::sqrt(0.5);
+  const double k = 0.5;
+
+  ASSERT_GT(k, (1.0 - eta) * (1.0 + eta)) << "the case is no longer hard";
+  EXPECT_TRUE(validate(scene_of(Body::cylinder(0.5, eta, 0.0, k))).empty());
+  EXPECT_TRUE(
+      validate(scene_of(Body::cylinder(0.5, 1.0 / std::sqrt(2.0), 0.0, k)))
+          .empty());
+}
+
+TEST(ValidateScene, AllowsForRoundingAndNoMore) {
+  const double eta = 1.0 / std::sqrt(2.0);
+  const double k = 0.5 + 2.0 * kBoundSlack;
+
+  EXPECT_EQ(validate(scene_of(Body::cylinder(0.5, eta, 0.0, k))).size(), 1U);
+}
+
+TEST(ValidateScene, ReportsEverythingAtOnce) {
+  Scene scene = scene_of(Body::cylinder(-1.0, 2.0, kNaN, -3.0));
+  scene.L = -1.0;
+  scene.H = 0.0;
+  scene.gravity = -9.81;
+
+  std::vector<std::string> keys;
+  for (const SceneError& error : validate(scene)) keys.push_back(error.key);
+
+  EXPECT_THAT(keys, ::testing::UnorderedElementsAre(
+                        "scene.body.radius", "scene.body.eta_m",
+                        "scene.body.theta_m", "scene.body.k", "scene.finish.L",
+                        "scene.finish.H", "scene.gravity"));
+}
+
+}  // namespace
+}  // namespace brachisto::testing

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/report/output_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace brachisto::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFiles : public ::testing::Test {
+ protected:
+  OutputFiles() {
+    std::string name =
+        (fs::temp_directory_path() / "brachisto-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) std::abort();
+    directory = name;
+  }
+  ~OutputFiles() override { fs::remove_all(directory); }
+
+  [[nodiscard]] static std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  [[nodiscard]] static std::set<std::string> names(const fs::path& path) {
+    std::set<std::string> out;
+    for (const auto& entry : fs::directory_iterator(path)) {
+      out.insert(entry.path().filename().string());
+    }
+    return out;
+  }
+  /// What a failing call says; "" if it does not fail.
+  [[nodiscard]] std::string failure(const fs::path& where, bool force,
+                                    const std::vector<OutputFile>& files) {
+    try {
+      write_files(where, files, force);
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path directory;
+};
+
+using Names = std::set<std::string>;
+
+TEST_F(OutputFiles, AreThereInFull) {
+  // Larger than any buffer, with bytes that a text mode would change.
+  const std::string large(3'000'000, 'x');
+  const std::string odd("a\r\nb\0c\n", 7);
+
+  write_files(directory, {{"large", large}, {"odd", odd}, {"empty", ""}},
+              false);
+
+  EXPECT_EQ(content(directory / "large"), large);
+  EXPECT_EQ(content(directory / "odd"), odd);
+  EXPECT_EQ(content(directory / "empty"), "");
+  EXPECT_EQ(names(directory), (Names{"large", "odd", "empty"}));
+}
+
+TEST_F(OutputFiles, MakeTheirDirectory) {
+  const fs::path deep = directory / "a" / "b" / "c";
+
+  write_files(deep, {{"file", "text"}}, false);
+
+  EXPECT_EQ(content(deep / "file"), "text");
+}
+
+TEST_F(OutputFiles, AreNotReplacedWithoutForce) {
+  write_files(directory, {{"second", "old"}}, false);
+
+  const std::string what =
+      failure(directory, false, {{"first", "new"}, {"second", "new"}});
+
+  EXPECT_NE(what.find("second"), std::string::npos) << what;
+  EXPECT_NE(what.find("--force"), std::string::npos) << what;
+  // Nothing is written, not even the file that was not there.
+  EXPECT_EQ(names(directory), Names{"second"});
+  EXPECT_EQ(content(directory / "second"), "old");
+}
+
+TEST_F(OutputFiles, AreReplacedWithForce) {
+  write_files(directory, {{"file", "a long old text"}}, false);
+
+  write_files(directory, {{"file", "new"}}, true);
+
+  EXPECT_EQ(content(directory / "file"), "new");
+  EXPECT_EQ(names(directory), Names{"file"});
+}
+
+TEST_F(OutputFiles, ReplaceTheNameAndNotTheFileBehindIt) {
+  // Whoever has the old file open, or linked, keeps it whole.
+  write_files(directory, {{"file", "old"}}, false);
+  fs::create_hard_link(directory / "file", directory / "kept");
+
+  write_files(directory, {{"file", "new"}}, true);
+
+  EXPECT_EQ(content(directory / "file"), "new");
+  EXPECT_EQ(content(directory / "kept"), "old");
+}
+
+TEST_F(OutputFiles, FailUnderAParentThatIsAFile) {
+  write_files(directory, {{"file", "text"}}, false);
+
+  for (const bool force : {false, true}) {
+    const std::string what =
+        failure(directory / "file" / "below", force, {{"x", "y"}});
+
+    EXPECT_NE(what.find("below"), std::string::npos) << what;
+  }
+  EXPECT_EQ(names(directory), Names{"file"});
+}
+
+TEST_F(OutputFiles, FailInADirectoryThatIsAFile) {
+  write_files(directory, {{"file", "text"}}, false);
+
+  const std::string what = failure(directory / "file", true, {{"x", "y"}});
+
+  EXPECT_NE(what.find("not a directory"), std::string::npos) << what;
+  EXPECT_EQ(content(directory / "file"), "text");
+}
+
+TEST_F(OutputFiles, FailUnderANameThatIsADirectoryAndLeaveNothingBehind) {
+  fs::create_directory(directory / "taken");
+
+  for (const bool force : {false, true}) {
+    const std::string what = failure(directory, force, {{"taken", "text"}});
+
+    EXPECT_NE(what.find("taken"), std::string::npos) << what;
+    EXPECT_EQ(names(directory), Names{"taken"});
+  }
+}
+
+TEST_F(OutputFiles, FailInADirectoryThatDoesNotExistUnderProc) {
+  // A file system that nobody may write to, not even root.
+  const std::string what = failure("/proc/brachisto", false, {{"x", "y"}});
+
+  EXPECT_NE(what.find("/proc/brachisto"), std::string::npos) << what;
+}
+
+TEST_F(OutputFiles, CheckedBeforehandRefuseTheSame) {
+  write_files(directory, {{"file", "text"}}, false);
+
+  EXPECT_THROW(check_writable(directory, {"other", "file"}, false),
+               OutputError);
+  EXPECT_THROW(check_writable(directory / "file", {"x"}, true), OutputError);
+  EXPECT_NO_THROW(check_writable(directory, {"other"}, false));
+  EXPECT_NO_THROW(check_writable(directory, {"file"}, true));
+  EXPECT_NO_THROW(check_writable(directory / "new", {"file"}, false));
+}
+
+TEST_F(OutputFiles, CheckedBeforehandRefuseWhatCannotBeWritten) {
+  // Nobody should solve for an hour to be told afterwards.
+  write_files(directory, {{"file", "text"}}, false);
+  fs::create_directory(directory / "taken");
+
+  EXPECT_THROW(check_writable(directory / "file" / "below", {"x"}, true),
+               OutputError);
+  EXPECT_THROW(check_writable(directory, {"taken"}, true), OutputError);
+}
+
+}  // namespace
+}  // namespace brachisto::report

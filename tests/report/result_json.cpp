@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/report/result_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "report/solutions.hpp"
+
+namespace brachisto {
+namespace {
+
+using nlohmann::json;
+using report::result_json;
+using testing::bead_solution;
+using testing::impossible_solution;
+using testing::off_centred_solution;
+using testing::uniform_solution;
+using testing::unverified_solution;
+
+// Names that other programs rely on, spelt out once more on purpose.
+const std::vector<std::string> kPathKeys{
+    "tau",         "transit_time", "centre_path_length", "rail_length",
+    "start_angle", "end_angle",    "rotation",           "normal_force",
+    "friction",    "curvature",    "fold_margin"};
+const std::vector<std::string> kOtherKeys{
+    "schema_version",     "status",          "verified",       "feasible",
+    "infeasible_because", "estimated_error", "nodes",          "variables",
+    "constraints",        "iterations",      "closure_passes", "seconds",
+    "certificate",        "provenance",      "scene"};
+
+std::vector<const Solution*> all_kinds() {
+  return {&off_centred_solution(), &uniform_solution(), &bead_solution(),
+          &unverified_solution(), &impossible_solution()};
+}
+
+TEST(ResultJson, HasEveryKeyWhateverTheOutcome) {
+  for (const Solution* solution : all_kinds()) {
+    const json document = json::parse(result_json(*solution));
+
+    for (const std::string& key : kPathKeys) {
+      EXPECT_TRUE(document.contains(key)) << key;
+    }
+    for (const std::string& key : kOtherKeys) {
+      EXPECT_TRUE(document.contains(key)) << key;
+    }
+    for (const char* key : {"kkt_residual", "reintegration_error",
+                            "energy_drift", "contact_error", "second_order"}) {
+      EXPECT_TRUE(document["certificate"].contains(key)) << key;
+    }
+    EXPECT_TRUE(document["seconds"].contains("total"));
+  }
+}
+
+TEST(ResultJson, NamesTheMembersOfItsObjects) {
+  const json document = json::parse(result_json(off_centred_solution()));
+
+  for (const char* key : {"min", "max", "x_at_max"}) {
+    EXPECT_TRUE(document["normal_force"][key].is_number()) << key;
+  }
+  for (const char* key :
+       {"share_above_0.3", "share_above_0.5", "share_above_1"}) {
+    EXPECT_TRUE(document["friction"][key].is_number()) << key;
+  }
+  for (const char* key : {"min", "max"}) {
+    EXPECT_TRUE(document["curvature"][key].is_number()) << key;
+  }
+  EXPECT_TRUE(document["fold_margin"].is_number());
+  for (const char* key : {"brachisto", "ipopt", "mumps", "blas", "suitesparse",
+                          "compiler", "options"}) {
+    EXPECT_TRUE(document["provenance"].contains(key)) << key;
+  }
+}
+
+TEST(ResultJson, NumbersComeBackBitForBit) {
+  const Solution& solution = off_centred_solution();
+  const Trajectory& path = *solution.trajectory;
+
+  const json document = json::parse(result_json(solution));
+
+  EXPECT_EQ(document["tau"].get<double>(), path.tau());
+  EXPECT_EQ(document["transit_time"].get<double>(), path.transit_time());
+  EXPECT_EQ(document["centre_path_length"].get<double>(),
+            path.centre_path_length());
+  EXPECT_EQ(document["rail_length"].get<double>(), path.rail_length());
+  EXPECT_EQ(document["start_angle"].get<double>(), path.start_angle());
+  EXPECT_EQ(document["end_angle"].get<double>(), path.end_angle());
+  EXPECT_EQ(document["rotation"].get<double>(), *path.rotation());
+  EXPECT_EQ(document["estimated_error"].get<double>(),
+            *solution.estimated_error);
+  EXPECT_EQ(document["scene"]["body"]["radius"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(document["scene"]["gravity"].get<double>(), 9.81);
+}
+
+TEST(ResultJson, OfAVerifiedSolutionSaysSo) {
+  const json document = json::parse(result_json(off_centred_solution()));
+
+  EXPECT_EQ(document["status"], "solved");
+  EXPECT_EQ(document["verified"], true);
+  EXPECT_EQ(document["feasible"], true);
+  EXPECT_EQ(document["infeasible_because"], json::array());
+  EXPECT_EQ(document["nodes"], off_centred_solution().nodes);
+}
+
+TEST(ResultJson, OfAnUnverifiedSolutionHasNoNumbersOfThePath) {
+  ASSERT_EQ(unverified_solution().status, Status::Solved);
+  ASSERT_FALSE(unverified_solution().verified());
+
+  const json document = json::parse(result_json(unverified_solution()));
+
+  EXPECT_EQ(document["status"], "solved");
+  EXPECT_EQ(document["verified"], false);
+  EXPECT_TRUE(document["feasible"].is_null());
+  EXPECT_TRUE(document["infeasible_because"].is_null());
+  for (const std::string& key : kPathKeys) {
+    EXPECT_TRUE(document[key].is_null()) << key;
+  }
+}
+
+TEST(ResultJson, OfAnUnsolvedSceneHasTheReason) {
+  const json document = json::parse(result_json(impossible_solution()));
+
+  EXPECT_EQ(document["status"], "no_admissible_path");
+  EXPECT_EQ(document["verified"], false);
+  EXPECT_NE(document["message"].get<std::string>().find("above its start"),
+            std::string::npos);
+  for (const std::string& key : kPathKeys) {
+    EXPECT_TRUE(document[key].is_null()) << key;
+  }
+  for (const char* key :
+       {"estimated_error", "nodes", "variables", "constraints"}) {
+    EXPECT_TRUE(document[key].is_null()) << key;
+  }
+}
+
+TEST(ResultJson, OfABeadHasNothingThatOnlyARollingBodyHas) {
+  const json document = json::parse(result_json(bead_solution()));
+
+  EXPECT_EQ(document["verified"], true);
+  for (const char* key : {"rotation", "friction", "fold_margin"}) {
+    EXPECT_TRUE(document[key].is_null()) << key;
+  }
+  EXPECT_EQ(document["scene"]["body"]["shape"], "bead");
+  EXPECT_TRUE(document["tau"].is_number());
+}
+
+TEST(ResultJson, WritesWhatIsNotANumberAsNull) {
+  Solution solution = off_centred_solution();
+  solution.certificate.add("broken", std::numeric_limits<double>::quiet_NaN(),
+                           1.0);
+
+  const json document = json::parse(result_json(solution));
+
+  EXPECT_TRUE(document["certificate"]["broken"].is_null());
+  EXPECT_EQ(document["verified"], false);
+  EXPECT_TRUE(document["tau"].is_null());
+}
+
+TEST(InputJson, HoldsTheSceneAndEveryDefault) {
+  const json document = json::parse(
+      report::input_json(testing::reference("theta_-30").scene(), {}));
+
+  EXPECT_EQ(document["scene"]["finish"]["L"], 3.0);
+  EXPECT_EQ(document["scene"]["contact"], "smooth");
+  EXPECT_EQ(document["solver"]["method"], "ipopt");
+  EXPECT_EQ(document["solver"]["limits"]["iterations"], 500);
+  EXPECT_EQ(document["solver"]["limits"]["seconds"], 3600.0);
+  EXPECT_EQ(document["solver"]["tolerance"], 1e-12);
+}
+
+}  // namespace
+}  // namespace brachisto

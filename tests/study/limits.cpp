@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// A solve ends when its budget does.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "brachisto/study/solve.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::reference;
+
+TEST(Limits, TheIterationsOfAllPassesAreCountedTogether) {
+  const Scene scene = reference("reference_case").scene();
+  const int needed = solve(scene).effort.iterations;
+  for (const int limit : {1, 3, needed / 2, needed - 1}) {
+    SolveOptions options;
+    options.limits.iterations = limit;
+
+    const Solution solution = solve(scene, options);
+
+    EXPECT_EQ(solution.status, Status::IterationLimit) << solution.message;
+    EXPECT_FALSE(solution.verified());
+    EXPECT_LE(solution.effort.iterations, limit);
+    EXPECT_NE(solution.message, "");
+  }
+}
+
+TEST(Limits, AsManyIterationsAsNeededAreEnough) {
+  const Scene scene = reference("reference_case").scene();
+  SolveOptions options;
+  options.limits.iterations = solve(scene).effort.iterations;
+
+  const Solution solution = solve(scene, options);
+
+  EXPECT_TRUE(solution.verified()) << solution.message;
+}
+
+TEST(Limits, AContinuationIsBoundToo) {
+  const Scene scene = reference("fast").scene();
+  for (const int limit : {20, 60, 100, 140}) {
+    SolveOptions options;
+    options.limits.iterations = limit;
+
+    const Solution solution = solve(scene, options);
+
+    EXPECT_EQ(solution.status, Status::IterationLimit) << solution.message;
+    EXPECT_LE(solution.effort.iterations, limit);
+  }
+}
+
+TEST(Limits, TheClockEndsASolve) {
+  SolveOptions options;
+  options.limits.seconds = 1e-6;
+
+  const Solution solution = solve(reference("reference_case").scene(), options);
+
+  EXPECT_EQ(solution.status, Status::TimeLimit) << solution.message;
+  EXPECT_FALSE(solution.verified());
+}
+
+TEST(Limits, TheClockEndsALargeSolveSoonAfter) {
+  SolveOptions options;
+  options.discretisation.elements = 4000;
+  options.limits.seconds = 0.3;
+
+  const Solution solution = solve(reference("reference_case").scene(), options);
+
+  EXPECT_EQ(solution.status, Status::TimeLimit) << solution.message;
+  // An iteration of this size takes some 0.1 s, ten times that in a checked
+  // build; the whole solve would take twenty-odd of them, twice.
+  EXPECT_LT(solution.effort.seconds, 5.0);
+}
+
+TEST(Interrupt, APresetFlagEndsTheSolveAtOnce) {
+  const std::atomic<int> flag{2};
+
+  const Solution solution =
+      solve(reference("reference_case").scene(), {}, {.interrupt = &flag});
+
+  EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
+  EXPECT_FALSE(solution.verified());
+  EXPECT_FALSE(solution.trajectory);
+}
+
+TEST(Interrupt, AFlagSetMeanwhileEndsALargeSolve) {
+  std::atomic<int> flag{0};
+  SolveOptions options;
+  options.discretisation.elements = 4000;
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    flag = 15;
+  });
+
+  const Solution solution =
+      solve(reference("reference_case").scene(), options, {.interrupt = &flag});
+  other.join();
+
+  EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// How the mesh is chosen, and what becomes of a bad choice.
+
+#include <gtest/gtest.h>
+
+#include "brachisto/study/solve.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::reference;
+
+const Scene kScene = reference("reference_case").scene();
+constexpr double kTau = reference("reference_case").tau;
+
+TEST(FixedMesh, IsTakenAsItIs) {
+  SolveOptions options;
+  options.discretisation.degree = 3;
+  options.discretisation.elements = 17;
+
+  const Solution solution = solve(kScene, options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_EQ(solution.trajectory->curve().mesh().degree, 3);
+  EXPECT_EQ(solution.trajectory->curve().mesh().num_elements(), 17);
+  EXPECT_EQ(solution.nodes, 3 * 17 + 1);
+  // Four states and β at N p nodes and points, and U.
+  EXPECT_EQ(solution.variables, 4 * 52 + 51 + 1);
+  EXPECT_EQ(solution.constraints, 4 * 51);
+}
+
+TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {
+  SolveOptions options;
+  options.discretisation.degree = 3;
+  options.discretisation.elements = 17;
+  for (const auto* row : {&reference("bead_L3"), &reference("uniform_L3")}) {
+    const Solution solution = solve(row->scene(), options);
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_EQ(solution.variables, 3 * 52 + 51 + 1) << row->name;
+    EXPECT_EQ(solution.constraints, 3 * 51) << row->name;
+  }
+}
+
+TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
+  SolveOptions elements;
+  elements.discretisation.degree = 4;
+  elements.discretisation.elements = 20;
+  SolveOptions nodes;
+  nodes.discretisation.degree = 4;
+  nodes.discretisation.nodes = 81;
+
+  const Solution one = solve(kScene, elements);
+  const Solution other = solve(kScene, nodes);
+
+  ASSERT_TRUE(one.verified() && other.verified());
+  EXPECT_EQ(other.nodes, 81);
+  EXPECT_EQ(other.trajectory->tau(), one.trajectory->tau());
+}
+
+TEST(EveryDegree, FindsTheSameAnswer) {
+  // Of p = 1 with N = 200 the tests of convergence foretell 2.4e-6, of p = 2
+  // 1.6e-10; from p = 3 on rounding and the KKT tolerance count.
+  const auto expected_error = [](int degree) {
+    return degree == 1 ? 1e-5 : degree == 2 ? 1e-9 : 1e-11;
+  };
+  for (int degree = kMinDegree; degree <= kMaxDegree; ++degree) {
+    SolveOptions options;
+    options.discretisation.degree = degree;
+    options.discretisation.elements = 200;
+
+    const Solution solution = solve(kScene, options);
+
+    ASSERT_TRUE(solution.verified()) << degree << ": " << solution.message;
+    EXPECT_NEAR(solution.trajectory->tau(), kTau, expected_error(degree) * kTau)
+        << "degree " << degree;
+  }
+}
+
+TEST(HighestDegree, SolvesWithTheMeshOfItsOwnChoice) {
+  for (const auto* row :
+       {&reference("reference_case"), &reference("L4"), &reference("r_0.2")}) {
+    SolveOptions options;
+    options.discretisation.degree = kMaxDegree;
+
+    const Solution solution = solve(row->scene(), options);
+
+    ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
+    EXPECT_NEAR(solution.trajectory->tau(), row->tau, 1e-9 * row->tau)
+        << row->name;
+  }
+}
+
+TEST(WantedTolerance, IsMetByEveryDegreeAndPaidForInNodes) {
+  for (const int degree : {2, 3, 5}) {
+    int nodes = 0;
+    for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
+      SolveOptions options;
+      options.discretisation.degree = degree;
+      options.discretisation.tolerance = tolerance;
+
+      const Solution solution = solve(kScene, options);
+
+      ASSERT_TRUE(solution.verified())
+          << degree << ", " << tolerance << ": " << solution.message;
+      EXPECT_NEAR(solution.trajectory->tau(), kTau, 10.0 * tolerance * kTau);
+      EXPECT_LE(*solution.estimated_error, tolerance);
+      EXPECT_GE(solution.nodes, nodes);
+      nodes = solution.nodes;
+    }
+  }
+}
+
+TEST(ACoarseMesh, IsNotVerifiedIfMoreIsWanted) {
+  SolveOptions options;
+  options.discretisation.degree = 2;
+  options.discretisation.elements = 8;
+  options.discretisation.tolerance = 1e-9;
+
+  const Solution solution = solve(kScene, options);
+
+  EXPECT_EQ(solution.status, Status::Solved);
+  EXPECT_FALSE(solution.verified());
+  ASSERT_NE(solution.certificate.find("agreement"), nullptr);
+  EXPECT_FALSE(solution.certificate.find("agreement")->passed);
+}
+
+TEST(ACoarseMesh, IsNeverVerifiedFarFromTheAnswer) {
+  // Without a tolerance a fixed mesh is taken at its word, but for the answer
+  // to mean anything it has to be good to some per cent.
+  for (const int degree : {1, 2, 3}) {
+    for (const int elements : {1, 2, 3, 4, 5}) {
+      SolveOptions options;
+      options.discretisation.degree = degree;
+      options.discretisation.elements = elements;
+
+      const Solution solution = solve(kScene, options);
+
+      if (!solution.verified()) continue;
+      EXPECT_NEAR(solution.trajectory->tau(), kTau, 0.03 * kTau)
+          << "degree " << degree << ", " << elements << " elements";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brachisto

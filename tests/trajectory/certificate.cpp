@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The certificate passes on a solution and on nothing that was tampered with.
+
+#include "brachisto/trajectory/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/transcription/initial_guess.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using enum StateComponent;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// The base case on a mesh that resolves it to about 1e-12.
+class SolvedCase : public ::testing::Test {
+ protected:
+  SolvedCase() {
+    const auto arc = axisymmetric_optimum(problem.scene());
+    const MeshSolution solution =
+        solve_on_mesh(problem, {cycloid_guess(problem, *arc), 0.0}, {});
+    solved = solution.solved();
+    point = solution.point;
+    phi = solution.closure.phi;
+  }
+  void SetUp() override { ASSERT_TRUE(solved); }
+
+  [[nodiscard]] double& unknown(int index) {
+    return point.x[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] Certificate certificate() {
+    return certify(problem, point, phi);
+  }
+  [[nodiscard]] bool passes(const std::string& check) {
+    const Certificate result = certificate();
+    const Check* found = result.find(check);
+    return found != nullptr && found->passed;
+  }
+
+  RollingTime problem{
+      in_natural_units(testing::reference("reference_case").scene()),
+      uniform_mesh(5, 24), 0.0};
+  PrimalDual point;
+  double phi = 0.0;
+  bool solved = false;
+};
+
+using CertificateOf = SolvedCase;
+
+TEST_F(CertificateOf, TheSolutionPassesEveryCheck) {
+  const Certificate result = certificate();
+
+  for (const Check& check : result.checks) {
+    EXPECT_TRUE(check.passed)
+        << check.name << ": " << check.value << " > " << check.threshold;
+  }
+  EXPECT_TRUE(result.verified());
+  for (const char* name : {"kkt_residual", "defects", "contact_error",
+                           "closure", "slope_angle", "speed"}) {
+    EXPECT_NE(result.find(name), nullptr) << name;
+  }
+}
+
+TEST_F(CertificateOf, SlopeAnglesShiftedByWholeTurnsMeanTheSame) {
+  // β enters only through its sine and cosine, and a solver may leave single
+  // values in another turn.
+  for (const int c : {0, 1, 40, problem.mesh().num_points() - 1}) {
+    unknown(problem.layout().beta(c)) += c % 2 == 0 ? kTurn : -kTurn;
+  }
+
+  EXPECT_TRUE(certificate().verified());
+}
+
+TEST_F(CertificateOf, AMovedNodeFails) {
+  for (const StateComponent component : {X, Z, Theta, W}) {
+    for (const int node : {1, 60, problem.mesh().num_nodes() - 1}) {
+      const PrimalDual untouched = point;
+      unknown(problem.layout().state(node, component)) += 1e-6;
+
+      EXPECT_FALSE(passes("defects"))
+          << "component " << static_cast<int>(component) << ", node " << node;
+      EXPECT_FALSE(certificate().verified());
+      point = untouched;
+    }
+  }
+}
+
+TEST_F(CertificateOf, AWrongRollingTimeFails) {
+  unknown(problem.layout().rolling_time()) *= 1.0 + 1e-6;
+
+  EXPECT_FALSE(passes("defects"));
+}
+
+TEST_F(CertificateOf, AnotherSlopeAngleFails) {
+  unknown(problem.layout().beta(50)) += 1e-6;
+
+  EXPECT_FALSE(passes("kkt_residual") && passes("defects"));
+}
+
+TEST_F(CertificateOf, WrongMultipliersFail) {
+  for (double& lambda : point.lambda) lambda *= 1.0 + 1e-6;
+
+  EXPECT_FALSE(passes("kkt_residual"));
+}
+
+TEST_F(CertificateOf, MultipliersOfZeroFail) {
+  std::fill(point.lambda.begin(), point.lambda.end(), 0.0);
+
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST_F(CertificateOf, AnotherEndAngleFails) {
+  phi += 1e-6;
+
+  EXPECT_FALSE(passes("closure"));
+}
+
+TEST_F(CertificateOf, AnOpenContactFails) {
+  // A true extremal between fixed points, but of the wrong φ.
+  phi += 0.1;
+  problem.set_end_angle(phi);
+  const SolverResult result = solve_with_ipopt(problem, point, {});
+  ASSERT_EQ(result.status, Status::Solved) << result.message;
+  point = result.point;
+
+  EXPECT_TRUE(passes("kkt_residual"));
+  EXPECT_TRUE(passes("defects"));
+  EXPECT_FALSE(passes("closure"));
+  EXPECT_FALSE(passes("contact_error"));
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST_F(CertificateOf, ALoopFails) {
+  // Turned further by half a radian at every point: beyond ±π, continuously.
+  for (int c = 0; c < problem.mesh().num_points(); ++c) {
+    unknown(problem.layout().beta(c)) -= 0.5 * c;
+  }
+
+  EXPECT_FALSE(passes("slope_angle"));
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST_F(CertificateOf, ABodyThatGoesBackwardsFails) {
+  unknown(problem.layout().state(60, W)) *= -1.0;
+  EXPECT_FALSE(certificate().verified());
+
+  for (int node = 1; node < problem.mesh().num_nodes(); ++node) {
+    unknown(problem.layout().state(node, W)) *= -1.0;
+  }
+
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST_F(CertificateOf, ANegativeRollingTimeFails) {
+  unknown(problem.layout().rolling_time()) *= -1.0;
+
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST_F(CertificateOf, AnUnknownThatIsNotANumberFails) {
+  const PrimalDual untouched = point;
+  const VariableLayout& layout = problem.layout();
+  for (const int index :
+       {layout.state(60, X), layout.state(60, Z), layout.state(60, Theta),
+        layout.state(60, W), layout.beta(0), layout.beta(60),
+        layout.beta(layout.num_points() - 1), layout.rolling_time()}) {
+    unknown(index) = kNaN;
+
+    EXPECT_FALSE(certificate().verified()) << layout.variable_name(index);
+    point = untouched;
+  }
+}
+
+TEST_F(CertificateOf, AMultiplierThatIsNotANumberFails) {
+  const PrimalDual untouched = point;
+  const VariableLayout& layout = problem.layout();
+  for (std::size_t i = 0; i < point.lambda.size(); i += 37) {
+    point.lambda[i] = kNaN;
+
+    EXPECT_FALSE(certificate().verified())
+        << "multiplier of " << layout.constraint_name(static_cast<int>(i));
+    point = untouched;
+  }
+}
+
+TEST_F(CertificateOf, AnEndAngleThatIsNotANumberFails) {
+  phi = kNaN;
+
+  EXPECT_FALSE(certificate().verified());
+}
+
+/// A problem with other values of its fixed variables.
+class MovedBounds final : public nlp::Problem {
+ public:
+  explicit MovedBounds(RollingTime& problem)
+      : problem_(problem),
+        lower_(problem.lower().begin(), problem.lower().end()),
+        upper_(problem.upper().begin(), problem.upper().end()) {}
+  void fix(int variable, double value) {
+    lower_[static_cast<std::size_t>(variable)] = value;
+    upper_[static_cast<std::size_t>(variable)] = value;
+  }
+
+  [[nodiscard]] int num_variables() const override {
+    return problem_.num_variables();
+  }
+  [[nodiscard]] int num_constraints() const override {
+    return problem_.num_constraints();
+  }
+  [[nodiscard]] std::span<const double> lower() const override {
+    return lower_;
+  }
+  [[nodiscard]] std::span<const double> upper() const override {
+    return upper_;
+  }
+  [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
+    return problem_.jac_g_pattern();
+  }
+  [[nodiscard]] const nlp::SparsityPattern& hess_lag_pattern() const override {
+    return problem_.hess_lag_pattern();
+  }
+  [[nodiscard]] std::string variable_name(int index) const override {
+    return problem_.variable_name(index);
+  }
+  [[nodiscard]] std::string constraint_name(int index) const override {
+    return problem_.constraint_name(index);
+  }
+  [[nodiscard]] std::string refusal() const override {
+    return problem_.refusal();
+  }
+
+ private:
+  bool do_set_point(std::span<const double> x) override {
+    return problem_.set_point(x);
+  }
+  [[nodiscard]] double do_eval_f() const override { return problem_.eval_f(); }
+  void do_eval_grad_f(std::span<double> grad_f) const override {
+    problem_.eval_grad_f(grad_f);
+  }
+  void do_eval_g(std::span<double> g) const override { problem_.eval_g(g); }
+  void do_eval_jac_g(std::span<double> values) const override {
+    problem_.eval_jac_g(values);
+  }
+  void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
+                        std::span<double> values) const override {
+    problem_.eval_hess_lag(objective_factor, lambda, values);
+  }
+
+  RollingTime& problem_;
+  std::vector<double> lower_, upper_;
+};
+
+TEST_F(CertificateOf, AFlyingStartFails) {
+  // The fastest track of a body that has speed already: optimal, consistent,
+  // and no answer. φ is closed by iteration, so that nothing else is wrong.
+  MovedBounds moved(problem);
+  moved.fix(problem.layout().state(0, W), 0.05);
+  for (int pass = 0; pass < 40; ++pass) {
+    problem.set_end_angle(phi);
+    for (const StateComponent component : {X, Z}) {
+      const int end =
+          problem.layout().state(problem.mesh().num_nodes() - 1, component);
+      moved.fix(end, problem.lower()[static_cast<std::size_t>(end)]);
+    }
+    const SolverResult result = solve_with_ipopt(moved, point, {});
+    ASSERT_EQ(result.status, Status::Solved) << result.message;
+    point = result.point;
+    const double next =
+        end_slope(problem, point.x, costates(problem, point.x, point.lambda));
+    const double mismatch = next - phi;
+    if (std::abs(mismatch) < 1e-10) break;
+    phi += 0.5 * mismatch;
+  }
+
+  EXPECT_FALSE(certificate().verified());
+}
+
+TEST(EmptyCertificate, VerifiesNothing) {
+  EXPECT_FALSE(Certificate{}.verified());
+}
+
+TEST(Checks, PassUpToTheirThresholdAndNeverForNaN) {
+  Certificate certificate;
+
+  certificate.add("below", 0.5, 1.0);
+  certificate.add("at", 1.0, 1.0);
+  certificate.add("above", std::nextafter(1.0, 2.0), 1.0, "somewhere");
+  certificate.add("not a number", kNaN, 1.0);
+  certificate.add("infinite", std::numeric_limits<double>::infinity(), 1.0);
+
+  EXPECT_TRUE(certificate.find("below")->passed);
+  EXPECT_TRUE(certificate.find("at")->passed);
+  EXPECT_FALSE(certificate.find("above")->passed);
+  EXPECT_EQ(certificate.find("above")->where, "somewhere");
+  EXPECT_FALSE(certificate.find("not a number")->passed);
+  EXPECT_FALSE(certificate.find("infinite")->passed);
+  EXPECT_EQ(certificate.find("unheard of"), nullptr);
+  EXPECT_FALSE(certificate.verified());
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/trajectory/trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "brachisto/model/energy.hpp"
+#include "brachisto/study/solve.hpp"
+#include "support/observed_order.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::reference;
+
+SolveOptions mesh(int degree, int elements) {
+  SolveOptions options;
+  options.discretisation.degree = degree;
+  options.discretisation.elements = elements;
+  return options;
+}
+
+/// On a mesh so fine that values between nodes are good to some 1e-11.
+Trajectory fine_path(const testing::ReferenceValue& row) {
+  Solution solution = solve(row.scene(), mesh(8, 40));
+  return *solution.trajectory;
+}
+
+TEST(Trajectory, TheNormalForceVanishesAtTheStartAndFrictionDoesNot) {
+  // R_n = 0 by the equation of the start angle; the relation holds exactly at
+  // β₀, which the curve meets with the order of the mesh.
+  constexpr double kTolerance = 1e-9;
+  for (const auto* row : {&reference("reference_case"), &reference("theta_-30"),
+                          &reference("theta_60"), &reference("fast")}) {
+    const Trajectory path = fine_path(*row);
+
+    const Kinematics start = path.at(0.0).motion;
+
+    EXPECT_NEAR(start.R_n, 0.0, kTolerance) << row->name;
+    // A body at rest gains v̇ = g a/A, its centre of mass v̇ (t + η dr̂/dθ).
+    const Body& body = path.scene().body;
+    const double beta = row->start_angle;
+    const double turned = body.theta_m - beta;
+    const double a = std::sin(beta) + body.eta_m * std::cos(body.theta_m);
+    const double A = 1.0 + body.eta_m * body.eta_m + body.k -
+                     2.0 * body.eta_m * std::sin(turned);
+    const double R_t =
+        a / A * (1.0 - body.eta_m * std::sin(turned)) - std::sin(beta);
+    EXPECT_NEAR(start.R_t, R_t, kTolerance) << row->name;
+    EXPECT_GT(std::abs(R_t), 0.01) << row->name;
+    EXPECT_EQ(start.v_c, 0.0) << row->name;
+  }
+}
+
+TEST(Trajectory, TheTrackTouchesBothPoints) {
+  // The start is exact up to the curve's own β₀, the end up to the closure of
+  // the contact, 1e-10 rad at the worst.
+  constexpr double kTolerance = 1e-9;
+  for (const auto* row : {&reference("reference_case"), &reference("theta_-30"),
+                          &reference("bead_L3")}) {
+    const Trajectory path = fine_path(*row);
+
+    const Point A = path.at(0.0).motion.contact;
+    const Point B = path.at(1.0).motion.contact;
+
+    EXPECT_NEAR(A.x, 0.0, kTolerance) << row->name;
+    EXPECT_NEAR(A.z, 0.0, kTolerance) << row->name;
+    EXPECT_NEAR(B.x, row->L, kTolerance) << row->name;
+    EXPECT_NEAR(B.z, 1.0, kTolerance) << row->name;
+  }
+}
+
+TEST(Trajectory, TheStartAngleOfTheCurveIsTheOneInClosedForm) {
+  const Trajectory path = fine_path(reference("theta_-30"));
+
+  // The slope of the curve is found from states and costates alone.
+  EXPECT_NEAR(path.at(0.0).beta, path.start_angle(), 1e-9);
+}
+
+/// Largest |w² − 2gE| over element ends, over the largest w².
+double energy_drift(const Trajectory& path) {
+  const ExtremalCurve& curve = path.curve();
+  const Scene& scene = curve.scene();
+  const double z_start = curve.at_node(0).centre.z;
+  double drift = 0.0;
+  double scale = 0.0;
+  for (int e = 0; e <= curve.mesh().num_elements(); ++e) {
+    const ExtremalPoint at = curve.at_node(e * curve.mesh().degree);
+    const double E = energy_height(scene.body, at.centre.z - z_start, at.theta);
+    drift = std::max(drift, std::abs(at.w * at.w - 2.0 * scene.gravity * E));
+    scale = std::max(scale, at.w * at.w);
+  }
+  return drift / scale;
+}
+
+TEST(EnergyDrift, FallsWithTwiceTheDegree) {
+  // It is the quadrature error of ∫cos θ dθ. Meshes and tolerance as in the
+  // tests of convergence: its constant drifts by less than a fifth.
+  constexpr double kSlopeTolerance = 0.35;
+  for (const int degree : {1, 2, 3}) {
+    std::array<double, 4> h{};
+    std::array<double, 4> drift{};
+    int elements = degree == 3 ? 16 : 24;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      const Solution solution =
+          solve(reference("reference_case").scene(), mesh(degree, elements));
+      ASSERT_TRUE(solution.trajectory) << solution.message;
+      h[i] = 1.0 / elements;
+      drift[i] = energy_drift(*solution.trajectory);
+      elements = elements * 3 / 2;
+    }
+
+    EXPECT_NEAR(testing::observed_order(h, drift), 2.0 * degree,
+                kSlopeTolerance)
+        << "degree " << degree << ": " << drift[0] << ", " << drift[1] << ", "
+        << drift[2] << ", " << drift[3];
+  }
+}
+
+TEST(EnergyDrift, IsNothingButRoundingOnceTheCylinderIsCentred) {
+  // With η = 0 the equations of z and w² are one and the same, discretely too.
+  // What remains are defects below the KKT tolerance of 1e-12.
+  constexpr double kTolerance = 1e-12;
+  for (const int degree : {1, 2, 5}) {
+    const Solution solution =
+        solve(reference("uniform_L3").scene(), mesh(degree, 12));
+    ASSERT_TRUE(solution.trajectory) << solution.message;
+
+    EXPECT_LE(energy_drift(*solution.trajectory), kTolerance) << degree;
+  }
+}
+
+// Central differences of second order with steps δ in σ. Along the paths used
+// here everything varies like sines of angles that change by up to some 30 rad
+// per unit of σ, so the third derivative is up to 30² times the first and the
+// relative error δ² 30²/6.
+constexpr double kStep = 1e-4;
+constexpr double kDifferenceError = kStep * kStep * 30.0 * 30.0 / 6.0;
+constexpr std::array kPlaces{0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95};
+
+TEST(Kinematics, TheSpeedIsTheRateOfTheArcLength) {
+  const Trajectory path = fine_path(reference("reference_case"));
+  for (const double sigma : kPlaces) {
+    const TrajectoryPoint before = path.at(sigma - kStep);
+    const TrajectoryPoint after = path.at(sigma + kStep);
+
+    const double rate = (after.s - before.s) / (after.t - before.t);
+
+    const double v_c = path.at(sigma).motion.v_c;
+    EXPECT_NEAR(rate, v_c, kDifferenceError * v_c) << "at sigma = " << sigma;
+  }
+}
+
+TEST(Kinematics, TheBodyTurnsWithoutSlip) {
+  const Trajectory path = fine_path(reference("reference_case"));
+  const Body& body = path.scene().body;
+  for (const double sigma : kPlaces) {
+    const TrajectoryPoint before = path.at(sigma - kStep);
+    const TrajectoryPoint after = path.at(sigma + kStep);
+
+    const double rate = (after.theta - before.theta) / (after.t - before.t);
+
+    const double omega = path.at(sigma).motion.omega;
+    EXPECT_NEAR(rate, omega, kDifferenceError * omega);
+    EXPECT_NEAR(path.at(sigma).theta,
+                body.theta_m + path.at(sigma).s / body.radius, 1e-9);
+  }
+}
+
+TEST(Kinematics, TheForcesAreNewtonsLawForTheCentreOfMass) {
+  // m a_cm = m g ẑ + R_n n + R_t t with t = (cos β, sin β) and n pointing from
+  // the track to the centre, (sin β, −cos β): eqs. (20)–(21) once more, the
+  // acceleration by differences of positions in time.
+  const Trajectory path = fine_path(reference("reference_case"));
+  const double g = path.scene().gravity;
+  // Second differences over unequal steps: of first order in the inequality
+  // of the steps, which is δ; the rest as above. Accelerations are some g.
+  const double tolerance = 30.0 * kStep;
+  for (const double sigma : kPlaces) {
+    const TrajectoryPoint before = path.at(sigma - kStep);
+    const TrajectoryPoint at = path.at(sigma);
+    const TrajectoryPoint after = path.at(sigma + kStep);
+    const double h1 = at.t - before.t;
+    const double h2 = after.t - at.t;
+    const auto second = [&](double a, double b, double c) {
+      return 2.0 * ((c - b) / h2 - (b - a) / h1) / (h1 + h2);
+    };
+
+    const double ax =
+        second(before.motion.mass_centre.x, at.motion.mass_centre.x,
+               after.motion.mass_centre.x) /
+        g;
+    const double az =
+        second(before.motion.mass_centre.z, at.motion.mass_centre.z,
+               after.motion.mass_centre.z) /
+            g -
+        1.0;
+
+    const double along = ax * std::cos(at.beta) + az * std::sin(at.beta);
+    const double across = ax * std::sin(at.beta) - az * std::cos(at.beta);
+    EXPECT_NEAR(along, at.motion.R_t, tolerance) << "at sigma = " << sigma;
+    EXPECT_NEAR(across, at.motion.R_n, tolerance) << "at sigma = " << sigma;
+  }
+}
+
+TEST(Kinematics, TheCurvatureIsThatOfTheTrack) {
+  const Trajectory path = fine_path(reference("reference_case"));
+  // Five-point differences of fourth order with steps of 1e-3: second
+  // derivatives err by δ⁴ 30⁶/90 of their size, 1e-5, and by 1e-11/δ² from what
+  // the mesh leaves of positions between nodes, 1e-5 too.
+  constexpr double kWide = 1e-3;
+  constexpr double kTolerance = 2e-5;
+  for (const double sigma : kPlaces) {
+    std::array<Point, 5> p;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p[i] = path.at(sigma + (static_cast<double>(i) - 2.0) * kWide)
+                 .motion.contact;
+    }
+    const auto first = [&](double Point::*c) {
+      return (8.0 * (p[3].*c - p[1].*c) - (p[4].*c - p[0].*c)) / 12.0;
+    };
+    const auto second = [&](double Point::*c) {
+      return (16.0 * (p[3].*c + p[1].*c) - (p[4].*c + p[0].*c) -
+              30.0 * (p[2].*c)) /
+             12.0;
+    };
+    const double dx = first(&Point::x);
+    const double dz = first(&Point::z);
+
+    const double curvature = (dx * second(&Point::z) - dz * second(&Point::x)) /
+                             std::pow(dx * dx + dz * dz, 1.5);
+
+    const double kappa_b = path.at(sigma).motion.kappa_b;
+    EXPECT_NEAR(curvature, kappa_b,
+                kTolerance * std::max(1.0, std::abs(kappa_b)))
+        << "at sigma = " << sigma;
+  }
+}
+
+double polygon_length(const Trajectory& path, int per_element) {
+  const std::vector<TrajectoryPoint> rows = path.sample(per_element);
+  double length = 0.0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Point& a = rows[i - 1].motion.contact;
+    const Point& b = rows[i].motion.contact;
+    length += std::hypot(b.x - a.x, b.z - a.z);
+  }
+  return length;
+}
+
+TEST(RailLength, IsTheLengthOfTheTrackIfItDoesNotFold) {
+  for (const auto* row : {&reference("reference_case"), &reference("theta_-30"),
+                          &reference("uniform_L3")}) {
+    const Trajectory path = fine_path(*row);
+    ASSERT_GT(path.diagnose().min_fold_margin.value, 0.0) << row->name;
+
+    // Chords are short by a series in δ²; two of them cancel its first term.
+    const double coarse = polygon_length(path, 50);
+    const double fine = polygon_length(path, 100);
+    const double length = fine + (fine - coarse) / 3.0;
+
+    // The first term itself is `correction`; the next one is smaller by the
+    // square of an angle of turn per chord, 30/2000, and then some.
+    const double correction = std::abs(fine - coarse);
+    EXPECT_NEAR(path.rail_length(), length, 1e-3 * correction + 1e-10)
+        << row->name;
+  }
+}
+
+TEST(Rotation, IsTheArcLengthOverTheRadius) {
+  const Trajectory path = fine_path(reference("reference_case"));
+
+  ASSERT_TRUE(path.rotation());
+  EXPECT_NEAR(*path.rotation(), path.at(1.0).theta - path.at(0.0).theta, 1e-9);
+  EXPECT_FALSE(fine_path(reference("bead_L3")).rotation());
+}
+
+TEST(Sampling, NodesAreInOrderFromAToB) {
+  const Solution solution = solve(reference("theta_-30").scene(), mesh(5, 20));
+
+  const std::vector<TrajectoryPoint> rows = solution.trajectory->at_nodes();
+
+  ASSERT_EQ(rows.size(), 101u);
+  EXPECT_EQ(rows.front().u, 0.0);
+  EXPECT_EQ(rows.front().t, 0.0);
+  EXPECT_DOUBLE_EQ(rows.back().t, solution.trajectory->transit_time());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_GT(rows[i].u, rows[i - 1].u) << i;
+    EXPECT_GT(rows[i].t, rows[i - 1].t) << i;
+    EXPECT_GT(rows[i].s, rows[i - 1].s) << i;
+  }
+}
+
+TEST(Diagnostics, SharesOfFrictionFallAsTheThresholdGrows) {
+  const PathDiagnostics path =
+      fine_path(reference("reference_case")).diagnose();
+
+  EXPECT_GT(path.friction_above_0_3, path.friction_above_0_5);
+  EXPECT_GT(path.friction_above_0_5, path.friction_above_1);
+  EXPECT_GT(path.friction_above_1, 0.0);
+  EXPECT_LT(path.friction_above_0_3, 1.0);
+}
+
+TEST(Diagnostics, TheFoldMarginOfAValleyExceedsOne) {
+  // A cycloid turns upwards all the way: κ_c < 0, and 1 − r κ_c > 1.
+  const PathDiagnostics path = fine_path(reference("uniform_L3")).diagnose();
+
+  EXPECT_GT(path.min_fold_margin.value, 1.0);
+  EXPECT_LT(path.max_curvature.value, 0.0);
+}
+
+TEST(Diagnostics, ABeadOnItsCycloidPressesWithTwiceTheNormalWeight) {
+  // On a cycloid from its cusp v² = 2 g z and the radius of curvature is
+  // 4 a cos β, so that v²/(ρ g) = cos β too and R_n = 2 cos β.
+  const Trajectory path = fine_path(reference("bead_L3"));
+  for (const double sigma : kPlaces) {
+    const TrajectoryPoint at = path.at(sigma);
+
+    EXPECT_NEAR(at.motion.R_n, 2.0 * std::cos(at.beta), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <stdexcept>
 
 namespace brachisto::nlp {
@@ -27,6 +28,14 @@ std::size_t size(int count) {
 }
 
 }  // namespace
+
+EliminationOrder Problem::elimination_order() const {
+  EliminationOrder order;
+  order.columns.resize(size(num_variables() + num_constraints()));
+  std::iota(order.columns.begin(), order.columns.end(), 0);
+  order.rows = order.columns;
+  return order;
+}
 
 bool Problem::set_point(std::span<const double> x) {
   check_size("x", x.size(), size(num_variables()));

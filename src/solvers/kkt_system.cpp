@@ -40,6 +40,16 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing)
   jacobian_.resize(pattern_.num_entries());
 }
 
+nlp::EliminationOrder KktSystem::elimination_order() const {
+  nlp::EliminationOrder order = problem_.elimination_order();
+  if (closing_ != nullptr) {
+    order.columns.push_back(n_ + m_);
+    order.rows.push_back(n_ + m_);
+    ++order.border;
+  }
+  return order;
+}
+
 bool KktSystem::evaluate(std::span<const double> x,
                          std::span<const double> lambda, double phi) {
   if (closing_ != nullptr) closing_->set_parameter(phi);

@@ -24,6 +24,9 @@ class KktSystem {
   [[nodiscard]] int size() const { return n_ + m_ + (closing_ ? 1 : 0); }
   [[nodiscard]] const nlp::SparsityPattern& pattern() const { return pattern_; }
 
+  /// That of the problem, φ and the closing equation at the end.
+  [[nodiscard]] nlp::EliminationOrder elimination_order() const;
+
   /// Moves to (x, λ, φ) and evaluates the residual. False if the problem
   /// refuses the point.
   [[nodiscard]] bool evaluate(std::span<const double> x,

@@ -48,7 +48,7 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
   }
   double residual = system.max_residual();
   result.first_residual = result.residual = residual;
-  SparseLu lu(system.size(), system.pattern());
+  SparseLu lu(system.pattern(), system.elimination_order());
 
   while (result.iterations < options.max_iterations) {
     if (residual <= options.tolerance && !options.to_rounding) break;

@@ -12,6 +12,8 @@ namespace brachisto {
 
 namespace {
 
+constexpr int kRefinements = 2;
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -33,9 +35,20 @@ int parity(std::span<const int> permutation) {
 
 }  // namespace
 
-SparseLu::SparseLu(int size, const nlp::SparsityPattern& pattern)
-    : size_(size), slots_(pattern.num_entries()) {
+SparseLu::SparseLu(const nlp::SparsityPattern& pattern,
+                   const nlp::EliminationOrder& elimination)
+    : size_(static_cast<int>(elimination.rows.size())),
+      row_scale_(elimination.rows.size(), 1.0),
+      slots_(pattern.num_entries()) {
   klu_defaults(&common_);
+  common_.scale = 0;
+  // Off the diagonal only where the diagonal is much smaller, within the band.
+  common_.tol = 0.01;
+  // A power of two, so that scaling does not round.
+  constexpr double kBorderScale = 0x1p-60;
+  for (int i = size_ - elimination.border; i < size_; ++i) {
+    row_scale_[at(elimination.rows[at(i)])] = kBorderScale;
+  }
   // Sort entries by column, then row; equal positions share a slot.
   std::vector<int> order(pattern.num_entries());
   std::iota(order.begin(), order.end(), 0);
@@ -45,7 +58,7 @@ SparseLu::SparseLu(int size, const nlp::SparsityPattern& pattern)
     };
     return key(a) < key(b);
   });
-  column_starts_.assign(at(size) + 1, 0);
+  column_starts_.assign(at(size_) + 1, 0);
   int column = -1;
   for (const int entry : order) {
     const int row = pattern.rows[at(entry)];
@@ -60,7 +73,11 @@ SparseLu::SparseLu(int size, const nlp::SparsityPattern& pattern)
   std::partial_sum(column_starts_.begin(), column_starts_.end(),
                    column_starts_.begin());
   values_.resize(rows_.size());
-  symbolic_ = klu_analyze(size, column_starts_.data(), rows_.data(), &common_);
+  std::vector<int> row_order = elimination.rows;
+  std::vector<int> column_order = elimination.columns;
+  symbolic_ = klu_analyze_given(size_, column_starts_.data(), rows_.data(),
+                                row_order.data(), column_order.data(),
+                                &common_);
   if (symbolic_ == nullptr) throw std::bad_alloc();
 }
 
@@ -73,6 +90,9 @@ bool SparseLu::factorise(std::span<const double> values) {
   std::fill(values_.begin(), values_.end(), 0.0);
   for (std::size_t e = 0; e < slots_.size(); ++e) {
     values_[at(slots_[e])] += values[e];
+  }
+  for (std::size_t e = 0; e < values_.size(); ++e) {
+    values_[e] *= row_scale_[at(rows_[e])];
   }
   klu_free_numeric(&numeric_, &common_);
   numeric_ = klu_factor(column_starts_.data(), rows_.data(), values_.data(),
@@ -93,20 +113,24 @@ int SparseLu::determinant_sign() const {
 }
 
 std::vector<double> SparseLu::solve(std::span<const double> b) {
-  std::vector<double> y(b.begin(), b.end());
+  std::vector<double> scaled(b.begin(), b.end());
+  for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] *= row_scale_[i];
+  std::vector<double> y = scaled;
   klu_solve(symbolic_, numeric_, size_, 1, y.data(), &common_);
 
-  std::vector<long double> residual(b.begin(), b.end());
-  for (int col = 0; col < size_; ++col) {
-    for (int e = column_starts_[at(col)]; e < column_starts_[at(col) + 1];
-         ++e) {
-      residual[at(rows_[at(e)])] -=
-          static_cast<long double>(values_[at(e)]) * y[at(col)];
+  for (int refinement = 0; refinement < kRefinements; ++refinement) {
+    std::vector<long double> residual(scaled.begin(), scaled.end());
+    for (int col = 0; col < size_; ++col) {
+      for (int e = column_starts_[at(col)]; e < column_starts_[at(col) + 1];
+           ++e) {
+        residual[at(rows_[at(e)])] -=
+            static_cast<long double>(values_[at(e)]) * y[at(col)];
+      }
     }
+    std::vector<double> correction(residual.begin(), residual.end());
+    klu_solve(symbolic_, numeric_, size_, 1, correction.data(), &common_);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += correction[i];
   }
-  std::vector<double> correction(residual.begin(), residual.end());
-  klu_solve(symbolic_, numeric_, size_, 1, correction.data(), &common_);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += correction[i];
   return y;
 }
 

@@ -10,15 +10,21 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/nlp/sparsity.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 namespace brachisto {
 
 /// KLU with iterative refinement. The pattern is analysed once; the values of
 /// repeated positions add up.
+///
+/// Orderings that minimise fill for the pattern alone fail on KKT matrices: zero
+/// diagonals make the factorisation choose other pivots, and a dense border row
+/// chosen early fills everything. So the order is given, and rows of the border
+/// are scaled down until no other row is left.
 class SparseLu {
  public:
-  SparseLu(int size, const nlp::SparsityPattern& pattern);
+  SparseLu(const nlp::SparsityPattern& pattern,
+           const nlp::EliminationOrder& order);
   ~SparseLu();
   SparseLu(const SparseLu&) = delete;
   SparseLu& operator=(const SparseLu&) = delete;
@@ -30,12 +36,13 @@ class SparseLu {
   /// Sign of the determinant: +1 or −1, 0 if the last factorisation failed.
   [[nodiscard]] int determinant_sign() const;
 
-  /// Solves A y = b with one step of refinement, its residual in long double.
+  /// Solves A y = b with two steps of refinement, residuals in long double.
   [[nodiscard]] std::vector<double> solve(std::span<const double> b);
 
  private:
   int size_;
   klu_common common_;
+  std::vector<double> row_scale_;
   std::vector<int> column_starts_, rows_;
   std::vector<int> slots_;  // entry of the pattern → place in values_
   std::vector<double> values_;

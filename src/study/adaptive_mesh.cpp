@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
@@ -64,15 +66,81 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
       (2.0 * difference + of_finer + open_contact) / T + kRoundingError;
 }
 
+/// How far a solution lies from the curve it started from: in T, relative, or
+/// in φ, whichever is more.
+double departure(const RollingTime& problem, const MeshSolution& solution,
+                 const ExtremalCurve& curve, double phi) {
+  const double T = ExtremalCurve(problem, solution.point).transit_time();
+  return std::max(std::abs(T / curve.transit_time() - 1.0),
+                  std::abs(solution.closure.phi - phi));
+}
+
+/// Newton's method alone: it stays at an extremal that is not a minimum between
+/// its end points, which Ipopt leaves.
+MeshSolution stay_with(RollingTime& problem, const ExtremalCurve& curve,
+                       double phi, const MeshOptions& options) {
+  MeshSolution solution;
+  problem.set_end_angle(phi);
+  const bool smooth = problem.scene().contact == Contact::Smooth;
+  std::optional<ContactEquation> contact;
+  if (smooth) contact.emplace(problem);
+  NewtonOptions newton;
+  newton.tolerance = options.ipopt.tolerance;
+  newton.to_rounding = true;
+  newton.stop = options.ipopt.stop;
+  NewtonResult result = solve_with_newton(problem, smooth ? &*contact : nullptr,
+                                          prolong(curve, problem), phi, newton);
+  solution.polish = {result.iterations, result.first_residual, result.residual};
+  solution.point = std::move(result.point);
+  solution.closure.phi = result.phi;
+  if (smooth) {
+    solution.closure.mismatch =
+        end_slope(problem, solution.point.x,
+                  costates(problem, solution.point.x, solution.point.lambda)) -
+        result.phi;
+  }
+  solution.closure.closed =
+      std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
+  solution.status =
+      result.residual <= kRoundingResidual && solution.closure.closed
+          ? Status::Solved
+          : Status::NotConverged;
+  solution.message =
+      "Newton's method: extremal found; Ipopt left it, so that it is not a "
+      "minimum, or nearly none";
+  return solution;
+}
+
 }  // namespace
 
 MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                           const ExtremalCurve& curve, double phi,
                           const MeshOptions& options) {
+  // Far less than branches lie apart, far more than meshes differ that follow
+  // a tolerance.
+  constexpr double kLargestDeparture = 3e-3;
   MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
-  answer.solution = solve_on_mesh(
+  MeshSolution& solution = answer.solution;
+  solution = solve_on_mesh(
       answer.problem, {prolong(curve, answer.problem), phi, -1.0}, options);
-  if (answer.solution.solved()) estimate(answer, options);
+  if (options.ipopt.stop.met()) return answer;
+  const double away = solution.solved()
+                          ? departure(answer.problem, solution, curve, phi)
+                          : std::numeric_limits<double>::infinity();
+  if (away > kLargestDeparture) {
+    MeshSolution stayed = stay_with(answer.problem, curve, phi, options);
+    if (stayed.solved() &&
+        departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
+      stayed.closure.passes = solution.closure.passes;
+      stayed.first_iterations = solution.first_iterations;
+      stayed.iterations = solution.iterations;
+      stayed.log = std::move(solution.log);
+      solution = std::move(stayed);
+    } else {
+      answer.problem.set_end_angle(solution.closure.phi);
+    }
+  }
+  if (solution.solved()) estimate(answer, options);
   return answer;
 }
 

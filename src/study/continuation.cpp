@@ -16,17 +16,19 @@ namespace brachisto {
 
 namespace {
 
-// Steps in η_m, as fractions of the whole way.
-constexpr double kFirstStep = 0.25;
-constexpr double kSmallestStep = 1e-4;
+// Steps in η_m, as fractions of the whole way. The first has no secant to
+// follow and tells on which side of a neighbouring branch the path begins: near
+// η_m = 0 there may be one so close that a step of a tenth already lands on it.
+constexpr double kFirstStep = 1.0 / 256.0;
+constexpr double kSmallestStep = 1e-5;
 // Newton's method near its solution doubles the digits in each step; more than
 // a handful means that it went looking.
 constexpr int kMostNewtonSteps = 6;
-// After that few the next step may be twice as long.
-constexpr int kFewNewtonSteps = 4;
-// How far a slope angle may end from its prediction [rad]. The secant predicts
-// to second order in the step; branches lie further apart.
-constexpr double kLargestSurprise = 0.35;
+// How far a slope angle may end from its prediction [rad], and how far is
+// wanted: the secant predicts to second order in the step.
+constexpr double kLargestSurprise = 0.1;
+constexpr double kWantedSurprise = 0.03;
+constexpr double kLargestGrowth = 4.0;
 // Good enough to tell where the branch runs; the final mesh does the rest.
 constexpr double kTolerance = 1e-8;
 
@@ -54,12 +56,13 @@ State extrapolate(const State& before, const State& from, double fraction) {
   return out;
 }
 
-double largest_surprise(const VariableLayout& layout, const PrimalDual& found,
-                        const PrimalDual& predicted) {
-  double worst = 0.0;
+/// How far slope angles ended from their prediction, φ included [rad].
+double largest_surprise(const VariableLayout& layout, const NewtonResult& found,
+                        const State& predicted) {
+  double worst = std::abs(found.phi - predicted.phi);
   for (int c = 0; c < layout.num_points(); ++c) {
     const auto i = static_cast<std::size_t>(layout.beta(c));
-    worst = std::max(worst, std::abs(found.x[i] - predicted.x[i]));
+    worst = std::max(worst, std::abs(found.point.x[i] - predicted.point.x[i]));
   }
   return worst;
 }
@@ -118,11 +121,11 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
     }
     // A point without a Newton step is the prediction itself.
     const int sign = corrected.determinant_sign;
+    const double surprise =
+        largest_surprise(problem.layout(), corrected, predicted);
     const bool on_branch =
-        corrected.status == Status::Solved &&
+        corrected.status == Status::Solved && surprise <= kLargestSurprise &&
         (sign == orientation || orientation == 0 || sign == 0) &&
-        largest_surprise(problem.layout(), corrected.point, predicted.point) <=
-            kLargestSurprise &&
         moves_forward(ExtremalCurve(problem, corrected.point));
     if (!on_branch) {
       ++result.rejected_steps;
@@ -131,11 +134,14 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
       break;
     }
     if (sign != 0) orientation = sign;
+    const double taken_from = last.fraction;
     before = std::move(last);
     last = {fraction, corrected.point, corrected.phi};
     result.steps.push_back(
         {fraction * scene.body.eta_m, last.phi, corrected.iterations});
-    if (corrected.iterations <= kFewNewtonSteps) step *= 2.0;
+    step = (fraction - taken_from) *
+           std::clamp(std::sqrt(kWantedSurprise / std::max(surprise, 1e-6)),
+                      0.5, kLargestGrowth);
   }
   if (last.fraction < 1.0) {
     result.message = fmt::format(

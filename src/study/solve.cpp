@@ -6,53 +6,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
-#include "brachisto/transcription/element_errors.hpp"
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/trajectory/feasibility.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr int kMaxMeshes = 12;
-constexpr int kFixedMeshDegree = 5;
-
-// The continuation only has to tell branches apart; degree 5 with eight
+// The continuation only has to tell branches apart; degree 5 with this many
 // elements per turn of the body keeps its τ right to six digits or so.
 constexpr int kCoarseDegree = 5;
 constexpr double kCoarseElementsPerTurn = 7.0;
 constexpr int kFewestCoarseElements = 8;
-
-// With a fixed mesh and no wanted tolerance, what the coarsest mesh must reach
-// for its numbers to mean anything.
-constexpr double kCoarsestAgreement = 1e-2;
+// Where an extremal is sampled instead of solved for, there have to be enough
+// elements to represent it.
+constexpr double kSampledElementsPerTurn = 12.0;
+constexpr double kFineElementsPerTurn = 16.0;
 
 double seconds_since(StopCondition::Clock::time_point start) {
   return std::chrono::duration<double>(StopCondition::Clock::now() - start)
       .count();
 }
 
-/// The mesh of the continuation: so many elements for each turn of the body,
-/// which makes the track go up and down once.
+/// Turns of the body along a path of its centre of length s. Each makes the
+/// track go up and down once; none matter to a body that is not off-centred.
+double turns(const Body& body, double s) {
+  return body.off_centred() ? s / (2.0 * std::numbers::pi * body.radius) : 0.0;
+}
+
+/// Elements for so many turns, the half turn for the stretch at the start.
+int elements_for(double turns, double per_turn) {
+  return std::max(kFewestCoarseElements,
+                  static_cast<int>(std::ceil(per_turn * (turns + 0.5))));
+}
+
 Mesh coarse_mesh(const Scene& scene, const CycloidArc& arc) {
-  double turns = 0.0;
-  if (scene.body.off_centred()) {
-    turns = arc.arc_length(arc.psi_end) /
-            (2.0 * std::numbers::pi * scene.body.radius);
-  }
-  const double wanted = kCoarseElementsPerTurn * (turns + 0.5);
   return uniform_mesh(
       kCoarseDegree,
-      std::max(kFewestCoarseElements, static_cast<int>(std::ceil(wanted))));
+      elements_for(turns(scene.body, arc.arc_length(arc.psi_end)),
+                   kCoarseElementsPerTurn));
 }
 
 std::string no_cycloid(const Scene& scene) {
@@ -63,6 +63,19 @@ std::string no_cycloid(const Scene& scene) {
       "principal branch, which starts from it, does not exist. Try a smaller "
       "radius or a point B further away",
       scene.body.radius, scene.L, scene.H);
+}
+
+/// True if all checks that failed are of the kind that a finer mesh mends.
+bool under_resolved(const Certificate& certificate) {
+  constexpr std::array kMendable{"hamiltonian", "slope", "start_angle",
+                                 "energy_drift", "reintegration_error"};
+  return !certificate.verified() &&
+         std::all_of(certificate.checks.begin(), certificate.checks.end(),
+                     [&](const Check& check) {
+                       return check.passed ||
+                              std::find(kMendable.begin(), kMendable.end(),
+                                        check.name) != kMendable.end();
+                     });
 }
 
 /// One solve: its parts share the scene, the budget and the protocol.
@@ -85,6 +98,11 @@ class Run {
 
   Solution execute() {
     find();
+    if (stop().met() && out_.status != Status::IterationLimit) {
+      out_.status =
+          stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+      out_.trajectory.reset();
+    }
     out_.effort.seconds = seconds_since(start_time_);
     return std::move(out_);
   }
@@ -92,24 +110,18 @@ class Run {
  private:
   void find();
   void find_fastest(const CycloidArc& arc, const Continuation& principal);
-  void solve_by_shooting();
+  void find_by_shooting();
   void follow_folds(Continuation& principal);
   void try_other_start(const CycloidArc& arc, const Continuation& principal);
-  [[nodiscard]] std::optional<MeshAnswer> refine(const ExtremalCurve& curve,
-                                                 double phi);
-  [[nodiscard]] Branch judge(MeshAnswer& answer);
+  void answer_from(const Continuation& principal);
   void report(MeshAnswer& answer);
-  void ask_extremal(const MeshAnswer& answer);
+  void book(const Refinement& refinement);
+  [[nodiscard]] ExtremalSolution shoot(double tolerance);
 
-  [[nodiscard]] double wanted_tolerance() const {
-    return options_.discretisation.tolerance.value_or(kDefaultTolerance);
-  }
   [[nodiscard]] const StopCondition& stop() const {
     return mesh_options_.ipopt.stop;
   }
   [[nodiscard]] MeshOptions budget() const;
-  void book(const MeshAnswer& answer);
-  [[nodiscard]] Certificate certificate(MeshAnswer& answer) const;
 
   Scene scene_, natural_;
   Units units_;
@@ -126,97 +138,19 @@ MeshOptions Run::budget() const {
   return options;
 }
 
-void Run::book(const MeshAnswer& answer) {
-  const MeshSolution& solution = answer.solution;
+void Run::book(const Refinement& refinement) {
   Effort& effort = out_.effort;
-  effort.iterations += solution.iterations;
-  effort.passes += solution.closure.passes;
-  effort.newton_steps += solution.polish.newton_steps;
-  effort.first_iterations = solution.first_iterations;
-  effort.closure_passes = solution.closure.passes;
-  effort.meshes.push_back({answer.problem.mesh().degree,
-                           answer.problem.mesh().num_elements(),
-                           answer.estimated_error, solution.closure.passes,
-                           solution.iterations, solution.polish.newton_steps});
-  out_.log += solution.log;
-  out_.status = solution.status;
-  out_.message = solution.message;
-}
-
-/// Solves on the fixed mesh, or on meshes that follow the tolerance, each from
-/// the solution of the one before.
-std::optional<MeshAnswer> Run::refine(const ExtremalCurve& curve, double phi) {
-  const Discretisation& wanted = options_.discretisation;
-  if (wanted.fixed()) {
-    const int degree = wanted.degree.value_or(kFixedMeshDegree);
-    const int elements =
-        wanted.elements ? *wanted.elements : (*wanted.nodes - 1) / degree;
-    MeshAnswer answer = answer_on_mesh(natural_, uniform_mesh(degree, elements),
-                                       curve, phi, budget());
-    book(answer);
-    if (!answer.solution.solved()) return std::nullopt;
-    return answer;
+  for (const MeshRecord& mesh : refinement.meshes) {
+    effort.iterations += mesh.iterations;
+    effort.passes += mesh.passes;
+    effort.newton_steps += mesh.newton_steps;
+    effort.first_iterations = mesh.first_iterations;
+    effort.closure_passes = mesh.passes;
+    effort.meshes.push_back(mesh);
   }
-
-  const double tolerance = wanted_tolerance();
-  // From the coarse curve's own error, carried over to the wanted degree.
-  const int degree = wanted.degree.value_or(starting_degree(tolerance));
-  Mesh mesh = equidistribute(curve.mesh(), element_errors(curve),
-                             0.1 * tolerance * curve.transit_time());
-  mesh.degree = degree;
-  if (degree != curve.mesh().degree) {
-    // Elements of another degree are as good if they have as many unknowns.
-    const double ratio = static_cast<double>(curve.mesh().degree) / degree;
-    mesh = stretch(
-        mesh,
-        std::max(4, static_cast<int>(std::ceil(ratio * mesh.num_elements()))));
-  }
-  std::optional<MeshAnswer> best;
-  ExtremalCurve from = curve;
-  double from_phi = phi;
-  for (int i = 0; i < kMaxMeshes; ++i) {
-    MeshAnswer answer =
-        answer_on_mesh(natural_, mesh, from, from_phi, budget());
-    book(answer);
-    if (!answer.solution.solved()) return std::nullopt;
-    if (stop().met()) break;
-    const bool improved = !best ||
-                          (answer.estimated_error &&
-                           answer.estimated_error < best->estimated_error) ||
-                          !best->estimated_error;
-    if (improved) best.emplace(std::move(answer));
-    if (best->estimated_error && *best->estimated_error <= tolerance) break;
-    // Rounding has the last word: finer meshes only get worse.
-    if (!improved) break;
-    mesh = next_mesh(*best, tolerance, wanted.degree.has_value());
-    if (best->finer) {
-      from = *best->finer;
-      from_phi = best->finer_phi;
-    } else {
-      from = best->curve();
-      from_phi = best->solution.closure.phi;
-    }
-  }
-  return best;
-}
-
-Certificate Run::certificate(MeshAnswer& answer) const {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Discretisation& wanted = options_.discretisation;
-  double threshold = wanted_tolerance();
-  if (wanted.fixed() && !wanted.tolerance) threshold = kCoarsestAgreement;
-  const double estimated = answer.estimated_error.value_or(nan);
-  // A mesh that missed the tolerance is judged by what it reached.
-  const double error = wanted.fixed() && !wanted.tolerance
-                           ? estimated
-                           : std::max(wanted_tolerance(), estimated);
-  Certificate result = certify(answer.problem, answer.solution.point,
-                               answer.solution.closure.phi, error);
-  const Mesh& mesh = answer.problem.mesh();
-  result.add("agreement", estimated, threshold,
-             fmt::format("degree {} against {} on {} elements", mesh.degree,
-                         mesh.degree + 1, mesh.num_elements()));
-  return result;
+  out_.log += refinement.log;
+  out_.status = refinement.status;
+  out_.message = refinement.message;
 }
 
 void Run::report(MeshAnswer& answer) {
@@ -229,33 +163,12 @@ void Run::report(MeshAnswer& answer) {
   out_.trajectory.emplace(answer.curve(), scene_, units_);
   out_.diagnostics = out_.trajectory->diagnose();
   const auto begin = StopCondition::Clock::now();
-  out_.certificate = certificate(answer);
-  if (options_.certify == Certify::Extremal) ask_extremal(answer);
-  out_.effort.certificate_seconds += seconds_since(begin);
-}
-
-void Run::ask_extremal(const MeshAnswer& answer) {
-  const ExtremalCurve curve = answer.curve();
-  ExtremalOptions options;
-  options.max_seconds = options_.limits.seconds;
-  const ExtremalSolution other = solve_extremal(
-      scene_, as_guess(curve, units_, answer.solution.closure.phi), options);
-  ExtremalOpinion opinion;
-  opinion.solved = other.solved();
-  opinion.message = other.message;
-  double difference = std::numeric_limits<double>::quiet_NaN();
-  if (other.solved()) {
-    opinion.tau = other.tau;
-    opinion.error_estimate = other.error_estimate;
-    difference = std::abs(out_.trajectory->tau() - other.tau) / other.tau;
-    opinion.difference = difference;
+  out_.certificate = certify_answer(answer, options_.discretisation);
+  if (options_.certify == Certify::Extremal) {
+    out_.extremal =
+        ask_extremal(scene_, answer, options_.limits.seconds, out_.certificate);
   }
-  // Two right answers differ by no more than both their errors.
-  out_.certificate.add(
-      "extremal", difference,
-      answer.estimated_error.value_or(0.0) + opinion.error_estimate,
-      other.message);
-  out_.extremal = opinion;
+  out_.effort.certificate_seconds += seconds_since(begin);
 }
 
 /// Runs the solver from the start that was asked for and says where it led. The
@@ -285,86 +198,58 @@ void Run::try_other_start(const CycloidArc& arc,
   out_.cold_start = cold;
 }
 
-Branch Run::judge(MeshAnswer& answer) {
-  const Trajectory trajectory(answer.curve(), scene_, units_);
-  const Certificate checks = certificate(answer);
-  Solution judged;
-  judged.scene = scene_;
-  judged.diagnostics = trajectory.diagnose();
-  Branch branch;
-  branch.tau = trajectory.tau();
-  branch.estimated_error =
-      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
-  branch.end_angle = trajectory.end_angle();
-  branch.centre_path_length = trajectory.centre_path_length();
-  branch.verified = checks.verified();
-  const Check* second_order = checks.find("second_order");
-  branch.minimum = second_order != nullptr && second_order->passed;
-  branch.remarks = judged.infeasible_because();
-  branch.feasible = branch.remarks.empty();
-  for (const Check& check : checks.checks) {
-    if (!check.passed) branch.remarks.push_back("failed check " + check.name);
-  }
-  return branch;
-}
-
 void Run::find_fastest(const CycloidArc& arc, const Continuation& principal) {
   std::vector<ContactCandidate> known;
   if (principal.curve) known.push_back({*principal.curve, principal.phi});
+  const bool has_principal = !known.empty();
   const std::vector<ContactCandidate> candidates = find_contacts(
       natural_, arc, coarse_mesh(natural_, arc), std::move(known), stop());
-  struct Judged {
-    Branch branch;
-    MeshAnswer answer;
-  };
-  std::vector<Judged> judged;
-  for (std::size_t i = 0; i < candidates.size() && !stop().met(); ++i) {
-    std::optional<MeshAnswer> answer =
-        refine(candidates[i].curve, candidates[i].phi);
-    if (!answer) continue;
-    Branch branch = judge(*answer);
-    branch.principal = i == 0 && principal.curve.has_value();
-    // Candidates that refinement led to one and the same extremal count once.
-    const bool again =
-        std::any_of(judged.begin(), judged.end(), [&](const Judged& other) {
-          return std::abs(other.branch.tau / branch.tau - 1.0) < 1e-7 &&
-                 std::abs(other.branch.end_angle - branch.end_angle) < 1e-6;
-        });
-    if (!again) judged.push_back({std::move(branch), std::move(*answer)});
-  }
-  std::stable_sort(judged.begin(), judged.end(),
-                   [](const Judged& a, const Judged& b) {
-                     return a.branch.tau < b.branch.tau;
-                   });
-  for (const Judged& one : judged) out_.branches.push_back(one.branch);
-  if (stop().met()) {
-    out_.status =
-        stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
-    return;
-  }
-  const auto fastest =
-      std::find_if(judged.begin(), judged.end(), [](const Judged& one) {
-        return one.branch.verified && one.branch.feasible;
-      });
-  if (fastest != judged.end()) {
-    report(fastest->answer);
-  } else if (!judged.empty()) {
-    report(judged.front().answer);
+  std::vector<JudgedBranch> branches = judge_branches(
+      scene_, options_.discretisation, candidates, has_principal, budget());
+  for (const JudgedBranch& one : branches) out_.branches.push_back(one.branch);
+  if (JudgedBranch* best = best_branch(branches)) {
+    book(best->refinement);
+    report(*best->refinement.answer);
   } else {
     out_.status = Status::NotConverged;
     out_.message = "the search over φ found no smooth contact";
   }
 }
 
+ExtremalSolution Run::shoot(double tolerance) {
+  ExtremalOptions options;
+  options.follow_folds = true;
+  options.tolerance = tolerance;
+  options.max_seconds = options_.limits.seconds;
+  ExtremalSolution extremal = solve_extremal(scene_, options);
+  out_.effort.newton_steps += extremal.newton_steps;
+  if (extremal.solved()) out_.folds = extremal.continuation.folds;
+  return extremal;
+}
+
+/// Where the short continuation is stuck, pseudo-arclength continuation of the
+/// indirect method goes on: through folds, and past near meetings of branches.
+void Run::follow_folds(Continuation& principal) {
+  constexpr double kEnoughToStartFrom = 1e-10;
+  const ExtremalSolution extremal = shoot(kEnoughToStartFrom);
+  if (!extremal.solved()) {
+    out_.message += ". By shooting: " + extremal.message;
+    return;
+  }
+  const double length = extremal.centre_path_length / units_.length;
+  const RollingTime problem(
+      natural_,
+      uniform_mesh(kCoarseDegree, elements_for(turns(natural_.body, length),
+                                               kSampledElementsPerTurn)),
+      extremal.phi);
+  principal.curve.emplace(problem, sample_extremal(extremal, units_, problem));
+  principal.phi = extremal.phi;
+}
+
 /// Method::Extremal: the numbers come from the indirect method; the collocation
 /// problem on a fine mesh, which they must satisfy, is their certificate.
-void Run::solve_by_shooting() {
-  ExtremalOptions options;
-  options.max_seconds = options_.limits.seconds;
-  options.follow_folds = true;
-  const ExtremalSolution extremal = solve_extremal(scene_, options);
-  out_.folds = extremal.continuation.folds;
-  out_.effort.newton_steps = extremal.newton_steps;
+void Run::find_by_shooting() {
+  const ExtremalSolution extremal = shoot(ExtremalOptions{}.tolerance);
   if (!extremal.solved()) {
     out_.status =
         extremal.status == ExtremalStatus::NoCycloid ? Status::NoAdmissiblePath
@@ -373,14 +258,10 @@ void Run::solve_by_shooting() {
     out_.message = extremal.message;
     return;
   }
-  constexpr int kElementsPerTurn = 16;
-  const double turns =
-      natural_.body.off_centred()
-          ? std::abs(extremal.rotation) / (2.0 * std::numbers::pi)
-          : 0.0;
+  const double length = extremal.centre_path_length / units_.length;
   const Mesh mesh = uniform_mesh(
       kMaxDegree,
-      static_cast<int>(std::ceil(kElementsPerTurn * (turns + 1.0))));
+      elements_for(turns(natural_.body, length), kFineElementsPerTurn));
   MeshAnswer answer{
       RollingTime(natural_, mesh, extremal.phi), {}, {}, {}, extremal.phi};
   answer.solution.status = Status::Solved;
@@ -390,37 +271,12 @@ void Run::solve_by_shooting() {
   answer.solution.closure.closed = true;
   const double T = answer.curve().transit_time() * units_.time;
   answer.estimated_error =
-      std::abs(T - extremal.transit_time) / extremal.transit_time +
-      extremal.error_estimate;
+      std::abs(T / extremal.transit_time - 1.0) + extremal.error_estimate;
   report(answer);
 }
 
-/// Where the short continuation is stuck, pseudo-arclength continuation of the
-/// indirect method goes on: through folds, and past near meetings of branches.
-void Run::follow_folds(Continuation& principal) {
-  ExtremalOptions options;
-  options.follow_folds = true;
-  options.tolerance = 1e-10;
-  options.max_seconds = options_.limits.seconds;
-  const ExtremalSolution extremal = solve_extremal(scene_, options);
-  out_.effort.newton_steps += extremal.newton_steps;
-  if (!extremal.solved()) {
-    out_.message += ". By shooting: " + extremal.message;
-    return;
-  }
-  out_.folds = extremal.continuation.folds;
-  const double turns = std::abs(extremal.rotation) / (2.0 * std::numbers::pi);
-  constexpr double kElementsPerTurn = 12.0;
-  const Mesh mesh = uniform_mesh(
-      kCoarseDegree,
-      static_cast<int>(std::ceil(kElementsPerTurn * (turns + 0.5))));
-  const RollingTime problem(natural_, mesh, extremal.phi);
-  principal.curve.emplace(problem, sample_extremal(extremal, units_, problem));
-  principal.phi = extremal.phi;
-}
-
 void Run::find() {
-  if (options_.method == Method::Extremal) return solve_by_shooting();
+  if (options_.method == Method::Extremal) return find_by_shooting();
   const std::optional<CycloidArc> arc = axisymmetric_optimum(natural_);
   if (!arc) {
     out_.status = Status::NoAdmissiblePath;
@@ -433,53 +289,45 @@ void Run::find() {
   out_.effort.continuation = principal.steps;
   out_.status = principal.status;
   out_.message = principal.message;
-  const bool global =
-      options_.search == Search::Global && natural_.contact == Contact::Smooth;
   if (!principal.curve && !stop().met()) follow_folds(principal);
   if (stop().met()) return;
-  if (global) return find_fastest(*arc, principal);
+  if (options_.search == Search::Global &&
+      natural_.contact == Contact::Smooth) {
+    return find_fastest(*arc, principal);
+  }
   if (!principal.curve) {
     out_.message += ". Try search: global, which looks for other extremals";
     return;
   }
   if (options_.guess != Guess::Cycloid) try_other_start(*arc, principal);
-  std::optional<MeshAnswer> answer = refine(*principal.curve, principal.phi);
-  if (answer && !stop().met()) report(*answer);
-  if (stop().met()) {
-    out_.status =
-        stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+  answer_from(principal);
+}
+
+/// Refines until T is as accurate as wanted and, where the path bends sharply,
+/// until it is resolved between the nodes too.
+void Run::answer_from(const Continuation& principal) {
+  constexpr int kRounds = 3;
+  constexpr double kTighter = 1e-2;
+  Discretisation wanted = options_.discretisation;
+  ExtremalCurve curve = *principal.curve;
+  double phi = principal.phi;
+  for (int round = 0; round < kRounds; ++round) {
+    Refinement refinement = refine(natural_, wanted, curve, phi, budget());
+    book(refinement);
+    if (!refinement.answer || stop().met()) return;
+    report(*refinement.answer);
+    if (wanted.fixed() || !under_resolved(out_.certificate)) return;
+    curve = refinement.answer->curve();
+    phi = refinement.answer->solution.closure.phi;
+    wanted.tolerance = kTighter * wanted.tolerance.value_or(kDefaultTolerance);
   }
 }
 
 }  // namespace
 
 std::vector<std::string> Solution::infeasible_because() const {
-  std::vector<std::string> reasons;
-  if (!diagnostics || !scene.body.rolls()) return reasons;
-  if (scene.contact == Contact::Smooth) {
-    const Point start = start_of_centre(scene);
-    if (std::hypot(scene.L - start.x, scene.H - start.z) < scene.body.radius) {
-      reasons.emplace_back("B lies inside the body at its start");
-    }
-  }
-  const Extreme& force = diagnostics->min_normal_force;
-  if (!(force.value > 0.0)) {
-    reasons.push_back(
-        fmt::format("the body would lift off: R_n = {:.4g} m g at x_b = {:.4g}",
-                    force.value, force.x));
-  }
-  const Extreme& margin = diagnostics->min_fold_margin;
-  if (!(margin.value > 0.0)) {
-    reasons.push_back(
-        fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
-                    margin.value, margin.x));
-  }
-  if (diagnostics->self_crossing) {
-    reasons.push_back(fmt::format(
-        "the track crosses itself at x_b = {:.4g}, z_b = {:.4g}",
-        diagnostics->self_crossing->x, diagnostics->self_crossing->z));
-  }
-  return reasons;
+  if (!diagnostics) return {};
+  return brachisto::infeasible_because(scene, *diagnostics);
 }
 
 Solution solve(const Scene& scene, const SolveOptions& options,

@@ -32,7 +32,7 @@ Mesh divide(const Mesh& mesh, const std::vector<double>& mass, int count) {
 }  // namespace
 
 Mesh equidistribute(const Mesh& mesh, std::span<const double> errors,
-                    double target) {
+                    double target, int degree, double size) {
   const auto n = static_cast<std::size_t>(mesh.num_elements());
   // A share may vanish by accident of its sign: each element counts at least a
   // part of its neighbours'.
@@ -51,20 +51,28 @@ Mesh equidistribute(const Mesh& mesh, std::span<const double> errors,
   const double floor =
       1e-6 * *std::max_element(shares.begin(), shares.end()) + 1e-300;
   const double order = 2.0 * mesh.degree + 1.0;
-  // Integral of the density C^(1/(2p+1)) over each old element.
+  // Each old element's length in its own unit ρ.
   std::vector<double> mass(n);
   for (std::size_t e = 0; e < n; ++e) {
-    mass[e] = std::pow(std::max(shares[e], floor), 1.0 / order);
+    mass[e] = std::pow(std::max(shares[e], floor) / size, 1.0 / order);
   }
   const double total = std::accumulate(mass.begin(), mass.end(), 0.0);
-  // N elements of equal mass have the error N (total/N)^(2p+1).
-  const double wanted =
-      std::pow(std::pow(total, order) / target, 1.0 / (order - 1.0));
+  // N elements of equal mass have the error N · size · (total/N)^(2p+1).
+  const double wanted_order = 2.0 * degree + 1.0;
+  const double wanted = std::pow(std::pow(total, wanted_order) * size / target,
+                                 1.0 / (wanted_order - 1.0));
   const int count = static_cast<int>(
       std::ceil(std::clamp(wanted, std::max(4.0, 0.25 * static_cast<double>(n)),
                            8.0 * static_cast<double>(n) + 8.0)));
 
-  return divide(mesh, mass, count);
+  Mesh out = divide(mesh, mass, count);
+  out.degree = degree;
+  return out;
+}
+
+Mesh equidistribute(const Mesh& mesh, std::span<const double> errors,
+                    double target) {
+  return equidistribute(mesh, errors, target, mesh.degree, 1.0);
 }
 
 Mesh stretch(const Mesh& mesh, int count) {

@@ -39,7 +39,7 @@ TEST(Texts, QuietMeansNoStdout) {
       run({"solve", kProblem, "--quiet", "--set", "scene.body.radius=2"});
   EXPECT_EQ(failed.code, 4);
   EXPECT_EQ(failed.out, "");
-  EXPECT_TRUE(says(failed.err, "above its start")) << failed.err;
+  EXPECT_TRUE(says(failed.err, "inside the")) << failed.err;
 
   const Output validated = run({"validate", kProblem, "--quiet"});
   EXPECT_EQ(validated.code, 0);

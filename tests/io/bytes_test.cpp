@@ -24,7 +24,7 @@ TEST(Bytes, WindowsLineEndsAreRead) {
 TEST(Bytes, WindowsLineEndsDoNotShiftPositions) {
   EXPECT_EQ(errors("# a\r\n# b\r\n" + kBead + "solver: {guess: 3}\r\n"),
             "p.yaml:4:17: solver.guess: \"3\" was read; expected cycloid or "
-            "straight");
+            "straight or random");
 }
 
 TEST(Bytes, AByteOrderMarkIsRead) {
@@ -72,9 +72,10 @@ TEST(Bytes, TabsAreReadBetweenValuesAndComments) {
 TEST(Bytes, ColumnsCountCharacters) {
   EXPECT_EQ(errors("# β\n" + kBead + "solver: {\"θθ\": 1, guess: ö}\n"),
             "p.yaml:3:10: solver.θθ: unknown key; allowed in solver: method, "
-            "linear_solver, tolerance, search, guess, limits\n"
+            "linear_solver, tolerance, search, polish, certify, guess, seed, "
+            "limits\n"
             "p.yaml:3:26: solver.guess: \"ö\" was read; expected cycloid or "
-            "straight");
+            "straight or random");
 }
 
 TEST(Bytes, LengthIsLimited) {

@@ -64,7 +64,7 @@ TEST(Overrides, ErrorsNameTheOverrideBehindThoseOfTheFile) {
             "p.yaml:2:1: x: unknown key; allowed at the top level: version, "
             "scene, discretisation, solver\n"
             "--set solver.guess=strait: solver.guess: \"strait\" was read; "
-            "expected cycloid or straight; did you mean straight?\n"
+            "expected cycloid or straight or random; did you mean straight?\n"
             "--set scene.finish.H=0: scene.finish.H: 0 m is not allowed: it "
             "must be > 0, for B lies below A (z points down)\n"
             "--set solver.limits.second=3: solver.limits.second: unknown key; "
@@ -100,7 +100,8 @@ TEST(Overrides, NeedAKeyAndAValue) {
 TEST(Overrides, DoNotHideThatTheFileHasNoMapThere) {
   EXPECT_EQ(errors(kBead + "solver: ipopt\n", {"solver.guess=straight"}),
             "p.yaml:2:9: solver: a single value was read; expected a map with "
-            "the keys method, linear_solver, tolerance, search, guess, limits");
+            "the keys method, linear_solver, tolerance, search, polish, "
+            "certify, guess, seed, limits");
 }
 
 }  // namespace

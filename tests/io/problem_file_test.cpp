@@ -37,11 +37,14 @@ scene:
 discretisation: {formulation: rolling_time, tolerance: 1e-8, degree: 4,
                  nodes: 41}
 solver:
-  method: ipopt
+  method: extremal
   linear_solver: mumps
   tolerance: 1e-10
-  search: principal
-  guess: straight
+  search: global
+  polish: false
+  certify: extremal
+  guess: random
+  seed: 7
   limits: {iterations: 100, seconds: 60}
 )");
 
@@ -62,11 +65,14 @@ solver:
   EXPECT_EQ(mesh.degree, 4);
   EXPECT_EQ(mesh.elements, std::nullopt);
   EXPECT_EQ(mesh.nodes, 41);
-  EXPECT_EQ(problem.options.method, Method::Ipopt);
+  EXPECT_EQ(problem.options.method, Method::Extremal);
   EXPECT_EQ(problem.options.linear_solver, LinearSolver::Mumps);
   EXPECT_EQ(problem.options.tolerance, 1e-10);
-  EXPECT_EQ(problem.options.search, Search::Principal);
-  EXPECT_EQ(problem.options.guess, Guess::Straight);
+  EXPECT_EQ(problem.options.search, Search::Global);
+  EXPECT_FALSE(problem.options.polish);
+  EXPECT_EQ(problem.options.certify, Certify::Extremal);
+  EXPECT_EQ(problem.options.guess, Guess::Random);
+  EXPECT_EQ(problem.options.seed, 7u);
   EXPECT_EQ(problem.options.limits.iterations, 100);
   EXPECT_EQ(problem.options.limits.seconds, 60.0);
 }

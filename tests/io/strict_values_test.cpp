@@ -126,11 +126,11 @@ TEST(StrictValues, WordsGetTheNearestKnown) {
             "p.yaml:1:23: scene.body.shape: \"baed\" was read; expected "
             "cylinder or bead; did you mean bead?");
   EXPECT_EQ(errors_with("solver", "method", "IPOPT"),
-            "p.yaml:3:11: solver.method: \"IPOPT\" was read; expected ipopt; "
-            "did you mean ipopt?");
+            "p.yaml:3:11: solver.method: \"IPOPT\" was read; expected ipopt "
+            "or extremal; did you mean ipopt?");
   EXPECT_EQ(errors_with("solver", "guess", "{random: 3}"),
             "p.yaml:3:10: solver.guess: a map was read; expected cycloid or "
-            "straight");
+            "straight or random");
 }
 
 TEST(StrictValues, AnglesTakeASuffixAndOtherNumbersDoNot) {

@@ -230,22 +230,59 @@ TEST(AxisymmetricOptimum, ClosesTheContactInAnyScene) {
   }
 }
 
-TEST(AxisymmetricOptimum, OfALargeCylinderExistsIffBIsFarEnough) {
-  // The centre would end above its start unless L > r + √(r² − H²).
-  for (const double r : {1.0, 1.5, 4.0}) {
+TEST(AxisymmetricOptimum, ExistsIffBLiesOutsideTheBodyAtItsStart) {
+  // That is (L − r)² + H² > r²: for r ≥ H there is a gap of distances L between
+  // r − √(r² − H²) and r + √(r² − H²), and none for r < H.
+  constexpr double kMargin = 1e-6;
+  for (const double r : {1.0 + 1e-3, 1.5, 4.0}) {
     Scene scene = scene_of(Body::cylinder(r, 0.0, 0.0, 0.5));
-    const double limit = r + std::sqrt(r * r - 1.0);
-
-    scene.L = limit * (1.0 - 1e-6);
-    EXPECT_FALSE(axisymmetric_optimum(scene)) << "r " << r;
-
-    for (const double excess : {1e-3, 0.1, 3.0}) {
-      SCOPED_TRACE(::testing::Message() << "r " << r << " excess " << excess);
-      scene.L = limit + excess;
+    const double half_gap = std::sqrt(r * r - 1.0);
+    for (const double inside : {-1.0 + kMargin, -0.5, 0.0, 1.0 - kMargin}) {
+      scene.L = r + inside * half_gap;
+      EXPECT_FALSE(axisymmetric_optimum(scene)) << "r " << r << " " << inside;
+    }
+    for (const double outside : {1e-3, 0.1, 3.0}) {
+      SCOPED_TRACE(::testing::Message() << "r " << r << " beyond " << outside);
+      scene.L = r + half_gap + outside;
       const auto arc = axisymmetric_optimum(scene);
       ASSERT_TRUE(arc);
       expect_smooth_contact(scene, *arc);
       EXPECT_GT(arc->a, 0.0);
+    }
+    for (const double share : {0.01, 0.5, 0.99}) {
+      // B below A on its near side: the body ends rolling down, φ > 0.
+      SCOPED_TRACE(::testing::Message() << "r " << r << " before " << share);
+      scene.L = share * (r - half_gap);
+      const auto arc = axisymmetric_optimum(scene);
+      ASSERT_TRUE(arc);
+      expect_smooth_contact(scene, *arc);
+      EXPECT_GT(arc->slope_angle(arc->psi_end), 0.0);
+    }
+  }
+}
+
+TEST(AxisymmetricOptimum, HasOnlyOneRoot) {
+  // The equation of the closed form, sampled: one change of sign.
+  constexpr int kSamples = 4000;
+  for (const double r : {0.2, 1.0, 2.0}) {
+    for (const double L : {0.05, 0.2, 4.0, 30.0}) {
+      Scene scene = scene_of(Body::cylinder(r, 0.0, 0.0, 0.5));
+      scene.L = L;
+      if ((L - r) * (L - r) + 1.0 <= r * r) continue;
+      int roots = 0;
+      double before = 0.0;
+      for (int i = 1; i < kSamples; ++i) {
+        const double phi = kPi * (static_cast<double>(i) / kSamples - 0.5);
+        const double c = std::cos(phi);
+        const double s = std::sin(phi);
+        const double value =
+            (scene.H - r * c) * (kPi - 2.0 * phi - std::sin(2.0 * phi)) -
+            2.0 * c * c * (L - r + r * s);
+        if (before * value < 0.0) ++roots;
+        before = value;
+      }
+
+      EXPECT_EQ(roots, 1) << "r " << r << " L " << L;
     }
   }
 }

@@ -127,7 +127,7 @@ TEST(ResultJson, OfAnUnsolvedSceneHasTheReason) {
 
   EXPECT_EQ(document["status"], "no_admissible_path");
   EXPECT_EQ(document["verified"], false);
-  EXPECT_NE(document["message"].get<std::string>().find("above its start"),
+  EXPECT_NE(document["message"].get<std::string>().find("inside the"),
             std::string::npos);
   for (const std::string& key : kPathKeys) {
     EXPECT_TRUE(document[key].is_null()) << key;

@@ -37,13 +37,49 @@ TEST(Summary, OfAnUnsolvedSceneHasTheReason) {
   const std::string text = summary(testing::impossible_solution());
 
   EXPECT_TRUE(says(text, "NOT SOLVED")) << text;
-  EXPECT_TRUE(says(text, "above its start")) << text;
+  EXPECT_TRUE(says(text, "inside the")) << text;
 }
 
-TEST(Summary, TellsOfAContinuation) {
-  const std::string text = summary(solve(testing::reference("fast").scene()));
+TEST(Summary, TellsOfFolds) {
+  Solution solution = testing::off_centred_solution();
+  EXPECT_FALSE(says(summary(solution), "fold of"));
+  EXPECT_FALSE(says(summary(solution), "folds of"));
 
-  EXPECT_TRUE(says(text, "followed from η_m = 0")) << text;
+  solution.folds = {0.75, 0.4};
+
+  EXPECT_TRUE(says(summary(solution), "beyond 2 folds")) << summary(solution);
+  EXPECT_TRUE(says(summary(solution), "0.750000")) << summary(solution);
+}
+
+TEST(Summary, ListsTheBranchesOfASearch) {
+  Solution solution = testing::off_centred_solution();
+  Branch principal;
+  principal.tau = 5.25;
+  principal.principal = principal.verified = principal.feasible = true;
+  principal.minimum = true;
+  Branch other;
+  other.tau = 5.5;
+  solution.branches = {principal, other};
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "τ = 5.2500000000")) << text;
+  EXPECT_TRUE(says(text, "principal, feasible")) << text;
+  EXPECT_TRUE(says(text, "NOT VERIFIED, not a minimum, INFEASIBLE")) << text;
+}
+
+TEST(Summary, HasTheSecondOpinion) {
+  Solution solution = testing::off_centred_solution();
+  ExtremalOpinion opinion;
+  opinion.solved = true;
+  opinion.tau = 5.125;
+  solution.extremal = opinion;
+  EXPECT_TRUE(says(summary(solution), "5.125 by shooting"));
+
+  solution.extremal->solved = false;
+  solution.extremal->message = "it did not converge";
+
+  EXPECT_TRUE(says(summary(solution), "none: it did not converge"));
 }
 
 TEST(Summary, TellsWhyABodyCouldNotRun) {

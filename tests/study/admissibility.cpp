@@ -24,10 +24,10 @@ Scene cylinder(double r, double L, double H, double eta_m = 0.0) {
   return scene;
 }
 
-TEST(NoAdmissiblePath, IfTheCentreWouldEndAboveItsStart) {
-  // r ≥ H and L ≤ r + √(r² − H²), among them both limits.
+TEST(NoAdmissiblePath, IfBLiesInsideTheBodyAtItsStart) {
+  // (L − r)² + H² ≤ r², among them B on the rim.
   for (const Scene& scene : {cylinder(2.0, 1.0, 1.0), cylinder(2.0, 3.0, 1.0),
-                             cylinder(1.0, 0.5, 1.0), cylinder(1.0, 1.0, 1.0),
+                             cylinder(1.0, 1.0, 1.0), cylinder(5.0, 2.0, 3.0),
                              cylinder(2.0, 2.0, 1.0, 0.5)}) {
     const Solution solution = solve(scene);
 
@@ -35,26 +35,28 @@ TEST(NoAdmissiblePath, IfTheCentreWouldEndAboveItsStart) {
     EXPECT_FALSE(solution.verified());
     EXPECT_FALSE(solution.trajectory);
     EXPECT_EQ(solution.effort.iterations, 0);
-    EXPECT_NE(solution.message.find("above its start"), std::string::npos)
+    EXPECT_NE(solution.message.find("inside"), std::string::npos)
         << solution.message;
   }
 }
 
-TEST(NoAdmissiblePath, TellsTheLengthThatWouldDo) {
+TEST(NoAdmissiblePath, TellsTheNumbersThatForbidIt) {
   const Solution solution = solve(cylinder(5.0, 6.0, 3.0));
 
-  // r + √(r² − H²) = 5 + 4
-  EXPECT_NE(solution.message.find("= 9, but L = 6"), std::string::npos)
+  EXPECT_NE(solution.message.find("r = 5, L = 6, H = 3"), std::string::npos)
       << solution.message;
 }
 
-TEST(NoAdmissiblePath, EndsWhereTheClosedFormHasARoot) {
-  const double r = 2.0;
-  const double limit = r + std::sqrt(r * r - 1.0);
+TEST(NoAdmissiblePath, IsNotSaidOnEitherSideOfTheBody) {
+  // r = 2, H = 1: the rim at the height of B spans L = 2 ± √3.
+  const double half_gap = std::sqrt(3.0);
 
-  const Solution beyond = solve(cylinder(r, limit + 0.5, 1.0));
+  const Solution beyond = solve(cylinder(2.0, 2.0 + half_gap + 0.5, 1.0));
+  const Solution before = solve(cylinder(2.0, 0.5 * (2.0 - half_gap), 1.0));
 
   EXPECT_TRUE(beyond.verified()) << beyond.message;
+  EXPECT_TRUE(before.verified()) << before.message;
+  EXPECT_GT(before.trajectory->end_angle(), 0.0);
 }
 
 TEST(InvalidScenes, AreRefusedWithTheKeyInTheMessage) {

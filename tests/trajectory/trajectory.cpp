@@ -316,6 +316,65 @@ TEST(Diagnostics, TheFoldMarginOfAValleyExceedsOne) {
   EXPECT_LT(path.max_curvature.value, 0.0);
 }
 
+TEST(Diagnostics, AreThoseOfThePathAndNotOfTheMesh) {
+  // Extremes are minimised between samples; what is left is the error of R_n
+  // and κ_b themselves between nodes, of order p: 5 at N = 20.
+  constexpr double kTolerance = 1e-4;
+  for (const auto* row : {&reference("reference_case"), &reference("fast")}) {
+    const PathDiagnostics coarse =
+        solve(row->scene(), mesh(5, 20)).trajectory->diagnose();
+    const PathDiagnostics fine =
+        solve(row->scene(), mesh(5, 80)).trajectory->diagnose();
+
+    const auto expect_same = [&](const Extreme& a, const Extreme& b) {
+      EXPECT_NEAR(a.value, b.value, kTolerance * std::abs(b.value))
+          << row->name;
+      // At an extreme the value is blind to the place: a root of the tolerance.
+      EXPECT_NEAR(a.x, b.x, std::sqrt(kTolerance)) << row->name;
+    };
+    expect_same(coarse.min_normal_force, fine.min_normal_force);
+    expect_same(coarse.max_normal_force, fine.max_normal_force);
+    expect_same(coarse.max_curvature, fine.max_curvature);
+    expect_same(coarse.min_curvature, fine.min_curvature);
+    expect_same(coarse.min_fold_margin, fine.min_fold_margin);
+  }
+}
+
+TEST(Diagnostics, TheNormalForceCountsFromTheEndOfItsFirstRise) {
+  const Trajectory path = fine_path(reference("reference_case"));
+  const PathDiagnostics found = path.diagnose();
+  // R_n = 0 at the start says nothing; from there it first rises.
+  std::vector<double> forces;
+  for (int i = 0; i <= 20000; ++i) {
+    forces.push_back(path.at(i / 20000.0).motion.R_n);
+  }
+  std::size_t first = 1;
+  while (forces[first + 1] > forces[first]) ++first;
+  const double expected = *std::min_element(
+      forces.begin() + static_cast<std::ptrdiff_t>(first), forces.end());
+
+  // A sample misses the minimum by its step squared, times some 30².
+  EXPECT_NEAR(found.min_normal_force.value, expected, 1e-5);
+  EXPECT_GT(found.min_normal_force.value, 0.1);
+  EXPECT_LT(forces[1], 0.01);
+}
+
+TEST(Diagnostics, AForceThatOnlyRisesFromTheStartIsSmallestAtTheEnd) {
+  // A bead: R_n = 2 cos β rises to 2 at the lowest point, then falls to 2 cos φ.
+  const Trajectory path = fine_path(reference("bead_L3"));
+
+  const PathDiagnostics found = path.diagnose();
+
+  EXPECT_NEAR(found.min_normal_force.value, 2.0 * std::cos(path.end_angle()),
+              1e-9);
+  EXPECT_NEAR(found.min_normal_force.x, 3.0, 1e-9);
+  EXPECT_NEAR(found.max_normal_force.value, 2.0, 1e-9);
+}
+
+TEST(Diagnostics, SeeNoCrossingWhereNoneIs) {
+  EXPECT_FALSE(fine_path(reference("reference_case")).diagnose().self_crossing);
+}
+
 TEST(Diagnostics, ABeadOnItsCycloidPressesWithTwiceTheNormalWeight) {
   // On a cycloid from its cusp v² = 2 g z and the radius of curvature is
   // 4 a cos β, so that v²/(ρ g) = cos β too and R_n = 2 cos β.

@@ -107,6 +107,42 @@ TEST(Guesses, TurnTheBodyByTheArcLengthOverTheRadius) {
               ulps(4.0, 16.0));
 }
 
+TEST(RandomGuess, IsDrawnByItsSeedAlone) {
+  const Scene scene = off_centred_scene(-0.6);
+  const RollingTime problem(scene, uniform_mesh(3, 5), 0.1);
+  const CycloidArc arc = *axisymmetric_optimum(scene);
+
+  EXPECT_EQ(random_guess(problem, arc, 7).x, random_guess(problem, arc, 7).x);
+  EXPECT_NE(random_guess(problem, arc, 7).x, random_guess(problem, arc, 8).x);
+}
+
+TEST(RandomGuess, ShakesTheCycloidWithinItsBounds) {
+  const Scene scene = off_centred_scene(-0.6);
+  RollingTime problem(scene, uniform_mesh(4, 25), 0.1);
+  const CycloidArc arc = *axisymmetric_optimum(scene);
+  const VariableLayout& layout = problem.layout();
+  const PrimalDual cycloid = cycloid_guess(problem, arc);
+  double largest = 0.0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const PrimalDual guess = random_guess(problem, arc, seed);
+
+    EXPECT_TRUE(guess.lambda.empty());
+    for (int c = 0; c < layout.num_points(); ++c) {
+      const double moved =
+          std::abs(guess.x[at(layout.beta(c))] - cycloid.x[at(layout.beta(c))]);
+      EXPECT_LE(moved, 0.5 + ulps(4.0));
+      largest = std::max(largest, moved);
+    }
+    for (int n = 0; n < layout.num_nodes(); ++n) {
+      const std::size_t w = at(layout.state(n, StateComponent::W));
+      EXPECT_GE(guess.x[w], 0.5 * cycloid.x[w] * (1.0 - ulps(4.0)));
+      EXPECT_LE(guess.x[w], 1.5 * cycloid.x[w] * (1.0 + ulps(4.0)));
+    }
+  }
+  // 2000 draws come close to the bound.
+  EXPECT_GT(largest, 0.49);
+}
+
 TEST(StraightGuess, OfACentredBodyIsAMotion) {
   for (const Scene& scene : {bead_scene(), uniform_scene()}) {
     for (int p = 1; p <= 8; ++p) {

@@ -8,10 +8,21 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "brachisto/nlp/sparsity.hpp"
 
 namespace brachisto::nlp {
+
+/// In which order to eliminate the unknowns of the KKT system, so that little
+/// fill arises: entries below num_variables() stand for variables (columns) or
+/// their stationarity conditions (rows), those from there on for multipliers
+/// (columns) or constraints (rows).
+struct EliminationOrder {
+  std::vector<int> columns;
+  std::vector<int> rows;  ///< rows[i] is the natural pivot row of columns[i]
+  int border = 0;  ///< the last so many couple with everything and come last
+};
 
 /// A nonlinear program with equality constraints,
 ///
@@ -38,6 +49,10 @@ class Problem {
   [[nodiscard]] virtual const SparsityPattern& jac_g_pattern() const = 0;
   /// Lower triangle of the Hessian of the Lagrangian.
   [[nodiscard]] virtual const SparsityPattern& hess_lag_pattern() const = 0;
+
+  /// For factorisations of the KKT matrix. By default variables, then
+  /// multipliers, as they are numbered.
+  [[nodiscard]] virtual EliminationOrder elimination_order() const;
 
   /// Printable name of a variable or constraint, such as "theta[12]".
   [[nodiscard]] virtual std::string variable_name(int index) const = 0;

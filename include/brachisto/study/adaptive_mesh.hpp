@@ -19,9 +19,10 @@ struct MeshRecord {
   int elements = 0;
   /// Relative, of T; nothing if the check could not be done.
   std::optional<double> estimated_error;
-  int passes = 0;        ///< solves between fixed end points
-  int iterations = 0;    ///< of Ipopt
-  int newton_steps = 0;  ///< of polishing and of the check
+  int passes = 0;            ///< solves between fixed end points
+  int first_iterations = 0;  ///< of Ipopt, in the first pass
+  int iterations = 0;        ///< of Ipopt, in all passes
+  int newton_steps = 0;      ///< of polishing and of the check
 };
 
 /// A solution on a mesh and what is known of its error.

@@ -13,7 +13,8 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/study/adaptive_mesh.hpp"
+#include "brachisto/study/branches.hpp"
+#include "brachisto/study/certification.hpp"
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
@@ -39,28 +40,6 @@ struct ColdStart {
   Status status = Status::NotConverged;
   std::optional<double> tau;  ///< on the coarse mesh, if it converged
   bool principal = false;     ///< it led to the principal branch
-};
-
-/// One smooth contact that Search::Global found.
-struct Branch {
-  double tau = 0.0;
-  double estimated_error = 0.0;     ///< relative
-  double end_angle = 0.0;           ///< [rad]
-  double centre_path_length = 0.0;  ///< [m]
-  bool principal = false;
-  bool verified = false;
-  bool minimum = false;  ///< second-order sufficiency at fixed φ
-  bool feasible = false;
-  std::vector<std::string> remarks;  ///< failed checks, why infeasible
-};
-
-/// A second opinion from the indirect method.
-struct ExtremalOpinion {
-  bool solved = false;
-  std::string message;
-  double tau = 0.0;
-  double error_estimate = 0.0;  ///< relative, of the extremal method
-  double difference = 0.0;  ///< relative, |τ − τ_extremal| / τ_extremal
 };
 
 /// Outcome of solve(). Numbers of the path live in `trajectory`; they are worth
@@ -89,9 +68,7 @@ struct Solution {
   [[nodiscard]] bool verified() const {
     return status == Status::Solved && certificate.verified();
   }
-  /// Why the body could not run on this track: it would lift off (R_n ≤ 0), or
-  /// the track folds (1 − r κ_c ≤ 0) or crosses itself. Empty if none of that
-  /// happens; a bead on a wire may do all of it.
+  /// See brachisto::infeasible_because(); empty as long as nothing is solved.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
 };

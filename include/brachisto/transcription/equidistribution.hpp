@@ -25,6 +25,16 @@ namespace brachisto {
                                   std::span<const double> errors,
                                   double target);
 
+/// The same for elements of another degree. On an element of length h the error
+/// is size · (h/ρ)^(2p+1) for all degrees p alike, ρ being the length on which
+/// the solution varies there; ρ follows from the errors at the old degree.
+///
+/// \param size  what an element errs by if it is as long as ρ; it does not
+///              matter if the degree stays
+[[nodiscard]] Mesh equidistribute(const Mesh& mesh,
+                                  std::span<const double> errors, double target,
+                                  int degree, double size);
+
 /// A mesh of `count` elements whose lengths follow those of `mesh`.
 [[nodiscard]] Mesh stretch(const Mesh& mesh, int count);
 

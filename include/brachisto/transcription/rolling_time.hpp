@@ -68,6 +68,9 @@ class RollingTime final : public nlp::Problem {
   [[nodiscard]] const nlp::SparsityPattern& hess_lag_pattern() const override {
     return hess_lag_pattern_;
   }
+  /// Along the path: β, node and multipliers of one collocation point after the
+  /// other, U last. The pivots are the defects for the node they lead to.
+  [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
   [[nodiscard]] std::string variable_name(int index) const override {
     return layout_.variable_name(index);
   }
@@ -95,6 +98,7 @@ class RollingTime final : public nlp::Problem {
                         std::span<double> values) const override;
 
   void fix(int variable, double value);
+  void build_patterns();
   bool refuse(int point, const char* reason);
 
   /// The stencils. Each calls put(row, col, value) for every entry, always in

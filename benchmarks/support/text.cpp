@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "support/text.hpp"
+
+#include <fmt/format.h>
+
+namespace brachisto::benchmarks {
+
+std::string_view word(ExtremalStatus status) {
+  switch (status) {
+    case ExtremalStatus::Solved:
+      return "solved";
+    case ExtremalStatus::AccuracyNotReached:
+      return "accuracy_not_reached";
+    case ExtremalStatus::NoCycloid:
+      return "no_cycloid";
+    case ExtremalStatus::BranchTurnsBack:
+      return "branch_turns_back";
+    case ExtremalStatus::StepTooSmall:
+      return "step_too_small";
+    case ExtremalStatus::NewtonFailed:
+      return "newton_failed";
+    case ExtremalStatus::BadGuess:
+      return "bad_guess";
+    case ExtremalStatus::Loop:
+      return "loop";
+    case ExtremalStatus::Stalls:
+      return "stalls";
+    case ExtremalStatus::NotMinimal:
+      return "not_minimal";
+    case ExtremalStatus::TimeLimit:
+      return "time_limit";
+  }
+  return "unknown";
+}
+
+std::string failed_checks(const Certificate& certificate) {
+  std::string text;
+  for (const Check& check : certificate.checks) {
+    if (check.passed) continue;
+    if (!text.empty()) text += "; ";
+    text += fmt::format("{} {:.2g} > {:.2g}", check.name, check.value,
+                        check.threshold);
+    if (!check.where.empty()) text += " (" + check.where + ")";
+  }
+  return text;
+}
+
+std::string why_not_verified(const Solution& solution) {
+  if (solution.verified()) return {};
+  if (solution.status != Status::Solved) return solution.message;
+  return "failed checks: " + failed_checks(solution.certificate);
+}
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\n") == std::string_view::npos) {
+    return std::string(text);
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c == '\n' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+}  // namespace brachisto::benchmarks

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The extremals that compete for being the answer.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brachisto/study/global_search.hpp"
+#include "brachisto/study/refinement.hpp"
+
+namespace brachisto {
+
+/// One smooth contact that Search::Global found.
+struct Branch {
+  double tau = 0.0;
+  double estimated_error = 0.0;     ///< relative
+  double end_angle = 0.0;           ///< [rad]
+  double centre_path_length = 0.0;  ///< [m]
+  bool principal = false;
+  bool verified = false;
+  bool minimum = false;  ///< second-order sufficiency at fixed φ
+  bool feasible = false;
+  std::vector<std::string> remarks;  ///< failed checks, why infeasible
+};
+
+/// A branch and the refinement it was judged by.
+struct JudgedBranch {
+  Branch branch;
+  Refinement refinement;
+};
+
+/// Refines every candidate and judges it; those that turn out to be the same
+/// extremal count once.
+///
+/// \param scene                     in SI units
+/// \param first_is_principal        whether candidates[0] is the principal one
+/// \return fastest first
+[[nodiscard]] std::vector<JudgedBranch> judge_branches(
+    const Scene& scene, const Discretisation& wanted,
+    const std::vector<ContactCandidate>& candidates, bool first_is_principal,
+    const MeshOptions& options);
+
+/// The fastest that is verified and feasible; failing that, the fastest; null
+/// if there is none.
+[[nodiscard]] JudgedBranch* best_branch(std::vector<JudgedBranch>& branches);
+
+}  // namespace brachisto

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// From a coarse extremal to a solution as accurate as wanted.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/adaptive_mesh.hpp"
+#include "brachisto/transcription/discretisation.hpp"
+
+namespace brachisto {
+
+/// Outcome of refine().
+struct Refinement {
+  Status status = Status::NotConverged;
+  std::string message;
+  std::optional<MeshAnswer> answer;  ///< the best one; nothing if none solved
+  std::vector<MeshRecord> meshes;    ///< in the order in which they were tried
+  std::string log;                   ///< of Ipopt
+};
+
+/// Solves on the mesh that `wanted` fixes, or on meshes that follow its
+/// tolerance, each from the solution of the one before, until the estimated
+/// error is small enough or rounding keeps it from falling.
+///
+/// \param scene  in natural units
+/// \param curve  an extremal of the scene on a coarse mesh, with the end angle
+/// φ
+[[nodiscard]] Refinement refine(const Scene& scene,
+                                const Discretisation& wanted,
+                                const ExtremalCurve& curve, double phi,
+                                MeshOptions options);
+
+}  // namespace brachisto

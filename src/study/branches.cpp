@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/branches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "brachisto/model/units.hpp"
+#include "brachisto/study/certification.hpp"
+#include "brachisto/trajectory/feasibility.hpp"
+#include "brachisto/trajectory/trajectory.hpp"
+
+namespace brachisto {
+
+namespace {
+
+Branch judge(const Scene& scene, const Discretisation& wanted,
+             MeshAnswer& answer) {
+  const Trajectory trajectory(answer.curve(), scene, natural_units(scene));
+  const Certificate checks = certify_answer(answer, wanted);
+  Branch branch;
+  branch.tau = trajectory.tau();
+  branch.estimated_error =
+      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
+  branch.end_angle = trajectory.end_angle();
+  branch.centre_path_length = trajectory.centre_path_length();
+  branch.verified = checks.verified();
+  const Check* second_order = checks.find("second_order");
+  branch.minimum = second_order != nullptr && second_order->passed;
+  branch.remarks = infeasible_because(scene, trajectory.diagnose());
+  branch.feasible = branch.remarks.empty();
+  for (const Check& check : checks.checks) {
+    if (!check.passed) branch.remarks.push_back("failed check " + check.name);
+  }
+  return branch;
+}
+
+/// Two refined solutions that agree to this are one and the same.
+bool same(const Branch& a, const Branch& b) {
+  return std::abs(a.tau / b.tau - 1.0) < 1e-7 &&
+         std::abs(a.end_angle - b.end_angle) < 1e-6;
+}
+
+}  // namespace
+
+std::vector<JudgedBranch> judge_branches(
+    const Scene& scene, const Discretisation& wanted,
+    const std::vector<ContactCandidate>& candidates, bool first_is_principal,
+    const MeshOptions& options) {
+  const Scene natural = in_natural_units(scene);
+  std::vector<JudgedBranch> branches;
+  for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
+       ++i) {
+    Refinement refinement = refine(natural, wanted, candidates[i].curve,
+                                   candidates[i].phi, options);
+    if (!refinement.answer) continue;
+    Branch branch = judge(scene, wanted, *refinement.answer);
+    branch.principal = i == 0 && first_is_principal;
+    if (std::any_of(branches.begin(), branches.end(),
+                    [&](const JudgedBranch& other) {
+                      return same(other.branch, branch);
+                    })) {
+      continue;
+    }
+    branches.push_back({std::move(branch), std::move(refinement)});
+  }
+  std::stable_sort(branches.begin(), branches.end(),
+                   [](const JudgedBranch& a, const JudgedBranch& b) {
+                     return a.branch.tau < b.branch.tau;
+                   });
+  return branches;
+}
+
+JudgedBranch* best_branch(std::vector<JudgedBranch>& branches) {
+  const auto fastest = std::find_if(
+      branches.begin(), branches.end(), [](const JudgedBranch& one) {
+        return one.branch.verified && one.branch.feasible;
+      });
+  if (fastest != branches.end()) return &*fastest;
+  return branches.empty() ? nullptr : &branches.front();
+}
+
+}  // namespace brachisto

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/certification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brachisto/study/extremal_bridge.hpp"
+#include "brachisto/transcription/element_errors.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
+  const double estimated = answer.estimated_error.value_or(kUnknown);
+  const bool none_wanted = wanted.fixed() && !wanted.tolerance;
+  const double tolerance = wanted.tolerance.value_or(kDefaultTolerance);
+  // A mesh that missed the tolerance is judged by what it reached. Errors of
+  // either sign may cancel in T; along the path they do not.
+  const ExtremalCurve curve = answer.curve();
+  double shares = 0.0;
+  for (const double share : element_errors(curve)) shares += std::abs(share);
+  const double error =
+      std::max(none_wanted ? estimated : std::max(tolerance, estimated),
+               shares / curve.transit_time());
+  Certificate certificate = certify(answer.problem, answer.solution.point,
+                                    answer.solution.closure.phi, error);
+  const Mesh& mesh = answer.problem.mesh();
+  certificate.add(
+      "agreement", estimated, none_wanted ? kCoarsestAgreement : tolerance,
+      fmt::format("degree {} against {} on {} elements", mesh.degree,
+                  mesh.degree + 1, mesh.num_elements()));
+  return certificate;
+}
+
+ExtremalOpinion ask_extremal(const Scene& scene, const MeshAnswer& answer,
+                             double max_seconds, Certificate& certificate) {
+  const ExtremalCurve curve = answer.curve();
+  const Units units = natural_units(scene);
+  ExtremalOptions options;
+  options.max_seconds = max_seconds;
+  const ExtremalSolution other = solve_extremal(
+      scene, as_guess(curve, units, answer.solution.closure.phi), options);
+  ExtremalOpinion opinion;
+  opinion.solved = other.solved();
+  opinion.message = other.message;
+  double difference = kUnknown;
+  if (other.solved()) {
+    opinion.tau = other.tau;
+    opinion.error_estimate = other.error_estimate;
+    difference =
+        std::abs(curve.transit_time() * units.time / other.transit_time - 1.0);
+    opinion.difference = difference;
+  }
+  certificate.add("extremal", difference,
+                  answer.estimated_error.value_or(0.0) + opinion.error_estimate,
+                  other.message);
+  return opinion;
+}
+
+}  // namespace brachisto

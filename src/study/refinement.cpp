@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "brachisto/transcription/element_errors.hpp"
+#include "brachisto/transcription/equidistribution.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr int kMaxMeshes = 12;
+constexpr int kFixedMeshDegree = 5;
+
+/// The mesh on which `curve` promises the wanted error, at the degree to start
+/// with.
+Mesh first_mesh(const Discretisation& wanted, double tolerance,
+                const ExtremalCurve& curve) {
+  constexpr double kAim = 0.1;
+  constexpr double kSize = 1.0;
+  const double T = curve.transit_time();
+  return equidistribute(curve.mesh(), element_errors(curve),
+                        kAim * tolerance * T,
+                        wanted.degree.value_or(starting_degree(tolerance)),
+                        kSize * T);
+}
+
+Mesh fixed_mesh(const Discretisation& wanted) {
+  const int degree = wanted.degree.value_or(kFixedMeshDegree);
+  return uniform_mesh(degree, wanted.elements ? *wanted.elements
+                                              : (*wanted.nodes - 1) / degree);
+}
+
+}  // namespace
+
+Refinement refine(const Scene& scene, const Discretisation& wanted,
+                  const ExtremalCurve& curve, double phi, MeshOptions options) {
+  Refinement out;
+  const double tolerance = wanted.tolerance.value_or(kDefaultTolerance);
+  const int max_meshes = wanted.fixed() ? 1 : kMaxMeshes;
+  Mesh mesh = wanted.fixed() ? fixed_mesh(wanted)
+                             : first_mesh(wanted, tolerance, curve);
+  ExtremalCurve from = curve;
+  double from_phi = phi;
+  for (int i = 0; i < max_meshes; ++i) {
+    MeshAnswer answer = answer_on_mesh(scene, mesh, from, from_phi, options);
+    const MeshSolution& solution = answer.solution;
+    out.meshes.push_back({mesh.degree, mesh.num_elements(),
+                          answer.estimated_error, solution.closure.passes,
+                          solution.first_iterations, solution.iterations,
+                          solution.polish.newton_steps});
+    out.log += solution.log;
+    out.status = solution.status;
+    out.message = solution.message;
+    options.ipopt.max_iterations -= solution.iterations;
+    if (!solution.solved() || options.ipopt.stop.met()) break;
+
+    const bool improved =
+        !out.answer || !out.answer->estimated_error ||
+        (answer.estimated_error &&
+         *answer.estimated_error < *out.answer->estimated_error);
+    // Once finer meshes only get worse, rounding has the last word.
+    if (!improved) break;
+    out.answer.emplace(std::move(answer));
+    const MeshAnswer& best = *out.answer;
+    if (best.estimated_error && *best.estimated_error <= tolerance) break;
+    mesh = next_mesh(best, tolerance, wanted.degree.has_value());
+    from = best.finer ? *best.finer : best.curve();
+    from_phi = best.finer ? best.finer_phi : best.solution.closure.phi;
+  }
+  return out;
+}
+
+}  // namespace brachisto

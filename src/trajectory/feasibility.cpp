@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/trajectory/feasibility.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "brachisto/model/contact.hpp"
+
+namespace brachisto {
+
+std::vector<std::string> infeasible_because(const Scene& scene,
+                                            const PathDiagnostics& path) {
+  std::vector<std::string> reasons;
+  if (!scene.body.rolls()) return reasons;
+  if (scene.contact == Contact::Smooth) {
+    const Point start = start_of_centre(scene);
+    if (std::hypot(scene.L - start.x, scene.H - start.z) < scene.body.radius) {
+      reasons.emplace_back("B lies inside the body at its start");
+    }
+  }
+  // Written so that a NaN counts as infeasible.
+  const Extreme& force = path.min_normal_force;
+  if (!(force.value > 0.0)) {
+    reasons.push_back(
+        fmt::format("the body would lift off: R_n = {:.4g} m g at x_b = {:.4g}",
+                    force.value, force.x));
+  }
+  const Extreme& margin = path.min_fold_margin;
+  if (!(margin.value > 0.0)) {
+    reasons.push_back(
+        fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
+                    margin.value, margin.x));
+  }
+  if (path.self_crossing) {
+    reasons.push_back(
+        fmt::format("the track crosses itself at x_b = {:.4g}, z_b = {:.4g}",
+                    path.self_crossing->x, path.self_crossing->z));
+  }
+  return reasons;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/trajectory/reintegration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "brachisto/transcription/initial_guess.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_problem.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+TEST(Reintegration, RunsDownTheCycloidInTheTimeOfTheClosedForm) {
+  // T = ψ_end √(a/g) √(1 + k), here on a mesh that resolves the cycloid to
+  // rounding. The integrator has 1e-14 per step, in some hundred steps, and s
+  // is found from the polynomials to about as much.
+  constexpr double kTolerance = 1e-10;
+  for (const Scene& scene : {natural(bead_scene()), natural(uniform_scene())}) {
+    const CycloidArc arc = *axisymmetric_optimum(scene);
+    const SolvedProblem solution = solved(
+        scene, uniform_mesh(6, 12), arc.slope_angle(arc.psi_end));
+    const ExtremalCurve curve(solution.problem, solution.point);
+
+    const Reintegration motion = reintegrate(curve);
+
+    ASSERT_TRUE(motion.arrived);
+    EXPECT_GT(motion.steps, 5);
+    EXPECT_LE(motion.time_error, kTolerance);
+    EXPECT_LE(motion.speed_error, kTolerance);
+    EXPECT_LE(motion.position_error, kTolerance);
+    EXPECT_LE(motion.rotation_error, kTolerance);
+    EXPECT_NEAR(curve.transit_time(),
+                arc.rolling_time(scene.gravity) * std::sqrt(1.0 + scene.body.k),
+                kTolerance);
+  }
+}
+
+TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
+  // β between nodes has order p + 1, 9 here: 1e-9 and less.
+  for (const double theta_m : {0.0, -kPi / 6.0, 1.0}) {
+    const SolvedProblem solution =
+        solved(natural(off_centred_scene(theta_m)), uniform_mesh(8, 30), -0.1);
+    const ExtremalCurve curve(solution.problem, solution.point);
+
+    const Reintegration motion = reintegrate(curve);
+
+    ASSERT_TRUE(motion.arrived) << theta_m;
+    EXPECT_LE(motion.time_error, 1e-9) << theta_m;
+    EXPECT_LE(motion.speed_error, 1e-9) << theta_m;
+    EXPECT_LE(motion.position_error, 1e-9) << theta_m;
+    EXPECT_LE(motion.rotation_error, 1e-9) << theta_m;
+  }
+}
+
+TEST(Reintegration, ImprovesWithTheMesh) {
+  const Scene scene = natural(off_centred_scene());
+  double before = 1.0;
+  for (const int elements : {8, 16, 32}) {
+    const SolvedProblem solution =
+        solved(scene, uniform_mesh(3, elements), -0.1);
+
+    const Reintegration motion =
+        reintegrate({solution.problem, solution.point});
+
+    ASSERT_TRUE(motion.arrived) << elements;
+    const double error = std::max(motion.time_error, motion.position_error);
+    // Order p + 1 or more: 16 times, half of it for coarse meshes.
+    EXPECT_LT(error, before / 8.0) << elements;
+    before = error;
+  }
+}
+
+TEST(Reintegration, DoesNotArriveWhereTheBodyCannotClimb) {
+  // A gentle descent, and a body whose centre of mass comes up on the way by
+  // more than the path goes down: 2 r η |cos(θ_m + S/2r) sin(S/2r)| > H.
+  Scene scene = natural(scene_of(Body::cylinder(1.0, 0.3, 0.0, 0.5)));
+  scene.contact = Contact::Centre;
+  scene.H = 0.1;
+  const SolvedProblem solution = solved(scene, uniform_mesh(5, 16), 0.0);
+  const double S = ExtremalCurve(solution.problem, solution.point).arc_length();
+  scene.body.theta_m = kPi - 0.5 * S / scene.body.radius;
+  const double end_height =
+      scene.H + scene.body.radius * scene.body.eta_m *
+                    (std::sin(scene.body.theta_m + S) -
+                     std::sin(scene.body.theta_m));
+  ASSERT_LT(end_height, 0.0);
+  // The same path, the angles of the states included, for the turned body.
+  const RollingTime turned(scene, solution.problem.mesh(), 0.0);
+
+  const Reintegration motion = reintegrate({turned, solution.point});
+
+  EXPECT_FALSE(motion.arrived);
+}
+
+}  // namespace
+}  // namespace brachisto::testing

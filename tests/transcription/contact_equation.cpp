@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/transcription/contact_equation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "brachisto/transcription/costates.hpp"
+#include "derivatives/problems.hpp"
+#include "support/observed_order.hpp"
+#include "support/random_points.hpp"
+#include "support/rounding.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_problem.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+using Linearisation = nlp::ClosingEquation::Linearisation;
+
+/// Σ rate_i d_i over the nonzeros.
+double along(const nlp::SparseVector& rates, const std::vector<double>& d) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < rates.index.size(); ++e) {
+    sum += rates.value[e] * d[static_cast<std::size_t>(rates.index[e])];
+  }
+  return sum;
+}
+
+std::vector<double> moved(std::vector<double> x, double h,
+                          const std::vector<double>& d) {
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += h * d[i];
+  return x;
+}
+
+class ContactEquationOf : public ::testing::TestWithParam<ProblemCase> {};
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, ContactEquationOf, ::testing::ValuesIn(problem_cases(3, 2)),
+    [](const auto& test) { return test.param.name; });
+
+TEST_P(ContactEquationOf, EveryProblemHasDerivativesOfFirstOrder) {
+  // What the linear model leaves falls as h², in x, λ and φ together, and in
+  // each alone.
+  constexpr std::array kSteps{0x1p-5, 0x1p-6, 0x1p-7, 0x1p-8, 0x1p-9};
+  constexpr double kSlack = 0.1;  // the next term bends the slope by a few h
+  constexpr std::uint32_t kSeeds = 10;
+  const bool has_theta = GetParam().problem().layout().has_theta();
+  for (int part = 0; part < 4; ++part) {
+    // F is linear in λ and, without θ, in x alone: nothing is left to fall.
+    const bool linear = part == 1 || (part == 0 && !has_theta);
+    std::array<double, kSteps.size()> remainder{};
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+      Random random(seed);
+      RollingTime problem = GetParam().problem();
+      ContactEquation contact(problem);
+      const std::vector<double> x = random_point(problem, random);
+      const std::vector<double> lambda =
+          random.vector(problem.num_constraints(), -1.0, 1.0);
+      const double phi = random.uniform(-1.0, 1.0);
+      std::vector<double> dx = random.vector(problem.num_variables(), -1., 1.);
+      std::vector<double> dl =
+          random.vector(problem.num_constraints(), -1.0, 1.0);
+      double dphi = random.uniform(0.5, 1.0);
+      if (part == 1 || part == 2) std::fill(dx.begin(), dx.end(), 0.0);
+      if (part == 0 || part == 2) std::fill(dl.begin(), dl.end(), 0.0);
+      if (part == 0 || part == 1) dphi = 0.0;
+      contact.set_parameter(phi);
+      const Linearisation at = contact.linearise(x, lambda);
+      const double rate = along(at.by_x, dx) + along(at.by_lambda, dl) +
+                          at.by_parameter * dphi;
+      for (std::size_t i = 0; i < kSteps.size(); ++i) {
+        const double h = kSteps[i];
+        contact.set_parameter(phi + h * dphi);
+        const double value =
+            contact.linearise(moved(x, h, dx), moved(lambda, h, dl)).residual;
+        remainder[i] += std::pow(value - at.residual - h * rate, 2);
+      }
+    }
+    for (double& r : remainder) r = std::sqrt(r);
+
+    if (linear) {
+      EXPECT_LE(remainder.front(), ulps(1000.0)) << "part " << part;
+    } else {
+      EXPECT_NEAR(observed_order(kSteps, remainder), 2.0, kSlack)
+          << "part " << part << ": " << remainder.front() << " … "
+          << remainder.back();
+    }
+  }
+}
+
+TEST_P(ContactEquationOf, EveryProblemMovesItsEndPointAtTheRatesItTells) {
+  RollingTime problem = GetParam().problem();
+  ContactEquation contact(problem);
+  for (const double phi : {-1.2, -0.3, 0.0, 0.9}) {
+    // Central differences: their error is h²/6 times r.
+    constexpr double kStep = 1e-4;
+    contact.set_parameter(phi + kStep);
+    const std::vector<double> after(problem.lower().begin(),
+                                    problem.lower().end());
+    contact.set_parameter(phi - kStep);
+    const std::vector<double> before(problem.lower().begin(),
+                                     problem.lower().end());
+    contact.set_parameter(phi);
+    std::vector<double> rates(after.size());
+    const nlp::SparseVector& told = contact.fixed_rates();
+    for (std::size_t e = 0; e < told.index.size(); ++e) {
+      rates[static_cast<std::size_t>(told.index[e])] = told.value[e];
+    }
+
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      if (problem.lower()[i] != problem.upper()[i]) continue;
+      EXPECT_NEAR((after[i] - before[i]) / (2.0 * kStep), rates[i],
+                  kStep * kStep)
+          << problem.variable_name(static_cast<int>(i)) << " at phi = " << phi;
+    }
+  }
+}
+
+TEST(ContactEquation, VanishesWhereTheEndSlopeReproducesItself) {
+  // F is ∂𝓗/∂β at φ and β_end its root next to φ: F = 0 iff β_end = φ, and F
+  // to first order ∂²𝓗/∂β² (φ − β_end).
+  const Scene scene = natural(off_centred_scene());
+  for (const double phi : {-0.1, 0.05}) {
+    SolvedProblem solution = solved(scene, uniform_mesh(4, 12), phi);
+    ContactEquation contact(solution.problem);
+    const double slope =
+        end_slope(solution.problem, solution.point.x,
+                  costates(solution.problem, solution.point.x,
+                           solution.point.lambda));
+
+    contact.set_parameter(phi);
+    const Linearisation open =
+        contact.linearise(solution.point.x, solution.point.lambda);
+    contact.set_parameter(slope);
+    const Linearisation at_slope =
+        contact.linearise(solution.point.x, solution.point.lambda);
+
+    EXPECT_NEAR(at_slope.residual, 0.0, ulps(100.0)) << phi;
+    EXPECT_GT(at_slope.by_parameter, 0.0) << phi;
+    EXPECT_GT(open.residual * (phi - slope), 0.0) << phi;
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::testing

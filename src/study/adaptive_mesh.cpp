@@ -47,7 +47,7 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   std::optional<ContactEquation> contact;
   if (smooth) contact.emplace(finer);
   NewtonOptions newton;
-  newton.tolerance = options.ipopt.tolerance;
+  newton.tolerance = reachable(options.ipopt.tolerance, answer.solution.point);
   newton.max_iterations = 10;
   newton.stop = options.ipopt.stop;
   const NewtonResult result = solve_with_newton(
@@ -57,13 +57,19 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
   const double T = coarse.transit_time();
-  const double difference = std::abs(answer.finer->transit_time() - T);
-  const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
   const ContactClosure& closure = answer.solution.closure;
+  const double per_radian = smooth ? time_per_radian(coarse) : 0.0;
+  // The two parts of the error, that between fixed ends and that of the end
+  // point, may have opposite signs; an estimate must not profit from it.
+  const double of_ends = per_radian * (answer.finer_phi - closure.phi);
+  const double between_ends = answer.finer->transit_time() - T - of_ends;
+  const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
   const double open_contact =
-      std::abs(closure.mismatch / closure.slope) * time_per_radian(coarse);
-  answer.estimated_error =
-      (2.0 * difference + of_finer + open_contact) / T + kRoundingError;
+      smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
+  answer.estimated_error = (2.0 * (std::abs(of_ends) + std::abs(between_ends)) +
+                            of_finer + open_contact) /
+                               T +
+                           kRoundingError;
 }
 
 /// How far a solution lies from the curve it started from: in T, relative, or
@@ -121,9 +127,17 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   constexpr double kLargestDeparture = 3e-3;
   MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
   MeshSolution& solution = answer.solution;
-  solution = solve_on_mesh(
-      answer.problem, {prolong(curve, answer.problem), phi, -1.0}, options);
-  if (options.ipopt.stop.met()) return answer;
+  // From so near, many iterations only mean that Ipopt went elsewhere.
+  constexpr int kMostIterations = 60;
+  MeshOptions near = options;
+  near.ipopt.max_iterations =
+      std::min(near.ipopt.max_iterations, kMostIterations);
+  solution = solve_on_mesh(answer.problem,
+                           {prolong(curve, answer.problem), phi, -1.0}, near);
+  const bool out_of_budget =
+      solution.status == Status::IterationLimit &&
+      solution.iterations >= options.ipopt.max_iterations;
+  if (out_of_budget || options.ipopt.stop.met()) return answer;
   const double away = solution.solved()
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
@@ -56,6 +57,14 @@ void polish(RollingTime& problem, const MeshOptions& options,
 
 }  // namespace
 
+double reachable(double tolerance, const PrimalDual& point) {
+  constexpr double kTerms = 64.0;
+  double largest = 1.0;
+  for (const double x : point.x) largest = std::max(largest, std::abs(x));
+  return std::max(tolerance,
+                  kTerms * std::numeric_limits<double>::epsilon() * largest);
+}
+
 MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
                            const MeshOptions& options) {
   MeshSolution solution;
@@ -63,6 +72,7 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
   const auto pass = [&](double phi) -> std::optional<double> {
     problem.set_end_angle(phi);
     IpoptOptions ipopt = options.ipopt;
+    ipopt.tolerance = reachable(ipopt.tolerance, solution.point);
     ipopt.max_iterations =
         std::max(0, ipopt.max_iterations - solution.iterations);
     SolverResult result = solve_with_ipopt(problem, solution.point, ipopt);

@@ -38,7 +38,7 @@ TEST(Limits, TheIterationsOfAllPassesAreCountedTogether) {
   const Scene scene = reference("reference_case").scene();
   for (SolveOptions options : {some_work(), two_meshes()}) {
     const int needed = solve(scene, options).effort.iterations;
-    ASSERT_GT(needed, 2);
+    ASSERT_GT(needed, 1);
     for (int limit = 1; limit < needed; ++limit) {
       options.limits.iterations = limit;
 

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "brachisto/transcription/initial_guess.hpp"
+#include "brachisto/study/solve.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
 
@@ -42,11 +42,13 @@ TEST(Reintegration, RunsDownTheCycloidInTheTimeOfTheClosedForm) {
 TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
   // β between nodes has order p + 1, 9 here: 1e-9 and less.
   for (const double theta_m : {0.0, -kPi / 6.0, 1.0}) {
-    const SolvedProblem solution =
-        solved(natural(off_centred_scene(theta_m)), uniform_mesh(8, 30), -0.1);
-    const ExtremalCurve curve(solution.problem, solution.point);
+    SolveOptions options;
+    options.discretisation.degree = 8;
+    options.discretisation.elements = 30;
+    const Solution solution = solve(off_centred_scene(theta_m), options);
+    ASSERT_TRUE(solution.trajectory) << solution.message;
 
-    const Reintegration motion = reintegrate(curve);
+    const Reintegration motion = reintegrate(solution.trajectory->curve());
 
     ASSERT_TRUE(motion.arrived) << theta_m;
     EXPECT_LE(motion.time_error, 1e-9) << theta_m;
@@ -57,19 +59,20 @@ TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
 }
 
 TEST(Reintegration, ImprovesWithTheMesh) {
-  const Scene scene = natural(off_centred_scene());
   double before = 1.0;
   for (const int elements : {8, 16, 32}) {
-    const SolvedProblem solution =
-        solved(scene, uniform_mesh(3, elements), -0.1);
+    SolveOptions options;
+    options.discretisation.degree = 3;
+    options.discretisation.elements = elements;
+    const Solution solution = solve(off_centred_scene(), options);
+    ASSERT_TRUE(solution.trajectory) << solution.message;
 
-    const Reintegration motion =
-        reintegrate({solution.problem, solution.point});
+    const Reintegration motion = reintegrate(solution.trajectory->curve());
 
     ASSERT_TRUE(motion.arrived) << elements;
     const double error = std::max(motion.time_error, motion.position_error);
     // Order p + 1 or more: 16 times, half of it for coarse meshes.
-    EXPECT_LT(error, before / 8.0) << elements;
+    EXPECT_LT(error, before / 8.0) << elements << " elements";
     before = error;
   }
 }

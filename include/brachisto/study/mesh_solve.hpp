@@ -58,6 +58,11 @@ inline constexpr double kRoundingResidual = 1e-10;
 /// first step leaves the square of it.
 inline constexpr double kPolishedFrom = 1e-5;
 
+/// The larger of `tolerance` and what rounding leaves of residuals at `point`:
+/// a defect is a sum of some p + 1 unknowns times matrix entries of order p,
+/// and θ runs to thousands on the way of a small body.
+[[nodiscard]] double reachable(double tolerance, const PrimalDual& point);
+
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With
 /// polishing, Newton's method on the optimality conditions and the contact

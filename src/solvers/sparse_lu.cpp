@@ -75,9 +75,9 @@ SparseLu::SparseLu(const nlp::SparsityPattern& pattern,
   values_.resize(rows_.size());
   std::vector<int> row_order = elimination.rows;
   std::vector<int> column_order = elimination.columns;
-  symbolic_ = klu_analyze_given(size_, column_starts_.data(), rows_.data(),
-                                row_order.data(), column_order.data(),
-                                &common_);
+  symbolic_ =
+      klu_analyze_given(size_, column_starts_.data(), rows_.data(),
+                        row_order.data(), column_order.data(), &common_);
   if (symbolic_ == nullptr) throw std::bad_alloc();
 }
 

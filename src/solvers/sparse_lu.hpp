@@ -17,10 +17,10 @@ namespace brachisto {
 /// KLU with iterative refinement. The pattern is analysed once; the values of
 /// repeated positions add up.
 ///
-/// Orderings that minimise fill for the pattern alone fail on KKT matrices: zero
-/// diagonals make the factorisation choose other pivots, and a dense border row
-/// chosen early fills everything. So the order is given, and rows of the border
-/// are scaled down until no other row is left.
+/// Orderings that minimise fill for the pattern alone fail on KKT matrices:
+/// zero diagonals make the factorisation choose other pivots, and a dense
+/// border row chosen early fills everything. So the order is given, and rows of
+/// the border are scaled down until no other row is left.
 class SparseLu {
  public:
   SparseLu(const nlp::SparsityPattern& pattern,

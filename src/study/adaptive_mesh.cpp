@@ -59,17 +59,18 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   const double T = coarse.transit_time();
   const ContactClosure& closure = answer.solution.closure;
   const double per_radian = smooth ? time_per_radian(coarse) : 0.0;
-  // The two parts of the error, that between fixed ends and that of the end
-  // point, may have opposite signs; an estimate must not profit from it.
+  // Two parts of the error, that of the end point and that between fixed ends,
+  // may have opposite signs; the estimate must not profit from it.
+  const double difference = answer.finer->transit_time() - T;
   const double of_ends = per_radian * (answer.finer_phi - closure.phi);
-  const double between_ends = answer.finer->transit_time() - T - of_ends;
+  const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
   const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
   const double open_contact =
       smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
-  answer.estimated_error = (2.0 * (std::abs(of_ends) + std::abs(between_ends)) +
-                            of_finer + open_contact) /
-                               T +
-                           kRoundingError;
+  answer.estimated_error =
+      (std::max(2.0 * std::abs(difference), apart) + of_finer + open_contact) /
+          T +
+      kRoundingError;
 }
 
 /// How far a solution lies from the curve it started from: in T, relative, or

@@ -24,10 +24,9 @@ Mesh first_mesh(const Discretisation& wanted, double tolerance,
   constexpr double kAim = 0.1;
   constexpr double kSize = 1.0;
   const double T = curve.transit_time();
-  return equidistribute(curve.mesh(), element_errors(curve),
-                        kAim * tolerance * T,
-                        wanted.degree.value_or(starting_degree(tolerance)),
-                        kSize * T);
+  return equidistribute(
+      curve.mesh(), element_errors(curve), kAim * tolerance * T,
+      wanted.degree.value_or(starting_degree(tolerance)), kSize * T);
 }
 
 Mesh fixed_mesh(const Discretisation& wanted) {

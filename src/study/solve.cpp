@@ -180,8 +180,11 @@ void Run::try_other_start(const CycloidArc& arc,
   const PrimalDual guess = options_.guess == Guess::Straight
                                ? straight_guess(problem)
                                : random_guess(problem, arc, options_.seed);
+  // Lost in nowhere it must not use up what the answer needs.
+  MeshOptions half = budget();
+  half.ipopt.max_iterations /= 2;
   const MeshSolution found =
-      solve_on_mesh(problem, {guess, principal.phi, -1.0}, budget());
+      solve_on_mesh(problem, {guess, principal.phi, -1.0}, half);
   out_.effort.iterations += found.iterations;
   out_.effort.passes += found.closure.passes;
   out_.log += found.log;
@@ -315,6 +318,8 @@ void Run::answer_from(const Continuation& principal) {
     Refinement refinement = refine(natural_, wanted, curve, phi, budget());
     book(refinement);
     if (!refinement.answer || stop().met()) return;
+    // A better answer than the best one was still wanted.
+    if (refinement.status == Status::IterationLimit) return;
     report(*refinement.answer);
     if (wanted.fixed() || !under_resolved(out_.certificate)) return;
     curve = refinement.answer->curve();

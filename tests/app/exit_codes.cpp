@@ -79,8 +79,7 @@ TEST(ExitCode, Is4IfThereIsNoAdmissiblePath) {
                              "--set", "scene.body.radius=2"});
 
   EXPECT_EQ(output.code, 4);
-  EXPECT_NE(output.out.find("inside the"), std::string::npos)
-      << output.out;
+  EXPECT_NE(output.out.find("inside the"), std::string::npos) << output.out;
 }
 
 TEST(ExitCode, Is4IfNotVerified) {

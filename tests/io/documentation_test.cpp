@@ -95,10 +95,9 @@ std::string effective(const ProblemFile& p) {
        << static_cast<int>(p.options.method) << ' '
        << static_cast<int>(p.options.linear_solver) << ' '
        << p.options.tolerance << ' ' << static_cast<int>(p.options.search)
-       << ' ' << p.options.polish << ' '
-       << static_cast<int>(p.options.certify) << ' '
-       << static_cast<int>(p.options.guess) << ' ' << p.options.seed << ' '
-       << p.options.limits.iterations << ' ' << p.options.limits.seconds;
+       << ' ' << p.options.polish << ' ' << static_cast<int>(p.options.certify)
+       << ' ' << static_cast<int>(p.options.guess) << ' ' << p.options.seed
+       << ' ' << p.options.limits.iterations << ' ' << p.options.limits.seconds;
   return text.str();
 }
 

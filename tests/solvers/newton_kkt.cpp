@@ -87,8 +87,8 @@ TEST(NewtonKkt, SolvesForTheParameterToo) {
   TwoBranches problem;
   SumIs closing(problem, 1.0);
 
-  const NewtonResult result = solve_with_newton(
-      problem, &closing, {{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
+  const NewtonResult result =
+      solve_with_newton(problem, &closing, {{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
 
   ASSERT_EQ(result.status, Status::Solved);
   EXPECT_NEAR(result.point.x[0], 1.0, 1e-12);
@@ -106,8 +106,8 @@ TEST(NewtonKkt, TellsABranchFromItsNeighbour) {
   for (const double x_0 : {1.1, -1.1}) {
     TwoBranches problem;
 
-    const NewtonResult result = solve_with_newton(
-        problem, nullptr, {{x_0, x_0, 1.0}, {-1.0}}, 0.0, {});
+    const NewtonResult result =
+        solve_with_newton(problem, nullptr, {{x_0, x_0, 1.0}, {-1.0}}, 0.0, {});
 
     ASSERT_EQ(result.status, Status::Solved);
     EXPECT_NEAR(result.point.x[0], std::copysign(1.0, x_0), 1e-12);
@@ -251,8 +251,8 @@ TEST_F(NewtonKktFor, ATrackReportsTheResidualThatThePointHas) {
   contact.set_parameter(result.phi);
   const double kkt =
       nlp::kkt_residual(problem, result.point.x, result.point.lambda).max();
-  const double closing = std::abs(
-      contact.linearise(result.point.x, result.point.lambda).residual);
+  const double closing =
+      std::abs(contact.linearise(result.point.x, result.point.lambda).residual);
   EXPECT_NEAR(result.residual, std::max(kkt, closing), ulps(100.0));
 }
 
@@ -269,9 +269,9 @@ TEST_F(NewtonKktFor, ATrackNeverReturnsAWorsePointThanItsStart) {
     const double phi_start = phi + size;
     contact.set_parameter(phi_start);
     if (!problem.set_point(start.x)) continue;
-    const double before = std::max(
-        nlp::kkt_residual(problem, start.x, start.lambda).max(),
-        std::abs(contact.linearise(start.x, start.lambda).residual));
+    const double before =
+        std::max(nlp::kkt_residual(problem, start.x, start.lambda).max(),
+                 std::abs(contact.linearise(start.x, start.lambda).residual));
 
     const NewtonResult result =
         solve_with_newton(problem, &contact, start, phi_start, {});

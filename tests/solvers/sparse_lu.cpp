@@ -86,9 +86,8 @@ TEST(SparseLu, SolvesLikeADenseFactorisation) {
     const double condition =
         1.0 / static_cast<double>(std::max(dense.rcond(), 1e-30L));
     if (condition > 1e6) continue;
-    const WideVector expected =
-        dense.solve(Eigen::Map<const Eigen::VectorXd>(b.data(), size)
-                        .cast<long double>());
+    const WideVector expected = dense.solve(
+        Eigen::Map<const Eigen::VectorXd>(b.data(), size).cast<long double>());
     SparseLu lu(A.pattern, A.order(3, 1));
 
     ASSERT_TRUE(lu.factorise(A.values)) << "seed " << seed;
@@ -169,9 +168,8 @@ TEST(SparseLu, TakesDenseRowsAndColumnsLast) {
     }
     const std::vector<double> b = random.vector(size, -1.0, 1.0);
     const Eigen::FullPivLU<WideMatrix> dense(A.dense());
-    const WideVector expected =
-        dense.solve(Eigen::Map<const Eigen::VectorXd>(b.data(), size)
-                        .cast<long double>());
+    const WideVector expected = dense.solve(
+        Eigen::Map<const Eigen::VectorXd>(b.data(), size).cast<long double>());
     nlp::EliminationOrder order = A.order();
     order.border = border;
     SparseLu lu(A.pattern, order);

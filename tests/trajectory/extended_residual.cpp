@@ -19,17 +19,16 @@ namespace brachisto::testing {
 namespace {
 
 class ExtendedResidualOf : public ::testing::TestWithParam<ProblemCase> {};
-INSTANTIATE_TEST_SUITE_P(
-    Problems, ExtendedResidualOf, ::testing::ValuesIn(problem_cases(8, 3)),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Problems, ExtendedResidualOf,
+                         ::testing::ValuesIn(problem_cases(8, 3)),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(ExtendedResidualOf, EveryProblemIsTheResidualOfItsOwnFunctions) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     Random random(seed);
     RollingTime problem = GetParam().problem();
-    const PrimalDual point{
-        random_point(problem, random),
-        random.vector(problem.num_constraints(), -1.0, 1.0)};
+    const PrimalDual point{random_point(problem, random),
+                           random.vector(problem.num_constraints(), -1.0, 1.0)};
 
     const ExtendedResidual wide = extended_residual(problem, point);
     const nlp::KktResidual plain =
@@ -46,8 +45,7 @@ TEST_P(ExtendedResidualOf, EveryProblemIsTheResidualOfItsOwnFunctions) {
     EXPECT_NEAR(wide.fixed_values, plain.bound_violation, ulps(4.0, 5.0))
         << "seed " << seed;
     EXPECT_EQ(wide.worst_variable, plain.worst_variable) << "seed " << seed;
-    EXPECT_EQ(wide.worst_constraint, plain.worst_constraint)
-        << "seed " << seed;
+    EXPECT_EQ(wide.worst_constraint, plain.worst_constraint) << "seed " << seed;
     // Points this random are far from solutions.
     EXPECT_GT(wide.stationarity, 0.1) << "seed " << seed;
     EXPECT_GT(wide.defects, 0.1) << "seed " << seed;

@@ -16,6 +16,7 @@
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "support/random_points.hpp"
 #include "support/scenes.hpp"
+#include "trajectory/sliding_end.hpp"
 #include "trajectory/solved_case.hpp"
 
 namespace brachisto::testing {
@@ -43,8 +44,7 @@ Answer answer_to(const Scene& scene, const Mesh& mesh) {
   MeshSolution solution =
       solve_on_mesh(problem, {cycloid_guess(problem, *arc), phi, -1.0}, {});
   EXPECT_TRUE(solution.solved()) << solution.message;
-  return {std::move(problem), std::move(solution.point),
-          solution.closure.phi};
+  return {std::move(problem), std::move(solution.point), solution.closure.phi};
 }
 
 bool passes(const Certificate& certificate, const char* name) {
@@ -59,8 +59,7 @@ TEST(Refused, IsTheAnswerForAnotherBody) {
   const Answer answer = answer_to(other, mesh);
   RollingTime problem(in_natural_units(off_centred_scene()), mesh, 0.0);
 
-  const Certificate result =
-      certify(problem, answer.point, answer.phi, kError);
+  const Certificate result = certify(problem, answer.point, answer.phi, kError);
 
   EXPECT_FALSE(result.verified());
   EXPECT_FALSE(passes(result, "kkt_residual"));
@@ -81,109 +80,10 @@ TEST(Refused, IsTheAnswerForABodyThatDiffersInOneNumberOnly) {
     if (change == 4) scene.H += 1e-5;
     RollingTime problem(in_natural_units(scene), mesh, 0.0);
 
-    EXPECT_FALSE(
-        certify(problem, answer.point, answer.phi, kError).verified())
+    EXPECT_FALSE(certify(problem, answer.point, answer.phi, kError).verified())
         << "change " << change;
   }
 }
-
-/// The minimisation in which the end of the centre's path may slide on the
-/// circle about B, tied to the last slope: an optimiser bends the last element.
-class SlidingEnd final : public nlp::Problem {
- public:
-  explicit SlidingEnd(RollingTime& problem)
-      : problem_(problem),
-        lower_(problem.lower().begin(), problem.lower().end()),
-        upper_(problem.upper().begin(), problem.upper().end()),
-        jac_(problem.jac_g_pattern()),
-        hess_(problem.hess_lag_pattern()) {
-    const VariableLayout& layout = problem.layout();
-    x_end_ = layout.state(layout.num_points(), X);
-    z_end_ = layout.state(layout.num_points(), Z);
-    beta_ = layout.beta(layout.num_points() - 1);
-    for (const int end : {x_end_, z_end_}) {
-      lower_[at(end)] = -std::numeric_limits<double>::infinity();
-      upper_[at(end)] = std::numeric_limits<double>::infinity();
-      const int row = problem.num_constraints() + (end == z_end_ ? 1 : 0);
-      jac_.rows.insert(jac_.rows.end(), {row, row});
-      jac_.cols.insert(jac_.cols.end(), {end, beta_});
-    }
-    hess_.rows.push_back(beta_);
-    hess_.cols.push_back(beta_);
-  }
-
-  [[nodiscard]] int num_variables() const override {
-    return problem_.num_variables();
-  }
-  [[nodiscard]] int num_constraints() const override {
-    return problem_.num_constraints() + 2;
-  }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
-  }
-  [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
-    return jac_;
-  }
-  [[nodiscard]] const nlp::SparsityPattern& hess_lag_pattern() const override {
-    return hess_;
-  }
-  [[nodiscard]] std::string variable_name(int index) const override {
-    return problem_.variable_name(index);
-  }
-  [[nodiscard]] std::string constraint_name(int index) const override {
-    return "g" + std::to_string(index);
-  }
-  [[nodiscard]] std::string refusal() const override {
-    return problem_.refusal();
-  }
-  /// The slope that the end is tied to.
-  [[nodiscard]] double phi(const PrimalDual& point) const {
-    return point.x[at(beta_)];
-  }
-
- private:
-  bool do_set_point(std::span<const double> x) override {
-    x_.assign(x.begin(), x.end());
-    return problem_.set_point(x);
-  }
-  [[nodiscard]] double do_eval_f() const override { return problem_.eval_f(); }
-  void do_eval_grad_f(std::span<double> grad_f) const override {
-    problem_.eval_grad_f(grad_f);
-  }
-  void do_eval_g(std::span<double> g) const override {
-    const Scene& scene = problem_.scene();
-    const double r = scene.body.radius;
-    const std::size_t m = g.size() - 2;
-    problem_.eval_g(g.first(m));
-    g[m] = x_[at(x_end_)] - scene.L - r * std::sin(x_[at(beta_)]);
-    g[m + 1] = x_[at(z_end_)] - scene.H + r * std::cos(x_[at(beta_)]);
-  }
-  void do_eval_jac_g(std::span<double> values) const override {
-    const double r = problem_.scene().body.radius;
-    const std::size_t n = values.size() - 4;
-    problem_.eval_jac_g(values.first(n));
-    values[n] = values[n + 2] = 1.0;
-    values[n + 1] = -r * std::cos(x_[at(beta_)]);
-    values[n + 3] = -r * std::sin(x_[at(beta_)]);
-  }
-  void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
-                        std::span<double> values) const override {
-    const double r = problem_.scene().body.radius;
-    const std::size_t m = lambda.size() - 2;
-    problem_.eval_hess_lag(objective_factor, lambda.first(m),
-                           values.first(values.size() - 1));
-    values.back() = r * (lambda[m] * std::sin(x_[at(beta_)]) -
-                         lambda[m + 1] * std::cos(x_[at(beta_)]));
-  }
-
-  RollingTime& problem_;
-  std::vector<double> lower_, upper_, x_;
-  nlp::SparsityPattern jac_, hess_;
-  int x_end_, z_end_, beta_;
-};
 
 TEST(Refused, IsAnEndThatSlidesAndBendsTheLastElement) {
   const Mesh mesh = uniform_mesh(1, 40);
@@ -204,8 +104,8 @@ TEST(Refused, IsAnEndThatSlidesAndBendsTheLastElement) {
 
     // Whatever error the mesh is granted, up to one that says nothing.
     for (const double error : {1e-10, 1e-6, 1e-3, 1e-2}) {
-      const Certificate result = certify(answer.problem, point,
-                                         sliding.phi(bent.point), error);
+      const Certificate result =
+          certify(answer.problem, point, sliding.phi(bent.point), error);
 
       EXPECT_FALSE(result.verified()) << error;
       EXPECT_FALSE(passes(result, "kkt_residual")) << error;
@@ -359,8 +259,8 @@ TEST(Refused, IsALoop) {
 TEST(Refused, IsANumberThatIsNoneWhereverItStands) {
   const Answer answer = answer_to(off_centred_scene(), uniform_mesh(3, 8));
   RollingTime problem = answer.problem;
-  for (std::size_t i = 0; i < answer.point.x.size() + answer.point.lambda.size();
-       ++i) {
+  for (std::size_t i = 0;
+       i < answer.point.x.size() + answer.point.lambda.size(); ++i) {
     PrimalDual spoilt = answer.point;
     const std::size_t n = spoilt.x.size();
     (i < n ? spoilt.x[i] : spoilt.lambda[i - n]) =

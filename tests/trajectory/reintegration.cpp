@@ -21,8 +21,8 @@ TEST(Reintegration, RunsDownTheCycloidInTheTimeOfTheClosedForm) {
   constexpr double kTolerance = 1e-10;
   for (const Scene& scene : {natural(bead_scene()), natural(uniform_scene())}) {
     const CycloidArc arc = *axisymmetric_optimum(scene);
-    const SolvedProblem solution = solved(
-        scene, uniform_mesh(6, 12), arc.slope_angle(arc.psi_end));
+    const SolvedProblem solution =
+        solved(scene, uniform_mesh(6, 12), arc.slope_angle(arc.psi_end));
     const ExtremalCurve curve(solution.problem, solution.point);
 
     const Reintegration motion = reintegrate(curve);
@@ -86,10 +86,9 @@ TEST(Reintegration, DoesNotArriveWhereTheBodyCannotClimb) {
   const SolvedProblem solution = solved(scene, uniform_mesh(5, 16), 0.0);
   const double S = ExtremalCurve(solution.problem, solution.point).arc_length();
   scene.body.theta_m = kPi - 0.5 * S / scene.body.radius;
-  const double end_height =
-      scene.H + scene.body.radius * scene.body.eta_m *
-                    (std::sin(scene.body.theta_m + S) -
-                     std::sin(scene.body.theta_m));
+  const double end_height = scene.H + scene.body.radius * scene.body.eta_m *
+                                          (std::sin(scene.body.theta_m + S) -
+                                           std::sin(scene.body.theta_m));
   ASSERT_LT(end_height, 0.0);
   // The same path, the angles of the states included, for the turned body.
   const RollingTime turned(scene, solution.problem.mesh(), 0.0);

@@ -65,9 +65,9 @@ TEST(SelfCrossing, IsNotSeenWhereNoneIs) {
     const double t = 0.05 * i;
     spiral.push_back({(1.0 + t) * std::cos(t), (1.0 + t) * std::sin(t)});
   }
-  for (const Line& line :
-       {Line{}, Line{{0, 0}}, Line{{0, 0}, {1, 1}}, Line{{0, 0}, {1, 1}, {2, 0}},
-        Line{{0, 0}, {1, 1}, {2, 0}, {0, 0}}, spiral}) {
+  for (const Line& line : {Line{}, Line{{0, 0}}, Line{{0, 0}, {1, 1}},
+                           Line{{0, 0}, {1, 1}, {2, 0}},
+                           Line{{0, 0}, {1, 1}, {2, 0}, {0, 0}}, spiral}) {
     EXPECT_FALSE(self_crossing(line)) << line.size() << " points";
   }
 }
@@ -76,8 +76,8 @@ TEST(SelfCrossing, IsNotATouchWithoutPassing) {
   // A point on another segment, the line coming back to the side it came from,
   // and the same stretch walked twice.
   EXPECT_FALSE(self_crossing({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}));
-  EXPECT_FALSE(self_crossing({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4, 1}, {4, 0},
-                              {3, 1}}));
+  EXPECT_FALSE(
+      self_crossing({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4, 1}, {4, 0}, {3, 1}}));
   EXPECT_FALSE(self_crossing({{0, 0}, {1, 0}, {2, 0}, {1, 0}, {0, 0}}));
 }
 
@@ -109,13 +109,12 @@ TEST(SelfCrossing, AgreesWithAllPairs) {
     bool expected = false;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       for (std::size_t j = i + 2; j + 1 < line.size(); ++j) {
-        const bool apart =
-            area(line[i], line[i + 1], line[j]) *
-                    area(line[i], line[i + 1], line[j + 1]) >=
-                0.0 ||
-            area(line[j], line[j + 1], line[i]) *
-                    area(line[j], line[j + 1], line[i + 1]) >=
-                0.0;
+        const bool apart = area(line[i], line[i + 1], line[j]) *
+                                   area(line[i], line[i + 1], line[j + 1]) >=
+                               0.0 ||
+                           area(line[j], line[j + 1], line[i]) *
+                                   area(line[j], line[j + 1], line[i + 1]) >=
+                               0.0;
         expected = expected || !apart;
       }
     }

@@ -51,9 +51,8 @@ class SolvedCase : public ::testing::Test {
     return found != nullptr && found->passed;
   }
 
-  RollingTime problem{
-      in_natural_units(reference("reference_case").scene()),
-      uniform_mesh(5, 24), 0.0};
+  RollingTime problem{in_natural_units(reference("reference_case").scene()),
+                      uniform_mesh(5, 24), 0.0};
   PrimalDual point;
   double phi = 0.0;
   bool solved = false;

@@ -360,7 +360,8 @@ TEST(Diagnostics, TheNormalForceCountsFromTheEndOfItsFirstRise) {
 }
 
 TEST(Diagnostics, AForceThatOnlyRisesFromTheStartIsSmallestAtTheEnd) {
-  // A bead: R_n = 2 cos β rises to 2 at the lowest point, then falls to 2 cos φ.
+  // A bead: R_n = 2 cos β rises to 2 at the lowest point, then falls to 2 cos
+  // φ.
   const Trajectory path = fine_path(reference("bead_L3"));
 
   const PathDiagnostics found = path.diagnose();

@@ -39,9 +39,9 @@ std::vector<double> moved(std::vector<double> x, double h,
 }
 
 class ContactEquationOf : public ::testing::TestWithParam<ProblemCase> {};
-INSTANTIATE_TEST_SUITE_P(
-    Bodies, ContactEquationOf, ::testing::ValuesIn(problem_cases(3, 2)),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Bodies, ContactEquationOf,
+                         ::testing::ValuesIn(problem_cases(3, 2)),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(ContactEquationOf, EveryProblemHasDerivativesOfFirstOrder) {
   // What the linear model leaves falls as h², in x, λ and φ together, and in
@@ -71,8 +71,8 @@ TEST_P(ContactEquationOf, EveryProblemHasDerivativesOfFirstOrder) {
       if (part == 0 || part == 1) dphi = 0.0;
       contact.set_parameter(phi);
       const Linearisation at = contact.linearise(x, lambda);
-      const double rate = along(at.by_x, dx) + along(at.by_lambda, dl) +
-                          at.by_parameter * dphi;
+      const double rate =
+          along(at.by_x, dx) + along(at.by_lambda, dl) + at.by_parameter * dphi;
       for (std::size_t i = 0; i < kSteps.size(); ++i) {
         const double h = kSteps[i];
         contact.set_parameter(phi + h * dphi);
@@ -128,10 +128,9 @@ TEST(ContactEquation, VanishesWhereTheEndSlopeReproducesItself) {
   for (const double phi : {-0.1, 0.05}) {
     SolvedProblem solution = solved(scene, uniform_mesh(4, 12), phi);
     ContactEquation contact(solution.problem);
-    const double slope =
-        end_slope(solution.problem, solution.point.x,
-                  costates(solution.problem, solution.point.x,
-                           solution.point.lambda));
+    const double slope = end_slope(
+        solution.problem, solution.point.x,
+        costates(solution.problem, solution.point.x, solution.point.lambda));
 
     contact.set_parameter(phi);
     const Linearisation open =

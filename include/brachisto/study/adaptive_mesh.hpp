@@ -40,12 +40,19 @@ struct MeshAnswer {
 
 /// Solves `scene` on `mesh`, starting from `curve`, and estimates the error.
 ///
-/// The estimate is 2 |T_{p+1} − T_p| + Σ_e |U ∫_e 𝓗 dσ|, the sum taken on the
-/// solution of degree p + 1 on the same elements, contact closed anew: the
-/// first term is the error but for that of the finer solution, which the second
-/// one bounds from above, and the factor 2 keeps it honest where the two
-/// degrees err to the same side. What an open contact and rounding add comes
-/// on top.
+/// Let ΔT and Δφ be the changes of T and φ when the scene is solved on the same
+/// elements with degree p + 1. The estimate is
+///
+///     max(2 |ΔT|, |T_φ Δφ| + |ΔT − T_φ Δφ|) + Σ_e |U ∫_e 𝓗 dσ|,
+///
+/// T_φ = r √A / w being dT/dφ, and the sum taken on the finer solution: ΔT is
+/// the error but for that of the finer solution, which the sum bounds from
+/// above. The factor 2 keeps it honest where the two degrees err to the same
+/// side, the split where the errors of the end point and between fixed ends
+/// cancel by accident. What an open contact and rounding add comes on top.
+///
+/// Where Ipopt leaves the extremal that `curve` shows, because between its ends
+/// it is no minimum, Newton's method finds it alone.
 [[nodiscard]] MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                                         const ExtremalCurve& curve, double phi,
                                         const MeshOptions& options);

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Every hard problem ends the way its second comment says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What follows "# Pass: ": "verified", "tau = 4.397012851", or "refused: " and
+/// words of the message; "" if there is no such line.
+std::string promise_of(const fs::path& file) {
+  static const std::string kMark = "# Pass: ";
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line)) {
+    if (line.starts_with(kMark)) return line.substr(kMark.size());
+  }
+  return "";
+}
+
+std::vector<std::string> problem_files() {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(BRACHISTO_HARD_DIR)) {
+    if (entry.path().extension() == ".yaml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string file_name(const ::testing::TestParamInfo<std::string>& file) {
+  std::string text = file.param;
+  std::replace_if(
+      text.begin(), text.end(),
+      [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return text;
+}
+
+class HardProblem : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Files, HardProblem,
+                         ::testing::ValuesIn(problem_files()), file_name);
+
+void expect_refused(const fs::path& file, const std::string& because) {
+  std::string message;
+  try {
+    const io::ProblemFile problem = io::read_problem_file(file);
+    const Solution solution = solve(problem.scene, problem.options);
+    EXPECT_EQ(solution.status, Status::NoAdmissiblePath);
+    EXPECT_FALSE(solution.trajectory);
+    message = solution.message;
+  } catch (const io::InputError& error) {
+    message = error.what();
+  }
+  EXPECT_NE(message.find(because), std::string::npos) << message;
+}
+
+void expect_tau(const Solution& solution, const std::string& digits) {
+  const double expected = std::stod(digits);
+  const std::size_t point = digits.find('.');
+  const auto decimals = static_cast<double>(digits.size() - point - 1);
+  const double half_digit = 0.5 * std::pow(10.0, -decimals);
+  const double tau = solution.trajectory->tau();
+
+  EXPECT_NEAR(tau, expected, half_digit + *solution.estimated_error * tau);
+}
+
+TEST_P(HardProblem, EndsAsItsCommentSays) {
+  const fs::path file = fs::path(BRACHISTO_HARD_DIR) / (GetParam() + ".yaml");
+  const std::string promise = promise_of(file);
+  const std::string refused = "refused: ";
+  if (promise.starts_with(refused)) {
+    expect_refused(file, promise.substr(refused.size()));
+    return;
+  }
+  ASSERT_TRUE(promise == "verified" || promise.starts_with("tau = "))
+      << '"' << promise << '"';
+  const io::ProblemFile problem = io::read_problem_file(file);
+
+  const Solution solution = solve(problem.scene, problem.options);
+
+  std::string failed;
+  for (const Check& check : solution.certificate.checks) {
+    if (!check.passed) failed += " " + check.name;
+  }
+  ASSERT_TRUE(solution.verified()) << solution.message << failed;
+  if (promise != "verified") expect_tau(solution, promise.substr(6));
+}
+
+}  // namespace
+}  // namespace brachisto

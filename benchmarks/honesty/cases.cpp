@@ -41,7 +41,7 @@ std::vector<KnownScene> gallery_scenes(const std::string& folder, int jobs,
       [](const KnownScene& a, const KnownScene& b) { return a.name < b.name; });
 
   constexpr double kTwelveDigits = 1e-12;
-  constexpr double kSeconds = 120.0;
+  constexpr double kSeconds = 5.0;
   std::vector<KnownScene> known;
   run_isolated<double>(
       static_cast<int>(wanted.size()),

@@ -25,7 +25,8 @@ struct KnownScene {
 
 /// The problems of a folder whose answer is the extremal that continues from
 /// the cycloid, with τ by the indirect method at 1e-13. Left out is where that
-/// method fails, or knows fewer than twelve digits; `left_out` names those.
+/// method fails, takes long, or knows fewer than twelve digits; `left_out`
+/// names those.
 [[nodiscard]] std::vector<KnownScene> gallery_scenes(
     const std::string& folder, int jobs, std::vector<std::string>& left_out);
 

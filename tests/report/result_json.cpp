@@ -28,11 +28,30 @@ const std::vector<std::string> kPathKeys{
     "tau",         "transit_time", "centre_path_length", "rail_length",
     "start_angle", "end_angle",    "rotation",           "normal_force",
     "friction",    "curvature",    "fold_margin"};
-const std::vector<std::string> kOtherKeys{
-    "schema_version",     "status",          "verified",       "feasible",
-    "infeasible_because", "estimated_error", "nodes",          "variables",
-    "constraints",        "iterations",      "closure_passes", "seconds",
-    "certificate",        "provenance",      "scene"};
+const std::vector<std::string> kOtherKeys{"schema_version",
+                                          "status",
+                                          "verified",
+                                          "feasible",
+                                          "infeasible_because",
+                                          "estimated_error",
+                                          "nodes",
+                                          "variables",
+                                          "constraints",
+                                          "iterations",
+                                          "closure_passes",
+                                          "seconds",
+                                          "certificate",
+                                          "provenance",
+                                          "scene",
+                                          "message",
+                                          "mesh",
+                                          "newton_steps",
+                                          "continuation",
+                                          "refinement",
+                                          "folds",
+                                          "cold_start",
+                                          "branches",
+                                          "extremal"};
 
 std::vector<const Solution*> all_kinds() {
   return {&off_centred_solution(), &uniform_solution(), &bead_solution(),
@@ -53,7 +72,9 @@ TEST(ResultJson, HasEveryKeyWhateverTheOutcome) {
                             "energy_drift", "contact_error", "second_order"}) {
       EXPECT_TRUE(document["certificate"].contains(key)) << key;
     }
-    EXPECT_TRUE(document["seconds"].contains("total"));
+    for (const char* key : {"total", "solve", "certificate"}) {
+      EXPECT_TRUE(document["seconds"][key].is_number()) << key;
+    }
   }
 }
 
@@ -136,6 +157,60 @@ TEST(ResultJson, OfAnUnsolvedSceneHasTheReason) {
        {"estimated_error", "nodes", "variables", "constraints"}) {
     EXPECT_TRUE(document[key].is_null()) << key;
   }
+}
+
+TEST(ResultJson, TellsHowTheSolutionWasFound) {
+  Solution solution = off_centred_solution();
+  solution.folds = {0.75, 0.25};
+  solution.cold_start = ColdStart{Status::Solved, 5.25, true};
+  Branch branch;
+  branch.tau = 5.5;
+  branch.remarks = {"failed check slope"};
+  solution.branches = {branch};
+  ExtremalOpinion opinion;
+  opinion.solved = true;
+  opinion.tau = 5.125;
+  solution.extremal = opinion;
+
+  const json document = json::parse(result_json(solution));
+
+  const json& meshes = document["refinement"];
+  ASSERT_EQ(meshes.size(), solution.effort.meshes.size());
+  EXPECT_EQ(meshes.back()["degree"], document["mesh"]["degree"]);
+  EXPECT_EQ(meshes.back()["elements"], document["mesh"]["elements"]);
+  EXPECT_EQ(meshes.back()["estimated_error"], document["estimated_error"]);
+  EXPECT_EQ(document["continuation"].size(),
+            solution.effort.continuation.size());
+  EXPECT_EQ(document["newton_steps"], solution.effort.newton_steps);
+  EXPECT_EQ(document["folds"], json::array({0.75, 0.25}));
+  EXPECT_EQ(document["cold_start"]["status"], "solved");
+  EXPECT_EQ(document["cold_start"]["tau_coarse"], 5.25);
+  EXPECT_EQ(document["cold_start"]["principal"], true);
+  // What is not verified has no τ.
+  EXPECT_TRUE(document["branches"][0]["tau"].is_null());
+  EXPECT_EQ(document["branches"][0]["verified"], false);
+  EXPECT_EQ(document["branches"][0]["remarks"][0], "failed check slope");
+  EXPECT_EQ(document["extremal"]["solved"], true);
+  EXPECT_EQ(document["extremal"]["tau"], 5.125);
+}
+
+TEST(ResultJson, HasNothingOfWhatWasNotAskedFor) {
+  const json document = json::parse(result_json(off_centred_solution()));
+
+  EXPECT_EQ(document["folds"], json::array());
+  EXPECT_EQ(document["branches"], json::array());
+  EXPECT_TRUE(document["cold_start"].is_null());
+  EXPECT_TRUE(document["extremal"].is_null());
+}
+
+TEST(ResultJson, SecondsAddUp) {
+  const json seconds =
+      json::parse(result_json(off_centred_solution()))["seconds"];
+
+  EXPECT_NEAR(
+      seconds["solve"].get<double>() + seconds["certificate"].get<double>(),
+      seconds["total"].get<double>(), 1e-12);
+  EXPECT_GE(seconds["solve"].get<double>(), 0.0);
 }
 
 TEST(ResultJson, OfABeadHasNothingThatOnlyARollingBodyHas) {

@@ -18,6 +18,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "sweep/sqlite.hpp"
 
 namespace brachisto::app {
 
@@ -84,10 +85,16 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto validate my_case.yaml\n"
+      "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
       "`brachisto VERB --help` tells more.");
   int code = kInternalError;
   add_solve(app, code);
   add_validate(app, code);
+  add_sweep(app, code);
+  add_export(app, code);
+  add_merge(app, code);
+  add_report(app, code);
+  add_worker(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a) == "--json";
@@ -110,6 +117,8 @@ int run(int argc, char** argv) {
   } catch (const io::IoError& error) {
     return fail(kIoError, "io_error", error.what(), json);
   } catch (const report::OutputError& error) {
+    return fail(kIoError, "io_error", error.what(), json);
+  } catch (const sweep::StoreError& error) {
     return fail(kIoError, "io_error", error.what(), json);
   } catch (const std::exception& error) {
     return fail(kInternalError, "internal_error",

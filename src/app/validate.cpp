@@ -4,16 +4,171 @@
 // brachisto validate FILE: reads a problem file and says what it means.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/io/sweep_file.hpp"
 #include "brachisto/report/result_json.hpp"
 
 namespace brachisto::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Row = std::vector<std::string>;
+
+constexpr std::size_t kShownAtEachEnd = 3;
+
+std::string effective_input(const io::ProblemFile& problem) {
+  return report::input_json(problem.scene, problem.options);
+}
+
+/// Paths of the keys that run along an axis.
+std::vector<std::string> paths_of(const io::SweepFile& sweep,
+                                  const io::SweepFileAxis& axis) {
+  std::vector<std::string> paths;
+  for (const std::size_t key : axis.keys) {
+    paths.push_back(sweep.keys()[key].path);
+  }
+  return paths;
+}
+
+/// The first and the last scene along an axis that start at scene 0.
+std::pair<std::size_t, std::size_t> ends_of(const io::SweepFile& sweep,
+                                            std::size_t axis) {
+  std::size_t stride = 1;
+  for (std::size_t i = axis + 1; i < sweep.axes().size(); ++i) {
+    stride *= sweep.axes()[i].count;
+  }
+  return {0, (sweep.axes()[axis].count - 1) * stride};
+}
+
+/// The values of some keys in a scene, by path.
+Json values_json(const io::SweepFile& sweep, std::size_t scene,
+                 const std::vector<std::string>& paths) {
+  Json values = Json::object();
+  const std::vector<io::SweepValue> all = sweep.values(scene);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& path = sweep.keys()[i].path;
+    if (std::ranges::count(paths, path) == 0) continue;
+    std::visit([&](const auto& value) { values[path] = value; }, all[i]);
+  }
+  return values;
+}
+
+std::string sweep_json(const io::SweepFile& sweep) {
+  std::vector<std::string> paths;
+  for (const io::SweepKey& key : sweep.keys()) paths.push_back(key.path);
+  Json axes = Json::array();
+  for (std::size_t i = 0; i < sweep.axes().size(); ++i) {
+    const io::SweepFileAxis& axis = sweep.axes()[i];
+    const auto along = paths_of(sweep, axis);
+    const auto [first, last] = ends_of(sweep, i);
+    axes.push_back({{"keys", along},
+                    {"count", axis.count},
+                    {"ordered", axis.ordered},
+                    {"first", values_json(sweep, first, along)},
+                    {"last", values_json(sweep, last, along)}});
+  }
+  const std::size_t last = sweep.num_scenes() - 1;
+  Json json = {{"schema_version", report::kSchemaVersion},
+               {"valid", true},
+               {"sweep",
+                {{"scenes", sweep.num_scenes()},
+                 {"warm_start", sweep.warm_start()},
+                 {"keys", paths},
+                 {"axes", axes},
+                 {"first", values_json(sweep, 0, paths)},
+                 {"last", values_json(sweep, last, paths)}}}};
+  // The first scene follows with the keys that a single problem has.
+  json.update(Json::parse(effective_input(sweep.problem(0))));
+  return json.dump(2) + "\n";
+}
+
+std::string text_of(const io::SweepValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.10g}", *number)
+                           : std::get<std::string>(value);
+}
+
+/// Rows of equal length with their columns right-aligned.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += fmt::format("  {:>{}}", row[i], widths[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string axes_table(const io::SweepFile& sweep) {
+  std::vector<Row> rows{{"axis", "values", "first", "last"}};
+  for (std::size_t i = 0; i < sweep.axes().size(); ++i) {
+    const io::SweepFileAxis& axis = sweep.axes()[i];
+    const auto [first, last] = ends_of(sweep, i);
+    for (const std::size_t key : axis.keys) {
+      rows.push_back(
+          {sweep.keys()[key].path,
+           fmt::format("{}{}", axis.count, axis.ordered ? "" : " (random)"),
+           text_of(sweep.values(first)[key]),
+           text_of(sweep.values(last)[key])});
+    }
+  }
+  return aligned(rows);
+}
+
+std::string scenes_table(const io::SweepFile& sweep) {
+  std::vector<Row> rows{{"scene"}};
+  for (const io::SweepKey& key : sweep.keys()) rows[0].push_back(key.path);
+  const std::size_t scenes = sweep.num_scenes();
+  for (std::size_t scene = 0; scene < scenes; ++scene) {
+    if (scene == kShownAtEachEnd && scenes > 2 * kShownAtEachEnd) {
+      rows.emplace_back(rows[0].size(), "...");
+      scene = scenes - kShownAtEachEnd;
+    }
+    rows.push_back({fmt::format("{}", scene)});
+    for (const io::SweepValue& value : sweep.values(scene)) {
+      rows.back().push_back(text_of(value));
+    }
+  }
+  return aligned(rows);
+}
+
+void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
+  if (flags.json) {
+    fmt::print("{}", effective_input(problem));
+  } else if (!flags.quiet) {
+    fmt::print("{}: valid. Effective input, defaults filled in:\n{}",
+               flags.file, effective_input(problem));
+  }
+}
+
+void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
+  if (flags.json) {
+    fmt::print("{}", sweep_json(sweep));
+  } else if (!flags.quiet) {
+    fmt::print("{}: valid. A sweep of {} scene{}.\n\n{}\n{}", flags.file,
+               sweep.num_scenes(), sweep.num_scenes() == 1 ? "" : "s",
+               axes_table(sweep), scenes_table(sweep));
+  }
+}
+
+}  // namespace
 
 void add_validate(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<CommonFlags>();
@@ -21,20 +176,15 @@ void add_validate(CLI::App& app, int& exit_code) {
       "validate", "Check a problem file and print its effective input");
   flags->add_to(*verb);
   verb->footer(
+      "Of a file with a section sweep, all scenes are checked and some "
+      "listed.\n"
       "Examples:\n"
       "  brachisto validate case.yaml\n"
       "  brachisto validate case.yaml --set scene.body.k=1/4 --json");
   verb->callback([flags, &exit_code] {
-    const io::ProblemFile problem =
-        io::read_problem_file(flags->file, flags->overrides);
-    const std::string effective =
-        report::input_json(problem.scene, problem.options);
-    if (flags->json) {
-      fmt::print("{}", effective);
-    } else if (!flags->quiet) {
-      fmt::print("{}: valid. Effective input, defaults filled in:\n{}",
-                 flags->file, effective);
-    }
+    const auto content =
+        io::read_problem_or_sweep_file(flags->file, flags->overrides);
+    std::visit([&](const auto& what) { describe(*flags, what); }, content);
     exit_code = kSuccess;
   });
 }

@@ -25,5 +25,10 @@ struct CommonFlags {
 /// leaves its exit code in `exit_code`.
 void add_solve(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
+void add_sweep(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_merge(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace brachisto::app

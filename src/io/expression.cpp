@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <mutex>
 #include <numbers>
-#include <vector>
 
 #include "io/expression_syntax.hpp"
 
@@ -24,8 +24,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-/// A fresh parser for each expression: nothing is left over from the last one,
-/// and its cost does not matter beside that of a solve.
 mu::Parser make_parser() {
   mu::Parser parser;
   parser.ClearConst();  // its own _pi has 13 digits only
@@ -42,38 +40,28 @@ mu::Parser make_parser() {
   return parser;
 }
 
-double evaluate_expression(std::string_view text) {
-  check_tokens(text);
-  constexpr int kNotFinite = FE_DIVBYZERO | FE_OVERFLOW | FE_INVALID;
-  try {
-    mu::Parser parser = make_parser();
-    parser.SetExpr(std::string(text));
-    std::feclearexcept(kNotFinite);
-    const double value = parser.Eval();
-    if (!std::isfinite(value)) {
-      throw ExpressionError("its value is not finite");
-    }
-    if (std::fetestexcept(kNotFinite) != 0) {
-      throw ExpressionError("a part of it is not finite");
-    }
-    return value;
-  } catch (const mu::Parser::exception_type& error) {
-    throw ExpressionError(error.GetCode() == mu::ecINTERNAL_ERROR
-                              ? "it is not complete"
-                              : error.GetMsg());
-  }
+/// What muParser says, in our words where its own would puzzle.
+std::string reason(const mu::Parser::exception_type& error) {
+  return error.GetCode() == mu::ecINTERNAL_ERROR ? "it is not complete"
+                                                 : error.GetMsg();
 }
 
-double evaluate_unsuffixed(std::string_view text) {
-  if (text.empty()) throw ExpressionError("it is empty");
+/// True if a text is a literal with or without a sign.
+bool read_number(std::string_view text, double& value) {
   const bool negative = text.front() == '-';
   const bool sign = negative || text.front() == '+';
   const std::string_view digits = text.substr(sign ? 1 : 0);
-  double value = 0.0;
-  if (!digits.empty() && read_literal(digits, value) == digits.size()) {
-    return negative ? -value : value;
+  if (digits.empty() || read_literal(digits, value) != digits.size()) {
+    return false;
   }
-  return evaluate_expression(text);
+  if (negative) value = -value;
+  return true;
+}
+
+/// The product is exact for few-digit degrees, so that -30 deg = -pi/6.
+double radians(double degrees) {
+  constexpr long double kPi = std::numbers::pi;
+  return static_cast<double>(static_cast<long double>(degrees) * kPi / 180);
 }
 
 }  // namespace
@@ -84,29 +72,106 @@ std::string expression_grammar() {
   return fmt::format("numbers, + - * / ^ ( ), pi, {}", fmt::join(names, ", "));
 }
 
-double evaluate(std::string_view text, Unit unit) {
-  text = trimmed(text);
-  if (text.size() > kMaxExpressionLength) {
+/// A parser of its own, nothing left over from another text, whose variables
+/// are the quantities.
+class Expression::Program {
+ public:
+  Program(const std::string& text, Names names)
+      : text_(text), parser_(make_parser()) {
+    if (names == Names::Quantities) {
+      for (std::size_t i = 0; i < kQuantities.size(); ++i) {
+        parser_.DefineVar(std::string(kQuantities[i].name), &variables_[i]);
+      }
+    }
+    parser_.SetExpr(text_);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  [[nodiscard]] std::vector<std::size_t> quantities() const {
+    std::vector<std::size_t> used;
+    try {
+      for (const auto& [name, unused] : parser_.GetUsedVar()) {
+        used.push_back(quantity_named(name));
+      }
+    } catch (const mu::Parser::exception_type& error) {
+      throw ExpressionError(reason(error));
+    }
+    return used;
+  }
+
+  [[nodiscard]] double value(const QuantityValues& values) {
+    constexpr int kNotFinite = FE_DIVBYZERO | FE_OVERFLOW | FE_INVALID;
+    const std::scoped_lock lock(mutex_);
+    variables_ = values;
+    try {
+      std::feclearexcept(kNotFinite);
+      const double value = parser_.Eval();
+      if (!std::isfinite(value)) {
+        throw ExpressionError("its value is not finite");
+      }
+      if (std::fetestexcept(kNotFinite) != 0) {
+        throw ExpressionError("a part of it is not finite");
+      }
+      return value;
+    } catch (const ExpressionError&) {
+      // Its constant parts were evaluated just now and would not be again, so
+      // that the next scene would not see what is wrong with them.
+      parser_.SetExpr(text_);
+      throw;
+    } catch (const mu::Parser::exception_type& error) {
+      throw ExpressionError(reason(error));
+    }
+  }
+
+ private:
+  std::string text_;
+  QuantityValues variables_{};
+  mu::Parser parser_;
+  std::mutex mutex_;
+};
+
+Expression::Expression(std::string_view text, Unit unit, Names names)
+    : text_(trimmed(text)) {
+  if (text_.size() > kMaxExpressionLength) {
     throw ExpressionError(
         fmt::format("it is longer than {} characters", kMaxExpressionLength));
   }
-  const std::size_t last = text.find_last_not_of("abcdefghijklmnopqrstuvwxyz_");
+  std::string_view number = text_;
+  const std::size_t last =
+      number.find_last_not_of("abcdefghijklmnopqrstuvwxyz_");
   const std::string_view suffix =
-      last == std::string_view::npos ? text : text.substr(last + 1);
-  if (suffix != "deg" && suffix != "rad") return evaluate_unsuffixed(text);
-
-  if (unit == Unit::None) {
-    throw ExpressionError(
-        fmt::format("{} is a unit of angles, and this is none", suffix));
+      last == std::string_view::npos ? number : number.substr(last + 1);
+  if (suffix == "deg" || suffix == "rad") {
+    if (unit == Unit::None) {
+      throw ExpressionError(
+          fmt::format("{} is a unit of angles, and this is none", suffix));
+    }
+    degrees_ = suffix == "deg";
+    number = trimmed(number.substr(0, number.size() - suffix.size()));
+    check_no_sum(number);
   }
-  const std::string_view number =
-      trimmed(text.substr(0, text.size() - suffix.size()));
-  check_no_sum(number);
-  const double value = evaluate_unsuffixed(number);
-  if (suffix == "rad") return value;
-  // The product is exact for few-digit degrees, so that -30 deg = -pi/6.
-  constexpr long double kPi = std::numbers::pi;
-  return static_cast<double>(static_cast<long double>(value) * kPi / 180);
+
+  if (number.empty()) throw ExpressionError("it is empty");
+  if (!read_number(number, constant_)) {
+    check_tokens(number, names);
+    program_ = std::make_shared<Program>(std::string(number), names);
+    if (names == Names::Quantities) quantities_ = program_->quantities();
+    if (!quantities_.empty()) return;
+    constant_ = program_->value({});
+    program_.reset();
+  }
+  if (degrees_) constant_ = radians(constant_);
+}
+
+double Expression::value(const QuantityValues& values) const {
+  if (program_ == nullptr) return constant_;
+  const double number = program_->value(values);
+  return degrees_ ? radians(number) : number;
+}
+
+double evaluate(std::string_view text, Unit unit) {
+  return Expression(text, unit, Names::None).value({});
 }
 
 }  // namespace brachisto::io

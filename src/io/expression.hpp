@@ -6,9 +6,14 @@
 
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "io/quantities.hpp"
 
 namespace brachisto::io {
 
@@ -20,6 +25,9 @@ class ExpressionError : public std::invalid_argument {
 
 /// Whether a number may carry the suffix " deg" or " rad".
 enum class Unit { None, Angle };
+
+/// Whether an expression may name quantities of the scene.
+enum class Names { None, Quantities };
 
 /// Longest expression that is evaluated [bytes].
 inline constexpr std::size_t kMaxExpressionLength = 200;
@@ -38,5 +46,33 @@ inline constexpr std::size_t kMaxExpressionLength = 200;
 /// \throws ExpressionError  if the text is anything else, or if the value or
 ///         an intermediate one is not finite
 [[nodiscard]] double evaluate(std::string_view text, Unit unit = Unit::None);
+
+/// An expression that may name quantities, to be evaluated in many scenes.
+/// Copies share what was prepared; several threads may evaluate one.
+class Expression {
+ public:
+  /// \throws ExpressionError  as evaluate(), of a constant for its value too
+  explicit Expression(std::string_view text, Unit unit = Unit::None,
+                      Names names = Names::Quantities);
+
+  /// As it was written, without blanks around it.
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  /// Indices of the quantities it names, none if it is a constant.
+  [[nodiscard]] const std::vector<std::size_t>& quantities() const {
+    return quantities_;
+  }
+
+  /// \throws ExpressionError  if it or a part of it is not finite
+  [[nodiscard]] double value(const QuantityValues& values) const;
+
+ private:
+  class Program;
+  std::string text_;
+  bool degrees_ = false;
+  double constant_ = 0.0;
+  std::vector<std::size_t> quantities_;
+  std::shared_ptr<Program> program_;  ///< nullptr: a constant
+};
 
 }  // namespace brachisto::io

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "io/expression.hpp"
 #include "io/findings.hpp"
+#include "io/quantities.hpp"
 #include "io/suggestion.hpp"
 
 namespace brachisto::io {
@@ -49,17 +49,26 @@ std::size_t word_length(std::string_view text) {
   return static_cast<std::size_t>(end - text.begin());
 }
 
-void check_word(std::string_view word, bool after_number) {
+void check_word(std::string_view word, bool after_number, Names names) {
   if (after_number) {
     throw ExpressionError(fmt::format(
         "{} follows a number directly; a product needs *", in_quotes(word)));
   }
   std::vector<std::string_view> known{"pi"};
   for (const Function& function : kFunctions) known.push_back(function.name);
+  if (names == Names::Quantities) {
+    for (const Quantity& quantity : kQuantities) known.push_back(quantity.name);
+  }
   if (std::ranges::count(known, word) > 0) return;
   if (word == "deg" || word == "rad") {
     throw ExpressionError(
         fmt::format("{} may only stand behind an angle as a whole", word));
+  }
+  if (quantity_named(word) < kQuantities.size()) {
+    throw ExpressionError(
+        fmt::format("{} has no meaning here; only numbers of the section sweep "
+                    "may name quantities",
+                    in_quotes(word)));
   }
   throw ExpressionError(fmt::format("{} has no meaning here{}", in_quotes(word),
                                     suggestion(word, known)));
@@ -83,7 +92,7 @@ std::size_t read_literal(std::string_view text, double& value) {
   return static_cast<std::size_t>(stop - text.data());
 }
 
-void check_tokens(std::string_view text) {
+void check_tokens(std::string_view text, Names names) {
   int depth = 0;
   bool after_number = false;
   while (!text.empty()) {
@@ -97,7 +106,7 @@ void check_tokens(std::string_view text) {
     const char c = text.front();
     if (is_letter(c)) {
       const std::string_view word = text.substr(0, word_length(text));
-      check_word(word, after_number);
+      check_word(word, after_number, names);
       text.remove_prefix(word.size());
       after_number = false;
       continue;

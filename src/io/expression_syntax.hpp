@@ -11,6 +11,8 @@
 #include <span>
 #include <string_view>
 
+#include "io/expression.hpp"
+
 namespace brachisto::io {
 
 /// A function of one or of two numbers that expressions may call.
@@ -31,10 +33,10 @@ inline constexpr std::string_view kBlanks = " \t\n";
 /// \throws ExpressionError  if a double cannot hold it
 [[nodiscard]] std::size_t read_literal(std::string_view text, double& value);
 
-/// Refuses what is not a literal, pi, a function, an operator, a parenthesis or
-/// a comma within parentheses.
+/// Refuses what is not a literal, pi, a name, a function, an operator, a
+/// parenthesis or a comma within parentheses.
 /// \throws ExpressionError
-void check_tokens(std::string_view text);
+void check_tokens(std::string_view text, Names names);
 
 /// Refuses a sum outside of parentheses: `pi/2 - 30 deg` is meant otherwise
 /// than (pi/2 − 30)°.

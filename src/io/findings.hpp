@@ -26,6 +26,13 @@ struct Position {
   }
 };
 
+/// A mistake.
+struct Finding {
+  Position position;
+  std::string key;
+  std::string message;
+};
+
 /// Collects mistakes in any order and reports them in the order of the inputs,
 /// those in overrides without lines and columns.
 class Findings {
@@ -35,16 +42,14 @@ class Findings {
   /// True if a mistake was added for exactly this key.
   [[nodiscard]] bool concern(std::string_view key) const;
 
+  /// All of them, in the order in which they were added.
+  [[nodiscard]] const std::vector<Finding>& all() const { return findings_; }
+
   /// \param sources  names of the inputs: the file, then each override
   /// \throws InputError  if anything was added
   void throw_if_any(const std::vector<std::string>& sources) const;
 
  private:
-  struct Finding {
-    Position position;
-    std::string key;
-    std::string message;
-  };
   std::vector<Finding> findings_;
 };
 

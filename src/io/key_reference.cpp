@@ -14,6 +14,7 @@ namespace {
 std::string_view type_name(KeyType type) {
   switch (type) {
     case KeyType::Map:
+    case KeyType::Sweep:
       return "map";
     case KeyType::Number:
       return "number";

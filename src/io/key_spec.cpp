@@ -8,6 +8,9 @@
 
 #include <algorithm>
 
+#include "io/findings.hpp"
+#include "io/suggestion.hpp"
+
 namespace brachisto::io {
 
 std::string_view KeySpec::name() const {
@@ -23,6 +26,12 @@ const KeySpec* find_key(std::string_view path) {
   const std::span<const KeySpec> table = key_table();
   const auto found = std::ranges::find(table, path, &KeySpec::path);
   return found == table.end() ? nullptr : &*found;
+}
+
+bool is_value_key(std::string_view path) {
+  const KeySpec* spec = find_key(path);
+  return spec != nullptr && path != "version" && spec->type != KeyType::Map &&
+         spec->type != KeyType::Sweep && spec->type != KeyType::Reserved;
 }
 
 std::vector<std::string_view> keys_of(std::string_view map) {
@@ -43,6 +52,22 @@ std::vector<std::string_view> choices_of(const KeySpec& spec) {
   return names;
 }
 
+Unit unit_of(const KeySpec& spec) {
+  return spec.type == KeyType::Angle ? Unit::Angle : Unit::None;
+}
+
+std::string objection(const KeySpec& spec, std::string_view word) {
+  const auto choice = std::ranges::find(spec.choices, word, &Choice::name);
+  if (choice == spec.choices.end()) {
+    return fmt::format("{} was read; expected {}{}", in_quotes(word),
+                       expected(spec), suggestion(word, choices_of(spec)));
+  }
+  if (choice->set != nullptr) return "";
+  return fmt::format(
+      "{} is reserved for a later version of brachisto; expected {}",
+      in_quotes(word), expected(spec));
+}
+
 std::string expected(const KeySpec& spec) {
   std::string text;
   switch (spec.type) {
@@ -51,6 +76,8 @@ std::string expected(const KeySpec& spec) {
                          fmt::join(keys_of(spec.path), ", "));
     case KeyType::Choice:
       return fmt::format("{}", fmt::join(choices_of(spec), " or "));
+    case KeyType::Sweep:
+      return "a map of the keys that vary, as in {scene.body.eta_m: [0, 1/3]}";
     case KeyType::Reserved:
       return "nothing";
     case KeyType::Angle:

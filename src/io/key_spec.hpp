@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
+#include "io/expression.hpp"
 
 namespace brachisto::io {
 
@@ -23,6 +24,7 @@ enum class KeyType {
   Angle,     ///< the same with a suffix
   Integer,   ///< number with an integral value
   Choice,    ///< one of some words
+  Sweep,     ///< map of swept keys
   Reserved,  ///< known, but of a later version of the program
 };
 
@@ -79,11 +81,21 @@ struct KeySpec {
 /// The key with this path, or nullptr.
 [[nodiscard]] const KeySpec* find_key(std::string_view path);
 
+/// True if a key of the problem has a number or a word as its value, so that a
+/// sweep may vary it. Not so `version`, which is no part of the problem.
+[[nodiscard]] bool is_value_key(std::string_view path);
+
 /// Names of the keys that a map may contain, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
 
 /// Names that a Choice may be, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> choices_of(const KeySpec& spec);
+
+/// Whether a number of this key may carry the suffix of an angle.
+[[nodiscard]] Unit unit_of(const KeySpec& spec);
+
+/// Why a word is not one of a Choice, with what is expected; "" if it is.
+[[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);
 
 /// What a value has to be: "a number in m, > 0".
 [[nodiscard]] std::string expected(const KeySpec& spec);

@@ -292,8 +292,11 @@ std::vector<KeySpec> all_keys() {
   for (auto part : {scene_keys(), discretisation_keys(), solver_keys()}) {
     keys.insert(keys.end(), part.begin(), part.end());
   }
-  for (const std::string_view path :
-       {"sweep", "work_precision", "constraints"}) {
+  keys.push_back({.path = "sweep",
+                  .type = KeyType::Sweep,
+                  .description = "keys that vary, which makes one scene into "
+                                 "many; see [Sweeps](#sweeps)"});
+  for (const std::string_view path : {"work_precision", "constraints"}) {
     keys.push_back({.path = path});
   }
   return keys;

@@ -3,25 +3,31 @@
 
 #include "io/overrides.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
+#include "io/key_spec.hpp"
 #include "io/source_text.hpp"
 
 namespace brachisto::io {
 
 namespace {
 
-/// Parts of a dotted key, nothing if one of them is empty.
-std::optional<std::vector<std::string>> parts_of(const std::string& key) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t dot = key.find('.', begin);
-    parts.push_back(key.substr(begin, dot - begin));
-    if (parts.back().empty()) return std::nullopt;
-    if (dot == std::string::npos) return parts;
-    begin = dot + 1;
+/// Joins the parts that together are a key of the problem: in the section
+/// sweep, and only there, such a key is one word with dots.
+void join_swept_keys(std::vector<std::string>& parts) {
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    std::string key = parts[i];
+    for (std::size_t j = i + 1; j < parts.size(); ++j) {
+      key += '.' + parts[j];
+      if (!is_value_key(key)) continue;
+      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(i);
+      *first = key;
+      parts.erase(first + 1,
+                  parts.begin() + static_cast<std::ptrdiff_t>(j + 1));
+      break;
+    }
   }
 }
 
@@ -43,28 +49,20 @@ void apply_override(YamlValue& root, const std::string& text, int source,
   const Position position{source, 1, 1};
   const std::size_t equals = text.find('=');
   const std::string key = text.substr(0, equals);
-  const auto parts = parts_of(key);
-  if (equals == std::string::npos || !parts) {
+  std::vector<std::string> parts = parts_of(key);
+  if (equals == std::string::npos || std::ranges::count(parts, "") > 0) {
     findings.add(position, "",
                  "not an override; expected KEY=VALUE, as in "
                  "scene.body.k=1/2");
     return;
   }
+  if (parts.front() == "sweep") join_swept_keys(parts);
 
-  YamlValue* node = &root;
-  for (const std::string& part : *parts) {
-    if (node->kind == YamlValue::Kind::Null) node->kind = YamlValue::Kind::Map;
-    if (node->kind != YamlValue::Kind::Map) return;
-    Entry* entry = node->find(part);
-    if (entry == nullptr) {
-      node->entries.push_back(
-          {part, position, YamlValue::of(YamlValue::Kind::Null, position)});
-      entry = &node->entries.back();
-    }
-    node = &entry->value;
-  }
-  *node = read_value(text.substr(equals + 1), key, source, findings);
-  if (node->kind == YamlValue::Kind::Null) node->position = position;
+  Entry* entry = make_entry(root, parts, position);
+  if (entry == nullptr) return;
+  YamlValue& value = entry->value;
+  value = read_value(text.substr(equals + 1), key, source, findings);
+  if (value.kind == YamlValue::Kind::Null) value.position = position;
 }
 
 }  // namespace brachisto::io

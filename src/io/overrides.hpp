@@ -15,7 +15,8 @@ namespace brachisto::io {
 
 /// Replaces or adds a value in a tree; maps on the way that are absent or
 /// empty come into being. If something else stands in the way, the tree stays
-/// as it is, for reading it reports that.
+/// as it is, for reading it reports that. Behind "sweep." a key of the problem
+/// is one key of the section, dots and all.
 ///
 /// \param text    KEY=VALUE, VALUE in YAML
 /// \param source  number of the input, ≥ 1, see Position

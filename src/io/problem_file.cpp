@@ -3,65 +3,12 @@
 
 #include "brachisto/io/problem_file.hpp"
 
-#include <fmt/format.h>
-
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
 #include "io/consistency.hpp"
 #include "io/findings.hpp"
-#include "io/overrides.hpp"
+#include "io/input_tree.hpp"
 #include "io/problem_reader.hpp"
-#include "io/source_text.hpp"
-#include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
-
-namespace {
-
-/// Reads a file, but no more than is needed to see that it is too long: it may
-/// be a device without end.
-std::string read_bytes(const std::filesystem::path& path) {
-  const auto fail = [&](const std::string& reason) {
-    throw IoError(fmt::format("{}: {}", path.string(), reason));
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    fail("is a directory; expected a problem file");
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    fail("cannot be opened: " + std::generic_category().message(errno));
-  }
-  std::string bytes(kMaxFileSize + 1, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad()) {
-    fail("cannot be read: " + std::generic_category().message(errno));
-  }
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
-
-/// The tree of a file, which has to contain something.
-YamlValue read_tree(std::string_view text, const std::string& name,
-                    Findings& findings) {
-  try {
-    YamlValue root = parse_yaml(prepared_text(text, 0), 0, findings);
-    if (root.kind == YamlValue::Kind::Null) {
-      throw SyntaxError({0, 1, 1},
-                        "the file is empty; expected at least the "
-                        "key scene");
-    }
-    return root;
-  } catch (const SyntaxError& error) {
-    throw InputError(
-        {{name, error.position.line, error.position.column, "", error.what()}});
-  }
-}
-
-}  // namespace
 
 ProblemFile read_problem_file(const std::filesystem::path& path,
                               const std::vector<std::string>& overrides) {
@@ -71,18 +18,12 @@ ProblemFile read_problem_file(const std::filesystem::path& path,
 ProblemFile read_problem_text(std::string_view text, const std::string& name,
                               const std::vector<std::string>& overrides) {
   Findings findings;
-  std::vector<std::string> sources{name};
-  YamlValue root = read_tree(text, name, findings);
-  for (const std::string& change : overrides) {
-    sources.push_back("--set " + printable(change));
-    apply_override(root, change, static_cast<int>(sources.size()) - 1,
-                   findings);
-  }
-  const ProblemFile problem = ProblemReader(findings).read(root);
-  check_body(root, problem, findings);
-  check_mesh(root, problem, findings);
-  check_scene(root, problem, findings);
-  findings.throw_if_any(sources);
+  const InputTree input = read_input_tree(text, name, overrides, findings);
+  const ProblemFile problem = ProblemReader(findings).read(input.root);
+  check_body(input.root, problem, findings);
+  check_mesh(input.root, problem, findings);
+  check_scene(input.root, problem, findings);
+  findings.throw_if_any(input.sources);
   return problem;
 }
 

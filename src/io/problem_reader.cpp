@@ -41,7 +41,6 @@ std::string allowed_in(std::string_view map) {
 }  // namespace
 
 ProblemFile ProblemReader::read(const YamlValue& root) {
-  problem_ = {};
   if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
     read_map(root, "", root.position);
   } else if (root.kind != YamlValue::Kind::Refused) {
@@ -76,6 +75,10 @@ void ProblemReader::read_entry(const Entry& entry, std::string_view map) {
     findings_.add(entry.position, std::string(spec->path),
                   fmt::format("reserved for a later version of brachisto; {}",
                               allowed_in(map)));
+  } else if (spec->type == KeyType::Sweep) {
+    findings_.add(entry.position, std::string(spec->path),
+                  "this section makes the file a sweep of many scenes, not one "
+                  "problem; `brachisto sweep FILE` solves them all");
   } else {
     read_value(*spec, entry);
   }
@@ -123,10 +126,9 @@ void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
                   fmt::format("{} {}; expected {}", in_quotes(node.text),
                               reason, expected(spec)));
   };
-  const Unit unit = spec.type == KeyType::Angle ? Unit::Angle : Unit::None;
   double value = 0.0;
   try {
-    value = evaluate(node.text, unit);
+    value = evaluate(node.text, unit_of(spec));
   } catch (const ExpressionError& error) {
     refuse(fmt::format("is not a number: {}", error.what()));
     return;
@@ -141,20 +143,11 @@ void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
 }
 
 void ProblemReader::read_choice(const KeySpec& spec, const YamlValue& node) {
-  const auto choice = std::ranges::find(spec.choices, node.text, &Choice::name);
-  if (choice == spec.choices.end()) {
-    findings_.add(
-        node.position, std::string(spec.path),
-        fmt::format("{} was read; expected {}{}", in_quotes(node.text),
-                    expected(spec), suggestion(node.text, choices_of(spec))));
-  } else if (choice->set == nullptr) {
-    findings_.add(
-        node.position, std::string(spec.path),
-        fmt::format("{} is reserved for a later version of brachisto; "
-                    "expected {}",
-                    in_quotes(node.text), expected(spec)));
+  std::string message = objection(spec, node.text);
+  if (message.empty()) {
+    std::ranges::find(spec.choices, node.text, &Choice::name)->set(problem_);
   } else {
-    choice->set(problem_);
+    findings_.add(node.position, std::string(spec.path), std::move(message));
   }
 }
 

@@ -19,14 +19,22 @@ namespace brachisto::io {
 /// problem is of use only if there are none.
 class ProblemReader {
  public:
-  explicit ProblemReader(Findings& findings) : findings_(findings) {}
+  /// \param start  what holds for keys that are not read
+  explicit ProblemReader(Findings& findings, const ProblemFile& start = {})
+      : problem_(start), findings_(findings) {}
 
+  /// Reads a whole tree.
   [[nodiscard]] ProblemFile read(const YamlValue& root);
+
+  /// Reads the value of one key.
+  void read_value(const KeySpec& spec, const Entry& entry);
+
+  /// What was read so far.
+  [[nodiscard]] const ProblemFile& problem() const { return problem_; }
 
  private:
   void read_map(const YamlValue& map, std::string_view path, Position position);
   void read_entry(const Entry& entry, std::string_view map);
-  void read_value(const KeySpec& spec, const Entry& entry);
   void read_number(const KeySpec& spec, const YamlValue& node);
   void read_choice(const KeySpec& spec, const YamlValue& node);
   void refuse_unknown(const Entry& entry, std::string_view map);

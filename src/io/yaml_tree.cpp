@@ -52,6 +52,34 @@ const Entry* find_entry(const YamlValue& root, std::string_view path) {
   }
 }
 
+Entry* make_entry(YamlValue& root, const std::vector<std::string>& parts,
+                  Position position) {
+  YamlValue* node = &root;
+  Entry* entry = nullptr;
+  for (const std::string& part : parts) {
+    if (node->kind == YamlValue::Kind::Null) node->kind = YamlValue::Kind::Map;
+    if (node->kind != YamlValue::Kind::Map) return nullptr;
+    entry = node->find(part);
+    if (entry == nullptr) {
+      node->entries.push_back(
+          {part, position, YamlValue::of(YamlValue::Kind::Null, position)});
+      entry = &node->entries.back();
+    }
+    node = &entry->value;
+  }
+  return entry;
+}
+
+std::vector<std::string> parts_of(std::string_view key) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t dot = key.find('.');
+    parts.emplace_back(key.substr(0, dot));
+    if (dot == std::string_view::npos) return parts;
+    key.remove_prefix(dot + 1);
+  }
+}
+
 Position position_of(const YamlValue& root, std::string_view key) {
   const YamlValue* node = &root;
   Position position = root.position;

@@ -55,6 +55,20 @@ struct Entry {
 [[nodiscard]] const Entry* find_entry(const YamlValue& root,
                                       std::string_view path);
 
+/// The entry at the end of a path, made if it is not there; so are maps on the
+/// way that are absent or empty.
+///
+/// \param parts     of the path, at least one
+/// \param position  of what is made
+/// \return nullptr if something else than a map stands in the way; valid until
+///         the next entry is made
+[[nodiscard]] Entry* make_entry(YamlValue& root,
+                                const std::vector<std::string>& parts,
+                                Position position);
+
+/// Parts of a dotted key, some of which may be empty.
+[[nodiscard]] std::vector<std::string> parts_of(std::string_view key);
+
 /// Place of the value of a dotted key, of the nearest map above it if the key
 /// is absent.
 [[nodiscard]] Position position_of(const YamlValue& root, std::string_view key);

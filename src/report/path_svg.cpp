@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <vector>
+
+#include "report/axis.hpp"
+#include "report/svg.hpp"
 
 namespace brachisto::report {
 
@@ -34,16 +36,6 @@ struct Box {
   }
 };
 
-/// 1, 2 or 5 times a power of ten, so that about `count` steps fill `span`.
-double tick_step(double span, int count) {
-  const double raw = span / count;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= raw) return factor * power;
-  }
-  return 10.0 * power;
-}
-
 /// The drawing: maps metres to pixels and collects elements.
 class Canvas {
  public:
@@ -65,49 +57,37 @@ class Canvas {
     return kMarginTop + (metres - box_.top) * scale_;
   }
 
+  [[nodiscard]] Pixel pixel(Point p) const { return {x(p.x), z(p.z)}; }
+  [[nodiscard]] double pixels(double metres) const { return metres * scale_; }
+
   void curve(const std::vector<Point>& points, std::string_view style) {
-    put("<polyline {} points=\"", style);
-    for (const Point& p : points) put("{:.2f},{:.2f} ", x(p.x), z(p.z));
-    out_ += "\"/>\n";
+    std::vector<Pixel> drawn;
+    drawn.reserve(points.size());
+    for (const Point& p : points) drawn.push_back(pixel(p));
+    svg_.polyline(drawn, style);
   }
-  void circle(Point centre, double pixels, std::string_view style) {
-    put("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", x(centre.x),
-        z(centre.z), pixels, style);
+  void circle(Point centre, double radius, std::string_view style) {
+    svg_.circle(pixel(centre), radius, style);
   }
   void text(double px, double py, std::string_view attributes,
             std::string_view content) {
-    put("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", px, py, attributes,
-        content);
+    svg_.text({px, py}, attributes, content);
   }
   void line(double x1, double y1, double x2, double y2,
             std::string_view style) {
-    put("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n",
-        x1, y1, x2, y2, style);
+    svg_.line({x1, y1}, {x2, y2}, style);
   }
-  [[nodiscard]] double pixels(double metres) const { return metres * scale_; }
   void axes();
 
   [[nodiscard]] std::string document() const {
-    const double w = width() + kMarginLeft + kMarginRight;
-    const double h = height() + kMarginTop + kMarginBottom;
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-        "font-family=\"sans-serif\" font-size=\"14\">\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{2}</svg>\n",
-        w, h, out_);
+    return svg_.document(width() + kMarginLeft + kMarginRight,
+                         height() + kMarginTop + kMarginBottom);
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(out_), format,
-                   std::forward<Args>(args)...);
-  }
-
   Box box_;
   double scale_;
-  std::string out_;
+  Svg svg_;
 };
 
 void Canvas::axes() {

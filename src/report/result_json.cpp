@@ -73,14 +73,9 @@ Json options_json(const SolveOptions& options) {
 }
 
 Json provenance_json(const SolveOptions& options) {
-  const Provenance made_with = provenance();
-  return {{"brachisto", made_with.brachisto},
-          {"ipopt", made_with.ipopt},
-          {"mumps", made_with.mumps},
-          {"blas", made_with.blas},
-          {"suitesparse", made_with.suitesparse},
-          {"compiler", made_with.compiler},
-          {"options", options_json(options)}};
+  Json json = Json::parse(report::provenance_json());
+  json["options"] = options_json(options);
+  return json;
 }
 
 Json check_json(const Check& check) {

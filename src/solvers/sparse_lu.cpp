@@ -33,6 +33,19 @@ int parity(std::span<const int> permutation) {
   return sign;
 }
 
+/// The entries of `order` by ascending key, equal keys left in order, in linear
+/// time.
+std::vector<int> sorted_by(std::span<const int> keys, int num_keys,
+                           std::span<const int> order) {
+  std::vector<int> place(at(num_keys) + 1, 0);
+  for (const int key : keys) ++place[at(key) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<int> sorted(order.size());
+  for (const int entry : order)
+    sorted[at(place[at(keys[at(entry)])]++)] = entry;
+  return sorted;
+}
+
 }  // namespace
 
 SparseLu::SparseLu(const nlp::SparsityPattern& pattern,
@@ -52,12 +65,8 @@ SparseLu::SparseLu(const nlp::SparsityPattern& pattern,
   // Sort entries by column, then row; equal positions share a slot.
   std::vector<int> order(pattern.num_entries());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    const auto key = [&](int e) {
-      return std::pair(pattern.cols[at(e)], pattern.rows[at(e)]);
-    };
-    return key(a) < key(b);
-  });
+  order = sorted_by(pattern.rows, size_, order);
+  order = sorted_by(pattern.cols, size_, order);
   column_starts_.assign(at(size_) + 1, 0);
   int column = -1;
   for (const int entry : order) {

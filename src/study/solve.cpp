@@ -78,6 +78,12 @@ bool under_resolved(const Certificate& certificate) {
                      });
 }
 
+/// True if the answer is the end of one branch that is followed.
+bool follows_the_branch(const SolveOptions& options) {
+  return options.method == Method::Ipopt &&
+         options.search == Search::Principal && options.guess == Guess::Cycloid;
+}
+
 /// One solve: its parts share the scene, the budget and the protocol.
 class Run {
  public:
@@ -96,11 +102,21 @@ class Run {
     out_.options = options;
   }
 
-  Solution execute() {
-    find();
+  /// \param neighbour  where to begin; nullptr: with the cycloid
+  Solution execute(const Neighbour* neighbour) {
+    if (neighbour != nullptr) {
+      find_beside(*neighbour);
+    } else {
+      find();
+    }
     if (stop().met() && out_.status != Status::IterationLimit) {
       out_.status =
           stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+      out_.message =
+          stop().interrupted()
+              ? "stopped by a signal before the end"
+              : fmt::format("the limit of {:g} s was reached",
+                            options_.limits.seconds);
       out_.trajectory.reset();
     }
     out_.effort.seconds = seconds_since(start_time_);
@@ -109,11 +125,12 @@ class Run {
 
  private:
   void find();
+  void find_beside(const Neighbour& neighbour);
   void find_fastest(const CycloidArc& arc, const Continuation& principal);
   void find_by_shooting();
   void follow_folds(Continuation& principal);
   void try_other_start(const CycloidArc& arc, const Continuation& principal);
-  void answer_from(const Continuation& principal);
+  void answer_from(const Continuation& start);
   void report(MeshAnswer& answer);
   void book(const Refinement& refinement);
   [[nodiscard]] ExtremalSolution shoot(double tolerance);
@@ -162,6 +179,11 @@ void Run::report(MeshAnswer& answer) {
   out_.constraints = answer.problem.num_constraints();
   out_.trajectory.emplace(answer.curve(), scene_, units_);
   out_.diagnostics = out_.trajectory->diagnose();
+  // What lies beyond a fold is not what neighbours continue from the cycloid.
+  if (out_.folds.empty() && follows_the_branch(options_)) {
+    out_.as_neighbour = {scene_, answer.problem.mesh(), answer.solution.point,
+                         answer.solution.closure.phi};
+  }
   const auto begin = StopCondition::Clock::now();
   out_.certificate = certify_answer(answer, options_.discretisation);
   if (options_.certify == Certify::Extremal) {
@@ -306,14 +328,24 @@ void Run::find() {
   answer_from(principal);
 }
 
+void Run::find_beside(const Neighbour& neighbour) {
+  const Continuation found =
+      continue_from_neighbour(natural_, neighbour, stop());
+  out_.effort.newton_steps += found.newton_steps;
+  out_.effort.continuation = found.steps;
+  out_.status = found.status;
+  out_.message = found.message;
+  if (found.curve) answer_from(found);
+}
+
 /// Refines until T is as accurate as wanted and, where the path bends sharply,
 /// until it is resolved between the nodes too.
-void Run::answer_from(const Continuation& principal) {
+void Run::answer_from(const Continuation& start) {
   constexpr int kRounds = 3;
   constexpr double kTighter = 1e-2;
   Discretisation wanted = options_.discretisation;
-  ExtremalCurve curve = *principal.curve;
-  double phi = principal.phi;
+  ExtremalCurve curve = *start.curve;
+  double phi = start.phi;
   for (int round = 0; round < kRounds; ++round) {
     Refinement refinement = refine(natural_, wanted, curve, phi, budget());
     book(refinement);
@@ -345,7 +377,12 @@ Solution solve(const Scene& scene, const SolveOptions& options,
     }
     throw std::invalid_argument(text);
   }
-  return Run(scene, options, hooks).execute();
+  if (hooks.neighbour != nullptr && comparable(scene, hooks.neighbour->scene) &&
+      follows_the_branch(options)) {
+    Solution beside = Run(scene, options, hooks).execute(hooks.neighbour);
+    if (beside.verified()) return beside;
+  }
+  return Run(scene, options, hooks).execute(nullptr);
 }
 
 }  // namespace brachisto

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,44 +24,14 @@
 #include <utility>
 #include <vector>
 
-namespace brachisto::testing {
+#include "support/scratch_directory.hpp"
 
-namespace fs = std::filesystem;
+namespace brachisto::testing {
 
 /// A problem file of the paper.
 [[nodiscard]] inline std::string paper_problem(const std::string& name) {
   return BRACHISTO_PROBLEMS_DIR "/paper/" + name + ".yaml";
 }
-
-/// A directory that goes away with its owner.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name =
-        (fs::temp_directory_path() / "brachisto-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("no temporary directory");
-    }
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  /// Writes a file and gives its path.
-  [[nodiscard]] std::string file(const std::string& name,
-                                 const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
-    return (path_ / name).string();
-  }
-
- private:
-  fs::path path_;
-};
 
 /// What a finished process left.
 struct Output {

@@ -8,12 +8,14 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "brachisto/io/key_table.hpp"
 #include "brachisto/study/solve.hpp"
 #include "io/expression.hpp"
 #include "io/key_spec.hpp"
 #include "io/reading.hpp"
+#include "io/sweep_reading.hpp"
 
 namespace brachisto::io {
 namespace {
@@ -52,9 +54,26 @@ TEST(Documentation, ExampleHasEveryKey) {
 
   for (const KeySpec& spec : key_table()) {
     if (spec.type == KeyType::Reserved) continue;
+    if (spec.type == KeyType::Sweep) continue;  // makes it another file
     EXPECT_NE(example.find(std::string(spec.name()) + ":"), std::string::npos)
         << spec.path;
   }
+}
+
+TEST(Documentation, SweepsAreRead) {
+  const std::string text = documentation();
+  const std::string sweeps = between(text, "## Sweeps\n", "\n## ");
+  std::vector<std::size_t> scenes;
+
+  for (std::size_t at = sweeps.find("```yaml\n"); at != std::string::npos;
+       at = sweeps.find("```yaml\n", at + 1)) {
+    std::string example = between(sweeps, "```yaml\n", "```", at);
+    if (!example.starts_with("scene:")) example = kCylinder + example;
+    EXPECT_EQ(sweep_text_errors(example), "") << example;
+    scenes.push_back(read_sweep_text(example, "example").num_scenes());
+  }
+
+  EXPECT_EQ(scenes, (std::vector<std::size_t>{41 * 61, 10, 2 * 3, 100}));
 }
 
 TEST(Documentation, ErrorsAreThoseOfTheProgram) {

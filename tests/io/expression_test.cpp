@@ -178,6 +178,60 @@ TEST(Expression, UnfinishedOnesAreRefused) {
   EXPECT_NE(refusal("max(1)"), "");
 }
 
+TEST(Expression, NamesStandForQuantities) {
+  const QuantityValues scene{0.25, 0.5, 1.5, 0.75, 3.0, 2.0};
+  const auto value = [&](const std::string& text, Unit unit = Unit::None) {
+    return Expression(text, unit).value(scene);
+  };
+
+  EXPECT_EQ(value("r"), 0.25);
+  EXPECT_EQ(value("eta_m"), 0.5);
+  EXPECT_EQ(value("theta_m"), 1.5);
+  EXPECT_EQ(value("k"), 0.75);
+  EXPECT_EQ(value("L"), 3.0);
+  EXPECT_EQ(value("H"), 2.0);
+  EXPECT_EQ(value("sqrt(1-k) + L^H"), std::sqrt(0.25) + 9.0);
+  EXPECT_EQ(value("eta_m*90 deg", Unit::Angle), kPi / 4);
+  EXPECT_EQ(value("(eta_m + 1) rad", Unit::Angle), 1.5);
+}
+
+TEST(Expression, NamesAreEvaluatedAnewEachTime) {
+  const Expression expression("k^2 + 1/2");
+
+  for (const double k : {0.1, 0.7, 3.0}) {
+    EXPECT_EQ(expression.value({0, 0, 0, k, 0, 0}), k * k + 0.5);
+  }
+}
+
+TEST(Expression, TellsWhichNamesItHas) {
+  EXPECT_TRUE(Expression("sqrt(2)").quantities().empty());
+  EXPECT_EQ(Expression("H/L").quantities().size(), 2u);
+  EXPECT_EQ(Expression("k - k").quantities(),
+            std::vector<std::size_t>{quantity_named("k")});
+}
+
+TEST(Expression, WithNamesIsCheckedAtOnce) {
+  const auto refused = [](const std::string& text) {
+    try {
+      static_cast<void>(Expression(text));
+    } catch (const ExpressionError&) {
+      return true;
+    }
+    return false;
+  };
+
+  for (const std::string text : {"k +", "2k", "k(2)", "(k", "k L", "K", "g",
+                                 "k deg", "k = 2", "sqrt k"}) {
+    EXPECT_TRUE(refused(text)) << text;
+  }
+}
+
+TEST(Expression, NamesAreRefusedWhereThereAreNone) {
+  EXPECT_EQ(refusal("sqrt(1-k)"),
+            "\"k\" has no meaning here; only numbers of the section sweep may "
+            "name quantities");
+}
+
 TEST(Expression, LengthIsLimited) {
   const std::string longest(kMaxExpressionLength, '1');
 

@@ -39,10 +39,10 @@ TEST(StrictValues, MapsAreMaps) {
             "the keys body, finish, gravity, contact");
   EXPECT_EQ(errors("- scene\n"),
             "p.yaml:1:1: a list was read; expected a map with the keys "
-            "version, scene, discretisation, solver");
+            "version, scene, discretisation, solver, sweep");
   EXPECT_EQ(errors("scene\n"),
             "p.yaml:1:1: a single value was read; expected a map with the keys "
-            "version, scene, discretisation, solver");
+            "version, scene, discretisation, solver, sweep");
 }
 
 TEST(StrictValues, SectionsMayBeEmpty) {

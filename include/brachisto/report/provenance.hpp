@@ -22,4 +22,7 @@ struct Provenance {
 
 [[nodiscard]] Provenance provenance();
 
+/// The same as a JSON document.
+[[nodiscard]] std::string provenance_json();
+
 }  // namespace brachisto::report

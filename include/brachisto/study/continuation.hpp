@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The principal branch: the extremal that continues from the cycloid as the
-/// offset η_m of the centre of mass grows from zero.
+/// Extremals that continue others: the principal branch, which begins with the
+/// cycloid as the offset η_m of the centre of mass grows from zero, and the
+/// extremals of neighbouring scenes.
 
 #pragma once
 
@@ -12,9 +13,11 @@
 #include <vector>
 
 #include "brachisto/model/cycloid.hpp"
+#include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/solvers/stop_condition.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
+#include "brachisto/transcription/mesh.hpp"
 
 namespace brachisto {
 
@@ -36,6 +39,14 @@ struct Continuation {
   int rejected_steps = 0;
 };
 
+/// An extremal that was found for a scene not far away.
+struct Neighbour {
+  Scene scene;
+  Mesh mesh;
+  PrimalDual point;  ///< of the problem in natural units on that mesh
+  double phi = 0.0;  ///< [rad]
+};
+
 /// Follows the extremal of `scene` from η_m = 0, where it is the given cycloid,
 /// to the scene's η_m on a fixed mesh.
 ///
@@ -51,5 +62,16 @@ struct Continuation {
                                                  const CycloidArc& arc,
                                                  const Mesh& mesh,
                                                  const StopCondition& stop);
+
+/// True if the extremals of both scenes have the same unknowns.
+[[nodiscard]] bool comparable(const Scene& a, const Scene& b);
+
+/// Follows the extremal of a neighbour on its own mesh along the straight line
+/// between the two scenes, with the same care; usually in one step.
+///
+/// \param scene  in natural units, comparable() with the neighbour's
+[[nodiscard]] Continuation continue_from_neighbour(const Scene& scene,
+                                                   const Neighbour& neighbour,
+                                                   const StopCondition& stop);
 
 }  // namespace brachisto

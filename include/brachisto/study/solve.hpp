@@ -62,7 +62,8 @@ struct Solution {
   std::optional<ColdStart> cold_start;
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
   std::optional<ExtremalOpinion> extremal;
-  std::string log;  ///< of Ipopt, if asked for
+  std::optional<Neighbour> as_neighbour;  ///< for scenes not far from this one
+  std::string log;                        ///< of Ipopt, if asked for
 
   /// Solved, and every check of the certificate passed.
   [[nodiscard]] bool verified() const {
@@ -77,6 +78,10 @@ struct Solution {
 struct SolveHooks {
   const std::atomic<int>* interrupt = nullptr;  ///< nonzero: stop
   bool verbose = false;                         ///< keep the solver's log
+  /// A solved scene not far away. If its extremal can be followed to this scene
+  /// the continuation from the cycloid is spared; if not, or if the result is
+  /// not verified, it is not used.
+  const Neighbour* neighbour = nullptr;
 };
 
 /// Finds the fastest track of a scene.

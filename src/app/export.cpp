@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto export DIR: the results of a sweep as a flat table.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "sweep/table.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct ExportFlags {
+  std::string directory;
+  bool csv = false;
+  bool json = false;
+};
+
+int run(const ExportFlags& flags) {
+  sweep::Store store =
+      sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
+  const sweep::Job job = sweep::job_from_line(store.info().job);
+  fmt::print("{}", flags.json ? sweep::export_json(store, job)
+                              : sweep::export_csv(store, job));
+  const std::size_t finished = store.num_results();
+  if (finished < job.file.num_scenes()) {
+    fmt::print(stderr, "{}: {} of {} scenes are finished\n", flags.directory,
+               finished, job.file.num_scenes());
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<ExportFlags>();
+  CLI::App* verb = app.add_subcommand(
+      "export", "Print the results of a sweep as a flat table");
+  verb->add_option("DIR", flags->directory, "Directory of the sweep")
+      ->required();
+  CLI::App* form = verb->add_option_group("form");
+  form->add_flag("--csv", flags->csv, "Comma-separated values");
+  form->add_flag("--json", flags->json, "One JSON document");
+  form->require_option(1);
+  verb->footer(
+      "Examples:\n"
+      "  brachisto export map --csv > map.csv\n"
+      "  brachisto export map --json | jq '.rows[0].tau'");
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto report DIR: a sweep as a page with figures.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/sweep_page.hpp"
+#include "sweep/table.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct ReportFlags {
+  std::string directory;
+  bool force = false;
+  bool quiet = false;
+};
+
+int run(const ReportFlags& flags) {
+  sweep::Store store =
+      sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
+  const sweep::Job job = sweep::job_from_line(store.info().job);
+  const auto files = report::sweep_report(read_table(store, job));
+  const std::filesystem::path out =
+      std::filesystem::path(flags.directory) / "report";
+  report::write_files(out, files, flags.force);
+  if (!flags.quiet) {
+    for (const report::OutputFile& file : files) {
+      fmt::print("{}\n", (out / file.name).string());
+    }
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<ReportFlags>();
+  CLI::App* verb = app.add_subcommand(
+      "report", "Draw the results of a sweep into DIR/report");
+  verb->add_option("DIR", flags->directory, "Directory of the sweep")
+      ->required();
+  verb->add_flag("--force", flags->force, "Replace an earlier report");
+  verb->add_flag("--quiet", flags->quiet, "Do not list what was written");
+  verb->footer(
+      "Example:\n  brachisto report map && xdg-open map/report/index.html");
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace brachisto::app

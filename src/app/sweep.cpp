@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto sweep FILE: a family of scenes, by several processes.
+
+#include <fmt/format.h>
+#include <sys/sysinfo.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/report/provenance.hpp"
+#include "brachisto/report/result_json.hpp"
+#include "sweep/directory_lock.hpp"
+#include "sweep/manager.hpp"
+#include "sweep/outcome.hpp"
+#include "sweep/progress.hpp"
+#include "sweep/worker.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+using sweep::Counts;
+using sweep::Database;
+using sweep::Job;
+using sweep::Shard;
+using sweep::Store;
+using sweep::StoreError;
+using sweep::StoreInfo;
+
+struct SweepFlags : CommonFlags {
+  std::string out;
+  std::string shard = "1/1";
+  std::string program;
+  int jobs = 0;
+  double timeout = 0.0;
+  double memory = -1.0;
+  bool resume = false;
+  bool force = false;
+};
+
+StoreInfo describe(const Job& job, const std::string& shard) {
+  const report::Provenance made_with = report::provenance();
+  return {.job = sweep::to_line(job),
+          .input_hash = sweep::input_hash(job.file),
+          .version = made_with.brachisto,
+          .shard = shard,
+          .provenance = report::provenance_json()};
+}
+
+/// Refuses to go on with a store of something else.
+void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
+                const std::string& directory) {
+  const StoreInfo& stored = store.info();
+  const auto refuse = [&](const std::string& reason) {
+    throw StoreError(fmt::format(
+        "{}: cannot be resumed: {}. Use another --out, or --force to begin "
+        "again",
+        directory, reason));
+  };
+  if (stored.version != wanted.version) {
+    refuse(fmt::format("it was made by brachisto {}, this is {}",
+                       stored.version, wanted.version));
+  }
+  if (stored.input_hash != wanted.input_hash) {
+    refuse(sweep::difference(sweep::job_from_line(stored.job).file, job.file));
+  }
+  if (stored.shard != wanted.shard && stored.shard != sweep::kMerged) {
+    refuse(fmt::format("it is shard {}, not {}", stored.shard, wanted.shard));
+  }
+}
+
+Store open_store(const SweepFlags& flags, const Job& job,
+                 const StoreInfo& wanted) {
+  if (flags.force) Store::remove(flags.out);
+  if (!Store::exists(flags.out)) return Store::create(flags.out, wanted);
+  if (!flags.resume) {
+    throw StoreError(fmt::format(
+        "{}: has a sweep already; --resume goes on with it, --force begins "
+        "again",
+        flags.out));
+  }
+  Store store = Store::open(flags.out, Database::Access::ReadWrite);
+  check_same(store, wanted, job, flags.out);
+  return store;
+}
+
+sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
+                                      const std::atomic<int>& signal) {
+  sweep::ManagerOptions options;
+  options.program = flags.program.empty() ? "/proc/self/exe" : flags.program;
+  options.jobs =
+      flags.jobs > 0
+          ? flags.jobs
+          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  // A solve stops itself at its own limit, give or take an iteration.
+  const double own_limit = job.file.problem(0).options.limits.seconds;
+  options.seconds_per_scene =
+      flags.timeout > 0.0 ? flags.timeout : 2.0 * own_limit + 60.0;
+  constexpr double kMebibyte = 1024.0 * 1024.0;
+  if (flags.memory >= 0.0) {
+    options.memory = static_cast<std::size_t>(flags.memory * kMebibyte);
+  } else {
+    struct sysinfo machine {};
+    ::sysinfo(&machine);
+    options.memory = machine.totalram * machine.mem_unit /
+                     static_cast<std::size_t>(options.jobs);
+  }
+  options.shard = Shard::parse(flags.shard);
+  options.interrupt = &signal;
+  return options;
+}
+
+/// Scenes that failed, the first few with their reasons.
+std::string failures(Store& store) {
+  constexpr int kShown = 10;
+  std::string text;
+  int count = 0;
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    const SweepOutcome outcome = sweep::read_outcome(document);
+    if (outcome.state == SweepOutcome::State::Verified) return;
+    if (++count <= kShown) {
+      text += fmt::format("  scene {}: {}: {}\n", scene, outcome.status,
+                          outcome.message);
+    }
+  });
+  if (count > kShown) text += fmt::format("  and {} more\n", count - kShown);
+  return text;
+}
+
+void print_results(const SweepFlags& flags, const Counts& counts,
+                   double seconds, int signal, Store& store) {
+  if (flags.json) {
+    const nlohmann::ordered_json document = {
+        {"schema_version", report::kSchemaVersion},
+        {"status", signal != 0         ? "interrupted"
+                   : counts.failed > 0 ? "some_failed"
+                                       : "solved"},
+        {"scenes", counts.scenes},
+        {"finished", counts.finished()},
+        {"verified", counts.verified},
+        {"feasible", counts.feasible},
+        {"failed", counts.failed},
+        {"new", counts.finished() - counts.before},
+        {"seconds", seconds},
+        {"store",
+         (std::filesystem::path(flags.out) / Store::kFileName).string()}};
+    fmt::print("{}\n", document.dump(2));
+  } else if (!flags.quiet) {
+    fmt::print(
+        "{}: {} of {} scenes finished, {} of them now in {:.1f} s\n"
+        "  verified {} (feasible {}), failed {}\n{}",
+        flags.out, counts.finished(), counts.scenes,
+        counts.finished() - counts.before, seconds, counts.verified,
+        counts.feasible, counts.failed, failures(store));
+    if (signal != 0) fmt::print("  stopped; --resume goes on\n");
+  }
+}
+
+int run(const SweepFlags& flags) {
+  const Job job = sweep::read_job(flags.file, flags.overrides);
+  const StoreInfo wanted = describe(job, Shard::parse(flags.shard).name());
+  const std::atomic<int>& signal = catch_signals();
+  const sweep::DirectoryLock lock(flags.out);
+  Store store = open_store(flags, job, wanted);
+
+  sweep::Progress progress(flags.quiet ? sweep::Progress::Form::None
+                                       : sweep::Progress::form_of_stderr());
+  const auto start = std::chrono::steady_clock::now();
+  const Counts counts =
+      run_manager(job, store, manager_options(flags, job, signal),
+                  [&](const Counts& now) { progress.show(now); });
+  progress.finish(counts);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+  const int received = counts.finished() < counts.scenes ? signal.load() : 0;
+  print_results(flags, counts, seconds, received, store);
+  if (received != 0) return kSignalBase + received;
+  return counts.failed == 0 ? kSuccess : kNotSolved;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<SweepFlags>();
+  CLI::App* verb = app.add_subcommand(
+      "sweep", "Solve the family of scenes of a problem file");
+  flags->add_to(*verb);
+  verb->add_option("--out", flags->out, "Keep the results in DIR/sweep.sqlite")
+      ->type_name("DIR")
+      ->required();
+  verb->add_option("--jobs", flags->jobs,
+                   "Worker processes; default: one per core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  verb->add_option("--shard", flags->shard,
+                   "Do the i-th of N parts only; `merge` joins them")
+      ->type_name("i/N")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          (void)Shard::parse(text);
+          return {};
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      });
+  verb->add_flag("--resume", flags->resume,
+                 "Go on with the results in DIR, if there are any");
+  verb->add_flag("--force", flags->force, "Replace the results in DIR")
+      ->excludes("--resume");
+  verb->add_option("--timeout", flags->timeout,
+                   "Kill a worker that takes longer for one scene; default: "
+                   "twice solver.limits.seconds and a minute")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--memory", flags->memory,
+                   "Bound on a worker's address space, 0 for none; default: "
+                   "the machine's memory / N")
+      ->type_name("MIB")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--worker", flags->program,
+                   "Program to run as worker, for tests")
+      ->type_name("PROGRAM")
+      ->check(CLI::ExistingFile)
+      ->group("");
+  verb->footer(
+      "Examples:\n"
+      "  brachisto sweep map.yaml --out map\n"
+      "  brachisto sweep map.yaml --out map --resume\n"
+      "  brachisto sweep map.yaml --out part2 --shard 2/4\n"
+      "  brachisto export map --csv > map.csv\n"
+      "  brachisto report map\n"
+      "Exit codes: 0 all solved and verified, 3 bad input file, 4 some are\n"
+      "not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.");
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+void add_worker(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "worker", "Solve what the manager of a sweep asks for");
+  verb->group("");  // not for people
+  verb->callback([&exit_code] {
+    std::ios::sync_with_stdio(false);
+    sweep::run_worker(std::cin, std::cout);
+    exit_code = kSuccess;
+  });
+}
+
+}  // namespace brachisto::app

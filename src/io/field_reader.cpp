@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/field_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/suggestion.hpp"
+
+namespace brachisto::io {
+
+std::string not_a_number(std::string_view text, const ExpressionError& error,
+                         std::string_view expected) {
+  return fmt::format("{} is not a number: {}; expected {}", in_quotes(text),
+                     error.what(), expected);
+}
+
+void FieldReader::allow_only(const std::vector<std::string_view>& names) const {
+  for (const Entry& entry : map_.entries) {
+    if (std::ranges::count(names, entry.key) > 0) continue;
+    findings_.add(
+        entry.position, fmt::format("{}.{}", key_, printable(entry.key)),
+        fmt::format("unknown key; allowed in {}: {}{}", key_,
+                    fmt::join(names, ", "), suggestion(entry.key, names)));
+  }
+}
+
+bool FieldReader::has(std::string_view name) const {
+  return map_.find(name) != nullptr;
+}
+
+void FieldReader::refuse(std::string_view name, std::string message) const {
+  const Entry* entry = map_.find(name);
+  findings_.add(entry != nullptr ? entry->value.position : where_,
+                fmt::format("{}.{}", key_, name), std::move(message));
+}
+
+const YamlValue* FieldReader::scalar(std::string_view name,
+                                     std::string_view expected,
+                                     bool optional) const {
+  const Entry* entry = map_.find(name);
+  if (entry == nullptr) {
+    if (!optional) refuse(name, fmt::format("missing; expected {}", expected));
+    return nullptr;
+  }
+  const YamlValue& value = entry->value;
+  if (value.kind == YamlValue::Kind::Scalar) return &value;
+  if (value.kind != YamlValue::Kind::Refused) {
+    refuse(name, fmt::format("{} was read; expected {}", kind_name(value.kind),
+                             expected));
+  }
+  return nullptr;
+}
+
+std::optional<Expression> FieldReader::number(std::string_view name,
+                                              const KeySpec& spec) const {
+  const std::string expected = io::expected(spec);
+  const YamlValue* value = scalar(name, expected, false);
+  if (value == nullptr) return std::nullopt;
+  try {
+    return Expression(value->text, unit_of(spec));
+  } catch (const ExpressionError& error) {
+    refuse(name, not_a_number(value->text, error, expected));
+    return std::nullopt;
+  }
+}
+
+std::optional<double> FieldReader::integer(std::string_view name,
+                                           Interval interval,
+                                           std::string_view expected,
+                                           bool optional) const {
+  const YamlValue* value = scalar(name, expected, optional);
+  if (value == nullptr) return std::nullopt;
+  double number = 0.0;
+  try {
+    number = evaluate(value->text);
+  } catch (const ExpressionError& error) {
+    refuse(name, not_a_number(value->text, error, expected));
+    return std::nullopt;
+  }
+  const bool integral = number == std::trunc(number);
+  if (integral && interval.contains(number)) return number;
+  refuse(name, fmt::format("{} is not {}; expected {}", in_quotes(value->text),
+                           integral ? "allowed" : "an integer", expected));
+  return std::nullopt;
+}
+
+std::string_view FieldReader::word(
+    std::string_view name, const std::vector<std::string_view>& words) const {
+  const std::string expected = fmt::format("{}", fmt::join(words, " or "));
+  const YamlValue* value = scalar(name, expected, true);
+  if (value == nullptr) return words.front();
+  const auto found = std::ranges::find(words, value->text);
+  if (found != words.end()) return *found;
+  refuse(name, fmt::format("{} was read; expected {}{}", in_quotes(value->text),
+                           expected, suggestion(value->text, words)));
+  return words.front();
+}
+
+}  // namespace brachisto::io

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The section `sweep` as it was written: which keys vary, by which rule, and
+/// which of them together.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "brachisto/io/sweep_file.hpp"
+#include "io/expression.hpp"
+#include "io/findings.hpp"
+#include "io/key_spec.hpp"
+#include "io/portable_random.hpp"
+#include "io/spacing.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace brachisto::io {
+
+/// How many values a key may have.
+inline constexpr Interval kCounts{1, static_cast<double>(kMaxScenes)};
+inline constexpr std::string_view kExpectedCount =
+    "an integer, from 1 to 10 million";
+
+/// Words, one after the other.
+struct WordList {
+  std::vector<std::string> words;
+};
+
+/// Numbers, one after the other.
+struct NumberList {
+  std::vector<Expression> numbers;
+};
+
+/// Numbers from one end to the other, both included.
+struct NumberRange {
+  Expression from, to;
+  Spacing spacing = Spacing::Linear;
+};
+
+/// Random numbers between two ends.
+struct NumberSample {
+  Expression from, to;
+  Spacing spacing = Spacing::Linear;
+  RandomStream stream;
+};
+
+using SweepRule = std::variant<WordList, NumberList, NumberRange, NumberSample>;
+
+/// A key of the section.
+struct SweepEntry {
+  const KeySpec* spec = nullptr;  ///< of the key of the problem
+  std::string key;                ///< dotted, from the section on
+  Position key_position;
+  Position position;                ///< of the value
+  std::vector<Position> positions;  ///< of each value of a list
+  SweepRule rule;
+  std::size_t count = 1;  ///< values
+  bool runs = false;      ///< along an axis; else count = 1
+  bool readable = false;  ///< false: a mistake was reported
+};
+
+/// The section.
+struct SweepSection {
+  std::vector<SweepEntry> entries;  ///< in file order
+  std::vector<SweepFileAxis> axes;  ///< of indices of entries
+  bool warm_start = true;
+
+  /// The entry of a key of the problem, nullptr if it does not vary.
+  [[nodiscard]] const SweepEntry* find(std::string_view path) const;
+};
+
+/// Reads one key of the section: a list, a range or a single value.
+/// \param key  dotted, from the section on
+[[nodiscard]] SweepEntry read_sweep_entry(const KeySpec& spec,
+                                          const Entry& entry, std::string key,
+                                          Findings& findings);
+
+/// Reads one key of the random ranges.
+[[nodiscard]] SweepEntry read_sample_entry(const KeySpec& spec,
+                                           const Entry& entry, std::string key,
+                                           std::uint64_t seed,
+                                           Findings& findings);
+
+/// Reads the section. All mistakes go to the findings; it is of use only if
+/// there are none.
+[[nodiscard]] SweepSection read_sweep_section(const Entry& sweep,
+                                              Findings& findings);
+
+/// The expressions of a rule.
+[[nodiscard]] std::vector<const Expression*> expressions_of(
+    const SweepRule& rule);
+
+/// Value number `index` of an entry in a scene with the given quantities.
+/// \throws ExpressionError  if it is not a finite number
+[[nodiscard]] SweepValue value_of(const SweepEntry& entry, std::size_t index,
+                                  const QuantityValues& quantities);
+
+}  // namespace brachisto::io

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/colour_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace brachisto::report {
+
+namespace {
+
+constexpr std::array<Colour, 9> kViridis{{{68, 1, 84},
+                                          {71, 45, 123},
+                                          {59, 82, 139},
+                                          {44, 114, 142},
+                                          {33, 145, 140},
+                                          {40, 174, 128},
+                                          {94, 201, 98},
+                                          {173, 220, 48},
+                                          {253, 231, 37}}};
+
+/// Intensity of a component of sRGB (IEC 61966-2-1).
+double intensity(double component) {
+  const double c = component / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+Colour colour_at(double share) {
+  const double place =
+      std::clamp(share, 0.0, 1.0) * static_cast<double>(kViridis.size() - 1);
+  const auto below =
+      std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  const double t = place - static_cast<double>(below);
+  Colour colour{};
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    colour[c] = std::lerp(kViridis[below][c], kViridis[below + 1][c], t);
+  }
+  return colour;
+}
+
+double lightness(const Colour& colour) {
+  const double luminance = 0.2126 * intensity(colour[0]) +
+                           0.7152 * intensity(colour[1]) +
+                           0.0722 * intensity(colour[2]);
+  constexpr double kLinearBelow = 216.0 / 24389.0;  // CIE 15
+  return luminance <= kLinearBelow ? luminance * 24389.0 / 27.0
+                                   : 116.0 * std::cbrt(luminance) - 16.0;
+}
+
+std::string hex(const Colour& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(colour[0]),
+                     std::lround(colour[1]), std::lround(colour[2]));
+}
+
+}  // namespace brachisto::report

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Colours for numbers.
+
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace brachisto::report {
+
+/// Red, green and blue of sRGB, from 0 to 255.
+using Colour = std::array<double, 3>;
+
+/// From dark violet at 0 to light yellow at 1 in steps that look equal, each
+/// lighter than the one before, so that it reads in grey: nine colours of
+/// viridis (N. Smith and S. van der Walt, CC0) and straight lines between them.
+[[nodiscard]] Colour colour_at(double share);
+
+/// CIE lightness L*, 0 for black, 100 for white.
+[[nodiscard]] double lightness(const Colour& colour);
+
+/// "#rrggbb".
+[[nodiscard]] std::string hex(const Colour& colour);
+
+/// Values that stand for both ends of the colours or of an axis.
+struct ValueRange {
+  double low, high;
+
+  [[nodiscard]] double share(double value) const {
+    return (value - low) / (high - low);
+  }
+};
+
+}  // namespace brachisto::report

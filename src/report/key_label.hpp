@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Keys of the problem file as a reader of the paper knows them.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brachisto/study/sweep_table.hpp"
+#include "report/axis.hpp"
+
+namespace brachisto::report {
+
+/// What a text becomes part of.
+enum class Markup { Plain, Svg, Html };
+
+/// How a quantity is named and in which unit it is shown.
+struct KeyLabel {
+  std::string symbol;
+  std::string subscript;
+  std::string unit;
+  bool letter = false;  ///< a symbol, set in italics, rather than a key
+  bool degrees = false;
+
+  /// A number in SI units or radians, in the unit shown.
+  [[nodiscard]] double shown(double value) const;
+  /// The unit as it follows a number: "°", " m" or nothing.
+  [[nodiscard]] std::string after_number() const;
+  /// "η_m", or "η_m [°]", with tags and escaped as the language asks for.
+  [[nodiscard]] std::string text(Markup markup, bool with_unit) const;
+};
+
+/// θ_m in degrees for "scene.body.theta_m" and so on; what has no symbol keeps
+/// its key.
+[[nodiscard]] KeyLabel key_label(std::string_view key);
+
+/// "τ = T / √(H / 2g)" in tags of SVG.
+[[nodiscard]] std::string tau_label_svg();
+
+/// The number of a numeric column as shown.
+[[nodiscard]] double shown_number(const SweepColumn& column, std::size_t scene);
+/// Degrees, or what suits the numbers of these scenes.
+[[nodiscard]] Scale scale_of(const SweepColumn& column,
+                             const std::vector<std::size_t>& scenes);
+/// What a column says of a scene, "−30°", "3 m" or a word, as plain text.
+[[nodiscard]] std::string shown_value(const SweepColumn& column,
+                                      std::size_t scene);
+/// "η_m = 0.3, θ_m = −30°": what these columns say of a scene.
+[[nodiscard]] std::string place(const SweepTable& table,
+                                const std::vector<std::size_t>& columns,
+                                std::size_t scene, Markup markup);
+
+}  // namespace brachisto::report

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/sweep_html.hpp"
+
+namespace brachisto::report {
+
+std::string page_style() {
+  return R"(<style>
+:root { color-scheme: light; }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1.25rem 4rem;
+  font: 1rem/1.5 Georgia, "Times New Roman", serif; color: #1a1a1a;
+  background: #ffffff; }
+h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .4rem;
+  font-weight: normal; overflow-wrap: anywhere; }
+h2 { font-size: 1.2rem; margin: 2.6rem 0 .6rem; font-weight: normal;
+  border-bottom: 1px solid #cccccc; padding-bottom: .25rem; }
+p { margin: .5rem 0; max-width: 46rem; }
+.about { color: #444444; }
+.part { display: grid; grid-template-columns: minmax(0, 45rem) minmax(13rem, 1fr);
+  gap: 1rem 2rem; align-items: start; }
+figure { margin: 0 0 1.4rem; }
+.drawing { overflow-x: auto; }
+.drawing svg { display: block; width: 100%; min-width: 30rem; height: auto; }
+figcaption { font-size: .92rem; color: #333333; margin-top: .3rem; }
+table { border-collapse: collapse; font-size: .88rem; line-height: 1.35;
+  font-variant-numeric: tabular-nums; }
+thead th { border-bottom: 1px solid #555555; font-weight: normal;
+  font-style: normal; vertical-align: bottom; }
+th, td { text-align: left; padding: .2rem 1rem .2rem 0; vertical-align: top; }
+tbody tr { border-bottom: 1px solid #eeeeee; }
+tbody th { font-weight: normal; color: #444444; }
+td { white-space: nowrap; }
+sub { line-height: 0; font-size: .72em; }
+.digest { width: 100%; }
+.digest td { white-space: normal; }
+.digest small { color: #555555; }
+td.words { white-space: normal; min-width: 18rem; max-width: 40rem;
+  overflow-wrap: anywhere; }
+.wide { overflow-x: auto; }
+code { font-family: ui-monospace, Menlo, Consolas, monospace; font-size: .9em; }
+summary { cursor: pointer; }
+a { color: #1f4e8c; }
+footer { margin-top: 3rem; font-size: .85rem; color: #666666; }
+@media (max-width: 60rem) { .part { grid-template-columns: minmax(0, 1fr); } }
+@media print {
+  body { max-width: none; padding: 0; font-size: 10pt; }
+  .part { display: block; }
+  .drawing, .wide { overflow: visible; }
+  .drawing svg { min-width: 0; max-width: 16cm; }
+  figure, tr { break-inside: avoid; }
+  h2 { break-after: avoid; }
+  .files { display: none; }
+}
+</style>
+)";
+}
+
+}  // namespace brachisto::report

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What surrounds the drawing of a plot.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/axis.hpp"
+#include "report/svg.hpp"
+
+namespace brachisto::report {
+
+/// The rectangle that is drawn into [px].
+struct PlotArea {
+  double left, right, top, bottom;
+};
+
+/// Thin lines around the area.
+void draw_frame(Svg& svg, const PlotArea& area);
+
+/// Ticks outside the area, their numbers and the name of the axis; `label` is
+/// markup.
+void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 std::string_view label);
+void draw_y_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 std::string_view label);
+
+/// How far a horizontal axis of numbers with its label reaches below the plot.
+inline constexpr double kAxisDepth = 42.0;
+
+/// Words at 0, 1, 2, … of the horizontal axis, slanted if they are many or
+/// long.
+void draw_categories(Svg& svg, const PlotArea& area, const Axis& axis,
+                     const std::vector<std::string>& words,
+                     std::string_view label);
+
+/// How far those words and the label reach below the plot.
+[[nodiscard]] double categories_depth(const PlotArea& area,
+                                      const std::vector<std::string>& words);
+
+/// Words of at most so many letters, the rest as an ellipsis.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t length);
+
+}  // namespace brachisto::report

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The numbers of a sweep as a table for other programs.
+
+#pragma once
+
+#include <string>
+
+#include "report/sweep_scenes.hpp"
+
+namespace brachisto::report {
+
+/// Comma-separated values with a header line (RFC 4180 with newlines), one
+/// row per scene: its number, its keys in SI units and radians, state, status,
+/// feasible, tau, transit_time, estimated_error, end_angle and message; 17
+/// digits; what a scene does not have stays empty.
+[[nodiscard]] std::string sweep_csv(const SweepTable& table,
+                                    const Scenes& scenes);
+
+}  // namespace brachisto::report

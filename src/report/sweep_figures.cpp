@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/sweep_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "report/heat_map_svg.hpp"
+#include "report/key_label.hpp"
+#include "report/xy_plot_svg.hpp"
+
+namespace brachisto::report {
+
+namespace {
+
+constexpr std::size_t kMostFigures = 12;
+constexpr std::size_t kMostScenes = 250'000;  // of a figure
+constexpr std::size_t kMostCurves = 8;
+
+/// An axis to draw along and the column that gives its values.
+struct Direction {
+  std::size_t axis, column;
+};
+
+/// τ of these scenes; a little around it if they are all the same.
+ValueRange tau_range(const SweepTable& table, const Scenes& scenes) {
+  const SweepDigest found = digest(table, scenes);
+  if (!found.fastest) return {0.0, 1.0};
+  const double low = table.outcomes[*found.fastest].tau;
+  const double high = table.outcomes[*found.slowest].tau;
+  constexpr double kSame = 1e-9;  // below it nothing but noise would be drawn
+  if (high - low > kSame * high) return {low, high};
+  return {low - 0.01 * high, high + 0.01 * high};
+}
+
+/// One range of τ for all figures, which then can be compared, unless half of
+/// them would show next to nothing of their own.
+std::vector<ValueRange> ranges(const SweepTable& table,
+                               const std::vector<Scenes>& figures) {
+  constexpr double kLeastShare = 0.35;
+  const ValueRange all = tau_range(table, all_scenes(table));
+  std::vector<ValueRange> own;
+  std::size_t lost = 0;
+  for (const Scenes& scenes : figures) {
+    own.push_back(tau_range(table, scenes));
+    lost +=
+        own.back().high - own.back().low < kLeastShare * (all.high - all.low);
+  }
+  if (2 * lost > figures.size()) return own;
+  return std::vector<ValueRange>(figures.size(), all);
+}
+
+/// Ordered axes of more than one value whose first column, numeric or not, is
+/// as asked for.
+std::vector<Direction> directions(const SweepTable& table, bool numeric) {
+  std::vector<Direction> found;
+  for (std::size_t a = 0; a < table.axes.size(); ++a) {
+    const SweepAxis& axis = table.axes[a];
+    if (axis.count < 2 || !axis.ordered) continue;
+    const auto is_numeric = [&](std::size_t c) {
+      return table.columns[c].numeric();
+    };
+    const auto number =
+        std::find_if(axis.columns.begin(), axis.columns.end(), is_numeric);
+    const bool has_number = number != axis.columns.end();
+    if (numeric && has_number) found.push_back({a, *number});
+    if (!numeric && !has_number && !axis.columns.empty()) {
+      found.push_back({a, axis.columns.front()});
+    }
+  }
+  return found;
+}
+
+/// Makes the figures of one sweep.
+class Planner {
+ public:
+  explicit Planner(const SweepTable& table)
+      : table_(table), varying_(columns_that_vary(table, all_scenes(table))) {}
+
+  [[nodiscard]] SweepFigures figures();
+
+ private:
+  void start(const std::vector<Scenes>& groups, std::string_view kind);
+  void leave_out(std::size_t count);
+  void maps(Direction x, Direction y);
+  void curves(Direction x, std::optional<Direction> family);
+  void dots();
+  [[nodiscard]] SweepDrawing curve_drawing(
+      const SweepFigure& figure, const std::string& name, Direction x,
+      std::optional<Direction> family) const;
+  [[nodiscard]] std::string label(std::size_t column) const {
+    return key_label(table_.columns[column].key).text(Markup::Html, false);
+  }
+
+  const SweepTable& table_;
+  std::vector<std::size_t> varying_;
+  SweepFigures out_;
+};
+
+void Planner::leave_out(std::size_t count) {
+  if (count == 0) return;
+  out_.remarks.push_back(
+      fmt::format("{} more figures are left out; their numbers are in the "
+                  "table of all scenes.",
+                  count));
+}
+
+/// Figures of these scenes, still without drawings.
+void Planner::start(const std::vector<Scenes>& groups, std::string_view kind) {
+  if (groups.empty()) return;
+  if (groups.front().size() > kMostScenes) {
+    out_.remarks.emplace_back("The sweep has too many scenes to be drawn.");
+    return;
+  }
+  const std::vector<ValueRange> tau = ranges(table_, groups);
+  const std::size_t drawn = std::min(groups.size(), kMostFigures);
+  if (groups.size() > 1) {
+    const bool same = tau.front().low == tau.back().low &&
+                      tau.front().high == tau.back().high;
+    out_.remarks.emplace_back(
+        same ? "All figures have the same range of <i>τ</i>."
+             : "Each figure has its own range of <i>τ</i>.");
+  }
+  leave_out(groups.size() - drawn);
+  for (std::size_t f = 0; f < drawn; ++f) {
+    SweepFigure& figure = out_.figures.emplace_back();
+    figure.name = fmt::format("{}-{}", kind, f + 1);
+    figure.scenes = groups[f];
+    figure.tau = tau[f];
+    const auto same = columns_that_vary(table_, groups[f], false);
+    std::set_intersection(same.begin(), same.end(), varying_.begin(),
+                          varying_.end(), std::back_inserter(figure.fixed));
+  }
+}
+
+void Planner::maps(Direction x, Direction y) {
+  const std::size_t nx = table_.axes[x.axis].count;
+  const std::size_t ny = table_.axes[y.axis].count;
+  start(scenes_along(table_, {x.axis, y.axis}), "map");
+  for (SweepFigure& figure : out_.figures) {
+    SweepMap map{x.column,      y.column,    nx,          ny,
+                 figure.scenes, figure.name, figure.fixed};
+    figure.drawings.push_back(
+        {{figure.name + ".svg", heat_map_svg(table_, map, figure.tau)},
+         fmt::format("<i>τ</i> over {} and {}.", label(x.column),
+                     label(y.column))});
+    if (digest(table_, figure.scenes).infeasible > 0) {
+      map.name += "-feasibility";
+      figure.drawings.push_back(
+          {{map.name + ".svg", feasibility_map_svg(table_, map)},
+           "The scenes whose body would lift off or come to a fold of its "
+           "path."});
+    }
+    if (std::min(nx, ny) <= kMostCurves) {
+      figure.drawings.push_back(curve_drawing(
+          figure, figure.name + "-curves", ny >= nx ? y : x, ny >= nx ? x : y));
+    }
+  }
+}
+
+SweepDrawing Planner::curve_drawing(const SweepFigure& figure,
+                                    const std::string& name, Direction x,
+                                    std::optional<Direction> family) const {
+  XyPlot plot;
+  plot.x_column = x.column;
+  plot.fixed = figure.fixed;
+  plot.curves.resize(family ? table_.axes[family->axis].count : 1);
+  for (const std::size_t scene : figure.scenes) {
+    plot.curves[family ? index_along(table_, family->axis, scene) : 0]
+        .push_back(scene);
+  }
+  std::string caption = fmt::format("<i>τ</i> against {}", label(x.column));
+  if (family) {
+    plot.family = family->column;
+    caption += fmt::format(" for each {}", label(family->column));
+  }
+  return {{name + ".svg", xy_plot_svg(table_, plot, figure.tau)},
+          caption + "."};
+}
+
+void Planner::curves(Direction x, std::optional<Direction> family) {
+  std::vector<std::size_t> inner{x.axis};
+  if (family) inner.push_back(family->axis);
+  start(scenes_along(table_, inner), "curve");
+  for (SweepFigure& figure : out_.figures) {
+    figure.drawings.push_back(curve_drawing(figure, figure.name, x, family));
+  }
+}
+
+void Planner::dots() {
+  if (varying_.empty()) return;
+  start({all_scenes(table_)}, "sample");
+  if (out_.figures.empty()) return;
+  SweepFigure& figure = out_.figures.front();
+  const std::size_t drawn = std::min(varying_.size(), kMostFigures);
+  leave_out(varying_.size() - drawn);
+  for (std::size_t d = 0; d < drawn; ++d) {
+    XyPlot plot;
+    plot.x_column = varying_[d];
+    plot.curves = {figure.scenes};
+    plot.joined = false;
+    figure.drawings.push_back(
+        {{fmt::format("{}-{}.svg", figure.name, d + 1),
+          xy_plot_svg(table_, plot, figure.tau)},
+         fmt::format("<i>τ</i> against {}, whatever the other keys are.",
+                     label(varying_[d]))});
+  }
+}
+
+SweepFigures Planner::figures() {
+  const std::vector<Direction> numeric = directions(table_, true);
+  const bool sample = std::any_of(
+      table_.axes.begin(), table_.axes.end(),
+      [](const SweepAxis& axis) { return !axis.ordered && axis.count > 1; });
+  if (sample || numeric.empty()) {
+    dots();
+  } else if (numeric.size() > 1) {
+    maps(numeric[numeric.size() - 2], numeric.back());
+  } else {
+    std::optional<Direction> family;
+    for (const Direction& words : directions(table_, false)) {
+      if (table_.axes[words.axis].count <= kMostCurves) family = words;
+    }
+    curves(numeric.front(), family);
+  }
+  return std::move(out_);
+}
+
+}  // namespace
+
+SweepFigures sweep_figures(const SweepTable& table) {
+  return Planner(table).figures();
+}
+
+}  // namespace brachisto::report

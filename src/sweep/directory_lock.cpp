@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/directory_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "sweep/sqlite.hpp"
+
+namespace brachisto::sweep {
+
+DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  const auto fail = [&](const std::string& reason) {
+    throw StoreError(directory.string() + ": " + reason);
+  };
+  if (error) fail("cannot be made: " + error.message());
+  descriptor_ = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) fail(std::generic_category().message(errno));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const int reason = errno;
+    ::close(descriptor_);
+    fail(reason == EWOULDBLOCK
+             ? "another brachisto is writing there"
+             : "cannot be locked: " + std::generic_category().message(reason));
+  }
+}
+
+DirectoryLock::~DirectoryLock() {
+  ::close(descriptor_);
+}
+
+}  // namespace brachisto::sweep

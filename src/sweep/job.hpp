@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What a sweep is to do, so that it can be told to others and recognised.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "brachisto/io/sweep_file.hpp"
+
+namespace brachisto::sweep {
+
+/// A sweep as it was asked for.
+struct Job {
+  std::string name;  ///< of the problem file
+  std::string text;  ///< its content
+  std::vector<std::string> overrides;
+  io::SweepFile file;
+};
+
+/// \throws io::IoError, io::InputError
+[[nodiscard]] Job read_job(const std::filesystem::path& path,
+                           const std::vector<std::string>& overrides);
+
+/// The job as one line of JSON, and back.
+[[nodiscard]] std::string to_line(const Job& job);
+/// \throws io::InputError  if the text, which was valid once, is not any more
+[[nodiscard]] Job job_from_line(const std::string& line);
+
+/// 128-bit hash, in hexadecimal digits, of the effective input of all scenes.
+/// Files that mean the same have the same hash.
+[[nodiscard]] std::string input_hash(const io::SweepFile& file);
+
+/// What tells two sweeps apart, in one sentence; empty if nothing does.
+[[nodiscard]] std::string difference(const io::SweepFile& stored,
+                                     const io::SweepFile& wanted);
+
+}  // namespace brachisto::sweep

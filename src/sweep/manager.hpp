@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The manager of a sweep: hands chains to workers and stores their answers.
+
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "sweep/chain_plan.hpp"
+#include "sweep/job.hpp"
+#include "sweep/store.hpp"
+
+namespace brachisto::sweep {
+
+struct ManagerOptions {
+  std::string program;  ///< runs a worker when called with the verb worker
+  int jobs = 1;         ///< worker processes, ≥ 1
+  double seconds_per_scene = 0.0;  ///< a worker that takes longer is killed
+  std::size_t memory = 0;  ///< address space of a worker [bytes]; 0: no bound
+  Shard shard;
+  const std::atomic<int>* interrupt = nullptr;  ///< nonzero: stop
+};
+
+/// How far a sweep is.
+struct Counts {
+  std::size_t scenes = 0;  ///< of the shard
+  std::size_t before = 0;  ///< finished before this run
+  std::size_t verified = 0, feasible = 0, failed = 0;  ///< all that are there
+
+  [[nodiscard]] std::size_t finished() const { return verified + failed; }
+};
+
+/// Called now and then while workers work.
+using ProgressSink = std::function<void(const Counts&)>;
+
+/// Solves whatever the store lacks. A worker that crashes, hangs, stops without
+/// an answer or writes something else costs the scene it was at: that is tried
+/// once more, from the same start, and then recorded as failed.
+///
+/// \return the counts at the end, which the interrupt may bring early
+/// \throws StoreError         if an answer cannot be stored
+/// \throws std::system_error  if no worker can be started
+Counts run_manager(const Job& job, Store& store, const ManagerOptions& options,
+                   const ProgressSink& progress);
+
+}  // namespace brachisto::sweep

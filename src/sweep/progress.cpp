@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace brachisto::sweep {
+
+namespace {
+
+std::string duration_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+std::string progress_text(const Counts& counts, double seconds, int width) {
+  std::string text;
+  if (width > 0) {
+    const auto full = static_cast<std::size_t>(width) * counts.finished() /
+                      std::max<std::size_t>(counts.scenes, 1);
+    text = fmt::format("[{:<{}}] ", std::string(full, '#'), width);
+  }
+  text += fmt::format("{}/{} scenes", counts.finished(), counts.scenes);
+  const std::size_t done = counts.finished() - counts.before;
+  if (done > 0 && seconds > 0.0) {
+    const double rate = static_cast<double>(done) / seconds;
+    text += fmt::format(" · {:.3g}/s", rate);
+    const std::size_t left = counts.scenes - counts.finished();
+    if (left > 0) {
+      text += fmt::format(" · {} left",
+                          duration_text(static_cast<double>(left) / rate));
+    }
+  }
+  return text + fmt::format(" · {} failed", counts.failed);
+}
+
+Progress::Form Progress::form_of_stderr() {
+  return ::isatty(STDERR_FILENO) == 1 ? Form::Bar : Form::Lines;
+}
+
+void Progress::show(const Counts& counts) {
+  using std::chrono::milliseconds;
+  const auto pause =
+      form_ == Form::Bar ? milliseconds(100) : milliseconds(10'000);
+  const auto now = Clock::now();
+  if (form_ == Form::None || now - last_ < pause) return;
+  last_ = now;
+  write(counts);
+}
+
+void Progress::finish(const Counts& counts) {
+  if (form_ != Form::Bar) return;
+  write(counts);
+  fmt::print(stderr, "\n");
+}
+
+void Progress::write(const Counts& counts) {
+  const double seconds =
+      std::chrono::duration<double>(Clock::now() - start_).count();
+  constexpr int kWidth = 24;
+  if (form_ == Form::Bar) {
+    // Back to the start of the line, and away with what was longer.
+    fmt::print(stderr, "\r{}\033[K", progress_text(counts, seconds, kWidth));
+    std::fflush(stderr);
+  } else {
+    fmt::print(stderr, "{}\n", progress_text(counts, seconds, 0));
+  }
+}
+
+}  // namespace brachisto::sweep

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/sqlite.hpp"
+
+#include <sqlite3.h>
+
+#include <utility>
+
+namespace brachisto::sweep {
+
+namespace {
+
+int flags_of(Database::Access access) {
+  switch (access) {
+    case Database::Access::ReadOnly:
+      return SQLITE_OPEN_READONLY;
+    case Database::Access::ReadWrite:
+      return SQLITE_OPEN_READWRITE;
+    case Database::Access::Create:
+      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Database::Database(std::string path, Access access) : path_(std::move(path)) {
+  const int code =
+      sqlite3_open_v2(path_.c_str(), &handle_, flags_of(access), nullptr);
+  if (code != SQLITE_OK) {
+    const std::string reason =
+        handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+    sqlite3_close(handle_);
+    throw StoreError(path_ + ": " + reason);
+  }
+  // Readers of a running sweep hold the file for moments only.
+  sqlite3_busy_timeout(handle_, 10'000);
+}
+
+Database::~Database() {
+  sqlite3_close(handle_);
+}
+
+void Database::fail() const {
+  throw StoreError(path_ + ": " + sqlite3_errmsg(handle_));
+}
+
+void Database::execute(const char* sql) {
+  if (sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) {
+    fail();
+  }
+}
+
+std::int64_t Database::pragma(const char* name) {
+  Statement statement(*this, (std::string("PRAGMA ") + name).c_str());
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+Statement::Statement(Database& database, const char* sql)
+    : database_(database) {
+  if (sqlite3_prepare_v2(database.handle(), sql, -1, &handle_, nullptr) !=
+      SQLITE_OK) {
+    database_.fail();
+  }
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(handle_);
+}
+
+Statement& Statement::bind(int parameter, std::int64_t value) {
+  if (sqlite3_bind_int64(handle_, parameter, value) != SQLITE_OK) {
+    database_.fail();
+  }
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, std::string_view value) {
+  if (sqlite3_bind_text64(handle_, parameter, value.data(), value.size(),
+                          SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
+    database_.fail();
+  }
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code != SQLITE_DONE) {
+    sqlite3_reset(handle_);
+    database_.fail();
+  }
+  sqlite3_reset(handle_);
+  return false;
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(handle_, column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = sqlite3_column_text(handle_, column);
+  if (bytes == nullptr) return {};
+  return {reinterpret_cast<const char*>(bytes),
+          static_cast<std::size_t>(sqlite3_column_bytes(handle_, column))};
+}
+
+Transaction::~Transaction() {
+  if (open_) {
+    sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+}
+
+void Transaction::commit() {
+  database_.execute("COMMIT");
+  open_ = false;
+}
+
+}  // namespace brachisto::sweep

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "brachisto/report/result_json.hpp"
+#include "sweep/outcome.hpp"
+
+namespace brachisto::sweep {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Figures of a result document that stand in a flat table, as JSON pointers.
+constexpr const char* kFigures[] = {
+    "/status",
+    "/verified",
+    "/feasible",
+    "/tau",
+    "/transit_time",
+    "/estimated_error",
+    "/centre_path_length",
+    "/rail_length",
+    "/start_angle",
+    "/end_angle",
+    "/rotation",
+    "/normal_force/min",
+    "/normal_force/max",
+    "/normal_force/x_at_max",
+    "/friction/share_above_0.3",
+    "/friction/share_above_0.5",
+    "/friction/share_above_1",
+    "/curvature/min",
+    "/curvature/max",
+    "/fold_margin",
+    "/nodes",
+    "/iterations",
+    "/newton_steps",
+    "/seconds/total",
+    "/message",
+};
+
+std::string column_name(const std::string& pointer) {
+  std::string name = pointer.substr(1);
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+Json to_json(const io::SweepValue& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+std::vector<std::string> column_names(const io::SweepFile& file) {
+  std::vector<std::string> names{"scene"};
+  for (const io::SweepKey& key : file.keys()) names.push_back(key.path);
+  for (const char* figure : kFigures) names.push_back(column_name(figure));
+  return names;
+}
+
+using RowVisitor = std::function<void(const std::vector<Json>&)>;
+
+void for_each_row(Store& store, const io::SweepFile& file,
+                  const RowVisitor& visit) {
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    const Json result = Json::parse(document);
+    std::vector<Json> row{scene};
+    for (const io::SweepValue& value : file.values(scene)) {
+      row.push_back(to_json(value));
+    }
+    for (const char* figure : kFigures) {
+      const Json::json_pointer pointer(figure);
+      row.push_back(result.contains(pointer) ? result[pointer] : Json());
+    }
+    visit(row);
+  });
+}
+
+/// A field of a CSV file (RFC 4180).
+std::string field(const Json& value) {
+  if (value.is_null()) return "";
+  if (!value.is_string()) return value.dump();
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+template <class Fields, class ToText>
+std::string csv_line(const Fields& fields, const ToText& to_text) {
+  std::string line;
+  for (const auto& one : fields) {
+    if (!line.empty()) line += ',';
+    line += to_text(one);
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+SweepTable empty_table(const Job& job) {
+  const io::SweepFile& file = job.file;
+  SweepTable table;
+  table.title = job.name;
+  table.outcomes.resize(file.num_scenes());
+  for (const io::SweepKey& key : file.keys()) {
+    table.columns.push_back({.key = key.path, .numbers = {}, .words = {}});
+  }
+  for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
+    const std::vector<io::SweepValue> values = file.values(scene);
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      SweepColumn& column = table.columns[c];
+      if (file.keys()[c].numeric) {
+        column.numbers.push_back(std::get<double>(values[c]));
+      } else {
+        column.words.push_back(std::get<std::string>(values[c]));
+      }
+    }
+  }
+  for (const io::SweepFileAxis& axis : file.axes()) {
+    table.axes.push_back(
+        {.columns = axis.keys, .count = axis.count, .ordered = axis.ordered});
+  }
+  return table;
+}
+
+SweepTable read_table(Store& store, const Job& job) {
+  SweepTable table = empty_table(job);
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    table.outcomes.at(scene) = read_outcome(document);
+  });
+  return table;
+}
+
+std::string export_csv(Store& store, const Job& job) {
+  std::string text = csv_line(column_names(job.file),
+                              [](const std::string& name) { return name; });
+  for_each_row(store, job.file, [&](const std::vector<Json>& row) {
+    text += csv_line(row, field);
+  });
+  return text;
+}
+
+std::string export_json(Store& store, const Job& job) {
+  const std::vector<std::string> names = column_names(job.file);
+  Json rows = Json::array();
+  for_each_row(store, job.file, [&](const std::vector<Json>& row) {
+    Json object;
+    for (std::size_t c = 0; c < row.size(); ++c) object[names[c]] = row[c];
+    rows.push_back(std::move(object));
+  });
+  const Json document = {{"schema_version", report::kSchemaVersion},
+                         {"scenes", job.file.num_scenes()},
+                         {"finished", rows.size()},
+                         {"rows", std::move(rows)}};
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace brachisto::sweep

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A store as tables.
+
+#pragma once
+
+#include <string>
+
+#include "brachisto/study/sweep_table.hpp"
+#include "sweep/job.hpp"
+#include "sweep/store.hpp"
+
+namespace brachisto::sweep {
+
+/// The columns and axes of a sweep, no scene run yet.
+[[nodiscard]] SweepTable empty_table(const Job& job);
+
+/// All scenes of the store's sweep with what came out.
+[[nodiscard]] SweepTable read_table(Store& store, const Job& job);
+
+/// Flat tables of the scenes that have a result: number, swept keys, and the
+/// figures of the result document in as many digits as tell doubles apart,
+/// empty or null where there is none.
+[[nodiscard]] std::string export_csv(Store& store, const Job& job);
+[[nodiscard]] std::string export_json(Store& store, const Job& job);
+
+}  // namespace brachisto::sweep

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// A sweep gives the same table whoever solves it, in whatever portions.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/command.hpp"
+#include "app/sweep_command.hpp"
+
+namespace brachisto {
+namespace {
+
+using nlohmann::json;
+using testing::kScenes;
+using testing::Output;
+using testing::Process;
+using testing::run;
+using testing::ScratchDirectory;
+using testing::small_sweep;
+using testing::sweep;
+using testing::table_of;
+
+TEST(Sweep, VerifiesEveryScene) {
+  const ScratchDirectory scratch;
+
+  const Output output = sweep(scratch, "out", {"--json"});
+
+  EXPECT_EQ(output.code, 0) << output.err;
+  const json document = json::parse(output.out);
+  EXPECT_EQ(document["scenes"], kScenes);
+  EXPECT_EQ(document["verified"], kScenes);
+  EXPECT_EQ(document["failed"], 0);
+  EXPECT_EQ(document["new"], kScenes);
+}
+
+TEST(Sweep, GivesWhatSolveGives) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+  const auto rows =
+      json::parse(
+          run({"export", (scratch.path() / "out").string(), "--json"}).out)
+          .at("rows");
+  for (const json& row : rows) {
+    const Output alone = run(
+        {"solve", testing::paper_problem("fig04_reference_case"), "--set",
+         "discretisation.tolerance=1e-8", "--set",
+         "scene.body.eta_m=" + row["scene.body.eta_m"].dump(), "--set",
+         "scene.body.theta_m=" + row["scene.body.theta_m"].dump(), "--json"});
+    const json result = json::parse(alone.out);
+    // Two solutions, each within its own estimate of the truth.
+    const double tau = result["tau"];
+    EXPECT_NEAR(row["tau"].get<double>(), tau,
+                tau * (row["estimated_error"].get<double>() +
+                       result["estimated_error"].get<double>()))
+        << row["scene"];
+  }
+}
+
+TEST(Sweep, DoesNotDependOnTheNumberOfWorkers) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "one", {"--jobs", "1"}).code, 0);
+  ASSERT_EQ(sweep(scratch, "two", {"--jobs", "2"}).code, 0);
+  ASSERT_EQ(sweep(scratch, "five", {"--jobs", "5"}).code, 0);
+
+  EXPECT_EQ(table_of(scratch, "one"), table_of(scratch, "two"));
+  EXPECT_EQ(table_of(scratch, "one"), table_of(scratch, "five"));
+}
+
+TEST(Sweep, DoesNotDependOnShards) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "whole").code, 0);
+  std::vector<std::string> merge{"merge"};
+  for (const std::string i : {"1", "2", "3"}) {
+    ASSERT_EQ(sweep(scratch, "part" + i, {"--shard", i + "/3"}).code, 0);
+    merge.push_back((scratch.path() / ("part" + i)).string());
+  }
+  merge.insert(merge.end(), {"--out", (scratch.path() / "merged").string()});
+
+  const Output merged = run(merge);
+
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(table_of(scratch, "merged"), table_of(scratch, "whole"));
+  EXPECT_EQ(run(merge).code, 0) << "merging again is allowed";
+  EXPECT_EQ(table_of(scratch, "merged"), table_of(scratch, "whole"));
+  EXPECT_EQ(sweep(scratch, "merged", {"--resume"}).code, 0);
+}
+
+TEST(Sweep, StopsSoonAndGoesOnWhereItWas) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "calm").code, 0);
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    const std::string name = "stopped" + std::to_string(code);
+    const std::string out = (scratch.path() / name).string();
+    Process process(
+        {"sweep", small_sweep(scratch), "--out", out, "--jobs", "1"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    process.signal(signal);
+    const auto before = std::chrono::steady_clock::now();
+    const auto output = process.wait(std::chrono::seconds(5));
+    ASSERT_TRUE(output) << "it does not end";
+    EXPECT_LT(std::chrono::steady_clock::now() - before,
+              std::chrono::seconds(2));
+    // On a very fast machine it may have been done already.
+    EXPECT_TRUE(output->code == code || output->code == 0) << output->err;
+
+    const Output resumed = sweep(scratch, name, {"--resume", "--json"});
+
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_EQ(table_of(scratch, name), table_of(scratch, "calm"));
+  }
+}
+
+TEST(Sweep, RunsNoFinishedSceneAgain) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+
+  const Output again = sweep(scratch, "out", {"--resume", "--json"});
+
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["new"], 0);
+}
+
+TEST(Sweep, DrawsAReport) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+  const std::string out = (scratch.path() / "out").string();
+
+  EXPECT_EQ(run({"report", out}).code, 0);
+  EXPECT_TRUE(
+      std::filesystem::exists(scratch.path() / "out/report/index.html"));
+  EXPECT_EQ(run({"report", out}).code, 6) << "an earlier report is kept";
+  EXPECT_EQ(run({"report", out, "--force"}).code, 0);
+}
+
+}  // namespace
+}  // namespace brachisto

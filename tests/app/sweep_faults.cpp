@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What goes wrong in a sweep costs as little as it can, and is told.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/command.hpp"
+#include "app/sweep_command.hpp"
+
+namespace brachisto {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::kScenes;
+using testing::Output;
+using testing::Process;
+using testing::run;
+using testing::ScratchDirectory;
+using testing::small_sweep;
+using testing::sweep;
+using testing::table_of;
+
+/// A program that does `mischief` the first `times` that it is run, and is a
+/// good worker afterwards.
+std::string bad_worker(const ScratchDirectory& scratch,
+                       const std::string& mischief, int times) {
+  const std::string counter = (scratch.path() / "runs").string();
+  std::string path = scratch.file(
+      "worker.sh", "#!/bin/sh\nn=$(cat " + counter +
+                       " 2>/dev/null || echo 0)\n"
+                       "echo $((n + 1)) > " +
+                       counter + "\nif [ $n -lt " + std::to_string(times) +
+                       " ]; then\n" + mischief +
+                       "\nfi\nexec " BRACHISTO_APP " worker\n");
+  fs::permissions(path, fs::perms::owner_all);
+  return path;
+}
+
+struct Mischief {
+  std::string name;
+  std::string script;
+  std::string status;  ///< of the scene it costs if it happens twice
+};
+
+void PrintTo(const Mischief& mischief, std::ostream* out) {
+  *out << mischief.name;
+}
+
+class BadWorker : public ::testing::TestWithParam<Mischief> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, BadWorker,
+    ::testing::Values(
+        Mischief{"crashes", "kill -SEGV $$", "worker_lost"},
+        Mischief{"ends_with_an_error", "exit 3", "worker_lost"},
+        Mischief{"ends_without_an_answer", "exit 0", "worker_lost"},
+        Mischief{"hangs", "exec sleep 1000", "worker_timeout"},
+        Mischief{"closes_its_output", "exec >&-; exec sleep 1000",
+                 "worker_lost"},
+        Mischief{"writes_rubbish", "echo rubbish; exec sleep 1000",
+                 "worker_rubbish"},
+        Mischief{"answers_for_another_scene",
+                 R"(echo '{"scene":5,"result":{"status":"solved",)"
+                 R"("verified":false},"state":""}'; exec sleep 1000)",
+                 "worker_rubbish"},
+        Mischief{"writes_half_a_line", "printf '{\"scene\":0,'; exit 0",
+                 "worker_lost"}),
+    [](const auto& one) { return one.param.name; });
+
+TEST_P(BadWorker, OnceCostsNothing) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "calm").code, 0);
+
+  const Output output = sweep(scratch, "out",
+                              {"--jobs", "1", "--timeout", "2", "--worker",
+                               bad_worker(scratch, GetParam().script, 1)});
+
+  EXPECT_EQ(output.code, 0) << output.out << output.err;
+  EXPECT_EQ(table_of(scratch, "out"), table_of(scratch, "calm"));
+}
+
+TEST_P(BadWorker, TwiceCostsOneScene) {
+  const ScratchDirectory scratch;
+
+  const Output output =
+      sweep(scratch, "out",
+            {"--jobs", "1", "--timeout", "2", "--json", "--worker",
+             bad_worker(scratch, GetParam().script, 2)});
+
+  EXPECT_EQ(output.code, 4) << output.err;
+  const json document = json::parse(output.out);
+  EXPECT_EQ(document["verified"], kScenes - 1);
+  EXPECT_EQ(document["failed"], 1);
+  const json rows =
+      json::parse(
+          run({"export", (scratch.path() / "out").string(), "--json"}).out)
+          .at("rows");
+  EXPECT_EQ(rows[0]["status"], GetParam().status);
+  EXPECT_TRUE(rows[0]["tau"].is_null());
+  EXPECT_EQ(rows[1]["status"], "solved");
+}
+
+TEST(SweepFaults, TwoManagersDoNotMeet) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+  // A worker that hangs keeps the first manager busy.
+  Process first({"sweep", small_sweep(scratch), "--out", out, "--worker",
+                 bad_worker(scratch, "exec sleep 1000", 1000)});
+  while (!fs::exists(scratch.path() / "out" / "sweep.sqlite")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+
+  const Output second = sweep(scratch, "out", {"--resume"});
+
+  EXPECT_EQ(second.code, 6);
+  EXPECT_NE(second.err.find("another brachisto"), std::string::npos)
+      << second.err;
+}
+
+TEST(SweepFaults, ResultsAreNotReplacedUnasked) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+  const std::string before = table_of(scratch, "out");
+
+  EXPECT_EQ(sweep(scratch, "out").code, 6);
+  const Output changed =
+      sweep(scratch, "out", {"--resume", "--set", "scene.body.k=0.4"});
+
+  EXPECT_EQ(changed.code, 6);
+  EXPECT_NE(changed.err.find("scene.body.k = 0.5"), std::string::npos)
+      << changed.err;
+  EXPECT_EQ(table_of(scratch, "out"), before);
+  EXPECT_EQ(sweep(scratch, "out", {"--force"}).code, 0);
+}
+
+TEST(SweepFaults, AnotherShardIsNotGoneOnWith) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out", {"--shard", "1/2"}).code, 0);
+
+  const Output other = sweep(scratch, "out", {"--resume", "--shard", "2/2"});
+
+  EXPECT_EQ(other.code, 6);
+  EXPECT_NE(other.err.find("shard 1/2"), std::string::npos) << other.err;
+}
+
+TEST(SweepFaults, AForeignOrTruncatedStoreIsLeftAlone) {
+  const ScratchDirectory scratch;
+  fs::create_directories(scratch.path() / "out");
+  const fs::path store = scratch.path() / "out" / "sweep.sqlite";
+  std::ofstream(store) << std::string(5000, 'x');
+
+  const Output foreign = sweep(scratch, "out", {"--resume"});
+
+  EXPECT_EQ(foreign.code, 6);
+  EXPECT_NE(foreign.err.find(store.string()), std::string::npos) << foreign.err;
+  EXPECT_EQ(fs::file_size(store), 5000U);
+
+  fs::remove(store);
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+  fs::resize_file(store, fs::file_size(store) / 2);
+  EXPECT_EQ(sweep(scratch, "out", {"--resume"}).code, 6);
+  EXPECT_EQ(run({"export", (scratch.path() / "out").string(), "--csv"}).code,
+            6);
+}
+
+TEST(SweepFaults, AFullDiskIsTold) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const ScratchDirectory scratch;
+  fs::create_directories(scratch.path() / "out");
+  fs::create_symlink("/dev/full", scratch.path() / "out" / "sweep.sqlite");
+
+  const Output output = sweep(scratch, "out");
+
+  EXPECT_EQ(output.code, 6) << output.out << output.err;
+}
+
+TEST(SweepFaults, ASceneThatCannotBeSolvedIsOneFailure) {
+  const ScratchDirectory scratch;
+  const Output output =
+      sweep(scratch, "out",
+            {"--json", "--set",
+             "sweep={scene.finish.L: [3, 0.01], scene.body.eta_m: [0, 1/2]}",
+             "--set", "scene.finish.H=0.01"});
+
+  EXPECT_EQ(output.code, 4) << output.err;
+  const json document = json::parse(output.out);
+  EXPECT_EQ(document["scenes"], 4);
+  EXPECT_EQ(document["verified"], 2) << output.out;
+  EXPECT_EQ(document["failed"], 2);
+}
+
+TEST(SweepFaults, WrongFilesAndFlagsAreRefusedAtOnce) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+  EXPECT_EQ(run({"sweep", testing::paper_problem("fig04_reference_case"),
+                 "--out", out})
+                .code,
+            3);
+  EXPECT_EQ(run({"solve", small_sweep(scratch)}).code, 3);
+  EXPECT_EQ(sweep(scratch, "out", {"--shard", "3/2"}).code, 2);
+  EXPECT_EQ(sweep(scratch, "out", {"--jobs", "0"}).code, 2);
+  EXPECT_EQ(run({"export", out, "--csv"}).code, 6);
+  EXPECT_EQ(run({"merge", out, "--out", out + "2"}).code, 6);
+  EXPECT_EQ(run({"report", out}).code, 6);
+  EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/sweep_csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "report/sweep_tables.hpp"
+
+namespace brachisto::report {
+namespace {
+
+using brachisto::testing::fail;
+using brachisto::testing::sweep_over;
+
+TEST(SweepCsv, HasARowPerSceneInTheUnitsOfTheTable) {
+  SweepTable table = sweep_over({{"scene.body.theta_m", 0.1, 0.2, 3}},
+                                [](const std::vector<double>&) { return 0.1; });
+  fail(table, 1, "a \"b\", c");
+  table.outcomes[2] = {};
+
+  const std::string csv = sweep_csv(table, all_scenes(table));
+
+  EXPECT_EQ(csv,
+            "scene,scene.body.theta_m,state,status,feasible,tau,transit_time,"
+            "estimated_error,end_angle,message\n"
+            "0,0.10000000000000001,verified,solved,true,0.10000000000000001,"
+            "0.025000000000000001,9.9999999999999994e-12,1,\n"
+            "1,0.15000000000000002,failed,max_iterations,,,,,,\"a \"\"b\"\", "
+            "c\"\n"
+            "2,0.20000000000000001,missing,,,,,,,\n");
+}
+
+TEST(SweepCsv, HasTheScenesAskedFor) {
+  const SweepTable table =
+      sweep_over({{"scene.body.k", 0.0, 1.0, 5}},
+                 [](const std::vector<double>&) { return 5.0; });
+
+  const std::string csv = sweep_csv(table, {4, 0});
+
+  EXPECT_NE(csv.find("message\n4,1,"), std::string::npos);
+  EXPECT_NE(csv.find("\n0,0,"), std::string::npos);
+  EXPECT_EQ(csv.find("\n1,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brachisto::report

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/report/sweep_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "report/sweep_tables.hpp"
+#include "report/xml.hpp"
+
+namespace brachisto {
+namespace {
+
+using report::OutputFile;
+using report::sweep_report;
+using testing::count;
+using ::testing::ElementsAre;
+using testing::fail;
+using testing::sweep_over;
+using testing::xml_flaw;
+
+double sum(const std::vector<double>& at) {
+  double tau = 5.0;
+  for (const double value : at) tau += value;
+  return tau;
+}
+
+SweepTable plane() {
+  return sweep_over(
+      {{"scene.body.eta_m", 0.0, 0.5, 11}, {"scene.body.k", 0.0, 0.5, 12}},
+      sum);
+}
+
+std::vector<std::string> names(const std::vector<OutputFile>& files) {
+  std::vector<std::string> out;
+  for (const OutputFile& file : files) out.push_back(file.name);
+  return out;
+}
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The page, which is last; all documents have to be well formed.
+std::string page(const SweepTable& table) {
+  const std::vector<OutputFile> files = sweep_report(table);
+  for (const OutputFile& file : files) {
+    const bool table_of_numbers = file.name.ends_with(".csv");
+    EXPECT_EQ(table_of_numbers ? "" : xml_flaw(file.content), "") << file.name;
+  }
+  EXPECT_EQ(files.back().name, "index.html");
+  return files.back().content;
+}
+
+TEST(SweepReport, OfTwoAxesIsAMap) {
+  const auto files = sweep_report(plane());
+
+  EXPECT_THAT(names(files), ElementsAre("map-1.csv", "map-1.svg", "scenes.csv",
+                                        "index.html"));
+  // The figure is on the page, as it is in its file.
+  EXPECT_TRUE(says(files[3].content, files[1].content));
+}
+
+TEST(SweepReport, NeedsNothingBesideItsPage) {
+  const std::string html = page(plane());
+
+  for (const std::string outside : {"<script", "<img", "<link", "@import",
+                                    "src=", "https://", "href=\"http"}) {
+    EXPECT_FALSE(says(html, outside)) << outside;
+  }
+  EXPECT_TRUE(says(html, "charset=\"utf-8\""));
+}
+
+TEST(SweepReport, HasAMapOfFeasibilityIfItMatters) {
+  SweepTable table = plane();
+  table.outcomes[5].feasible = false;
+
+  EXPECT_THAT(names(sweep_report(table)),
+              ElementsAre("map-1.csv", "map-1.svg", "map-1-feasibility.svg",
+                          "scenes.csv", "index.html"));
+}
+
+TEST(SweepReport, OfAnAxisOfFewValuesHasCurvesToo) {
+  const SweepTable table = sweep_over(
+      {{"scene.body.eta_m", 0.0, 0.5, 8}, {"scene.body.k", 0.0, 0.5, 12}}, sum);
+
+  EXPECT_THAT(names(sweep_report(table)),
+              ElementsAre("map-1.csv", "map-1.svg", "map-1-curves.svg",
+                          "scenes.csv", "index.html"));
+}
+
+TEST(SweepReport, OfOneAxisIsACurve) {
+  const SweepTable table = sweep_over(
+      {{"scene.finish.H", 1.0, 1.0, 1}, {"scene.body.k", 0, 1, 9}}, sum);
+
+  EXPECT_THAT(
+      names(sweep_report(table)),
+      ElementsAre("curve-1.csv", "curve-1.svg", "scenes.csv", "index.html"));
+}
+
+TEST(SweepReport, OfMoreAxesHasAMapForEachValueAndSaysWhatIsLeftOut) {
+  const SweepTable table = sweep_over({{"scene.finish.L", 1.0, 14.0, 14},
+                                       {"scene.body.eta_m", 0.0, 0.5, 9},
+                                       {"scene.body.k", 0.0, 0.5, 9}},
+                                      sum);
+
+  const std::string html = page(table);
+
+  EXPECT_EQ(count(html, "<svg "), 12u);
+  EXPECT_TRUE(says(html, "<h2><i>L</i> = 12 m</h2>"));
+  EXPECT_TRUE(says(html, "2 more figures"));
+}
+
+TEST(SweepReport, TellsWhetherMapsHaveTheSameColours) {
+  const auto over = [](double spread) {
+    return sweep_over({{"scene.finish.L", 0.0, spread, 3},
+                       {"scene.body.eta_m", 0.0, 0.5, 9},
+                       {"scene.body.k", 0.0, 0.5, 9}},
+                      sum);
+  };
+
+  EXPECT_TRUE(says(page(over(0.1)), "the same range"));
+  EXPECT_TRUE(says(page(over(100.0)), "its own range"));
+}
+
+TEST(SweepReport, OfASampleHasAPlotPerColumn) {
+  SweepTable table = sweep_over({{"scene.body.k", 0.0, 1.0, 30}}, sum);
+  table.columns.push_back({"scene.body.shape", {}, {}});
+  for (int i = 0; i < 30; ++i) {
+    table.columns[1].words.emplace_back(i % 2 == 0 ? "one" : "other");
+  }
+  table.axes = {{{0, 1}, 30, false}};
+
+  EXPECT_THAT(names(sweep_report(table)),
+              ElementsAre("sample-1.csv", "sample-1-1.svg", "sample-1-2.svg",
+                          "scenes.csv", "index.html"));
+}
+
+TEST(SweepReport, OfWordsAndNumbersHasACurvePerWord) {
+  SweepTable table = sweep_over(
+      {{"scene.contact", 0.0, 1.0, 2}, {"scene.body.k", 0.0, 1.0, 9}}, sum);
+  table.columns[0].numbers.clear();
+  for (int i = 0; i < 18; ++i) {
+    table.columns[0].words.emplace_back(i < 9 ? "smooth" : "centre");
+  }
+
+  const auto files = sweep_report(table);
+
+  ASSERT_EQ(files[1].name, "curve-1.svg");
+  EXPECT_TRUE(says(files[1].content, ">smooth<"));
+  EXPECT_TRUE(says(files[1].content, ">centre<"));
+}
+
+TEST(SweepReport, TellsTheExtremesAndTheCounts) {
+  SweepTable table = plane();
+  fail(table, 0);
+  table.outcomes[1] = {};
+  table.outcomes[7].estimated_error = 3e-9;
+  table.outcomes[12].feasible = false;
+
+  const std::string html = page(table);
+
+  for (const std::string row :
+       {"scenes</th><td>132<", "verified</th><td>130<",
+        "of them feasible</th><td>129<", "failed</th><td>1<",
+        "not run yet</th><td>1<", "largest estimated error</th><td>3e−9<",
+        "maximum of <i>τ</i></th><td>6<"}) {
+    EXPECT_TRUE(says(html, row)) << row;
+  }
+}
+
+TEST(SweepReport, ListsWhyScenesFailed) {
+  SweepTable table = plane();
+  EXPECT_FALSE(says(page(table), "Failed scenes"));
+  for (std::size_t i = 0; i < 3; ++i) fail(table, i, "slope < 1 & no end");
+
+  const std::string html = page(table);
+
+  EXPECT_TRUE(says(html, "3 of 132 scenes"));
+  EXPECT_EQ(count(html, "slope &lt; 1 &amp; no end"), 3u);
+  EXPECT_EQ(count(html, "<td>max_iterations</td>"), 6u);  // also in the table
+}
+
+TEST(SweepReport, ListsNoMoreFailuresThanCanBeRead) {
+  SweepTable table = sweep_over({{"scene.body.k", 0.0, 1.0, 250}}, sum);
+  for (std::size_t i = 0; i < 250; ++i) fail(table, i, "the cause");
+
+  const std::string html = page(table);
+
+  EXPECT_EQ(count(html, "the cause"), 200u);
+  EXPECT_TRUE(says(html, "50 more"));
+}
+
+TEST(SweepReport, HasATableOfAllScenesUnlessItIsTooLong) {
+  const std::string few = page(plane());
+  const std::string many =
+      page(sweep_over({{"scene.body.k", 0.0, 1.0, 3001}}, sum));
+
+  EXPECT_EQ(count(few, "<details>"), 1u);
+  EXPECT_EQ(count(few, "<td>solved</td>"), 132u);
+  EXPECT_EQ(count(many, "<details>"), 0u);
+  EXPECT_TRUE(says(many, "scenes.csv"));
+}
+
+TEST(SweepReport, ShowsAnglesInDegreesAndSymbolsOfThePaper) {
+  const SweepTable table =
+      sweep_over({{"scene.body.eta_m", 0.0, 0.5, 11},
+                  {"scene.body.theta_m", -90 * testing::kDegree, 0.0, 10}},
+                 sum);
+
+  const std::string html = page(table);
+
+  EXPECT_TRUE(says(html, "<i>θ</i><sub>m</sub>\u00A0[°]"));
+  EXPECT_TRUE(says(html, "−90° to 0°"));
+  EXPECT_TRUE(says(html, "<sub>m</sub> = −90°"));
+}
+
+TEST(SweepReport, EscapesWhatComesFromElsewhere) {
+  SweepTable table = plane();
+  table.title = "k < 1 & <b>bold</b>";
+  table.columns[0].key = "scene.\"x\"<y>&z";
+  fail(table, 3, std::string("bell \a and <script>"));
+
+  const std::string html = page(table);
+
+  EXPECT_TRUE(says(html, "<title>k &lt; 1 &amp; &lt;b&gt;"));
+  EXPECT_FALSE(says(html, "<script>"));
+  EXPECT_FALSE(says(html, "\a"));
+}
+
+TEST(SweepReport, OfNothingSaysSo) {
+  const auto files = sweep_report({});
+
+  EXPECT_THAT(names(files), ElementsAre("scenes.csv", "index.html"));
+  EXPECT_TRUE(says(page({}), "no scenes"));
+  EXPECT_EQ(count(files[0].content, "\n"), 1u);
+}
+
+TEST(SweepReport, OfOneSceneIsATable) {
+  SweepTable table =
+      sweep_over({{"scene.finish.L", 3.0, 3.0, 1}, {"scene.body.k", 1, 1, 1}},
+                 [](const std::vector<double>&) { return 4.510563136747; });
+
+  EXPECT_THAT(names(sweep_report(table)),
+              ElementsAre("scenes.csv", "index.html"));
+  EXPECT_TRUE(says(page(table), "4.510563137"));
+}
+
+TEST(SweepReport, OfFailuresOnlyIsStillAPage) {
+  for (SweepTable table :
+       {plane(), sweep_over({{"scene.body.k", 0.0, 1.0, 9}}, sum),
+        sweep_over({{"scene.body.k", 0.0, 1.0, 1}}, sum)}) {
+    for (std::size_t i = 0; i < table.outcomes.size(); ++i) fail(table, i);
+
+    EXPECT_TRUE(says(page(table), "verified</th><td>0<"));
+  }
+}
+
+TEST(SweepReport, OfWhatDoesNotFitIsAnError) {
+  SweepTable table = plane();
+  table.columns[1].numbers.pop_back();
+  EXPECT_THROW((void)sweep_report(table), std::invalid_argument);
+
+  table = plane();
+  table.outcomes.pop_back();
+  EXPECT_THROW((void)sweep_report(table), std::invalid_argument);
+
+  table = plane();
+  table.axes[0].columns = {2};
+  EXPECT_THROW((void)sweep_report(table), std::invalid_argument);
+
+  table = plane();
+  table.outcomes[0].tau = SweepOutcome::kNone;
+  EXPECT_THROW((void)sweep_report(table), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace brachisto

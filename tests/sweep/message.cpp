@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "sweep/message.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "brachisto/study/solve.hpp"
+#include "sweep/outcome.hpp"
+
+namespace brachisto::sweep {
+namespace {
+
+Scene off_centred(double theta_m) {
+  Scene scene;
+  scene.body.shape = Shape::Cylinder;
+  scene.body.radius = 1.0 / 3.0;
+  scene.body.eta_m = 2.0 / 3.0;
+  scene.body.theta_m = theta_m;
+  scene.body.k = 0.5;
+  scene.L = 3.0;
+  scene.H = 1.0;
+  return scene;
+}
+
+const Solution& solved() {
+  static const Solution solution = solve(off_centred(0.0));
+  return solution;
+}
+
+TEST(State, SurvivesBitForBit) {
+  ASSERT_TRUE(solved().as_neighbour);
+  const Neighbour& before = *solved().as_neighbour;
+
+  const Neighbour after = neighbour_from_state(to_state(before), before.scene);
+
+  EXPECT_EQ(after.mesh.degree, before.mesh.degree);
+  EXPECT_EQ(after.mesh.boundaries, before.mesh.boundaries);
+  EXPECT_EQ(after.point.x, before.point.x);
+  EXPECT_EQ(after.point.lambda, before.point.lambda);
+  EXPECT_EQ(after.phi, before.phi);
+}
+
+TEST(State, LeadsToTheSameResultAsTheSolutionItself) {
+  const Scene next = off_centred(0.05);
+  const Neighbour& before = *solved().as_neighbour;
+  const Neighbour after = neighbour_from_state(to_state(before), before.scene);
+
+  const Solution direct = solve(next, {}, {.neighbour = &before});
+  const Solution resumed = solve(next, {}, {.neighbour = &after});
+
+  ASSERT_TRUE(direct.verified());
+  EXPECT_EQ(direct.trajectory->transit_time(),
+            resumed.trajectory->transit_time());
+  EXPECT_EQ(direct.as_neighbour->point.x, resumed.as_neighbour->point.x);
+}
+
+TEST(State, OfAnotherSceneIsRefused) {
+  Scene uniform = off_centred(0.0);
+  uniform.body.eta_m = 0.0;
+  EXPECT_ANY_THROW(
+      (void)neighbour_from_state(to_state(*solved().as_neighbour), uniform));
+  EXPECT_ANY_THROW((void)neighbour_from_state("{}", uniform));
+  EXPECT_ANY_THROW((void)neighbour_from_state("", uniform));
+}
+
+TEST(Request, SurvivesALine) {
+  const Request request{3, 16, "{\"phi\": 1}\n\"quoted\""};
+  const std::string line = to_line(request);
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+
+  const Request read = request_from_line(line);
+
+  EXPECT_EQ(read.first, 3U);
+  EXPECT_EQ(read.last, 16U);
+  EXPECT_EQ(read.state, request.state);
+}
+
+TEST(Answer, SurvivesALine) {
+  const Answer answer{7, outcome_json(solved()), "state"};
+  const std::string line = to_line(answer);
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+
+  const auto read = answer_from_line(line.substr(0, line.size() - 1));
+
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->scene, 7U);
+  EXPECT_EQ(read->result, answer.result);
+  EXPECT_EQ(read->state, "state");
+}
+
+TEST(Answer, IsNotReadFromAnythingElse) {
+  const std::string whole = to_line(Answer{7, outcome_json(solved()), ""});
+  for (const std::string& line :
+       {std::string(""), std::string("rubbish"), std::string("{}"),
+        std::string("[1, 2]"), std::string("7"), std::string("\xff\xfe"),
+        std::string(R"({"scene": -1, "result": {}, "state": ""})"),
+        std::string(R"({"scene": 1, "result": 3, "state": ""})"),
+        std::string(R"({"scene": 1, "result": {"status": "solved"}})"),
+        whole.substr(0, whole.size() / 2)}) {
+    EXPECT_FALSE(answer_from_line(line)) << line;
+  }
+}
+
+TEST(Outcome, TellsWhatTheSolutionTold) {
+  const SweepOutcome outcome = read_outcome(outcome_json(solved()));
+
+  EXPECT_EQ(outcome.state, SweepOutcome::State::Verified);
+  EXPECT_EQ(outcome.status, "solved");
+  EXPECT_EQ(outcome.tau, solved().trajectory->tau());
+  EXPECT_EQ(outcome.transit_time, solved().trajectory->transit_time());
+  EXPECT_EQ(outcome.estimated_error, solved().estimated_error);
+  EXPECT_EQ(outcome.feasible, solved().feasible());
+}
+
+TEST(Outcome, OfAFailureHasNoNumbers) {
+  const SweepOutcome outcome =
+      read_outcome(failure_json("worker_lost", "the \"worker\" \xff crashed"));
+
+  EXPECT_EQ(outcome.state, SweepOutcome::State::Failed);
+  EXPECT_EQ(outcome.status, "worker_lost");
+  EXPECT_TRUE(std::isnan(outcome.tau));
+}
+
+}  // namespace
+}  // namespace brachisto::sweep

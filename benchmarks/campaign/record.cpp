@@ -80,14 +80,14 @@ Record examine(const Scene& scene) {
   if (!witness.solved()) {
     record.witness_reason = FixedText<400>(witness.message);
   }
-  if (usable(witness)) {
+  if (witness.usable()) {
     record.witness_tau = witness.tau;
     record.witness_error = witness.error_estimate;
     if (found.trajectory) {
       record.difference = compare(*found.trajectory, witness);
     }
   }
-  record.verdict = judge(record, usable(witness));
+  record.verdict = judge(record, witness.usable());
   return record;
 }
 

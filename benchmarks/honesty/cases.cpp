@@ -50,7 +50,7 @@ std::vector<KnownScene> gallery_scenes(const std::string& folder, int jobs,
         const ExtremalSolution witness =
             ask_witness(wanted[static_cast<std::size_t>(i)].scene, kSeconds);
         const bool good =
-            usable(witness) && witness.error_estimate <= kTwelveDigits;
+            witness.usable() && witness.error_estimate <= kTwelveDigits;
         return good ? witness.tau : 0.0;
       },
       [&](int i, const std::optional<double>& tau, const std::string&) {

@@ -63,14 +63,17 @@ Intent read_intent(const std::string& path) {
   std::ifstream file(path);
   Intent intent;
   std::string line;
+  bool cold_start = false;
   while (std::getline(file, line) && line.starts_with('#')) {
     if (const auto why = after(line, "# Why: ")) intent.why = *why;
     if (const auto pass = after(line, "# Pass: ")) intent.pass = *pass;
+    if (line == "# Cold start: principal") cold_start = true;
   }
   if (intent.why.empty() || intent.pass.empty()) {
     throw std::runtime_error(path + ": no \"# Why: …\" and \"# Pass: …\"");
   }
   intent.criterion = parse(intent.pass);
+  intent.criterion.cold_start = cold_start;
   return intent;
 }
 
@@ -87,6 +90,10 @@ std::string objection(const Criterion& criterion, const Solution& solution) {
     return failed ? "" : why_not_verified(solution);
   }
   if (!solution.verified()) return why_not_verified(solution);
+  if (criterion.cold_start &&
+      !(solution.cold_start && solution.cold_start->principal)) {
+    return "the cold start led elsewhere";
+  }
   if (criterion.kind == Tau) {
     const double tau = solution.trajectory->tau();
     const double allowed = criterion.half_unit * 1.001 +

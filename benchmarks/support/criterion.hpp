@@ -7,6 +7,10 @@
 ///     # Why: small radius, twenty bumps
 ///     # Pass: tau = 5.7071701888
 ///
+/// and, where a start other than the cycloid has to lead to the same extremal,
+///
+///     # Cold start: principal
+///
 /// A criterion is one of
 ///
 ///     tau = NUMBER         verified, and τ is NUMBER to its last digit
@@ -31,6 +35,7 @@ struct Criterion {
   double tau = 0.0;
   double half_unit = 0.0;  ///< of the last digit of tau
   std::string text;
+  bool cold_start = false;  ///< it has to lead to the principal branch
 
   [[nodiscard]] bool wants_a_path() const {
     return kind != Kind::Refused && kind != Kind::NotVerified;

@@ -31,6 +31,8 @@ std::string_view word(ExtremalStatus status) {
       return "not_minimal";
     case ExtremalStatus::TimeLimit:
       return "time_limit";
+    case ExtremalStatus::Interrupted:
+      return "interrupted";
   }
   return "unknown";
 }

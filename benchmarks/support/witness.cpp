@@ -11,13 +11,8 @@ namespace brachisto::benchmarks {
 ExtremalSolution ask_witness(const Scene& scene, double max_seconds) {
   ExtremalOptions options;
   options.follow_folds = true;
-  options.max_seconds = max_seconds;
+  options.stop = StopCondition(max_seconds, nullptr);
   return solve_extremal(scene, options);
-}
-
-bool usable(const ExtremalSolution& witness) {
-  return witness.solved() ||
-         witness.status == ExtremalStatus::AccuracyNotReached;
 }
 
 Difference compare(const Trajectory& found, const ExtremalSolution& witness) {

@@ -16,10 +16,6 @@ namespace brachisto::benchmarks {
 [[nodiscard]] ExtremalSolution ask_witness(const Scene& scene,
                                            double max_seconds);
 
-/// True if the witness's numbers may be used: an extremal whose own error is
-/// known, though it may have fewer digits than were asked for.
-[[nodiscard]] bool usable(const ExtremalSolution& witness);
-
 /// How far two paths lie apart.
 struct Difference {
   double tau = 0.0;    ///< |τ − τ'| / τ'

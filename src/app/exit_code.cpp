@@ -21,6 +21,7 @@ int exit_code(const Solution& solution, int signal) {
     case Status::NotEvaluable:
     case Status::OutOfMemory:
     case Status::NoAdmissiblePath:
+    case Status::Stalled:
       return kNotSolved;
   }
   return kInternalError;

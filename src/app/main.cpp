@@ -11,6 +11,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <system_error>
 
 #include "app/exit_code.hpp"
 #include "app/verbs.hpp"
@@ -18,7 +19,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
-#include "sweep/sqlite.hpp"
+#include "sweep/manager.hpp"
 
 namespace brachisto::app {
 
@@ -47,7 +48,8 @@ std::string version_text() {
 /// document on stdout.
 int fail(ExitCode code, std::string_view status, std::string_view message,
          bool json, nlohmann::ordered_json errors = {}) {
-  fmt::print(stderr, "{}\n", message);
+  // Nobody may listen; that must not hide the exit code.
+  std::fputs(fmt::format("{}\n", message).c_str(), stderr);
   if (json) {
     nlohmann::ordered_json document = {
         {"schema_version", report::kSchemaVersion},
@@ -55,8 +57,11 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
         {"verified", false},
         {"message", message}};
     if (!errors.is_null()) document["errors"] = std::move(errors);
-    fmt::print("{}\n", document.dump(2, ' ', false,
-                                     nlohmann::json::error_handler_t::replace));
+    std::fputs((document.dump(2, ' ', false,
+                              nlohmann::json::error_handler_t::replace) +
+                "\n")
+                   .c_str(),
+               stdout);
   }
   return code;
 }
@@ -120,6 +125,11 @@ int run(int argc, char** argv) {
     return fail(kIoError, "io_error", error.what(), json);
   } catch (const sweep::StoreError& error) {
     return fail(kIoError, "io_error", error.what(), json);
+  } catch (const sweep::WorkersFail& error) {
+    return fail(kInternalError, "workers_fail", error.what(), json);
+  } catch (const std::system_error& error) {  // also of fmt::print
+    return fail(kIoError, "io_error",
+                fmt::format("brachisto: {}", error.what()), json);
   } catch (const std::exception& error) {
     return fail(kInternalError, "internal_error",
                 fmt::format("brachisto: internal error: {}", error.what()),

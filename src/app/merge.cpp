@@ -52,12 +52,17 @@ int run(const MergeFlags& flags) {
   const sweep::Job job = sweep::job_from_line(info.job);
   info.shard = sweep::kMerged;
   const sweep::DirectoryLock lock(flags.out);
+  std::vector<Store> parts =
+      sweep::open_parts({flags.parts.begin(), flags.parts.end()}, info);
   Store target =
       Store::exists(flags.out)
           ? Store::open(flags.out, sweep::Database::Access::ReadWrite)
           : Store::create(flags.out, info);
-  const sweep::MergeReport report =
-      merge({flags.parts.begin(), flags.parts.end()}, target, job);
+  if (target.info().input_hash != info.input_hash ||
+      target.info().version != info.version) {
+    throw sweep::StoreError(flags.out + ": holds another sweep");
+  }
+  const sweep::MergeReport report = merge(parts, target, job);
   if (flags.json) {
     const nlohmann::ordered_json document = {
         {"schema_version", report::kSchemaVersion},

@@ -41,8 +41,8 @@ void write_results(const SolveFlags& flags, const Solution& solution,
   std::vector<report::OutputFile> files;
   if (solution.verified()) {
     files.push_back(
-        {kTrajectoryFile, report::trajectory_csv(*solution.trajectory)});
-    files.push_back({kPathFile, report::path_svg(*solution.trajectory)});
+        {kTrajectoryFile, report::trajectory_csv(*solution.motion())});
+    files.push_back({kPathFile, report::path_svg(*solution.motion())});
   } else {
     report::remove_files(flags.out, {kTrajectoryFile, kPathFile});
   }

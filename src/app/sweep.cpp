@@ -45,6 +45,7 @@ struct SweepFlags : CommonFlags {
   double timeout = 0.0;
   double memory = -1.0;
   bool resume = false;
+  bool retry = false;
   bool force = false;
 };
 
@@ -94,6 +95,16 @@ Store open_store(const SweepFlags& flags, const Job& job,
   return store;
 }
 
+/// A solve stops itself at its own limit, give or take an iteration; a scene
+/// may be solved warm, cold, and by a second method.
+double generous_timeout(const io::SweepFile& file) {
+  double limit = 0.0;
+  for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
+    limit = std::max(limit, file.problem(scene).options.limits.seconds);
+  }
+  return 3.0 * limit + 60.0;
+}
+
 sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
                                       const std::atomic<int>& signal) {
   sweep::ManagerOptions options;
@@ -102,10 +113,8 @@ sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
       flags.jobs > 0
           ? flags.jobs
           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  // A solve stops itself at its own limit, give or take an iteration.
-  const double own_limit = job.file.problem(0).options.limits.seconds;
   options.seconds_per_scene =
-      flags.timeout > 0.0 ? flags.timeout : 2.0 * own_limit + 60.0;
+      flags.timeout > 0.0 ? flags.timeout : generous_timeout(job.file);
   constexpr double kMebibyte = 1024.0 * 1024.0;
   if (flags.memory >= 0.0) {
     options.memory = static_cast<std::size_t>(flags.memory * kMebibyte);
@@ -121,24 +130,40 @@ sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
 }
 
 /// Scenes that failed, the first few with their reasons.
-std::string failures(Store& store) {
-  constexpr int kShown = 10;
+std::string failures(const Counts& counts) {
   std::string text;
-  int count = 0;
-  store.for_each_result([&](std::size_t scene, const std::string& document) {
-    const SweepOutcome outcome = sweep::read_outcome(document);
-    if (outcome.state == SweepOutcome::State::Verified) return;
-    if (++count <= kShown) {
-      text += fmt::format("  scene {}: {}: {}\n", scene, outcome.status,
-                          outcome.message);
-    }
-  });
-  if (count > kShown) text += fmt::format("  and {} more\n", count - kShown);
+  for (const sweep::FailedScene& failed : counts.failures) {
+    text += fmt::format("  scene {}: {}: {}\n", failed.scene, failed.status,
+                        failed.message);
+  }
+  const std::size_t more = counts.failed - counts.failures.size();
+  if (more > 0) text += fmt::format("  and {} more\n", more);
   return text;
 }
 
+nlohmann::ordered_json failures_json(const Counts& counts) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const sweep::FailedScene& failed : counts.failures) {
+    list.push_back({{"scene", failed.scene},
+                    {"status", failed.status},
+                    {"message", failed.message}});
+  }
+  return list;
+}
+
+/// Forgets what no worker answered for.
+void forget_worker_failures(Store& store) {
+  std::vector<std::size_t> scenes;
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    if (sweep::read_outcome(document).status.starts_with("worker_")) {
+      scenes.push_back(scene);
+    }
+  });
+  store.forget(scenes);
+}
+
 void print_results(const SweepFlags& flags, const Counts& counts,
-                   double seconds, int signal, Store& store) {
+                   double seconds, int signal) {
   if (flags.json) {
     const nlohmann::ordered_json document = {
         {"schema_version", report::kSchemaVersion},
@@ -150,6 +175,7 @@ void print_results(const SweepFlags& flags, const Counts& counts,
         {"verified", counts.verified},
         {"feasible", counts.feasible},
         {"failed", counts.failed},
+        {"failures", failures_json(counts)},
         {"new", counts.finished() - counts.before},
         {"seconds", seconds},
         {"store",
@@ -161,7 +187,7 @@ void print_results(const SweepFlags& flags, const Counts& counts,
         "  verified {} (feasible {}), failed {}\n{}",
         flags.out, counts.finished(), counts.scenes,
         counts.finished() - counts.before, seconds, counts.verified,
-        counts.feasible, counts.failed, failures(store));
+        counts.feasible, counts.failed, failures(counts));
     if (signal != 0) fmt::print("  stopped; --resume goes on\n");
   }
 }
@@ -172,6 +198,7 @@ int run(const SweepFlags& flags) {
   const std::atomic<int>& signal = catch_signals();
   const sweep::DirectoryLock lock(flags.out);
   Store store = open_store(flags, job, wanted);
+  if (flags.retry) forget_worker_failures(store);
 
   sweep::Progress progress(flags.quiet ? sweep::Progress::Form::None
                                        : sweep::Progress::form_of_stderr());
@@ -184,7 +211,7 @@ int run(const SweepFlags& flags) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();
   const int received = counts.finished() < counts.scenes ? signal.load() : 0;
-  print_results(flags, counts, seconds, received, store);
+  print_results(flags, counts, seconds, received);
   if (received != 0) return kSignalBase + received;
   return counts.failed == 0 ? kSuccess : kNotSolved;
 }
@@ -216,11 +243,14 @@ void add_sweep(CLI::App& app, int& exit_code) {
       });
   verb->add_flag("--resume", flags->resume,
                  "Go on with the results in DIR, if there are any");
+  verb->add_flag("--retry-failed", flags->retry,
+                 "Solve scenes again that no worker answered for")
+      ->needs("--resume");
   verb->add_flag("--force", flags->force, "Replace the results in DIR")
       ->excludes("--resume");
   verb->add_option("--timeout", flags->timeout,
                    "Kill a worker that takes longer for one scene; default: "
-                   "twice solver.limits.seconds and a minute")
+                   "three times solver.limits.seconds and a minute")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   verb->add_option("--memory", flags->memory,

@@ -21,7 +21,7 @@ constexpr double kSmallestCosine = 0.95;     // between successive tangents
 /// Enough digits to stay on the branch; the last point gets the others. The
 /// longer the path, the more a local error moves its end: measured, about with
 /// the square of the number of turns.
-NewtonOptions loose(int num_arcs, Clock::time_point deadline) {
+NewtonOptions loose(int num_arcs) {
   constexpr double kLocalError = 1e-9;
   constexpr double kTightest = 1e-13;
   constexpr double kShort = 6.0;  // arcs
@@ -31,8 +31,7 @@ NewtonOptions loose(int num_arcs, Clock::time_point deadline) {
                           .halve = false},
           .tolerance = 1e-7,
           .max_steps = 6,
-          .smallest_factor = 1.0,
-          .deadline = deadline};
+          .smallest_factor = 1.0};
 }
 
 Globals scaled(const Globals& q, const ChainScale& scale) {
@@ -114,15 +113,14 @@ double fold_between(const ShootingSystem& system, const NewtonResult& here,
 
 Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
                      const ChainScale& scale, double target,
-                     const ExtremalOptions& options,
-                     Clock::time_point deadline) {
-  const NewtonOptions newton = loose(system.num_arcs(), deadline);
+                     const ExtremalOptions& options) {
+  const NewtonOptions newton = loose(system.num_arcs());
   Branch branch;
   branch.point = start;
   NewtonResult here =
       solve_newton(system, start, scale, ClosingRow::offset(0.0), newton);
   branch.newton_steps += here.steps;
-  if (here.end == NewtonEnd::Deadline) branch.end = BranchEnd::Deadline;
+  if (here.end == NewtonEnd::Stopped) branch.end = BranchEnd::Stopped;
   if (here.end != NewtonEnd::Converged) return branch;
   record(here, branch.report);
   branch.point = here.point;
@@ -144,8 +142,8 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
 
     NewtonResult next = solve_newton(system, predicted, scale, closing, newton);
     branch.newton_steps += next.steps;
-    if (next.end == NewtonEnd::Deadline) {
-      branch.end = BranchEnd::Deadline;
+    if (next.end == NewtonEnd::Stopped) {
+      branch.end = BranchEnd::Stopped;
       return branch;
     }
     bool good = next.end == NewtonEnd::Converged &&

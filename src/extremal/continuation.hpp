@@ -17,7 +17,7 @@ enum class BranchEnd {
   StepTooSmall,
   NoStart,  ///< Newton's method fails at η = 0
   MaxSteps,
-  Deadline,
+  Stopped,  ///< from outside
 };
 
 struct Branch {
@@ -36,7 +36,6 @@ struct Branch {
 [[nodiscard]] Branch follow_branch(const ShootingSystem& system,
                                    const ChainVector& start,
                                    const ChainScale& scale, double target,
-                                   const ExtremalOptions& options,
-                                   Clock::time_point deadline);
+                                   const ExtremalOptions& options);
 
 }  // namespace brachisto::shooting

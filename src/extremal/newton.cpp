@@ -24,7 +24,10 @@ NewtonResult solve_newton(const ShootingSystem& system,
   constexpr double kRoundingLevel = 1e-7;
   NewtonResult result;
   result.point = start;
-  if (!system.evaluate(start, options.integration, result.at)) return result;
+  if (!system.evaluate(start, options.integration, result.at)) {
+    if (system.stopped()) result.end = NewtonEnd::Stopped;
+    return result;
+  }
 
   const auto gap = [&](const ChainVector& point) {
     return closing.value - closing.row.dot(point.globals);
@@ -52,8 +55,8 @@ NewtonResult solve_newton(const ShootingSystem& system,
                                              : NewtonEnd::Diverged;
         return result;
       }
-      if (Clock::now() > options.deadline) {
-        result.end = NewtonEnd::Deadline;
+      if (system.stopped()) {
+        result.end = NewtonEnd::Stopped;
         return result;
       }
       trial = moved(result.point, factor, change);

@@ -6,13 +6,9 @@
 
 #pragma once
 
-#include <chrono>
-
 #include "extremal/shooting_system.hpp"
 
 namespace brachisto::shooting {
-
-using Clock = std::chrono::steady_clock;
 
 /// The equation that the shooting system lacks for its unknowns with η among
 /// them: row·q = value.
@@ -30,10 +26,9 @@ struct NewtonOptions {
   int max_steps = 50;
   /// Damping: smallest share of a Newton step that is tried; 1 for none.
   double smallest_factor = 1e-4;
-  Clock::time_point deadline = Clock::time_point::max();
 };
 
-enum class NewtonEnd { Converged, Diverged, MaxSteps, NotEvaluable, Deadline };
+enum class NewtonEnd { Converged, Diverged, MaxSteps, NotEvaluable, Stopped };
 
 struct NewtonResult {
   NewtonEnd end = NewtonEnd::NotEvaluable;

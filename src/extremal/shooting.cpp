@@ -21,13 +21,6 @@ namespace {
 
 using namespace shooting;
 
-Clock::time_point deadline_of(const ExtremalOptions& options) {
-  constexpr double kLongest = 1e8;  // beyond it the clock would overflow
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(std::clamp(
-                                options.max_seconds, 0.0, kLongest)));
-}
-
 /// What the two ways to a solution share.
 class Solve {
  public:
@@ -37,8 +30,8 @@ class Solve {
         options_(options),
         units_(natural_units(scene)),
         natural_(in_natural_units(scene)),
-        deadline_(deadline_of(options)),
-        system_(natural_, choose_arcs(natural_, guess, options.arcs)),
+        system_(natural_, choose_arcs(natural_, guess, options.arcs),
+                options.stop),
         start_(to_chain(natural_, units_, guess, system_.num_arcs())),
         scale_(scale_of(natural_, start_)) {
     solution_.arcs = system_.num_arcs();
@@ -57,6 +50,11 @@ class Solve {
     solution_.status = status;
     solution_.message = fmt::format("{}: {}", describe(status), details);
   }
+  void stop(std::string_view where) {
+    fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
+                                     : ExtremalStatus::TimeLimit,
+         where);
+  }
   void fill(const NewtonResult& result);
   void judge();
   /// T, corrected for the matching errors left [natural units].
@@ -72,7 +70,6 @@ class Solve {
   const ExtremalOptions& options_;
   Units units_;
   Scene natural_;
-  Clock::time_point deadline_;
   ShootingSystem system_;
   ChainVector start_;
   ChainScale scale_;
@@ -83,8 +80,7 @@ bool Solve::continue_in_offset() {
   const double target = natural_.body.eta_m;
   start_.globals(kEta) = 0.0;
   if (target == 0.0) return true;
-  Branch branch =
-      follow_branch(system_, start_, scale_, target, options_, deadline_);
+  Branch branch = follow_branch(system_, start_, scale_, target, options_);
   solution_.newton_steps += branch.newton_steps;
   solution_.continuation = std::move(branch.report);
   ContinuationReport& report = solution_.continuation;
@@ -120,10 +116,8 @@ bool Solve::continue_in_offset() {
            "already at η = 0, where the cycloid should satisfy all conditions; "
            "try more arcs");
       break;
-    case BranchEnd::Deadline:
-      fail(ExtremalStatus::TimeLimit,
-           fmt::format("{} s, at η = {:.6g} of {:.6g}", options_.max_seconds,
-                       eta, target));
+    case BranchEnd::Stopped:
+      stop(fmt::format("at η = {:.6g} of {:.6g}", eta, target));
       break;
   }
   return false;
@@ -153,8 +147,7 @@ void Solve::finish() {
       .integration = {.tolerance = std::max(kShare * wanted, kTightest),
                       .halve = false},
       .tolerance = wanted,
-      .max_steps = options_.max_newton_steps,
-      .deadline = deadline_};
+      .max_steps = options_.max_newton_steps};
   const ClosingRow closing = ClosingRow::offset(natural_.body.eta_m);
 
   const NewtonResult coarse =
@@ -176,8 +169,8 @@ void Solve::finish() {
                        "or more arcs",
                        coarse.at.arc + 1, system_.num_arcs()));
       return;
-    case NewtonEnd::Deadline:
-      fail(ExtremalStatus::TimeLimit, describe_stop(coarse));
+    case NewtonEnd::Stopped:
+      stop(describe_stop(coarse));
       return;
     case NewtonEnd::Diverged:
     case NewtonEnd::MaxSteps:
@@ -189,8 +182,8 @@ void Solve::finish() {
   const NewtonResult fine =
       solve_newton(system_, coarse.point, scale_, closing, newton);
   solution_.newton_steps += fine.steps;
-  if (fine.end == NewtonEnd::Deadline) {
-    fail(ExtremalStatus::TimeLimit, describe_stop(fine));
+  if (fine.end == NewtonEnd::Stopped) {
+    stop(describe_stop(fine));
     return;
   }
   fill(fine.end == NewtonEnd::Converged ? fine : coarse);
@@ -206,6 +199,10 @@ void Solve::finish() {
   solution_.path = ExtremalPath(natural_, units_, fine.point.globals(kPX),
                                 fine.point.globals(kPZ),
                                 system_.path(fine.point, newton.integration));
+  if (solution_.path.empty() && system_.stopped()) {
+    stop("on the way along the solution");
+    return;
+  }
   if (solution_.path.empty()) {
     fail(ExtremalStatus::NewtonFailed,
          "the solution cannot be integrated again");
@@ -284,6 +281,12 @@ void Solve::judge() {
 }
 
 }  // namespace
+
+bool ExtremalSolution::usable() const {
+  constexpr double kWorthless = 1e-6;  // an error that settles nothing
+  return solved() || (status == ExtremalStatus::AccuracyNotReached &&
+                      error_estimate <= kWorthless);
+}
 
 ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
                                 const ExtremalOptions& options) {

@@ -73,6 +73,7 @@ bool ShootingSystem::evaluate(const ChainVector& point,
   ArcEnd end;
   for (int i = 0; i < num_arcs_; ++i) {
     out.arc = i;
+    if (stopped()) return false;
     if (!integrate_arc(flow, to_state(point.nodes[at(i)]), near,
                        q(kU) / num_arcs_, control, step, end)) {
       return false;
@@ -136,8 +137,8 @@ std::vector<ExtremalPath::Knot> ShootingSystem::path(
     State first_state = to_state(point.nodes[at(i)]);
     if (i == 0) first_state[kW] = 0.0;  // exactly, not but for rounding
     ArcEnd end;
-    if (!integrate_path(flow, first_state, near, span, control, step, end,
-                        knots)) {
+    if (stopped() || !integrate_path(flow, first_state, near, span, control,
+                                     step, end, knots)) {
       return {};
     }
     for (std::size_t j = first; j < knots.size(); ++j) {

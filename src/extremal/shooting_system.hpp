@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
 #include "extremal/chain_elimination.hpp"
 
@@ -28,11 +29,13 @@ struct Linearisation {
 /// The equations for a scene in natural units; η is an unknown.
 class ShootingSystem {
  public:
-  ShootingSystem(const Scene& natural, int num_arcs)
-      : scene_(natural), num_arcs_(num_arcs) {}
+  /// \param stop  once met, evaluations fail from the next arc on
+  ShootingSystem(const Scene& natural, int num_arcs, StopCondition stop = {})
+      : scene_(natural), num_arcs_(num_arcs), stop_(stop) {}
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] int num_arcs() const { return num_arcs_; }
+  [[nodiscard]] bool stopped() const { return stop_.met(); }
 
   /// false if an arc, out.arc, cannot be integrated from there.
   [[nodiscard]] bool evaluate(const ChainVector& point,
@@ -54,6 +57,7 @@ class ShootingSystem {
 
   Scene scene_;
   int num_arcs_;
+  StopCondition stop_;
 };
 
 /// Scales that make changes of the unknowns comparable: each is divided by its

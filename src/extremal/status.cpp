@@ -29,6 +29,8 @@ std::string_view describe(ExtremalStatus status) {
       return "the Hamiltonian is not minimal along the extremal found";
     case ExtremalStatus::TimeLimit:
       return "the time allowed ran out";
+    case ExtremalStatus::Interrupted:
+      return "stopped from outside";
   }
   return "unknown status";
 }

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,60 @@ void check_cylinder(const YamlValue& root, Findings& findings) {
   }
 }
 
+/// A key that multiple shooting does not use.
+struct UnusedKey {
+  std::string_view path;
+  bool (*differs)(const SolveOptions&);  ///< from what holds if it is absent
+  std::string_view because;
+};
+
+constexpr std::string_view kOwnMesh = "which has no elements";
+constexpr std::string_view kNoProgram = "which solves no nonlinear program";
+
+constexpr std::array kUnusedByShooting{
+    UnusedKey{"discretisation.degree",
+              [](const SolveOptions& o) {
+                return o.discretisation.degree.has_value();
+              },
+              kOwnMesh},
+    UnusedKey{"discretisation.elements",
+              [](const SolveOptions& o) {
+                return o.discretisation.elements.has_value();
+              },
+              kOwnMesh},
+    UnusedKey{"discretisation.nodes",
+              [](const SolveOptions& o) {
+                return o.discretisation.nodes.has_value();
+              },
+              kOwnMesh},
+    UnusedKey{"solver.linear_solver",
+              [](const SolveOptions& o) {
+                return o.linear_solver != SolveOptions{}.linear_solver;
+              },
+              kNoProgram},
+    UnusedKey{"solver.tolerance",
+              [](const SolveOptions& o) {
+                return o.tolerance != SolveOptions{}.tolerance;
+              },
+              kNoProgram},
+    UnusedKey{"solver.search",
+              [](const SolveOptions& o) { return o.search == Search::Global; },
+              "which follows one branch"},
+    UnusedKey{"solver.polish", [](const SolveOptions& o) { return !o.polish; },
+              kNoProgram},
+    UnusedKey{
+        "solver.certify",
+        [](const SolveOptions& o) { return o.certify == Certify::Extremal; },
+        "whose second opinion on itself would be its first"},
+    UnusedKey{"solver.guess",
+              [](const SolveOptions& o) { return o.guess != Guess::Cycloid; },
+              "which starts from the cycloid"},
+    UnusedKey{"solver.limits.iterations",
+              [](const SolveOptions& o) {
+                return o.limits.iterations != Limits{}.iterations;
+              },
+              kNoProgram}};
+
 }  // namespace
 
 void check_body(const YamlValue& root, const ProblemFile& problem,
@@ -55,6 +110,34 @@ void check_body(const YamlValue& root, const ProblemFile& problem,
     check_bead(root, findings);
   } else {
     check_cylinder(root, findings);
+  }
+}
+
+void check_solver(const YamlValue& root, const ProblemFile& problem,
+                  Findings& findings) {
+  const Entry* search = find_entry(root, "solver.search");
+  if (search != nullptr && !findings.concern("solver.search") &&
+      !findings.concern("scene.contact") &&
+      problem.options.search == Search::Global &&
+      problem.scene.contact == Contact::Centre) {
+    findings.add(search->value.position, "solver.search",
+                 "global is not allowed with contact: centre; between fixed "
+                 "ends of the centre's path there is no contact to search for");
+  }
+  if (findings.concern("solver.method") ||
+      problem.options.method != Method::Extremal) {
+    return;
+  }
+  for (const UnusedKey& unused : kUnusedByShooting) {
+    const Entry* entry = find_entry(root, unused.path);
+    if (entry == nullptr || findings.concern(unused.path) ||
+        !unused.differs(problem.options)) {
+      continue;
+    }
+    findings.add(entry->value.position, std::string(unused.path),
+                 fmt::format("has no effect with method: extremal, {}; leave "
+                             "it out, or take method: ipopt",
+                             unused.because));
   }
 }
 

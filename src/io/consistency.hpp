@@ -20,6 +20,11 @@ void check_body(const YamlValue& root, const ProblemFile& problem,
 void check_mesh(const YamlValue& root, const ProblemFile& problem,
                 Findings& findings);
 
+/// Checks that the method has a use for the keys that are given, and that there
+/// is something to search for.
+void check_solver(const YamlValue& root, const ProblemFile& problem,
+                  Findings& findings);
+
 /// Checks the bounds of physics, as far as the numbers they are about could be
 /// read.
 void check_scene(const YamlValue& root, const ProblemFile& problem,

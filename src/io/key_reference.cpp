@@ -24,6 +24,8 @@ std::string_view type_name(KeyType type) {
       return "integer";
     case KeyType::Choice:
       return "word";
+    case KeyType::Text:
+      return "text";
     case KeyType::Reserved:
       break;
   }

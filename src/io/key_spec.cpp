@@ -31,7 +31,8 @@ const KeySpec* find_key(std::string_view path) {
 bool is_value_key(std::string_view path) {
   const KeySpec* spec = find_key(path);
   return spec != nullptr && path != "version" && spec->type != KeyType::Map &&
-         spec->type != KeyType::Sweep && spec->type != KeyType::Reserved;
+         spec->type != KeyType::Sweep && spec->type != KeyType::Text &&
+         spec->type != KeyType::Reserved;
 }
 
 std::vector<std::string_view> keys_of(std::string_view map) {
@@ -76,6 +77,8 @@ std::string expected(const KeySpec& spec) {
                          fmt::join(keys_of(spec.path), ", "));
     case KeyType::Choice:
       return fmt::format("{}", fmt::join(choices_of(spec), " or "));
+    case KeyType::Text:
+      return fmt::format("{}", spec.bounds);
     case KeyType::Sweep:
       return "a map of the keys that vary, as in {scene.body.eta_m: [0, 1/3]}";
     case KeyType::Reserved:

@@ -24,6 +24,7 @@ enum class KeyType {
   Angle,     ///< the same with a suffix
   Integer,   ///< number with an integral value
   Choice,    ///< one of some words
+  Text,      ///< any text
   Sweep,     ///< map of swept keys
   Reserved,  ///< known, but of a later version of the program
 };
@@ -65,6 +66,7 @@ struct KeySpec {
   std::string_view description = {};
   Interval interval = {};
   void (*set)(ProblemFile&, double) = nullptr;  ///< stores a number
+  void (*set_text)(ProblemFile&, const std::string&) = nullptr;
   std::vector<Choice> choices = {};
 
   [[nodiscard]] std::string_view name() const;    ///< last part of the path

@@ -6,6 +6,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "io/key_spec.hpp"
 
@@ -16,6 +19,15 @@ namespace {
 constexpr double kMaxInt = std::numeric_limits<int>::max();
 constexpr int kMaxElements = 10'000'000;
 constexpr int kMaxNodes = kMaxElements * kMaxDegree + 1;
+
+/// Changes the given path; copies of the scene that share it keep theirs.
+template <class Change>
+void change_path(ProblemFile& problem, Change&& change) {
+  const auto& old = problem.scene.path;
+  auto path = std::make_shared<GivenPath>(old ? *old : GivenPath{});
+  change(*path);
+  problem.scene.path = std::move(path);
+}
 
 std::vector<KeySpec> scene_keys() {
   return {
@@ -110,7 +122,83 @@ std::vector<KeySpec> scene_keys() {
                     [](ProblemFile& p) {
                       p.scene.contact = Contact::Centre;
                     }}}},
-      {.path = "scene.path"},
+      {.path = "scene.path",
+       .type = KeyType::Map,
+       .description = "a given path, which is evaluated; without it the "
+                      "fastest one is found"},
+      {.path = "scene.path.curve",
+       .type = KeyType::Choice,
+       .fallback = "centre",
+       .description = "whose curve it is: the path of the centre, or the track "
+                      "from A to B",
+       .choices = {{"centre",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.curve = GivenPath::Curve::Centre;
+                      });
+                    }},
+                   {"track",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.curve = GivenPath::Curve::Track;
+                      });
+                    }}}},
+      {.path = "scene.path.shape",
+       .type = KeyType::Choice,
+       .presence = Presence::Required,
+       .description = "a parabola has a horizontal axis if it starts "
+                      "vertically, a vertical one otherwise; a cycloid has its "
+                      "cusp at the start; points: a cubic spline",
+       .choices = {{"straight",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.shape = GivenPath::Shape::Straight;
+                      });
+                    }},
+                   {"parabola",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.shape = GivenPath::Shape::Parabola;
+                      });
+                    }},
+                   {"circular_arc",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.shape = GivenPath::Shape::CircularArc;
+                      });
+                    }},
+                   {"cycloid",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.shape = GivenPath::Shape::Cycloid;
+                      });
+                    }},
+                   {"points",
+                    [](ProblemFile& p) {
+                      change_path(p, [](GivenPath& path) {
+                        path.shape = GivenPath::Shape::Points;
+                      });
+                    }}}},
+      {.path = "scene.path.start_angle",
+       .type = KeyType::Angle,
+       .unit = "rad",
+       .fallback = "90 deg",
+       .description = "slope angle at the start of a parabola or a circular "
+                      "arc, downwards positive",
+       .set =
+           [](ProblemFile& p, double v) {
+             change_path(p, [=](GivenPath& path) { path.start_angle = v; });
+           }},
+      {.path = "scene.path.file",
+       .type = KeyType::Text,
+       .bounds = "a CSV file with the columns x,z",
+       .description = "of points, in metres, from A to B; a relative name "
+                      "starts from the problem file's directory",
+       .set_text =
+           [](ProblemFile& p, const std::string& text) {
+             p.points_file = text;
+             change_path(p, [](GivenPath&) {});
+           }},
   };
 }
 

@@ -6,6 +6,7 @@
 #include "io/consistency.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
+#include "io/path_points.hpp"
 #include "io/problem_reader.hpp"
 
 namespace brachisto::io {
@@ -19,9 +20,11 @@ ProblemFile read_problem_text(std::string_view text, const std::string& name,
                               const std::vector<std::string>& overrides) {
   Findings findings;
   const InputTree input = read_input_tree(text, name, overrides, findings);
-  const ProblemFile problem = ProblemReader(findings).read(input.root);
+  ProblemFile problem = ProblemReader(findings).read(input.root);
+  read_path_points(input, problem, findings);
   check_body(input.root, problem, findings);
   check_mesh(input.root, problem, findings);
+  check_solver(input.root, problem, findings);
   check_scene(input.root, problem, findings);
   findings.throw_if_any(input.sources);
   return problem;

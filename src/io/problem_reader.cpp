@@ -115,6 +115,8 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
                               expected(spec)));
   } else if (spec.type == KeyType::Choice) {
     read_choice(spec, node);
+  } else if (spec.type == KeyType::Text) {
+    spec.set_text(problem_, node.text);
   } else {
     read_number(spec, node);
   }

@@ -104,6 +104,7 @@ void check_all(const YamlValue& root, const ProblemFile& problem,
                Findings& findings) {
   check_body(root, problem, findings);
   check_mesh(root, problem, findings);
+  check_solver(root, problem, findings);
   check_scene(root, problem, findings);
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/input_tree.hpp"
+#include "io/path_points.hpp"
 #include "io/problem_reader.hpp"
 #include "io/sweep_check.hpp"
 
@@ -74,7 +75,8 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
   const bool readable = findings.all().empty();
 
   mark_swept(section, input.root);
-  const ProblemFile base = ProblemReader(findings).read(input.root);
+  ProblemFile base = ProblemReader(findings).read(input.root);
+  read_path_points(input, base, findings);
   check_shared(section, input.root, base, findings);
   std::optional<SweepNames> names =
       resolve_names(section, input.root, findings);

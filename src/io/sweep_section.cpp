@@ -41,7 +41,7 @@ class SectionReader {
     }
     const FieldReader fields(sweep.value, "sweep", sweep.position, findings_);
     section_.warm_start =
-        fields.word("warm_start", {"true", "false"}) == "true";
+        fields.word("warm_start", {"false", "true"}) == "true";
     build_axes(sweep, section_, findings_);
     return std::move(section_);
   }

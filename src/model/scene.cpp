@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace brachisto {
@@ -80,6 +81,54 @@ void check_cylinder(const Body& body, Checker& check) {
   }
 }
 
+void check_path(const Scene& scene, Checker& check) {
+  const GivenPath& path = *scene.path;
+  using Shape = GivenPath::Shape;
+  const bool of_track = path.curve == GivenPath::Curve::Track;
+  if (of_track && scene.contact == Contact::Centre) {
+    check.add("scene.path.curve",
+              "track is not allowed with contact: centre, which says where the "
+              "centre starts and ends, not the track");
+  }
+  if (path.start_angle) {
+    check.finite("scene.path.start_angle", *path.start_angle);
+    if (!path.has_start_angle()) {
+      check.add("scene.path.start_angle",
+                "only a parabola and a circular_arc leave the choice");
+    }
+  }
+  if (path.shape != Shape::Points) {
+    if (!path.points.empty()) {
+      check.add("scene.path.file", "only shape: points has points");
+    }
+    return;
+  }
+  if (!of_track && scene.contact == Contact::Smooth) {
+    check.add(
+        "scene.path.curve",
+        "centre is not allowed for points with contact: smooth: they say "
+        "themselves where the centre starts and ends; use contact: centre, "
+        "or curve: track");
+  }
+  if (path.points.size() < 2) {
+    check.add("scene.path.file", "a path needs two points or more");
+    return;
+  }
+  // To the digits in which files hold points.
+  constexpr double kClose = 1e-6;
+  const auto apart = [&](const Point& p, double x, double z) {
+    return std::hypot(p.x - x, p.z - z) > kClose * std::max(scene.L, scene.H);
+  };
+  if (apart(path.points.front(), 0.0, 0.0)) {
+    check.add("scene.path.file", "the first point has to be A = (0, 0)");
+  }
+  if (apart(path.points.back(), scene.L, scene.H)) {
+    check.add("scene.path.file",
+              fmt::format("the last point has to be B = ({:g}, {:g})", scene.L,
+                          scene.H));
+  }
+}
+
 }  // namespace
 
 std::vector<SceneError> validate(const Scene& scene) {
@@ -99,6 +148,7 @@ std::vector<SceneError> validate(const Scene& scene) {
                  "for B lies below A (z points down)");
   check.positive("scene.gravity", scene.gravity, " m/s²",
                  "for it is what moves the body");
+  if (scene.path) check_path(scene, check);
   return check.take();
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "report/colour_bar.hpp"
@@ -49,7 +48,7 @@ class Drawing {
   void cells(const std::function<std::string(const SweepOutcome&)>& colour);
   void contours(ValueRange range, const std::vector<double>& levels);
   void edge_of_infeasible();
-  void minimum();
+  void minima();
   void colour_bar(ValueRange range, const std::vector<double>& levels);
   void frame();
   [[nodiscard]] Legend& legend() { return legend_; }
@@ -64,7 +63,7 @@ class Drawing {
   [[nodiscard]] std::string path(std::size_t i, std::size_t j) const;
   [[nodiscard]] std::vector<std::pair<Pixel, Pixel>> edges_of_infeasible()
       const;
-  [[nodiscard]] std::optional<Pixel> place_of_minimum() const;
+  [[nodiscard]] Pixel place_of(std::size_t scene) const;
 
   const SweepTable& table_;
   const SweepMap& map_;
@@ -72,7 +71,8 @@ class Drawing {
   MapGeometry geometry_;
   std::string hatch_;
   Svg svg_;
-  Legend legend_{svg_, {kArea.left, kArea.bottom + 68.0}};
+  Legend legend_{svg_, {kArea.left, kArea.bottom + 68.0}, kWidth - 8.0};
+  double top_ = 0.0;
 };
 
 /// Outline of a cell as path data; empty where the cell has no place.
@@ -128,11 +128,15 @@ void Drawing::contours(ValueRange range, const std::vector<double>& levels) {
       places.avoid(geometry_.lattice.nodes[node], kFromHole);
     }
   }
-  if (const auto at = place_of_minimum()) places.avoid(*at, kFromRing);
+  for (const auto& scene :
+       {digest_.fastest_feasible, digest_.faster_infeasible}) {
+    if (scene) places.avoid(place_of(*scene), kFromRing);
+  }
   for (const auto& [a, b] : edges_of_infeasible()) {
     places.avoid({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, kFromEdge);
   }
   std::string labels;
+  begin_clip(svg_, kArea, map_.name + "-frame");
   for (const double level : levels) {
     const Colour ground = colour_at(range.share(level));
     const std::string_view ink = ink_on(ground);
@@ -154,6 +158,7 @@ void Drawing::contours(ValueRange range, const std::vector<double>& levels) {
           label->at.x, label->at.y, label->angle, ink, hex(ground), text);
     }
   }
+  end_clip(svg_);
   svg_.put("{}", labels);
 }
 
@@ -188,21 +193,16 @@ void Drawing::edge_of_infeasible() {
   if (!data.empty()) draw_edge(svg_, data);
 }
 
-std::optional<Pixel> Drawing::place_of_minimum() const {
-  if (!digest_.fastest) return std::nullopt;
-  const auto node = static_cast<std::size_t>(
-      std::find(map_.scenes.begin(), map_.scenes.end(), *digest_.fastest) -
-      map_.scenes.begin());
-  const Pixel at = geometry_.lattice.nodes[node];
-  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return std::nullopt;
-  return at;
+Pixel Drawing::place_of(std::size_t scene) const {
+  const auto node = std::find(map_.scenes.begin(), map_.scenes.end(), scene) -
+                    map_.scenes.begin();
+  return geometry_.lattice.nodes[static_cast<std::size_t>(node)];
 }
 
-void Drawing::minimum() {
-  const std::optional<Pixel> at = place_of_minimum();
-  if (!at) return;
-  draw_ring(svg_, *at, "class=\"minimum\"");
-  legend_.minimum(table_, {map_.x_column, map_.y_column}, *digest_.fastest);
+void Drawing::minima() {
+  draw_minima(svg_, digest_,
+              [&](std::size_t scene) { return place_of(scene); });
+  legend_.minima(table_, map_.scenes);
 }
 
 void Drawing::colour_bar(ValueRange range, const std::vector<double>& levels) {
@@ -212,12 +212,16 @@ void Drawing::colour_bar(ValueRange range, const std::vector<double>& levels) {
 
 void Drawing::frame() {
   draw_frame(svg_, kArea);
-  const auto label = [&](std::size_t column) {
-    return key_label(table_.columns[column].key).text(Markup::Svg, true);
+  const auto label = [&](std::size_t column, std::size_t letters) {
+    return key_label(table_.columns[column].key)
+        .within(letters)
+        .text(Markup::Svg, true);
   };
-  draw_x_axis(svg_, kArea, geometry_.x, label(map_.x_column));
-  draw_y_axis(svg_, kArea, geometry_.y, label(map_.y_column));
-  draw_heading(svg_, kArea, table_, map_.fixed, map_.scenes);
+  draw_x_axis(svg_, kArea, geometry_.x,
+              label(map_.x_column, letters_of_x_label(kArea)));
+  draw_y_axis(svg_, kArea, geometry_.y,
+              label(map_.y_column, letters_of_y_label(kArea)));
+  top_ = draw_heading(svg_, kArea, table_, map_.fixed, map_.scenes);
 }
 
 void Drawing::legend_of_states() {
@@ -235,7 +239,8 @@ void Drawing::legend_of_states() {
 
 std::string Drawing::document(std::string_view what) const {
   return svg_.document(kWidth, legend_.bottom() + 2.0,
-                       document_title(what, table_, map_.fixed, map_.scenes));
+                       document_title(what, table_, map_.fixed, map_.scenes),
+                       top_);
 }
 
 }  // namespace
@@ -253,7 +258,7 @@ std::string heat_map_svg(const SweepTable& table, const SweepMap& map,
   });
   drawing.edge_of_infeasible();
   drawing.contours(range, levels);
-  drawing.minimum();
+  drawing.minima();
   drawing.frame();
   if (any) drawing.colour_bar(range, levels);
   if (found.infeasible > 0) {

@@ -16,7 +16,7 @@
 namespace brachisto::report {
 
 /// What a map shows: scene (i, j) is scenes[i · ny + j] and lies where its own
-/// values of two numeric columns put it.
+/// values of two numeric columns put it; see in_map_order().
 struct SweepMap {
   std::size_t x_column = 0, y_column = 0;
   std::size_t nx = 0, ny = 0;  ///< both at least 2
@@ -27,8 +27,10 @@ struct SweepMap {
 };
 
 /// Colours of τ with contour lines through verified scenes, the smallest value
-/// marked. Failed scenes are hatched (class "failed"), missing ones open (class
-/// "missing"); a line surrounds what is infeasible.
+/// of a feasible one marked (class "minimum"), and that of all, if it is
+/// smaller (class "infeasible-minimum"). Failed scenes are hatched (class
+/// "failed"), missing ones open (class "missing"); a line surrounds what is
+/// infeasible.
 ///
 /// \param range  of the colours; common to maps that are to be compared
 [[nodiscard]] std::string heat_map_svg(const SweepTable& table,

@@ -46,7 +46,9 @@ double KeyAxis::operator()(std::size_t scene) const {
 }
 
 void KeyAxis::draw(Svg& svg, const PlotArea& area) const {
-  const std::string label = key_label(column_.key).text(Markup::Svg, true);
+  const std::string label = key_label(column_.key)
+                                .within(letters_of_x_label(area))
+                                .text(Markup::Svg, true);
   if (column_.numeric()) {
     draw_x_axis(svg, area, axis_, label);
   } else {

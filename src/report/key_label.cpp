@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "report/letters.hpp"
 #include "report/svg.hpp"
 
 namespace brachisto::report {
@@ -30,6 +32,8 @@ constexpr std::array<Known, 8> kKnown{{
     {"scene.gravity", "g", "", "m/s²"},
 }};
 
+constexpr std::size_t kBetween = 5;  // letters: " = " and ", "
+
 }  // namespace
 
 KeyLabel key_label(std::string_view key) {
@@ -49,6 +53,12 @@ double KeyLabel::shown(double value) const {
 
 std::string KeyLabel::after_number() const {
   return unit.empty() || degrees ? unit : " " + unit;
+}
+
+KeyLabel KeyLabel::within(std::size_t letters) const {
+  KeyLabel label = *this;
+  if (!letter) label.symbol = shortened_key(symbol, letters);
+  return label;
 }
 
 std::string KeyLabel::text(Markup markup, bool with_unit) const {
@@ -110,15 +120,39 @@ std::string shown_value(const SweepColumn& column, std::size_t scene) {
 std::string place(const SweepTable& table,
                   const std::vector<std::size_t>& columns, std::size_t scene,
                   Markup markup) {
-  std::string out;
+  constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max() / 2;
+  const std::vector<std::string> lines =
+      place_lines(table, columns, scene, markup, kEndless);
+  return lines.front();
+}
+
+std::vector<std::string> place_lines(const SweepTable& table,
+                                     const std::vector<std::size_t>& columns,
+                                     std::size_t scene, Markup markup,
+                                     std::size_t letters_of_line,
+                                     std::size_t taken) {
+  const std::size_t half = letters_of_line / 2;
+  std::vector<std::string> lines(1);
+  std::size_t used = taken;
   for (const std::size_t c : columns) {
     const SweepColumn& column = table.columns[c];
-    const std::string value = shown_value(column, scene);
-    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ",
-                       key_label(column.key).text(markup, false),
-                       markup == Markup::Plain ? value : xml_escaped(value));
+    const KeyLabel label = key_label(column.key).within(half);
+    const std::string value =
+        shortened(shown_value(column, scene), half - kBetween);
+    const std::size_t length =
+        letters(label.text(Markup::Plain, false) + value) + kBetween;
+    const bool first = c == columns.front();
+    if (!first) lines.back() += ",";
+    if (used + length > letters_of_line && used > 0) {
+      lines.emplace_back();
+      used = 0;
+    }
+    lines.back() += fmt::format(
+        "{}{} = {}", lines.back().empty() ? "" : " ", label.text(markup, false),
+        markup == Markup::Plain ? value : xml_escaped(value));
+    used += length;
   }
-  return out;
+  return lines;
 }
 
 }  // namespace brachisto::report

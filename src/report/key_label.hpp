@@ -31,6 +31,8 @@ struct KeyLabel {
   [[nodiscard]] double shown(double value) const;
   /// The unit as it follows a number: "°", " m" or nothing.
   [[nodiscard]] std::string after_number() const;
+  /// The same, or what is left of a key in so many letters.
+  [[nodiscard]] KeyLabel within(std::size_t letters) const;
   /// "η_m", or "η_m [°]", with tags and escaped as the language asks for.
   [[nodiscard]] std::string text(Markup markup, bool with_unit) const;
 };
@@ -54,5 +56,12 @@ struct KeyLabel {
 [[nodiscard]] std::string place(const SweepTable& table,
                                 const std::vector<std::size_t>& columns,
                                 std::size_t scene, Markup markup);
+/// The same in lines of at most so many letters of plain text; what would not
+/// fit into one is shortened.
+/// \param taken  letters of the first line
+[[nodiscard]] std::vector<std::string> place_lines(
+    const SweepTable& table, const std::vector<std::size_t>& columns,
+    std::size_t scene, Markup markup, std::size_t letters_of_line,
+    std::size_t taken = 0);
 
 }  // namespace brachisto::report

@@ -3,15 +3,37 @@
 
 #include "report/legend.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "report/key_label.hpp"
+#include "report/letters.hpp"
 
 namespace brachisto::report {
 
-void draw_heading(Svg& svg, const PlotArea& area, const SweepTable& table,
-                  const std::vector<std::size_t>& fixed, const Scenes& scenes) {
-  if (fixed.empty() || scenes.empty()) return;
-  svg.text({area.left, area.top - 13.0}, "fill=\"#222222\"",
-           place(table, fixed, scenes.front(), Markup::Svg));
+namespace {
+
+constexpr double kIndent = 32.0;    // of what a sign means
+constexpr double kFontSize = 13.0;  // of the legend
+
+}  // namespace
+
+double draw_heading(Svg& svg, const PlotArea& area, const SweepTable& table,
+                    const std::vector<std::size_t>& fixed,
+                    const Scenes& scenes) {
+  constexpr double kHeadingSize = 14.0;  // that of the document
+  constexpr double kLine = 19.0;
+  if (fixed.empty() || scenes.empty()) return 0.0;
+  const std::vector<std::string> lines =
+      place_lines(table, fixed, scenes.front(), Markup::Svg,
+                  letters_within(area.right - area.left, kHeadingSize));
+  double y = area.top - 13.0 - kLine * static_cast<double>(lines.size() - 1);
+  const double top = std::min(0.0, y - kLine);
+  for (const std::string& line : lines) {
+    svg.text({area.left, y}, "fill=\"#222222\"", line);
+    y += kLine;
+  }
+  return top;
 }
 
 std::string document_title(std::string_view what, const SweepTable& table,
@@ -40,14 +62,27 @@ void draw_cross(Svg& svg, Pixel at, std::string_view attributes) {
       at.x - kArm, at.y - kArm, attributes);
 }
 
-void draw_ring(Svg& svg, Pixel at, std::string_view attributes) {
+void draw_ring(Svg& svg, Pixel at, bool filled, std::string_view attributes) {
   constexpr double kRadius = 6.0;
   svg.circle(at, kRadius,
-             fmt::format("{} fill=\"none\" stroke=\"#000000\" "
+             fmt::format("{} fill=\"{}\" stroke=\"#000000\" "
                          "stroke-width=\"4.5\"",
-                         attributes));
+                         attributes, filled ? "#000000" : "none"));
   svg.circle(at, kRadius,
              "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"2\"");
+}
+
+void draw_minima(Svg& svg, const SweepDigest& found,
+                 const std::function<Pixel(std::size_t)>& place) {
+  const auto draw = [&](std::optional<std::size_t> scene, bool feasible) {
+    if (!scene) return;
+    const Pixel at = place(*scene);
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
+    draw_ring(svg, at, feasible,
+              feasible ? "class=\"minimum\"" : "class=\"infeasible-minimum\"");
+  };
+  draw(found.faster_infeasible, false);
+  draw(found.fastest_feasible, true);
 }
 
 void draw_edge(Svg& svg, std::string_view path) {
@@ -61,17 +96,14 @@ void draw_edge(Svg& svg, std::string_view path) {
 }
 
 void Legend::entry(std::string_view markup) {
-  svg_.text({at_.x + 32.0, at_.y}, "font-size=\"13\" fill=\"#222222\"", markup);
+  svg_.text({at_.x + kIndent, at_.y},
+            fmt::format("font-size=\"{}\" fill=\"#222222\"", kFontSize),
+            markup);
   at_.y += 21.0;
 }
 
 void Legend::swatch(std::string_view attributes, std::string_view markup) {
   svg_.rectangle({at_.x + 1.0, at_.y - 11.0}, 20.0, 12.0, attributes);
-  entry(markup);
-}
-
-void Legend::ring(std::string_view markup) {
-  draw_ring(svg_, sign(), "");
   entry(markup);
 }
 
@@ -91,14 +123,36 @@ void Legend::edge(std::string_view markup) {
 }
 
 void Legend::minimum(const SweepTable& table,
-                     const std::vector<std::size_t>& columns,
-                     std::size_t scene) {
-  const SweepOutcome& outcome = table.outcomes[scene];
-  ring(fmt::format(
-      "minimum: <tspan font-style=\"italic\">τ</tspan> = {} at "
-      "{}{}",
-      printed(outcome.tau, 8), place(table, columns, scene, Markup::Svg),
-      outcome.feasible ? "" : ", infeasible"));
+                     const std::vector<std::size_t>& columns, std::size_t scene,
+                     const std::string& what) {
+  const std::string tau = printed(table.outcomes[scene].tau, 8);
+  std::string line =
+      fmt::format("{}: <tspan font-style=\"italic\">τ</tspan> = {}", what, tau);
+  if (columns.empty()) return entry(line);
+  const std::size_t taken = letters(what + ": τ = " + tau + " at ");
+  line += " at ";
+  for (const std::string& part : place_lines(
+           table, columns, scene, Markup::Svg,
+           letters_within(right_ - at_.x - kIndent, kFontSize), taken)) {
+    entry(line + part);
+    line.clear();
+  }
+}
+
+void Legend::minima(const SweepTable& table, const Scenes& scenes) {
+  const SweepDigest found = digest(table, scenes);
+  const std::vector<std::size_t> columns = columns_that_vary(table, scenes);
+  if (found.fastest_feasible) {
+    draw_ring(svg_, sign(), true);
+    minimum(table, columns, *found.fastest_feasible,
+            found.infeasible > 0 ? "minimum, feasible" : "minimum");
+  }
+  if (found.faster_infeasible) {
+    draw_ring(svg_, sign(), false);
+    minimum(table, columns, *found.faster_infeasible,
+            found.fastest_feasible ? "faster, but infeasible"
+                                   : "minimum, infeasible");
+  }
 }
 
 }  // namespace brachisto::report

@@ -25,10 +25,13 @@ MapGeometry map_geometry(const SweepTable& table, const SweepMap& map,
   }
 
   Cells cells(lattice);
+  // Where the border is bent outwards, scenes lie beyond their cells.
   Extent x_extent, y_extent;
-  for (const Pixel& corner : cells.corners()) {
-    x_extent.include(corner.x);
-    y_extent.include(corner.y);
+  for (const std::vector<Pixel>* points : {&cells.corners(), &lattice.nodes}) {
+    for (const Pixel& p : *points) {
+      x_extent.include(p.x);
+      y_extent.include(p.y);
+    }
   }
   const Axis x(x_scale, x_extent.low, x_extent.high, area.left, area.right);
   const Axis y(y_scale, y_extent.low, y_extent.high, area.bottom, area.top);

@@ -13,8 +13,9 @@
 
 namespace brachisto::report {
 
-/// Axes that hold all cells, the scenes with their τ as a grid, and their cells
-/// [px]. A scene without finite coordinates has a cell without them.
+/// Axes that hold all cells and scenes, the scenes with their τ as a grid, and
+/// their cells [px]. A scene without finite coordinates has a cell without
+/// them.
 struct MapGeometry {
   Axis x, y;
   Lattice lattice;

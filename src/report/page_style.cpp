@@ -15,14 +15,16 @@ body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1.25rem 4rem;
 h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .4rem;
   font-weight: normal; overflow-wrap: anywhere; }
 h2 { font-size: 1.2rem; margin: 2.6rem 0 .6rem; font-weight: normal;
-  border-bottom: 1px solid #cccccc; padding-bottom: .25rem; }
+  border-bottom: 1px solid #cccccc; padding-bottom: .25rem;
+  overflow-wrap: anywhere; }
 p { margin: .5rem 0; max-width: 46rem; }
 .about { color: #444444; }
+.partial { border-left: .25rem solid #b45309; padding-left: .75rem; }
 .part { display: grid; grid-template-columns: minmax(0, 45rem) minmax(13rem, 1fr);
   gap: 1rem 2rem; align-items: start; }
 figure { margin: 0 0 1.4rem; }
 .drawing { overflow-x: auto; }
-.drawing svg { display: block; width: 100%; min-width: 30rem; height: auto; }
+.drawing svg, .drawing img { display: block; width: 100%; min-width: 30rem; height: auto; }
 figcaption { font-size: .92rem; color: #333333; margin-top: .3rem; }
 table { border-collapse: collapse; font-size: .88rem; line-height: 1.35;
   font-variant-numeric: tabular-nums; }
@@ -34,7 +36,7 @@ tbody th { font-weight: normal; color: #444444; }
 td { white-space: nowrap; }
 sub { line-height: 0; font-size: .72em; }
 .digest { width: 100%; }
-.digest td { white-space: normal; }
+.digest td { white-space: normal; overflow-wrap: anywhere; }
 .digest small { color: #555555; }
 td.words { white-space: normal; min-width: 18rem; max-width: 40rem;
   overflow-wrap: anywhere; }
@@ -48,7 +50,7 @@ footer { margin-top: 3rem; font-size: .85rem; color: #666666; }
   body { max-width: none; padding: 0; font-size: 10pt; }
   .part { display: block; }
   .drawing, .wide { overflow: visible; }
-  .drawing svg { min-width: 0; max-width: 16cm; }
+  .drawing svg, .drawing img { min-width: 0; max-width: 16cm; }
   figure, tr { break-inside: avoid; }
   h2 { break-after: avoid; }
   .files { display: none; }

@@ -155,10 +155,9 @@ void draw_legend(Canvas& canvas, const Body& body) {
 
 }  // namespace
 
-std::string path_svg(const Trajectory& trajectory) {
-  const Body& body = trajectory.scene().body;
-  const std::vector<TrajectoryPoint> rows = trajectory.sample(
-      std::max(2, 600 / trajectory.curve().mesh().num_elements()));
+std::string path_svg(const Motion& motion) {
+  const Body& body = motion.scene().body;
+  const std::vector<TrajectoryPoint> rows = motion.fine_sample(600);
   std::vector<Point> track, centre, mass_centre;
   Box box{0.0, 0.0, 0.0, 0.0};
   for (const TrajectoryPoint& row : rows) {
@@ -192,7 +191,7 @@ std::string path_svg(const Trajectory& trajectory) {
   label(rows.back().motion.contact, "B");
   canvas.text(kMarginLeft, 30.0, "font-size=\"17\"",
               fmt::format("Fastest track: τ = {:.8f}, T = {:.6g} s",
-                          trajectory.tau(), trajectory.transit_time()));
+                          motion.tau(), motion.transit_time()));
   draw_legend(canvas, body);
   return canvas.document();
 }

@@ -6,23 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/letters.hpp"
+
 namespace brachisto::report {
 
 namespace {
 
 constexpr double kTick = 5.0;
+constexpr double kLabelSize = 14.0;   // that of the document
 constexpr std::size_t kLetters = 14;  // of a category
 constexpr std::string_view kThin = "stroke=\"#333333\" stroke-width=\"1\"";
 constexpr std::string_view kBelow =
     "text-anchor=\"middle\" font-size=\"13\" fill=\"#222222\"";
 constexpr std::string_view kBeside =
     "text-anchor=\"end\" font-size=\"13\" fill=\"#222222\"";
-
-/// Letters of UTF-8, which all but continuation bytes begin.
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 /// Longest word as it is written.
 std::size_t longest(const std::vector<std::string>& words) {
@@ -45,17 +42,29 @@ bool slanted(const PlotArea& area, const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string shortened(std::string_view text, std::size_t length) {
-  if (letters(text) <= length) return std::string(text);
-  std::string out(text);
-  while (letters(out) >= length) out.pop_back();
-  return out + "…";
-}
-
 void draw_frame(Svg& svg, const PlotArea& area) {
   svg.rectangle({area.left, area.top}, area.right - area.left,
                 area.bottom - area.top,
                 "fill=\"none\" stroke=\"#333333\" stroke-width=\"1\"");
+}
+
+void begin_clip(Svg& svg, const PlotArea& area, std::string_view id) {
+  svg.put("<defs><clipPath id=\"{}\">", id);
+  svg.rectangle({area.left, area.top}, area.right - area.left,
+                area.bottom - area.top, "");
+  svg.put("</clipPath></defs>\n<g clip-path=\"url(#{})\">\n", id);
+}
+
+void end_clip(Svg& svg) {
+  svg.put("</g>\n");
+}
+
+std::size_t letters_of_x_label(const PlotArea& area) {
+  return letters_within(area.right - area.left, kLabelSize);
+}
+
+std::size_t letters_of_y_label(const PlotArea& area) {
+  return letters_within(area.bottom - area.top, kLabelSize);
 }
 
 void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,15 @@ struct PlotArea {
 
 /// Thin lines around the area.
 void draw_frame(Svg& svg, const PlotArea& area);
+
+/// What is put in between is seen within the area only.
+/// \param id  unique within a page
+void begin_clip(Svg& svg, const PlotArea& area, std::string_view id);
+void end_clip(Svg& svg);
+
+/// Letters of the names of the axes of an area that surely find room.
+[[nodiscard]] std::size_t letters_of_x_label(const PlotArea& area);
+[[nodiscard]] std::size_t letters_of_y_label(const PlotArea& area);
 
 /// Ticks outside the area, their numbers and the name of the axis; `label` is
 /// markup.
@@ -42,8 +52,5 @@ void draw_categories(Svg& svg, const PlotArea& area, const Axis& axis,
 /// How far those words and the label reach below the plot.
 [[nodiscard]] double categories_depth(const PlotArea& area,
                                       const std::vector<std::string>& words);
-
-/// Words of at most so many letters, the rest as an ellipsis.
-[[nodiscard]] std::string shortened(std::string_view text, std::size_t length);
 
 }  // namespace brachisto::report

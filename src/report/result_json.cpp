@@ -31,11 +31,45 @@ Json body_json(const Body& body) {
   return json;
 }
 
+const char* shape_name(GivenPath::Shape shape) {
+  switch (shape) {
+    case GivenPath::Shape::Straight:
+      return "straight";
+    case GivenPath::Shape::Parabola:
+      return "parabola";
+    case GivenPath::Shape::CircularArc:
+      return "circular_arc";
+    case GivenPath::Shape::Cycloid:
+      return "cycloid";
+    case GivenPath::Shape::Points:
+      return "points";
+  }
+  return "";
+}
+
+Json path_json(const GivenPath& path) {
+  Json json = {
+      {"curve", path.curve == GivenPath::Curve::Track ? "track" : "centre"},
+      {"shape", shape_name(path.shape)},
+      {"start_angle", path.has_start_angle()
+                          ? Json(path.start_angle_or_vertical())
+                          : Json(nullptr)}};
+  if (path.shape == GivenPath::Shape::Points) {
+    Json points = Json::array();
+    for (const Point& point : path.points) {
+      points.push_back({point.x, point.z});
+    }
+    json["points"] = std::move(points);
+  }
+  return json;
+}
+
 Json scene_json(const Scene& scene) {
   return {{"body", body_json(scene.body)},
           {"finish", {{"L", scene.L}, {"H", scene.H}}},
           {"gravity", scene.gravity},
-          {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"}};
+          {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"},
+          {"path", scene.path ? path_json(*scene.path) : Json(nullptr)}};
 }
 
 Json guess_json(const SolveOptions& options) {
@@ -87,13 +121,22 @@ Json check_json(const Check& check) {
   return json;
 }
 
-Json certificate_json(const Certificate& certificate) {
+Json certificate_json(const Solution& solution) {
+  const Certificate& certificate = solution.certificate;
   // Fixed keys first; null where this version has no such check.
   Json json = {{"kkt_residual", nullptr},
                {"reintegration_error", nullptr},
                {"energy_drift", nullptr},
                {"contact_error", nullptr},
                {"second_order", nullptr}};
+  // Both times of a second opinion, for nobody to have to compute their
+  // difference anew.
+  const std::optional<ExtremalOpinion>& opinion = solution.extremal;
+  const bool both = opinion && opinion->solved && solution.trajectory;
+  json["tau"] = both ? Json(solution.trajectory->tau()) : Json(nullptr);
+  json["extremal_tau"] = both ? Json(opinion->tau) : Json(nullptr);
+  json["extremal_difference"] =
+      both ? Json(opinion->difference) : Json(nullptr);
   Json checks = Json::array();
   for (const Check& check : certificate.checks) {
     json[check.name] = check.value;
@@ -160,19 +203,19 @@ Json extremal_json(const std::optional<ExtremalOpinion>& opinion) {
           {"difference", opinion->difference}};
 }
 
-/// Figures of the path; all null if `trajectory` is.
-void add_path(Json& json, const Trajectory* trajectory,
-              const PathDiagnostics* path, bool rolls) {
+/// Figures of the path; all null if `motion` is.
+void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
+              bool rolls) {
   const auto put = [&](const char* key, auto&& value) {
-    json[key] = trajectory ? Json(value()) : Json(nullptr);
+    json[key] = motion ? Json(value()) : Json(nullptr);
   };
-  put("tau", [&] { return trajectory->tau(); });
-  put("transit_time", [&] { return trajectory->transit_time(); });
-  put("centre_path_length", [&] { return trajectory->centre_path_length(); });
-  put("rail_length", [&] { return trajectory->rail_length(); });
-  put("start_angle", [&] { return trajectory->start_angle(); });
-  put("end_angle", [&] { return trajectory->end_angle(); });
-  put("rotation", [&] { return or_null(trajectory->rotation()); });
+  put("tau", [&] { return motion->tau(); });
+  put("transit_time", [&] { return motion->transit_time(); });
+  put("centre_path_length", [&] { return motion->centre_path_length(); });
+  put("rail_length", [&] { return motion->rail_length(); });
+  put("start_angle", [&] { return motion->start_angle(); });
+  put("end_angle", [&] { return motion->end_angle(); });
+  put("rotation", [&] { return or_null(motion->rotation()); });
   const auto diagnose = [&](const char* key, bool exists, auto&& value) {
     json[key] = path && exists ? Json(value()) : Json(nullptr);
   };
@@ -204,10 +247,12 @@ std::string result_json(const Solution& solution) {
   json["status"] = name(solution.status);
   json["message"] = solution.message;
   json["verified"] = verified;
+  json["not_verified_because"] =
+      solved ? Json(solution.not_verified_because()) : Json(nullptr);
   json["feasible"] = verified ? Json(solution.feasible()) : Json(nullptr);
   json["infeasible_because"] =
       verified ? Json(solution.infeasible_because()) : Json(nullptr);
-  add_path(json, verified ? &*solution.trajectory : nullptr,
+  add_path(json, verified ? solution.motion() : nullptr,
            verified ? &*solution.diagnostics : nullptr,
            solution.scene.body.rolls());
   json["estimated_error"] = or_null(solution.estimated_error);
@@ -237,7 +282,7 @@ std::string result_json(const Solution& solution) {
   json["seconds"] = {{"total", effort.seconds},
                      {"solve", effort.seconds - effort.certificate_seconds},
                      {"certificate", effort.certificate_seconds}};
-  json["certificate"] = certificate_json(solution.certificate);
+  json["certificate"] = certificate_json(solution);
   json["provenance"] = provenance_json(solution.options);
   json["scene"] = scene_json(solution.scene);
   return json.dump(2) + "\n";

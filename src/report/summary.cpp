@@ -36,7 +36,7 @@ void line(std::string& out, std::string_view label, const std::string& text) {
 }
 
 void add_answer(std::string& out, const Solution& solution) {
-  const Trajectory& path = *solution.trajectory;
+  const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
   line(out, "τ = T √(2g/H)",
        fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
@@ -110,14 +110,9 @@ std::string summary(const Solution& solution) {
   if (solution.status != Status::Solved) {
     line(out, "", std::string(describe(solution.status)));
     line(out, "because", solution.message);
-  } else if (!verified) {
-    for (const Check& check : solution.certificate.checks) {
-      if (check.passed) continue;
-      line(out, "failed check",
-           fmt::format("{}: {:.3g} exceeds {:.3g}{}{}", check.name, check.value,
-                       check.threshold, check.where.empty() ? "" : " at ",
-                       check.where));
-    }
+  }
+  for (const std::string& reason : solution.not_verified_because()) {
+    line(out, "failed check", reason);
   }
 
   if (!solution.folds.empty()) {

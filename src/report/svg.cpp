@@ -66,17 +66,18 @@ void Svg::text(Pixel at, std::string_view attributes, std::string_view markup) {
       markup);
 }
 
-std::string Svg::document(double width, double height,
-                          std::string_view title) const {
+std::string Svg::document(double width, double height, std::string_view title,
+                          double top) const {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "height=\"{1:.0f}\" viewBox=\"0 {4:.0f} {0:.0f} {1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"14\">\n{2}"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{3}</svg>\n",
-      width, height,
+      "<rect{5} width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      "{3}</svg>\n",
+      width, height - top,
       title.empty() ? ""
                     : fmt::format("<title>{}</title>\n", xml_escaped(title)),
-      out_);
+      out_, top, top == 0.0 ? "" : fmt::format(" y=\"{:.0f}\"", top));
 }
 
 }  // namespace brachisto::report

@@ -44,8 +44,10 @@ class Svg {
   }
 
   /// The document, on white, with a title for those who cannot see it.
+  /// \param top  where it begins; above zero there is room for more
   [[nodiscard]] std::string document(double width, double height,
-                                     std::string_view title = {}) const;
+                                     std::string_view title = {},
+                                     double top = 0.0) const;
 
  private:
   void shape(std::string_view element, const std::vector<Pixel>& points,

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "report/csv.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -15,22 +17,12 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string{};
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + "\"";
-}
-
 }  // namespace
 
 std::string sweep_csv(const SweepTable& table, const Scenes& scenes) {
   std::string out = "scene";
   for (const SweepColumn& column : table.columns) {
-    out += "," + quoted(column.key);
+    out += "," + csv_field(column.key);
   }
   out +=
       ",state,status,feasible,tau,transit_time,estimated_error,end_angle,"
@@ -41,14 +33,14 @@ std::string sweep_csv(const SweepTable& table, const Scenes& scenes) {
     out += fmt::format("{}", scene);
     for (const SweepColumn& column : table.columns) {
       out += "," + (column.numeric() ? number(column.numbers[scene])
-                                     : quoted(column.words[scene]));
+                                     : csv_field(column.words[scene]));
     }
     const char* feasible = outcome.feasible ? "true" : "false";
     out += fmt::format(",{},{},{},{},{},{},{},{}\n", name(outcome.state),
-                       quoted(outcome.status), verified ? feasible : "",
+                       csv_field(outcome.status), verified ? feasible : "",
                        number(outcome.tau), number(outcome.transit_time),
                        number(outcome.estimated_error),
-                       number(outcome.end_angle), quoted(outcome.message));
+                       number(outcome.end_angle), csv_field(outcome.message));
   }
   return out;
 }

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "report/heat_map_svg.hpp"
 #include "report/key_label.hpp"
+#include "report/sweep_order.hpp"
 #include "report/xy_plot_svg.hpp"
 
 namespace brachisto::report {
@@ -53,8 +55,9 @@ std::vector<ValueRange> ranges(const SweepTable& table,
   return std::vector<ValueRange>(figures.size(), all);
 }
 
-/// Ordered axes of more than one value whose first column, numeric or not, is
-/// as asked for.
+/// Ordered axes of more than one value, numeric or not, as asked for. Of the
+/// numeric columns of an axis the first that tells all its values apart, or
+/// just the first.
 std::vector<Direction> directions(const SweepTable& table, bool numeric) {
   std::vector<Direction> found;
   for (std::size_t a = 0; a < table.axes.size(); ++a) {
@@ -63,9 +66,15 @@ std::vector<Direction> directions(const SweepTable& table, bool numeric) {
     const auto is_numeric = [&](std::size_t c) {
       return table.columns[c].numeric();
     };
-    const auto number =
+    auto number =
         std::find_if(axis.columns.begin(), axis.columns.end(), is_numeric);
     const bool has_number = number != axis.columns.end();
+    const Scenes first = scenes_along(table, {a}).front();
+    const auto telling = std::find_if(
+        axis.columns.begin(), axis.columns.end(), [&](std::size_t c) {
+          return is_numeric(c) && distinct(table.columns[c], first);
+        });
+    if (telling != axis.columns.end()) number = telling;
     if (numeric && has_number) found.push_back({a, *number});
     if (!numeric && !has_number && !axis.columns.empty()) {
       found.push_back({a, axis.columns.front()});
@@ -88,9 +97,18 @@ class Planner {
   void maps(Direction x, Direction y);
   void curves(Direction x, std::optional<Direction> family);
   void dots();
-  [[nodiscard]] SweepDrawing curve_drawing(
-      const SweepFigure& figure, const std::string& name, Direction x,
-      std::optional<Direction> family) const;
+  void map_drawings(SweepFigure& figure, const SweepMap& map) const;
+  void curve_drawing(SweepFigure& figure, const std::string& name,
+                     const XyPlot& plot) const;
+  void dot_drawings(SweepFigure& figure,
+                    const std::vector<std::size_t>& columns) const;
+  /// τ over one axis for each value of another, both ascending; joined if no
+  /// value of the first is there twice.
+  [[nodiscard]] XyPlot curve_plot(const SweepFigure& figure, Direction x,
+                                  std::optional<Direction> family) const;
+  /// The same if the curves are few, can be joined, and have one value each.
+  [[nodiscard]] std::optional<XyPlot> clear_curve_plot(
+      const SweepFigure& figure, Direction x, Direction family) const;
   [[nodiscard]] std::string label(std::size_t column) const {
     return key_label(table_.columns[column].key).text(Markup::Html, false);
   }
@@ -136,34 +154,42 @@ void Planner::start(const std::vector<Scenes>& groups, std::string_view kind) {
   }
 }
 
+void Planner::map_drawings(SweepFigure& figure, const SweepMap& map) const {
+  figure.drawings.push_back(
+      {{map.name + ".svg", heat_map_svg(table_, map, figure.tau)},
+       fmt::format("<i>τ</i> over {} and {}.", label(map.x_column),
+                   label(map.y_column))});
+  if (digest(table_, map.scenes).infeasible == 0) return;
+  SweepMap feasibility = map;
+  feasibility.name += "-feasibility";
+  figure.drawings.push_back(
+      {{feasibility.name + ".svg", feasibility_map_svg(table_, feasibility)},
+       "The scenes whose body would lift off or come to a fold of its path."});
+}
+
 void Planner::maps(Direction x, Direction y) {
   const std::size_t nx = table_.axes[x.axis].count;
   const std::size_t ny = table_.axes[y.axis].count;
+  const Direction along = ny >= nx ? y : x;  // if it becomes curves
+  const Direction across = ny >= nx ? x : y;
   start(scenes_along(table_, {x.axis, y.axis}), "map");
   for (SweepFigure& figure : out_.figures) {
     SweepMap map{x.column,      y.column,    nx,          ny,
                  figure.scenes, figure.name, figure.fixed};
-    figure.drawings.push_back(
-        {{figure.name + ".svg", heat_map_svg(table_, map, figure.tau)},
-         fmt::format("<i>τ</i> over {} and {}.", label(x.column),
-                     label(y.column))});
-    if (digest(table_, figure.scenes).infeasible > 0) {
-      map.name += "-feasibility";
-      figure.drawings.push_back(
-          {{map.name + ".svg", feasibility_map_svg(table_, map)},
-           "The scenes whose body would lift off or come to a fold of its "
-           "path."});
+    const std::optional<Scenes> ordered = in_map_order(table_, map);
+    if (ordered) {
+      map.scenes = *ordered;
+      map_drawings(figure, map);
     }
-    if (std::min(nx, ny) <= kMostCurves) {
-      figure.drawings.push_back(curve_drawing(
-          figure, figure.name + "-curves", ny >= nx ? y : x, ny >= nx ? x : y));
-    }
+    auto plot = clear_curve_plot(figure, along, across);
+    if (!plot && !ordered) plot = clear_curve_plot(figure, across, along);
+    if (plot) curve_drawing(figure, figure.name + "-curves", *plot);
+    if (figure.drawings.empty()) dot_drawings(figure, {x.column, y.column});
   }
 }
 
-SweepDrawing Planner::curve_drawing(const SweepFigure& figure,
-                                    const std::string& name, Direction x,
-                                    std::optional<Direction> family) const {
+XyPlot Planner::curve_plot(const SweepFigure& figure, Direction x,
+                           std::optional<Direction> family) const {
   XyPlot plot;
   plot.x_column = x.column;
   plot.fixed = figure.fixed;
@@ -172,13 +198,65 @@ SweepDrawing Planner::curve_drawing(const SweepFigure& figure,
     plot.curves[family ? index_along(table_, family->axis, scene) : 0]
         .push_back(scene);
   }
-  std::string caption = fmt::format("<i>τ</i> against {}", label(x.column));
-  if (family) {
-    plot.family = family->column;
-    caption += fmt::format(" for each {}", label(family->column));
+  for (Scenes& scenes : plot.curves) {
+    scenes = sorted_by(table_.columns[x.column], std::move(scenes));
+    plot.joined = plot.joined && distinct(table_.columns[x.column], scenes);
   }
-  return {{name + ".svg", xy_plot_svg(table_, plot, figure.tau)},
-          caption + "."};
+  if (!family) return plot;
+  plot.family = family->column;
+  // By what tells them apart.
+  Scenes first;
+  for (const Scenes& scenes : plot.curves) first.push_back(scenes.front());
+  std::vector<Scenes> curves;
+  for (const std::size_t scene :
+       sorted_by(table_.columns[family->column], first)) {
+    const auto at = std::find(first.begin(), first.end(), scene);
+    curves.push_back(plot.curves[static_cast<std::size_t>(at - first.begin())]);
+  }
+  plot.curves = std::move(curves);
+  return plot;
+}
+
+std::optional<XyPlot> Planner::clear_curve_plot(const SweepFigure& figure,
+                                                Direction x,
+                                                Direction family) const {
+  if (table_.axes[family.axis].count > kMostCurves) return std::nullopt;
+  XyPlot plot = curve_plot(figure, x, family);
+  const bool told = std::all_of(
+      plot.curves.begin(), plot.curves.end(), [&](const Scenes& scenes) {
+        const auto varying = columns_that_vary(table_, scenes);
+        return !std::binary_search(varying.begin(), varying.end(),
+                                   family.column);
+      });
+  if (!told || !plot.joined) return std::nullopt;
+  return plot;
+}
+
+void Planner::curve_drawing(SweepFigure& figure, const std::string& name,
+                            const XyPlot& plot) const {
+  std::string caption =
+      fmt::format("<i>τ</i> against {}", label(plot.x_column));
+  if (plot.family) {
+    caption += fmt::format(" for each {}", label(*plot.family));
+  }
+  figure.drawings.push_back(
+      {{name + ".svg", xy_plot_svg(table_, plot, figure.tau)}, caption + "."});
+}
+
+void Planner::dot_drawings(SweepFigure& figure,
+                           const std::vector<std::size_t>& columns) const {
+  for (std::size_t d = 0; d < columns.size(); ++d) {
+    XyPlot plot;
+    plot.x_column = columns[d];
+    plot.curves = {figure.scenes};
+    plot.joined = false;
+    plot.fixed = figure.fixed;
+    figure.drawings.push_back(
+        {{fmt::format("{}-{}.svg", figure.name, d + 1),
+          xy_plot_svg(table_, plot, figure.tau)},
+         fmt::format("<i>τ</i> against {}, whatever the other keys are.",
+                     label(columns[d]))});
+  }
 }
 
 void Planner::curves(Direction x, std::optional<Direction> family) {
@@ -186,7 +264,7 @@ void Planner::curves(Direction x, std::optional<Direction> family) {
   if (family) inner.push_back(family->axis);
   start(scenes_along(table_, inner), "curve");
   for (SweepFigure& figure : out_.figures) {
-    figure.drawings.push_back(curve_drawing(figure, figure.name, x, family));
+    curve_drawing(figure, figure.name, curve_plot(figure, x, family));
   }
 }
 
@@ -194,20 +272,10 @@ void Planner::dots() {
   if (varying_.empty()) return;
   start({all_scenes(table_)}, "sample");
   if (out_.figures.empty()) return;
-  SweepFigure& figure = out_.figures.front();
-  const std::size_t drawn = std::min(varying_.size(), kMostFigures);
-  leave_out(varying_.size() - drawn);
-  for (std::size_t d = 0; d < drawn; ++d) {
-    XyPlot plot;
-    plot.x_column = varying_[d];
-    plot.curves = {figure.scenes};
-    plot.joined = false;
-    figure.drawings.push_back(
-        {{fmt::format("{}-{}.svg", figure.name, d + 1),
-          xy_plot_svg(table_, plot, figure.tau)},
-         fmt::format("<i>τ</i> against {}, whatever the other keys are.",
-                     label(varying_[d]))});
-  }
+  std::vector<std::size_t> drawn = varying_;
+  drawn.resize(std::min(varying_.size(), kMostFigures));
+  leave_out(varying_.size() - drawn.size());
+  dot_drawings(out_.figures.front(), drawn);
 }
 
 SweepFigures Planner::figures() {

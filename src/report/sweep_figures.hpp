@@ -45,6 +45,10 @@ struct SweepFigures {
 /// of dots for each column. Other axes give figures of their own for each
 /// combination of their values.
 ///
+/// Lists are drawn in the order of their values. Where that does not make a
+/// map, as values are there twice or depend on one another so that cells would
+/// overlap, there are only curves, or dots.
+///
 /// All figures have one range of τ, unless most would show little then. Figures
 /// of too many scenes, and too many figures, are left out.
 [[nodiscard]] SweepFigures sweep_figures(const SweepTable& table);

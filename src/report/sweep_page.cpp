@@ -16,13 +16,34 @@ namespace brachisto::report {
 namespace {
 
 constexpr const char* kAllScenes = "scenes.csv";
+/// Bytes of drawings on a page: a map of some 20 000 scenes.
+constexpr std::size_t kMostOfDrawings = 1'000'000;
 
 std::string csv_name(const SweepFigure& figure) {
   return figure.name + ".csv";
 }
 
+/// A drawing as a part of the page while there is room, or from its file.
+std::string shown(const OutputFile& drawing, std::size_t& room) {
+  if (drawing.content.size() > room) {
+    return fmt::format("<img src=\"{0}\" alt=\"{0}\"/>\n", drawing.name);
+  }
+  room -= drawing.content.size();
+  return drawing.content;
+}
+
+/// That scenes are missing, if so.
+std::string warning(const SweepTable& table) {
+  const SweepDigest found = digest(table, all_scenes(table));
+  if (found.missing == 0) return {};
+  return fmt::format(
+      "<p class=\"partial\"><strong>Partial.</strong> {} of {} scenes have not "
+      "been run yet; extremes and maps may change.</p>\n",
+      found.missing, table.outcomes.size());
+}
+
 std::string figure_html(const SweepTable& table, const SweepFigure& figure,
-                        std::size_t& number) {
+                        std::size_t& number, std::size_t& room) {
   std::string out = fmt::format(
       "<h2>{}</h2>\n<div class=\"part\">\n<div>\n",
       figure.fixed.empty()
@@ -34,7 +55,7 @@ std::string figure_html(const SweepTable& table, const SweepFigure& figure,
         "{} <span class=\"files\"><a href=\"{}\">SVG</a>, "
         "<a href=\"{}\">CSV</a></span></figcaption>\n"
         "</figure>\n",
-        drawing.file.content, ++number, drawing.caption, drawing.file.name,
+        shown(drawing.file, room), ++number, drawing.caption, drawing.file.name,
         csv_name(figure));
   }
   return out + "</div>\n" + digest_table(table, figure.scenes) + "</div>\n";
@@ -51,6 +72,7 @@ std::string page(const SweepTable& table, const SweepFigures& drawn) {
       "<i>T</i> of each scene as <i>τ</i> = <i>T</i> / √(<i>H</i> / "
       "2<i>g</i>).</p>\n",
       title, page_style());
+  out += warning(table);
   if (table.outcomes.empty()) out += "<p>The sweep has no scenes.</p>\n";
   if (!table.columns.empty()) {
     out += "<div class=\"wide\">" + axes_table(table) + "</div>\n";
@@ -59,8 +81,9 @@ std::string page(const SweepTable& table, const SweepFigures& drawn) {
     out += "<p>" + remark + "</p>\n";
   }
   std::size_t number = 0;
+  std::size_t room = kMostOfDrawings;
   for (const SweepFigure& figure : drawn.figures) {
-    out += figure_html(table, figure, number);
+    out += figure_html(table, figure, number, room);
   }
   if (drawn.figures.empty() && !table.outcomes.empty()) {
     out += "<h2>Results</h2>\n" + digest_table(table, all_scenes(table));

@@ -104,6 +104,11 @@ SweepDigest digest(const SweepTable& table, const Scenes& scenes) {
           [](const SweepOutcome& o) { return o.estimated_error; }, 1.0);
     }
   }
+  if (found.fastest &&
+      (!found.fastest_feasible ||
+       of(*found.fastest).tau < of(*found.fastest_feasible).tau)) {
+    found.faster_infeasible = found.fastest;
+  }
   return found;
 }
 

@@ -39,6 +39,7 @@ struct SweepDigest {
   std::size_t verified = 0, failed = 0, missing = 0, infeasible = 0;
   // Scenes; of equals the first:
   std::optional<std::size_t> fastest, fastest_feasible, slowest, least_accurate;
+  std::optional<std::size_t> faster_infeasible;  ///< than all feasible ones
 };
 [[nodiscard]] SweepDigest digest(const SweepTable& table, const Scenes& scenes);
 

@@ -8,6 +8,7 @@
 #include "report/key_axis.hpp"
 #include "report/key_label.hpp"
 #include "report/legend.hpp"
+#include "report/letters.hpp"
 
 namespace brachisto::report {
 
@@ -17,7 +18,10 @@ using State = SweepOutcome::State;
 
 constexpr double kWidth = 720.0;
 constexpr PlotArea kArea{80.0, 690.0, 40.0, 400.0};
-constexpr double kRoomForLabels = 100.0;
+constexpr double kLabelSize = 13.0;  // of the labels at the curves
+constexpr double kLeader = 22.0;     // from a curve to its label
+constexpr double kLeastLabels = 108.0, kMostLabels = 210.0;
+constexpr std::size_t kLettersOfValue = 13;
 constexpr double kBetweenCrosses = 11.0;
 
 /// A plot being drawn, layer by layer.
@@ -26,27 +30,24 @@ class Drawing {
   Drawing(const SweepTable& table, const XyPlot& plot, ValueRange range)
       : table_(table),
         plot_(plot),
-        area_(area_of(plot)),
+        area_(area_of(table, plot)),
         scenes_(together(plot.curves)),
         digest_(digest(table, scenes_)),
         x_(table.columns[plot.x_column], scenes_, area_),
         tau_(make_axis(range)),
-        legend_(svg_, {area_.left, area_.bottom + x_.depth(area_) + 26.0}) {}
+        legend_(svg_, {area_.left, area_.bottom + x_.depth(area_) + 26.0},
+                kWidth - 8.0) {}
 
   void frame();
   void curve(const Scenes& scenes, const std::string& colour);
   void crosses(const Scenes& scenes, std::size_t row, std::string_view colour);
   void labels(const std::vector<std::string>& colours);
-  void minimum();
+  void minima();
   void legend();
   [[nodiscard]] std::string document() const;
 
  private:
-  static PlotArea area_of(const XyPlot& plot) {
-    PlotArea area = kArea;
-    if (plot.family) area.right -= kRoomForLabels;
-    return area;
-  }
+  static PlotArea area_of(const SweepTable& table, const XyPlot& plot);
   static Scenes together(const std::vector<Scenes>& curves) {
     Scenes all;
     for (const Scenes& scenes : curves) {
@@ -76,7 +77,26 @@ class Drawing {
   Axis tau_;
   Svg svg_;
   Legend legend_;
+  double top_ = 0.0;
 };
+
+/// Leaves room at the right for the labels of a family.
+PlotArea Drawing::area_of(const SweepTable& table, const XyPlot& plot) {
+  PlotArea area = kArea;
+  if (!plot.family) return area;
+  const SweepColumn& column = table.columns[*plot.family];
+  std::size_t longest =
+      letters(key_label(column.key).text(Markup::Plain, false));
+  for (const Scenes& scenes : plot.curves) {
+    if (scenes.empty()) continue;
+    const std::string value = shown_value(column, scenes.front());
+    longest = std::max(longest, std::min(kLettersOfValue, letters(value)));
+  }
+  area.right =
+      kWidth - kLeader -
+      std::clamp(width_of(longest, kLabelSize), kLeastLabels, kMostLabels);
+  return area;
+}
 
 void Drawing::frame() {
   if (digest_.verified > 0) {
@@ -88,7 +108,7 @@ void Drawing::frame() {
   }
   draw_frame(svg_, area_);
   x_.draw(svg_, area_);
-  draw_heading(svg_, area_, table_, plot_.fixed, scenes_);
+  top_ = draw_heading(svg_, area_, table_, plot_.fixed, scenes_);
 }
 
 void Drawing::lines(const Scenes& scenes, std::string_view colour) {
@@ -153,7 +173,6 @@ void Drawing::crosses(const Scenes& scenes, std::size_t row,
 /// near as the others allow.
 void Drawing::labels(const std::vector<std::string>& colours) {
   constexpr double kLine = 17.0;
-  constexpr double kLeader = 22.0;
   struct Label {
     std::size_t curve;
     Pixel end;
@@ -190,20 +209,20 @@ void Drawing::labels(const std::vector<std::string>& colours) {
                               "stroke-width=\"0.8\" stroke-dasharray=\"2 2\"",
                               colour));
     const std::size_t scene = plot_.curves[label.curve].front();
-    svg_.text({area_.right + kLeader, label.y + 4.5},
-              fmt::format("font-size=\"13\" fill=\"{}\"", colour),
-              xml_escaped(shortened(shown_value(column, scene), 13)));
+    svg_.text(
+        {area_.right + kLeader, label.y + 4.5},
+        fmt::format("font-size=\"13\" fill=\"{}\"", colour),
+        xml_escaped(shortened(shown_value(column, scene), kLettersOfValue)));
   }
   svg_.text({area_.right + kLeader, area_.top}, "font-size=\"13\"",
-            key_label(column.key).text(Markup::Svg, false));
+            key_label(column.key)
+                .within(letters_within(kMostLabels, kLabelSize))
+                .text(Markup::Svg, false));
 }
 
-void Drawing::minimum() {
-  if (!digest_.fastest) return;
-  draw_ring(svg_, at(*digest_.fastest), "class=\"minimum\"");
-  std::vector<std::size_t> columns{plot_.x_column};
-  if (plot_.family) columns.push_back(*plot_.family);
-  legend_.minimum(table_, columns, *digest_.fastest);
+void Drawing::minima() {
+  draw_minima(svg_, digest_, [&](std::size_t scene) { return at(scene); });
+  legend_.minima(table_, scenes_);
 }
 
 void Drawing::legend() {
@@ -223,7 +242,8 @@ std::string Drawing::document() const {
   return svg_.document(
       kWidth, legend_.bottom() + 2.0,
       document_title("τ against " + x.text(Markup::Plain, false), table_,
-                     plot_.fixed, scenes_));
+                     plot_.fixed, scenes_),
+      top_);
 }
 
 }  // namespace
@@ -249,7 +269,7 @@ std::string xy_plot_svg(const SweepTable& table, const XyPlot& plot,
     row += digest(table, plot.curves[c]).failed > 0;
   }
   if (plot.family) drawing.labels(colours);
-  drawing.minimum();
+  drawing.minima();
   drawing.legend();
   return drawing.document();
 }

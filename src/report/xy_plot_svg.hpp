@@ -29,9 +29,10 @@ struct XyPlot {
 };
 
 /// Curves or dots, open where a scene is infeasible; failed scenes are crosses
-/// on the axis (class "failed"), one row per curve; the smallest value has a
-/// ring (class "minimum"). Dots of a word are spread about it, by a rule, not
-/// at random.
+/// on the axis (class "failed"), one row per curve; the smallest value of a
+/// feasible scene has a filled ring (class "minimum"), and that of all, if it
+/// is smaller, an open one (class "infeasible-minimum"). Dots of a word are
+/// spread about it, by a rule, not at random.
 ///
 /// \param range  of τ; common to plots that are to be compared
 [[nodiscard]] std::string xy_plot_svg(const SweepTable& table,

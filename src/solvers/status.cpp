@@ -23,6 +23,8 @@ std::string_view name(Status status) {
       return "out_of_memory";
     case Status::NoAdmissiblePath:
       return "no_admissible_path";
+    case Status::Stalled:
+      return "stalled";
     case Status::InternalError:
       return "internal_error";
   }
@@ -48,6 +50,8 @@ std::string_view describe(Status status) {
       return "The linear solver ran out of memory.";
     case Status::NoAdmissiblePath:
       return "No path satisfies the conditions of the scene.";
+    case Status::Stalled:
+      return "The body does not reach the end of the given path.";
     case Status::InternalError:
       return "The solver reported an internal error.";
   }

@@ -3,6 +3,8 @@
 
 #include "brachisto/study/adaptive_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -153,6 +155,12 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
       solution = std::move(stayed);
     } else {
       answer.problem.set_end_angle(solution.closure.phi);
+      if (solution.status == Status::IterationLimit) {
+        solution.status = Status::NotConverged;
+        solution.message = fmt::format(
+            "on degree {}, {} elements no solution near the coarser one: {}",
+            mesh.degree, mesh.num_elements(), solution.message);
+      }
     }
   }
   if (solution.solved()) estimate(answer, options);

@@ -46,40 +46,53 @@ bool same(const Branch& a, const Branch& b) {
 
 }  // namespace
 
-std::vector<JudgedBranch> judge_branches(
-    const Scene& scene, const Discretisation& wanted,
-    const std::vector<ContactCandidate>& candidates, bool first_is_principal,
-    const MeshOptions& options) {
+JudgedBranches judge_branches(const Scene& scene, const Discretisation& wanted,
+                              const std::vector<ContactCandidate>& candidates,
+                              bool first_is_principal,
+                              const MeshOptions& options) {
   const Scene natural = in_natural_units(scene);
-  std::vector<JudgedBranch> branches;
+  JudgedBranches out;
   for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
        ++i) {
     Refinement refinement = refine(natural, wanted, candidates[i].curve,
                                    candidates[i].phi, options);
-    if (!refinement.answer) continue;
+    out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
+                      refinement.meshes.end());
+    if (!refinement.answer) {
+      out.failure = refinement.status;
+      continue;
+    }
     Branch branch = judge(scene, wanted, *refinement.answer);
     branch.principal = i == 0 && first_is_principal;
-    if (std::any_of(branches.begin(), branches.end(),
+    if (std::any_of(out.branches.begin(), out.branches.end(),
                     [&](const JudgedBranch& other) {
                       return same(other.branch, branch);
                     })) {
       continue;
     }
-    branches.push_back({std::move(branch), std::move(refinement)});
+    out.branches.push_back({std::move(branch), std::move(refinement)});
   }
-  std::stable_sort(branches.begin(), branches.end(),
+  std::stable_sort(out.branches.begin(), out.branches.end(),
                    [](const JudgedBranch& a, const JudgedBranch& b) {
                      return a.branch.tau < b.branch.tau;
                    });
-  return branches;
+  return out;
 }
 
 JudgedBranch* best_branch(std::vector<JudgedBranch>& branches) {
-  const auto fastest = std::find_if(
-      branches.begin(), branches.end(), [](const JudgedBranch& one) {
-        return one.branch.verified && one.branch.feasible;
-      });
-  if (fastest != branches.end()) return &*fastest;
+  const auto first = [&branches](auto&& wanted) -> JudgedBranch* {
+    const auto one = std::find_if(
+        branches.begin(), branches.end(),
+        [&](const JudgedBranch& judged) { return wanted(judged.branch); });
+    return one == branches.end() ? nullptr : &*one;
+  };
+  if (JudgedBranch* best =
+          first([](const Branch& b) { return b.verified && b.feasible; })) {
+    return best;
+  }
+  if (JudgedBranch* best = first([](const Branch& b) { return b.verified; })) {
+    return best;
+  }
   return branches.empty() ? nullptr : &branches.front();
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,19 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+bool under_resolved(const Certificate& certificate) {
+  constexpr std::array kMendable{"hamiltonian",       "slope",
+                                 "start_angle",       "energy_drift",
+                                 "reintegrated_time", "reintegration_error"};
+  return !certificate.verified() &&
+         std::all_of(certificate.checks.begin(), certificate.checks.end(),
+                     [&](const Check& check) {
+                       return check.passed ||
+                              std::find(kMendable.begin(), kMendable.end(),
+                                        check.name) != kMendable.end();
+                     });
+}
 
 Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
   const double estimated = answer.estimated_error.value_or(kUnknown);
@@ -43,18 +57,19 @@ Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
 }
 
 ExtremalOpinion ask_extremal(const Scene& scene, const MeshAnswer& answer,
-                             double max_seconds, Certificate& certificate) {
+                             const StopCondition& stop,
+                             Certificate& certificate) {
   const ExtremalCurve curve = answer.curve();
   const Units units = natural_units(scene);
   ExtremalOptions options;
-  options.max_seconds = max_seconds;
+  options.stop = stop;
   const ExtremalSolution other = solve_extremal(
       scene, as_guess(curve, units, answer.solution.closure.phi), options);
   ExtremalOpinion opinion;
-  opinion.solved = other.solved();
+  opinion.solved = other.usable();
   opinion.message = other.message;
   double difference = kUnknown;
-  if (other.solved()) {
+  if (opinion.solved) {
     opinion.tau = other.tau;
     opinion.error_estimate = other.error_estimate;
     difference =

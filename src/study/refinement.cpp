@@ -15,6 +15,8 @@ namespace brachisto {
 namespace {
 
 constexpr int kMaxMeshes = 12;
+// A mesh of so many elements that cannot be solved on is not too coarse.
+constexpr int kLargestDoubled = 2000;
 constexpr int kFixedMeshDegree = 5;
 
 /// The mesh on which `curve` promises the wanted error, at the degree to start
@@ -57,7 +59,14 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     out.status = solution.status;
     out.message = solution.message;
     options.ipopt.max_iterations -= solution.iterations;
-    if (!solution.solved() || options.ipopt.stop.met()) break;
+    if (options.ipopt.stop.met()) break;
+    if (!solution.solved()) {
+      const bool too_coarse = solution.status == Status::NotConverged ||
+                              solution.status == Status::NotEvaluable;
+      if (!too_coarse || mesh.num_elements() > kLargestDoubled) break;
+      mesh = stretch(mesh, 2 * mesh.num_elements());
+      continue;
+    }
 
     const bool improved =
         !out.answer || !out.answer->estimated_error ||

@@ -4,55 +4,37 @@
 #include "brachisto/study/solve.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
 #include "brachisto/trajectory/feasibility.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "study/other_start.hpp"
+#include "study/shooting_answer.hpp"
+#include "study/turn_meshes.hpp"
 
 namespace brachisto {
 
 namespace {
-
-// The continuation only has to tell branches apart; degree 5 with this many
-// elements per turn of the body keeps its τ right to six digits or so.
-constexpr int kCoarseDegree = 5;
-constexpr double kCoarseElementsPerTurn = 7.0;
-constexpr int kFewestCoarseElements = 8;
-// Where an extremal is sampled instead of solved for, there have to be enough
-// elements to represent it.
-constexpr double kSampledElementsPerTurn = 12.0;
-constexpr double kFineElementsPerTurn = 16.0;
 
 double seconds_since(StopCondition::Clock::time_point start) {
   return std::chrono::duration<double>(StopCondition::Clock::now() - start)
       .count();
 }
 
-/// Turns of the body along a path of its centre of length s. Each makes the
-/// track go up and down once; none matter to a body that is not off-centred.
-double turns(const Body& body, double s) {
-  return body.off_centred() ? s / (2.0 * std::numbers::pi * body.radius) : 0.0;
-}
-
-/// Elements for so many turns, the half turn for the stretch at the start.
-int elements_for(double turns, double per_turn) {
-  return std::max(kFewestCoarseElements,
-                  static_cast<int>(std::ceil(per_turn * (turns + 0.5))));
-}
-
-Mesh coarse_mesh(const Scene& scene, const CycloidArc& arc) {
-  return uniform_mesh(
-      kCoarseDegree,
-      elements_for(turns(scene.body, arc.arc_length(arc.psi_end)),
-                   kCoarseElementsPerTurn));
+/// The same scene with |θ_m| < 2π: whole turns only cost digits.
+Scene without_whole_turns(Scene scene) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  double& theta_m = scene.body.theta_m;
+  if (std::abs(theta_m) >= kTurn) theta_m = std::remainder(theta_m, kTurn);
+  return scene;
 }
 
 std::string no_cycloid(const Scene& scene) {
@@ -65,19 +47,6 @@ std::string no_cycloid(const Scene& scene) {
       scene.body.radius, scene.L, scene.H);
 }
 
-/// True if all checks that failed are of the kind that a finer mesh mends.
-bool under_resolved(const Certificate& certificate) {
-  constexpr std::array kMendable{"hamiltonian", "slope", "start_angle",
-                                 "energy_drift", "reintegration_error"};
-  return !certificate.verified() &&
-         std::all_of(certificate.checks.begin(), certificate.checks.end(),
-                     [&](const Check& check) {
-                       return check.passed ||
-                              std::find(kMendable.begin(), kMendable.end(),
-                                        check.name) != kMendable.end();
-                     });
-}
-
 /// True if the answer is the end of one branch that is followed.
 bool follows_the_branch(const SolveOptions& options) {
   return options.method == Method::Ipopt &&
@@ -88,8 +57,8 @@ bool follows_the_branch(const SolveOptions& options) {
 class Run {
  public:
   Run(const Scene& scene, const SolveOptions& options, const SolveHooks& hooks)
-      : scene_(scene),
-        natural_(in_natural_units(scene)),
+      : scene_(without_whole_turns(scene)),
+        natural_(in_natural_units(scene_)),
         units_(natural_units(scene)),
         options_(options),
         start_time_(StopCondition::Clock::now()) {
@@ -112,12 +81,11 @@ class Run {
     if (stop().met() && out_.status != Status::IterationLimit) {
       out_.status =
           stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
-      out_.message =
-          stop().interrupted()
-              ? "stopped by a signal before the end"
-              : fmt::format("the limit of {:g} s was reached",
-                            options_.limits.seconds);
-      out_.trajectory.reset();
+      out_.message = stop().interrupted()
+                         ? "stopped by a signal before the end"
+                         : fmt::format("the limit of {:g} s was reached",
+                                       options_.limits.seconds);
+      discard_answer();
     }
     out_.effort.seconds = seconds_since(start_time_);
     return std::move(out_);
@@ -131,9 +99,15 @@ class Run {
   void follow_folds(Continuation& principal);
   void try_other_start(const CycloidArc& arc, const Continuation& principal);
   void answer_from(const Continuation& start);
-  void report(MeshAnswer& answer);
+  void report(MeshAnswer& answer,
+              std::optional<double> transit_time = std::nullopt);
+  /// Adds up the work on meshes, whether or not the answer comes from there.
+  void count(const std::vector<MeshRecord>& meshes);
+  /// Keeps how the answer was refined.
+  void describe_way(const Refinement& refinement);
   void book(const Refinement& refinement);
   [[nodiscard]] ExtremalSolution shoot(double tolerance);
+  void discard_answer();
 
   [[nodiscard]] const StopCondition& stop() const {
     return mesh_options_.ipopt.stop;
@@ -148,6 +122,16 @@ class Run {
   Solution out_;
 };
 
+void Run::discard_answer() {
+  out_.trajectory.reset();
+  out_.diagnostics.reset();
+  out_.estimated_error.reset();
+  out_.extremal.reset();
+  out_.as_neighbour.reset();
+  out_.certificate = {};
+  out_.nodes = out_.variables = out_.constraints = 0;
+}
+
 MeshOptions Run::budget() const {
   MeshOptions options = mesh_options_;
   options.ipopt.max_iterations =
@@ -155,12 +139,18 @@ MeshOptions Run::budget() const {
   return options;
 }
 
-void Run::book(const Refinement& refinement) {
+void Run::count(const std::vector<MeshRecord>& meshes) {
   Effort& effort = out_.effort;
-  for (const MeshRecord& mesh : refinement.meshes) {
+  for (const MeshRecord& mesh : meshes) {
     effort.iterations += mesh.iterations;
     effort.passes += mesh.passes;
     effort.newton_steps += mesh.newton_steps;
+  }
+}
+
+void Run::describe_way(const Refinement& refinement) {
+  Effort& effort = out_.effort;
+  for (const MeshRecord& mesh : refinement.meshes) {
     effort.first_iterations = mesh.first_iterations;
     effort.closure_passes = mesh.passes;
     effort.meshes.push_back(mesh);
@@ -170,14 +160,18 @@ void Run::book(const Refinement& refinement) {
   out_.message = refinement.message;
 }
 
-void Run::report(MeshAnswer& answer) {
-  out_.status = Status::Solved;
-  out_.message = answer.solution.message;
+void Run::book(const Refinement& refinement) {
+  count(refinement.meshes);
+  describe_way(refinement);
+}
+
+/// \param transit_time  T [s], if it is known better than from the answer
+void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
   out_.estimated_error = answer.estimated_error;
   out_.nodes = answer.problem.mesh().num_nodes();
   out_.variables = answer.problem.num_variables();
   out_.constraints = answer.problem.num_constraints();
-  out_.trajectory.emplace(answer.curve(), scene_, units_);
+  out_.trajectory.emplace(answer.curve(), out_.scene, units_, transit_time);
   out_.diagnostics = out_.trajectory->diagnose();
   // What lies beyond a fold is not what neighbours continue from the cycloid.
   if (out_.folds.empty() && follows_the_branch(options_)) {
@@ -187,57 +181,59 @@ void Run::report(MeshAnswer& answer) {
   const auto begin = StopCondition::Clock::now();
   out_.certificate = certify_answer(answer, options_.discretisation);
   if (options_.certify == Certify::Extremal) {
-    out_.extremal =
-        ask_extremal(scene_, answer, options_.limits.seconds, out_.certificate);
+    out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
   }
   out_.effort.certificate_seconds += seconds_since(begin);
+  // That a finer mesh failed only matters if this one is not good enough.
+  if (out_.certificate.verified()) {
+    out_.status = Status::Solved;
+    out_.message = answer.solution.message;
+  } else if (out_.status == Status::Solved) {
+    out_.message = fmt::format(
+        "solved, but not verified: {}",
+        fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
+  }
 }
 
-/// Runs the solver from the start that was asked for and says where it led. The
-/// principal branch stays the answer.
 void Run::try_other_start(const CycloidArc& arc,
                           const Continuation& principal) {
-  const ExtremalCurve& known = *principal.curve;
-  RollingTime problem(natural_, known.mesh(), principal.phi);
-  const PrimalDual guess = options_.guess == Guess::Straight
-                               ? straight_guess(problem)
-                               : random_guess(problem, arc, options_.seed);
   // Lost in nowhere it must not use up what the answer needs.
   MeshOptions half = budget();
   half.ipopt.max_iterations /= 2;
-  const MeshSolution found =
-      solve_on_mesh(problem, {guess, principal.phi, -1.0}, half);
-  out_.effort.iterations += found.iterations;
-  out_.effort.passes += found.closure.passes;
-  out_.log += found.log;
-  ColdStart cold;
-  cold.status = found.status;
-  if (found.solved()) {
-    const ExtremalCurve curve(problem, found.point);
-    cold.tau = Trajectory(curve, scene_, units_).tau();
-    // On the same mesh the same extremal has the same T, to the tolerance of
-    // the continuation.
-    cold.principal =
-        std::abs(curve.transit_time() / known.transit_time() - 1.0) < 1e-6;
-  }
-  out_.cold_start = cold;
+  OtherStart other = start_elsewhere(scene_, options_, arc, principal, half);
+  out_.effort.iterations += other.iterations;
+  out_.effort.passes += other.passes;
+  out_.log += other.log;
+  out_.cold_start = other.cold;
 }
 
 void Run::find_fastest(const CycloidArc& arc, const Continuation& principal) {
+  // As a multiple of the path of the uniform cylinder.
+  constexpr double kLongest = 3.0;
   std::vector<ContactCandidate> known;
   if (principal.curve) known.push_back({*principal.curve, principal.phi});
   const bool has_principal = !known.empty();
-  const std::vector<ContactCandidate> candidates = find_contacts(
-      natural_, arc, coarse_mesh(natural_, arc), std::move(known), stop());
-  std::vector<JudgedBranch> branches = judge_branches(
-      scene_, options_.discretisation, candidates, has_principal, budget());
-  for (const JudgedBranch& one : branches) out_.branches.push_back(one.branch);
-  if (JudgedBranch* best = best_branch(branches)) {
-    book(best->refinement);
+  const ContactSearch search = find_contacts(
+      natural_, kLongest * arc.arc_length(arc.psi_end),
+      [this](double length) { return sampled_mesh(natural_.body, length); },
+      std::move(known), stop());
+  out_.effort.newton_steps += search.newton_steps;
+  JudgedBranches judged =
+      judge_branches(scene_, options_.discretisation, search.contacts,
+                     has_principal, budget());
+  for (const JudgedBranch& one : judged.branches) {
+    out_.branches.push_back(one.branch);
+  }
+  count(judged.meshes);
+  if (JudgedBranch* best = best_branch(judged.branches)) {
+    describe_way(best->refinement);
     report(*best->refinement.answer);
   } else {
-    out_.status = Status::NotConverged;
-    out_.message = "the search over φ found no smooth contact";
+    out_.status = judged.failure;
+    out_.message = fmt::format(
+        "of {} smooth contacts that the search found, none could be solved "
+        "for as accurately as wanted",
+        search.contacts.size());
   }
 }
 
@@ -245,10 +241,10 @@ ExtremalSolution Run::shoot(double tolerance) {
   ExtremalOptions options;
   options.follow_folds = true;
   options.tolerance = tolerance;
-  options.max_seconds = options_.limits.seconds;
+  options.stop = stop();
   ExtremalSolution extremal = solve_extremal(scene_, options);
   out_.effort.newton_steps += extremal.newton_steps;
-  if (extremal.solved()) out_.folds = extremal.continuation.folds;
+  if (extremal.usable()) out_.folds = extremal.continuation.folds;
   return extremal;
 }
 
@@ -257,16 +253,13 @@ ExtremalSolution Run::shoot(double tolerance) {
 void Run::follow_folds(Continuation& principal) {
   constexpr double kEnoughToStartFrom = 1e-10;
   const ExtremalSolution extremal = shoot(kEnoughToStartFrom);
-  if (!extremal.solved()) {
+  if (!extremal.usable()) {
     out_.message += ". By shooting: " + extremal.message;
     return;
   }
   const double length = extremal.centre_path_length / units_.length;
-  const RollingTime problem(
-      natural_,
-      uniform_mesh(kCoarseDegree, elements_for(turns(natural_.body, length),
-                                               kSampledElementsPerTurn)),
-      extremal.phi);
+  const RollingTime problem(natural_, sampled_mesh(natural_.body, length),
+                            extremal.phi);
   principal.curve.emplace(problem, sample_extremal(extremal, units_, problem));
   principal.phi = extremal.phi;
 }
@@ -275,29 +268,16 @@ void Run::follow_folds(Continuation& principal) {
 /// problem on a fine mesh, which they must satisfy, is their certificate.
 void Run::find_by_shooting() {
   const ExtremalSolution extremal = shoot(ExtremalOptions{}.tolerance);
-  if (!extremal.solved()) {
-    out_.status =
-        extremal.status == ExtremalStatus::NoCycloid ? Status::NoAdmissiblePath
-        : extremal.status == ExtremalStatus::TimeLimit ? Status::TimeLimit
-                                                       : Status::NotConverged;
+  if (!extremal.usable()) {
+    out_.status = extremal.status == ExtremalStatus::NoCycloid
+                      ? Status::NoAdmissiblePath
+                      : Status::NotConverged;
     out_.message = extremal.message;
     return;
   }
-  const double length = extremal.centre_path_length / units_.length;
-  const Mesh mesh = uniform_mesh(
-      kMaxDegree,
-      elements_for(turns(natural_.body, length), kFineElementsPerTurn));
-  MeshAnswer answer{
-      RollingTime(natural_, mesh, extremal.phi), {}, {}, {}, extremal.phi};
-  answer.solution.status = Status::Solved;
-  answer.solution.message = extremal.message;
-  answer.solution.point = sample_extremal(extremal, units_, answer.problem);
-  answer.solution.closure.phi = extremal.phi;
-  answer.solution.closure.closed = true;
-  const double T = answer.curve().transit_time() * units_.time;
-  answer.estimated_error =
-      std::abs(T / extremal.transit_time - 1.0) + extremal.error_estimate;
-  report(answer);
+  MeshAnswer answer = answer_from_extremal(natural_, units_, extremal, stop());
+  out_.status = answer.solution.status;
+  report(answer, extremal.transit_time);
 }
 
 void Run::find() {
@@ -367,6 +347,10 @@ std::vector<std::string> Solution::infeasible_because() const {
   return brachisto::infeasible_because(scene, *diagnostics);
 }
 
+std::vector<std::string> Solution::not_verified_because() const {
+  return brachisto::not_verified_because(certificate);
+}
+
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
   const std::vector<SceneError> errors = validate(scene);
@@ -377,6 +361,7 @@ Solution solve(const Scene& scene, const SolveOptions& options,
     }
     throw std::invalid_argument(text);
   }
+  if (scene.path) return evaluate_path(scene, options);
   if (hooks.neighbour != nullptr && comparable(scene, hooks.neighbour->scene) &&
       follows_the_branch(options)) {
     Solution beside = Run(scene, options, hooks).execute(hooks.neighbour);

@@ -25,16 +25,19 @@ struct Chain {
 /// nearly equal length. Depends on the sweep alone.
 class ChainPlan {
  public:
-  /// A first scene costs about twice what the next ones do, so that longer
-  /// pieces gain little; shorter ones share the work more evenly.
-  static constexpr std::size_t kLongest = 16;
+  /// With warm starts a first scene costs almost twice what the next ones do,
+  /// so that longer pieces gain little.
+  static constexpr std::size_t kLongestWarm = 16;
+  /// Without, shorter pieces share the work more evenly.
+  static constexpr std::size_t kLongestCold = 4;
 
   explicit ChainPlan(const io::SweepFile& file)
       : ChainPlan(file.num_scenes(),
-                  file.axes().empty() ? 1 : file.axes().back().count) {}
-  ChainPlan(std::size_t num_scenes, std::size_t row)
+                  file.axes().empty() ? 1 : file.axes().back().count,
+                  file.warm_start() ? kLongestWarm : kLongestCold) {}
+  ChainPlan(std::size_t num_scenes, std::size_t row, std::size_t longest)
       : row_(row),
-        pieces_((row + kLongest - 1) / kLongest),
+        pieces_((row + longest - 1) / longest),
         rows_(num_scenes / row) {}
 
   [[nodiscard]] std::size_t size() const { return rows_ * pieces_; }

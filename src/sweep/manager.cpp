@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -34,28 +35,43 @@ struct Slot {
 };
 
 /// What made a worker useless.
-struct Loss {
-  std::string_view status;
-  std::string message;
-};
+enum class Loss { Ended, Rubbish, Timeout };
 
-/// Chains of a shard that are not finished, in order.
+const char* status_of(Loss loss) {
+  switch (loss) {
+    case Loss::Ended:
+      return "worker_lost";
+    case Loss::Rubbish:
+      return "worker_rubbish";
+    case Loss::Timeout:
+      return "worker_timeout";
+  }
+  return "";
+}
+
+/// Scenes of a shard that have no result, in runs of one chain each.
 class Backlog {
  public:
   Backlog(const ChainPlan& plan, const Shard& shard, std::vector<bool> finished)
       : plan_(plan), shard_(shard), finished_(std::move(finished)) {}
 
-  /// The next chain with what is left of it, if there is one.
+  /// The next run, if there is one, as part of its chain.
   std::optional<Chain> take() {
-    for (; id_ < plan_.size(); ++id_) {
+    for (; id_ < plan_.size(); ++id_, place_ = 0) {
       if (!shard_.has(id_)) continue;
-      Chain chain = plan_[id_];
-      while (chain.first < chain.last && finished_[chain.first]) ++chain.first;
-      if (chain.first == chain.last) continue;
-      ++id_;
-      return chain;
+      const Chain chain = plan_[id_];
+      std::size_t first = std::max(place_, chain.first);
+      while (first < chain.last && finished_[first]) ++first;
+      if (first == chain.last) continue;
+      place_ = first;
+      while (place_ < chain.last && !finished_[place_]) ++place_;
+      return Chain{id_, first, place_};
     }
     return std::nullopt;
+  }
+  /// True if the chain goes on with finished scenes after a run.
+  [[nodiscard]] bool is_gap(const Chain& run) const {
+    return run.last < plan_[run.id].last;
   }
 
  private:
@@ -63,6 +79,7 @@ class Backlog {
   Shard shard_;
   std::vector<bool> finished_;
   std::size_t id_ = 0;
+  std::size_t place_ = 0;  ///< within the chain, or before it
 };
 
 class Manager {
@@ -78,8 +95,9 @@ class Manager {
       if (!options.shard.has(id)) continue;
       counts_.scenes += plan_[id].last - plan_[id].first;
     }
-    store.for_each_result(
-        [&](std::size_t, const std::string& document) { count(document); });
+    store.for_each_result([&](std::size_t scene, const std::string& document) {
+      if (options.shard.has(plan_.of_scene(scene).id)) count(scene, document);
+    });
     counts_.before = counts_.finished();
   }
 
@@ -97,8 +115,12 @@ class Manager {
         if (slot.busy) attend(slot, answers);
       }
       store_.record(answers, plan_);
-      for (const Answer& answer : answers) count(answer.result);
+      for (const Answer& answer : answers) count(answer.scene, answer.result);
       progress(counts_);
+    }
+    if (!interrupted()) {
+      store_.record(held_, plan_);
+      for (const Answer& answer : held_) count(answer.scene, answer.result);
     }
     return counts_;
   }
@@ -108,11 +130,17 @@ class Manager {
     return options_.interrupt != nullptr && options_.interrupt->load() != 0;
   }
 
-  void count(const std::string& document) {
+  void count(std::size_t scene, const std::string& document) {
     const SweepOutcome outcome = read_outcome(document);
-    const bool good = outcome.state == SweepOutcome::State::Verified;
-    ++(good ? counts_.verified : counts_.failed);
-    if (good && outcome.feasible) ++counts_.feasible;
+    if (outcome.state == SweepOutcome::State::Verified) {
+      ++counts_.verified;
+      if (outcome.feasible) ++counts_.feasible;
+      return;
+    }
+    ++counts_.failed;
+    if (counts_.failures.size() < Counts::kShownFailures) {
+      counts_.failures.push_back({scene, outcome.status, outcome.message});
+    }
   }
 
   void assign(Slot& slot) {
@@ -120,7 +148,8 @@ class Manager {
     if (!chain) return;
     slot.chain = *chain;
     slot.next = chain->first;
-    slot.state = store_.state_of(chain->id);
+    // Before a gap the state in the store is that of a later scene.
+    slot.state = backlog_.is_gap(*chain) ? "" : store_.state_of(chain->id);
     slot.retrying = false;
     send_request(slot);
   }
@@ -165,31 +194,27 @@ class Manager {
     for (const std::string& line : slot.worker->read_lines()) {
       std::optional<Answer> answer = answer_from_line(line);
       if (!slot.busy || !answer || answer->scene != slot.next) {
-        lose(slot,
-             {"worker_rubbish",
-              "the worker wrote something else than "
-              "an answer"},
-             answers);
+        lose(slot, Loss::Rubbish, answers);
         return;
       }
-      accept(slot, std::move(*answer), answers);
+      // Whoever answers proves that workers can.
+      losses_in_a_row_ = 0;
+      answers.insert(answers.end(), held_.begin(), held_.end());
+      held_.clear();
+      answers.push_back(std::move(*answer));
+      advance(slot, answers.back().state);
     }
     if (!slot.busy) return;
     if (slot.worker->ended()) {
-      lose(slot, {"worker_lost", "the worker "}, answers);
+      lose(slot, Loss::Ended, answers);
     } else if (Clock::now() > slot.deadline) {
-      lose(slot,
-           {"worker_timeout",
-            fmt::format("no answer within {:g} s; the worker was killed",
-                        options_.seconds_per_scene)},
-           answers);
+      lose(slot, Loss::Timeout, answers);
     }
   }
 
-  void accept(Slot& slot, Answer answer, std::vector<Answer>& answers) {
-    slot.state = answer.state;
+  void advance(Slot& slot, std::string state) {
+    slot.state = std::move(state);
     slot.retrying = false;
-    answers.push_back(std::move(answer));
     ++slot.next;
     slot.busy = slot.next < slot.chain.last;
     set_deadline(slot);
@@ -198,18 +223,37 @@ class Manager {
   /// The scene is tried once more; the second time it has failed, and the next
   /// one starts cold.
   void lose(Slot& slot, Loss loss, std::vector<Answer>& answers) {
-    const std::string end = slot.worker->finish();
-    if (loss.status == "worker_lost") loss.message += end;
+    const std::string message = describe(loss, slot.worker->finish());
     slot.worker.reset();
+    if (++losses_in_a_row_ >= 4 + 2 * options_.jobs) {
+      store_.record(answers, plan_);
+      throw WorkersFail(fmt::format(
+          "{} workers failed in a row, the last one at scene {}: {}. What was "
+          "recorded before is kept; --resume goes on",
+          losses_in_a_row_, slot.next, message));
+    }
     if (slot.retrying) {
-      accept(
-          slot,
-          {slot.next, failure_json(loss.status, loss.message + ", twice"), ""},
-          answers);
+      // Held back until some worker answers: it may not be the scene's fault.
+      held_.push_back(
+          {slot.next, failure_json(status_of(loss), message + ", twice"), ""});
+      advance(slot, "");
     } else {
       slot.retrying = true;
     }
     if (slot.busy) send_request(slot);
+  }
+
+  [[nodiscard]] std::string describe(Loss loss, const std::string& end) const {
+    switch (loss) {
+      case Loss::Ended:
+        return "the worker " + end;
+      case Loss::Rubbish:
+        return "the worker wrote something else than an answer";
+      case Loss::Timeout:
+        return fmt::format("no answer within {:g} s; the worker was killed",
+                           options_.seconds_per_scene);
+    }
+    return "";
   }
 
   ChainPlan plan_;
@@ -218,6 +262,8 @@ class Manager {
   std::string job_line_;
   Backlog backlog_;
   std::vector<Slot> slots_;
+  std::vector<Answer> held_;  ///< failures that are not recorded yet
+  int losses_in_a_row_ = 0;
   Counts counts_;
 };
 

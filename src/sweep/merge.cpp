@@ -29,33 +29,27 @@ Store open_part(const std::filesystem::path& part, const StoreInfo& target) {
   }
   if (store.info().version != target.version) {
     throw StoreError(name + ": made by brachisto " + store.info().version +
-                     ", the first part by " + target.version);
+                     ", the sweep that it is to be part of by " +
+                     target.version);
   }
   return store;
 }
 
-}  // namespace
-
-MergeReport merge(const std::vector<std::filesystem::path>& parts,
-                  Store& target, const Job& job) {
-  const ChainPlan plan(job.file);
-  std::vector<Store> stores;
-  stores.reserve(parts.size());
-  for (const auto& part : parts) {
-    stores.push_back(open_part(part, target.info()));
+/// Results that are known, and what the parts add to them.
+class Collection {
+ public:
+  explicit Collection(Store& target) {
+    target.for_each_result([&](std::size_t scene, const std::string& document) {
+      known_.emplace(scene, document);
+    });
   }
 
-  MergeReport report;
-  std::map<std::size_t, std::string> known;
-  target.for_each_result([&](std::size_t scene, const std::string& document) {
-    known.emplace(scene, document);
-  });
-  std::vector<Answer> added;
-  for (Store& store : stores) {
-    store.for_each_result([&](std::size_t scene, const std::string& document) {
-      const auto [place, is_new] = known.emplace(scene, document);
+  void add(Store& part, const ChainPlan& plan, MergeReport& report) {
+    const std::size_t before = added_.size();
+    part.for_each_result([&](std::size_t scene, const std::string& document) {
+      const auto [place, is_new] = known_.emplace(scene, document);
       if (is_new) {
-        added.push_back({scene, document, ""});
+        added_.push_back({scene, document, ""});
       } else if (essence(place->second) == essence(document)) {
         report.overlaps.push_back(scene);
       } else {
@@ -63,25 +57,55 @@ MergeReport merge(const std::vector<std::filesystem::path>& parts,
       }
     });
     // The last scene of a chain that is not finished brings its state along.
-    for (Answer& answer : added) {
-      const Chain chain = plan.of_scene(answer.scene);
-      const bool last_known =
-          answer.scene + 1 < chain.last && !known.contains(answer.scene + 1);
-      if (last_known && answer.state.empty()) {
-        answer.state = store.state_of(chain.id);
+    for (std::size_t i = before; i < added_.size(); ++i) {
+      const Chain chain = plan.of_scene(added_[i].scene);
+      const bool last =
+          i + 1 == added_.size() || added_[i + 1].scene != added_[i].scene + 1;
+      if (last && added_[i].scene + 1 < chain.last) {
+        added_[i].state = part.state_of(chain.id);
       }
     }
   }
-  std::sort(added.begin(), added.end(),
-            [](const Answer& a, const Answer& b) { return a.scene < b.scene; });
-  target.record(added, plan);
 
+  [[nodiscard]] bool has(std::size_t scene) const {
+    return known_.contains(scene);
+  }
+  [[nodiscard]] std::vector<Answer> added() && {
+    std::sort(
+        added_.begin(), added_.end(),
+        [](const Answer& a, const Answer& b) { return a.scene < b.scene; });
+    return std::move(added_);
+  }
+
+ private:
+  std::map<std::size_t, std::string> known_;
+  std::vector<Answer> added_;
+};
+
+}  // namespace
+
+std::vector<Store> open_parts(const std::vector<std::filesystem::path>& parts,
+                              const StoreInfo& target) {
+  std::vector<Store> stores;
+  stores.reserve(parts.size());
+  for (const auto& part : parts) stores.push_back(open_part(part, target));
+  return stores;
+}
+
+MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
+  const ChainPlan plan(job.file);
+  MergeReport report;
+  Collection collection(target);
+  for (Store& part : parts) collection.add(part, plan, report);
+  for (std::size_t scene = 0; scene < job.file.num_scenes(); ++scene) {
+    if (!collection.has(scene)) report.gaps.push_back(scene);
+  }
+  const std::vector<Answer> added = std::move(collection).added();
+  target.record(added, plan);
+  target.set_shard(kMerged);
   report.added = added.size();
   std::sort(report.overlaps.begin(), report.overlaps.end());
   std::sort(report.conflicts.begin(), report.conflicts.end());
-  for (std::size_t scene = 0; scene < job.file.num_scenes(); ++scene) {
-    if (!known.contains(scene)) report.gaps.push_back(scene);
-  }
   return report;
 }
 

@@ -24,12 +24,14 @@ struct MergeReport {
   std::vector<std::size_t> gaps;       ///< scenes without a result
 };
 
-/// Adds the results of `parts` to `target`. Doing it again adds nothing.
-/// Results are alike if they differ in times at most.
-///
-/// \throws StoreError  if a part is of another sweep or program; nothing of
-///                     any part is added then
-[[nodiscard]] MergeReport merge(const std::vector<std::filesystem::path>& parts,
-                                Store& target, const Job& job);
+/// Opens parts of the sweep that `target` describes.
+/// \throws StoreError  if one is of another sweep or program
+[[nodiscard]] std::vector<Store> open_parts(
+    const std::vector<std::filesystem::path>& parts, const StoreInfo& target);
+
+/// Adds the results of `parts` to `target`, which then counts as merged. Doing
+/// it again adds nothing. Results are alike if they differ in times at most.
+[[nodiscard]] MergeReport merge(std::vector<Store>& parts, Store& target,
+                                const Job& job);
 
 }  // namespace brachisto::sweep

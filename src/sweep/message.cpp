@@ -8,6 +8,7 @@
 
 #include "brachisto/model/units.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
+#include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
 
@@ -47,11 +48,13 @@ std::optional<Answer> answer_from_line(std::string_view line) {
       json.is_object() &&
       is("scene", [](const Json& j) { return j.is_number_unsigned(); }) &&
       is("state", [](const Json& j) { return j.is_string(); }) &&
-      is("result", [](const Json& j) {
-        return j.is_object() && j.contains("status") && j.contains("verified");
-      });
+      is("result", [](const Json& j) { return j.is_object(); });
   if (!good) return std::nullopt;
-  return Answer{json["scene"], json["result"].dump(), json["state"]};
+  Answer answer{json["scene"], json["result"].dump(), json["state"]};
+  // Whatever is stored can be read again.
+  if (!is_outcome(answer.result)) return std::nullopt;
+  if (!answer.state.empty() && !Json::accept(answer.state)) return std::nullopt;
+  return answer;
 }
 
 std::string to_state(const Neighbour& neighbour) {

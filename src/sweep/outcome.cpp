@@ -3,6 +3,8 @@
 
 #include "sweep/outcome.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result_json.hpp"
@@ -17,12 +19,29 @@ std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// "failed checks: second_order (1 exceeds 0), slope (…)".
+std::string failed_checks(const Certificate& certificate) {
+  std::string text = "failed checks:";
+  for (const Check& check : certificate.checks) {
+    if (check.passed) continue;
+    text += fmt::format("{} {} ({:.3g} exceeds {:.3g})",
+                        text.back() == ':' ? "" : ",", check.name, check.value,
+                        check.threshold);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string outcome_json(const Solution& solution) {
   Json json = Json::parse(report::result_json(solution));
   json.erase("provenance");
   json.erase("scene");
+  // A table has one message per scene; let it be the one that matters.
+  if (solution.status == Status::Solved && !solution.verified()) {
+    json["status"] = "not_verified";
+    json["message"] = failed_checks(solution.certificate);
+  }
   return compact(json);
 }
 
@@ -33,12 +52,30 @@ std::string failure_json(std::string_view status, std::string_view message) {
                   {"verified", false}});
 }
 
+bool is_outcome(const std::string& document) {
+  const Json json = Json::parse(document, nullptr, false);
+  const auto has = [&](const char* key, auto&& test) {
+    return json.contains(key) && test(json[key]);
+  };
+  const auto is_text = [](const Json& j) { return j.is_string(); };
+  const auto is_truth = [](const Json& j) { return j.is_boolean(); };
+  const auto is_number = [](const Json& j) { return j.is_number(); };
+  if (!json.is_object() || !has("status", is_text) ||
+      !has("message", is_text) || !has("verified", is_truth)) {
+    return false;
+  }
+  return !json["verified"] ||
+         (has("feasible", is_truth) && has("tau", is_number) &&
+          has("transit_time", is_number) && has("estimated_error", is_number) &&
+          has("end_angle", is_number));
+}
+
 SweepOutcome read_outcome(const std::string& document) {
   const Json json = Json::parse(document);
   SweepOutcome outcome;
-  outcome.status = json.value("status", "");
-  outcome.message = json.value("message", "");
-  if (!json.value("verified", false)) {
+  outcome.status = json.at("status");
+  outcome.message = json.at("message");
+  if (!json.at("verified")) {
     outcome.state = SweepOutcome::State::Failed;
     return outcome;
   }

@@ -22,7 +22,10 @@ namespace brachisto::sweep {
 [[nodiscard]] std::string failure_json(std::string_view status,
                                        std::string_view message);
 
-/// What a table shows of a document.
+/// True if a text is such a document: read_outcome() has what it needs.
+[[nodiscard]] bool is_outcome(const std::string& document);
+
+/// What a table shows of a document that satisfies is_outcome().
 [[nodiscard]] SweepOutcome read_outcome(const std::string& document);
 
 }  // namespace brachisto::sweep

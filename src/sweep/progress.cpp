@@ -58,19 +58,22 @@ void Progress::show(const Counts& counts) {
 void Progress::finish(const Counts& counts) {
   if (form_ != Form::Bar) return;
   write(counts);
-  fmt::print(stderr, "\n");
+  std::fputs("\n", stderr);
 }
 
 void Progress::write(const Counts& counts) {
   const double seconds =
       std::chrono::duration<double>(Clock::now() - start_).count();
   constexpr int kWidth = 24;
+  // A sweep does not end because nobody listens: errors are ignored.
   if (form_ == Form::Bar) {
     // Back to the start of the line, and away with what was longer.
-    fmt::print(stderr, "\r{}\033[K", progress_text(counts, seconds, kWidth));
+    std::fputs(fmt::format("\r{}\033[K", progress_text(counts, seconds, kWidth))
+                   .c_str(),
+               stderr);
     std::fflush(stderr);
   } else {
-    fmt::print(stderr, "{}\n", progress_text(counts, seconds, 0));
+    std::fputs((progress_text(counts, seconds, 0) + "\n").c_str(), stderr);
   }
 }
 

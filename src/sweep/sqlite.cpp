@@ -4,7 +4,9 @@
 #include "sweep/sqlite.hpp"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <utility>
 
 namespace brachisto::sweep {
@@ -23,11 +25,37 @@ int flags_of(Database::Access access) {
   return 0;
 }
 
+std::string directory_of(const std::string& path) {
+  const std::filesystem::path parent =
+      std::filesystem::path(path).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+/// With the characters escaped that mean something in a URI.
+std::string uri_path(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (c == '%' || c == '?' || c == '#') {
+      text += c == '%' ? "%25" : c == '?' ? "%3f" : "%23";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 Database::Database(std::string path, Access access) : path_(std::move(path)) {
-  const int code =
-      sqlite3_open_v2(path_.c_str(), &handle_, flags_of(access), nullptr);
+  // A file beside which nothing can be written cannot change either.
+  const bool immutable = access == Access::ReadOnly &&
+                         ::access(directory_of(path_).c_str(), W_OK) != 0 &&
+                         ::access((path_ + "-wal").c_str(), F_OK) != 0;
+  const std::string name =
+      immutable ? "file:" + uri_path(path_) + "?immutable=1" : path_;
+  const int code = sqlite3_open_v2(
+      name.c_str(), &handle_,
+      flags_of(access) | (immutable ? SQLITE_OPEN_URI : 0), nullptr);
   if (code != SQLITE_OK) {
     const std::string reason =
         handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);

@@ -50,6 +50,12 @@ StoreInfo read_info(Database& database) {
           .provenance = value("provenance")};
 }
 
+void check_ours(Database& database, const std::string& path) {
+  if (database.pragma("application_id") != kApplicationId) {
+    throw StoreError(path + ": not a store of brachisto");
+  }
+}
+
 }  // namespace
 
 Store::Store(std::unique_ptr<Database> database, StoreInfo info)
@@ -95,9 +101,7 @@ Store Store::open(const fs::path& directory, Database::Access access) {
     throw StoreError(path + ": there is no such store");
   }
   auto database = std::make_unique<Database>(path, access);
-  if (database->pragma("application_id") != kApplicationId) {
-    throw StoreError(path + ": not a store of brachisto");
-  }
+  check_ours(*database, path);
   const std::int64_t format = database->pragma("user_version");
   if (format != kFormat) {
     throw StoreError(path + ": a store of format " + std::to_string(format) +
@@ -113,6 +117,13 @@ Store Store::open(const fs::path& directory, Database::Access access) {
 }
 
 void Store::remove(const fs::path& directory) {
+  const std::string path = file_in(directory).string();
+  std::error_code error;
+  if (!fs::exists(path, error)) return;
+  if (fs::file_size(path) > 0) {
+    Database database(path, Database::Access::ReadWrite);
+    check_ours(database, path);
+  }
   for (const char* suffix : {"", "-wal", "-shm"}) {
     fs::remove(file_in(directory).string() + suffix);
   }
@@ -137,6 +148,21 @@ void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
           .bind(2, std::string_view(answer.state))
           .run();
     }
+  }
+  transaction.commit();
+}
+
+void Store::set_shard(const std::string& shard) {
+  Statement update(*database_, "UPDATE info SET value = ? WHERE key = 'shard'");
+  update.bind(1, std::string_view(shard)).run();
+  info_.shard = shard;
+}
+
+void Store::forget(std::span<const std::size_t> scenes) {
+  Transaction transaction(*database_);
+  Statement remove(*database_, "DELETE FROM result WHERE scene = ?");
+  for (const std::size_t scene : scenes) {
+    remove.bind(1, to_integer(scene)).run();
   }
   transaction.commit();
 }

@@ -46,10 +46,12 @@ class Store {
   /// \throws StoreError  if there is one already, or none can be written
   [[nodiscard]] static Store create(const std::filesystem::path& directory,
                                     const StoreInfo& info);
+  /// Reads also from where nothing can be written.
   /// \throws StoreError  if there is none, or if it is damaged or not ours
   [[nodiscard]] static Store open(const std::filesystem::path& directory,
                                   Database::Access access);
   /// Removes a store and what SQLite keeps beside it.
+  /// \throws StoreError  if the file is something else
   static void remove(const std::filesystem::path& directory);
 
   [[nodiscard]] const StoreInfo& info() const { return info_; }
@@ -58,6 +60,11 @@ class Store {
   /// replaces that of the scene before it in its chain.
   /// \throws StoreError  also if a scene has a result already
   void record(std::span<const Answer> answers, const ChainPlan& plan);
+
+  /// Changes info().shard.
+  void set_shard(const std::string& shard);
+  /// Removes results, so that their scenes are solved again.
+  void forget(std::span<const std::size_t> scenes);
 
   [[nodiscard]] std::size_t num_results();
   /// For each scene of the sweep, whether it has a result.

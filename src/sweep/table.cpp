@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/report/result_json.hpp"
+#include "report/csv.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
@@ -83,18 +84,10 @@ void for_each_row(Store& store, const io::SweepFile& file,
   });
 }
 
-/// A field of a CSV file (RFC 4180).
 std::string field(const Json& value) {
   if (value.is_null()) return "";
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
+  return report::csv_field(
+      value.is_string() ? value.get_ref<const std::string&>() : value.dump());
 }
 
 template <class Fields, class ToText>
@@ -144,8 +137,7 @@ SweepTable read_table(Store& store, const Job& job) {
 }
 
 std::string export_csv(Store& store, const Job& job) {
-  std::string text = csv_line(column_names(job.file),
-                              [](const std::string& name) { return name; });
+  std::string text = csv_line(column_names(job.file), report::csv_field);
   for_each_row(store, job.file, [&](const std::vector<Json>& row) {
     text += csv_line(row, field);
   });

@@ -3,6 +3,8 @@
 
 #include "sweep/worker.hpp"
 
+#include <exception>
+#include <iostream>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -47,9 +49,14 @@ void run_worker(std::istream& in, std::ostream& out) {
   while (std::getline(in, line)) {
     const Request request = request_from_line(line);
     std::optional<Neighbour> neighbour;
-    if (!request.state.empty()) {
-      neighbour = neighbour_from_state(
-          request.state, job.file.problem(request.first - 1).scene);
+    if (!request.state.empty() && request.first > 0) {
+      try {
+        neighbour = neighbour_from_state(
+            request.state, job.file.problem(request.first - 1).scene);
+      } catch (const std::exception& error) {
+        std::cerr << "brachisto worker: a state cannot be read, so scene "
+                  << request.first << " starts cold: " << error.what() << '\n';
+      }
     }
     for (std::size_t i = request.first; i < request.last; ++i) {
       out << to_line(solve_scene(job.file, i, neighbour)) << std::flush;

@@ -39,6 +39,25 @@ void Certificate::add(std::string name, double value, double threshold,
                     value <= threshold});
 }
 
+std::vector<std::string> not_verified_because(const Certificate& certificate) {
+  std::vector<std::string> reasons;
+  for (const Check& check : certificate.checks) {
+    if (check.passed) continue;
+    const std::string where =
+        check.where.empty() ? "" : fmt::format(" ({})", check.where);
+    reasons.push_back(
+        std::isnan(check.value)
+            ? fmt::format("{} cannot be measured{}", check.name, where)
+        : std::isnan(check.threshold)
+            ? fmt::format("{} is {:.3g}, and nothing is known of the error of "
+                          "T that could justify it{}",
+                          check.name, check.value, where)
+            : fmt::format("{} is {:.3g}, more than {:.3g}{}", check.name,
+                          check.value, check.threshold, where));
+  }
+  return reasons;
+}
+
 namespace {
 
 double distance(Point a, Point b) {
@@ -145,6 +164,37 @@ void check_hamiltonian(const ExtremalCurve& curve, double interior,
                   -std::numeric_limits<double>::min(), flattest.where());
 }
 
+/// That no other direction makes 𝓗 smaller, at ends and middles of elements.
+void check_weierstrass(const ExtremalCurve& curve, double threshold,
+                       Certificate& certificate) {
+  // Minima of 𝓗 over β are as wide as the extremes of sine and cosine of single
+  // angles make them; two per turn can hardly hide between so many places.
+  constexpr int kDirections = 64;
+  constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
+  const Scene& scene = curve.scene();
+  const Mesh& mesh = curve.mesh();
+  Largest worst{-std::numeric_limits<double>::infinity(), 0.0};
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    for (const double t : {0.0, 0.5, 1.0}) {
+      const ExtremalPoint at = curve.at(e, t);
+      const auto h = [&](double beta) {
+        return slope_hamiltonian(scene.body, scene.gravity, {at.theta, at.w},
+                                 at.p, beta)
+            .value;
+      };
+      const double sigma =
+          mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
+      const double own = h(at.beta);
+      const double root =
+          std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+      for (int i = 0; i < kDirections; ++i) {
+        worst.see((own - h(at.beta + i * kStep)) / root, sigma);
+      }
+    }
+  }
+  certificate.add("weierstrass", worst.value, threshold, worst.where());
+}
+
 void check_energy(const ExtremalCurve& curve, double threshold,
                   Certificate& certificate) {
   const Scene& scene = curve.scene();
@@ -175,15 +225,24 @@ void check_second_order(RollingTime& problem, const PrimalDual& point,
                               free, problem.num_constraints()));
 }
 
-void check_motion(const ExtremalCurve& curve, double threshold,
-                  Certificate& certificate) {
+void check_motion(const ExtremalCurve& curve, double time_error,
+                  double threshold, Certificate& certificate) {
   const Reintegration motion = reintegrate(curve);
+  const std::string where =
+      motion.arrived()
+          ? ""
+          : fmt::format("{}, after {:.3g} % of it", describe(motion.end),
+                        100.0 * motion.share);
+  certificate.add("reintegrated_time",
+                  motion.arrived() ? motion.corrected_time_error
+                                   : std::numeric_limits<double>::quiet_NaN(),
+                  time_error + motion.integration_error, where);
   const double worst =
-      motion.arrived ? std::max({motion.time_error, motion.speed_error,
-                                 motion.position_error, motion.rotation_error})
-                     : std::numeric_limits<double>::quiet_NaN();
-  certificate.add("reintegration_error", worst, threshold,
-                  motion.arrived ? "" : "the body does not reach the end");
+      motion.arrived()
+          ? std::max({motion.time_error, motion.speed_error,
+                      motion.position_error, motion.rotation_error})
+          : std::numeric_limits<double>::quiet_NaN();
+  certificate.add("reintegration_error", worst, threshold, where);
 }
 
 }  // namespace
@@ -214,16 +273,25 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   check_speed(curve, certificate);
 
   const double p = problem.mesh().degree;
-  const double interior =
-      thresholds.interior_factor * std::pow(error, 0.5 * (p + 1.0) / p);
-  const double slopes = thresholds.interior_factor * std::sqrt(error);
-  check_hamiltonian(curve, interior, slopes, certificate);
+  // Written so that a NaN, an unknown error, remains one.
+  const auto at_most = [](double largest, double value) {
+    return value > largest ? largest : value;
+  };
+  const double factor = thresholds.interior_factor;
+  const double interior = factor * std::pow(error, 0.5 * (p + 1.0) / p);
+  const double slopes =
+      at_most(thresholds.largest_slope, factor * std::sqrt(error));
+  check_hamiltonian(curve, at_most(thresholds.largest_interior, interior),
+                    slopes, certificate);
+  check_weierstrass(curve, thresholds.weierstrass, certificate);
   certificate.add(
       "start_angle",
       std::abs(curve.at(0.0).beta - start_angle(problem.scene().body)), slopes);
-  check_energy(curve, thresholds.interior_factor * error, certificate);
+  check_energy(curve, at_most(thresholds.largest_at_end, factor * error),
+               certificate);
   check_second_order(problem, point, certificate);
-  check_motion(curve, interior, certificate);
+  check_motion(curve, thresholds.time_factor * error,
+               at_most(thresholds.largest_at_end, interior), certificate);
   return certificate;
 }
 

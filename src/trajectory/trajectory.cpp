@@ -4,26 +4,22 @@
 #include "brachisto/trajectory/trajectory.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "brachisto/model/start_angle.hpp"
-#include "brachisto/trajectory/self_crossing.hpp"
 
 namespace brachisto {
 
 Trajectory::Trajectory(ExtremalCurve curve, const Scene& scene,
-                       const Units& units)
-    : curve_(std::move(curve)), scene_(scene), units_(units) {}
+                       const Units& units, std::optional<double> transit_time)
+    : curve_(std::move(curve)),
+      scene_(scene),
+      units_(units),
+      transit_time_(
+          transit_time.value_or(curve_.transit_time() * units_.time)) {}
 
 double Trajectory::transit_time() const {
-  return curve_.transit_time() * units_.time;
-}
-
-double Trajectory::tau() const {
-  return transit_time() * std::sqrt(2.0 * scene_.gravity / scene_.H);
+  return transit_time_;
 }
 
 double Trajectory::centre_path_length() const {
@@ -38,16 +34,6 @@ double Trajectory::end_angle() const {
   return curve_.at(1.0).beta;
 }
 
-double Trajectory::rail_length() const {
-  return centre_path_length() +
-         scene_.body.radius * (start_angle() - end_angle());
-}
-
-std::optional<double> Trajectory::rotation() const {
-  if (!scene_.body.rolls()) return std::nullopt;
-  return centre_path_length() / scene_.body.radius;
-}
-
 TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
                                     double sigma) const {
   const Scene& natural = curve_.scene();
@@ -55,6 +41,7 @@ TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
   state.beta_rate = slope_rate(natural.body, natural.gravity,
                                {point.theta, point.w}, point.p, point.beta);
   TrajectoryPoint out;
+  out.sigma = sigma;
   out.motion = kinematics(natural.body, natural.gravity, state);
   const auto scale = [&](Point& p) {
     p.x *= units_.length;
@@ -70,7 +57,7 @@ TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
   out.u = sigma * curve_.rolling_time() * units_.time;
   out.t = point.t * units_.time;
   out.s = point.s * units_.length;
-  out.theta = point.theta;
+  out.theta = point.theta + (scene_.body.theta_m - natural.body.theta_m);
   out.beta = point.beta;
   return out;
 }
@@ -109,85 +96,9 @@ std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
   return rows;
 }
 
-namespace {
-
-/// Smallest value of f(row) along the path.
-///
-/// Samples bracket the minimum, Brent's method finds it. With `skip_rise` the
-/// stretch from the start on which f only rises does not count.
-template <class Function>
-Extreme smallest(const Trajectory& trajectory,
-                 const std::vector<TrajectoryPoint>& rows, bool skip_rise,
-                 Function&& f) {
-  std::size_t first = 1;
-  if (skip_rise) {
-    while (first + 1 < rows.size() && f(rows[first + 1]) > f(rows[first])) {
-      ++first;
-    }
-  }
-  std::size_t best = first;
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    // Written so that a NaN counts as smallest and stays.
-    if (!(f(rows[i]) >= f(rows[best]))) best = i;
-  }
-  Extreme extreme{f(rows[best]), rows[best].motion.contact.x};
-  if (best == first || best + 1 == rows.size()) return extreme;
-  const double u_end = rows.back().u;
-  constexpr int kHalfTheBits = 26;  // more than a minimum can be located to
-  std::uintmax_t evaluations = 40;
-  const auto [sigma, value] = boost::math::tools::brent_find_minima(
-      [&](double s) { return f(trajectory.at(s)); }, rows[best - 1].u / u_end,
-      rows[best + 1].u / u_end, kHalfTheBits, evaluations);
-  if (value < extreme.value) {
-    extreme = {value, trajectory.at(sigma).motion.contact.x};
-  }
-  return extreme;
-}
-
-template <class Function>
-Extreme largest(const Trajectory& trajectory,
-                const std::vector<TrajectoryPoint>& rows, Function&& f) {
-  Extreme extreme = smallest(trajectory, rows, false,
-                             [&](const TrajectoryPoint& p) { return -f(p); });
-  extreme.value = -extreme.value;
-  return extreme;
-}
-
-double normal_force(const TrajectoryPoint& p) {
-  return p.motion.R_n;
-}
-double curvature(const TrajectoryPoint& p) {
-  return p.motion.kappa_b;
-}
-double fold_margin(const TrajectoryPoint& p) {
-  return p.motion.fold_margin;
-}
-
-}  // namespace
-
-PathDiagnostics Trajectory::diagnose() const {
-  const std::vector<TrajectoryPoint> rows = sample(2 * curve_.mesh().degree);
-  PathDiagnostics out;
-  out.min_normal_force = smallest(*this, rows, true, normal_force);
-  out.max_normal_force = largest(*this, rows, normal_force);
-  out.min_curvature = smallest(*this, rows, true, curvature);
-  out.max_curvature = largest(*this, rows, curvature);
-  out.min_fold_margin = smallest(*this, rows, false, fold_margin);
-  out.max_abs_slope = std::abs(rows.front().beta);
-  std::vector<Point> track{rows.front().motion.contact};
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Kinematics& motion = rows[i].motion;
-    out.max_abs_slope = std::max(out.max_abs_slope, std::abs(rows[i].beta));
-    track.push_back(motion.contact);
-    // Shares count the step that ends here.
-    const double share = (rows[i].t - rows[i - 1].t) / rows.back().t;
-    const double friction = std::abs(motion.R_t);
-    if (!(friction <= 0.3 * motion.R_n)) out.friction_above_0_3 += share;
-    if (!(friction <= 0.5 * motion.R_n)) out.friction_above_0_5 += share;
-    if (!(friction <= motion.R_n)) out.friction_above_1 += share;
-  }
-  out.self_crossing = self_crossing(track);
-  return out;
+std::vector<TrajectoryPoint> Trajectory::fine_sample(int least) const {
+  const Mesh& mesh = curve_.mesh();
+  return sample(std::max(2 * mesh.degree, least / mesh.num_elements() + 1));
 }
 
 }  // namespace brachisto

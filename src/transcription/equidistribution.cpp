@@ -34,6 +34,12 @@ Mesh divide(const Mesh& mesh, const std::vector<double>& mass, int count) {
 Mesh equidistribute(const Mesh& mesh, std::span<const double> errors,
                     double target, int degree, double size) {
   const auto n = static_cast<std::size_t>(mesh.num_elements());
+  if (!std::all_of(errors.begin(), errors.end(),
+                   [](double error) { return std::isfinite(error); })) {
+    Mesh halved = stretch(mesh, 2 * mesh.num_elements());
+    halved.degree = degree;
+    return halved;
+  }
   // A share may vanish by accident of its sign: each element counts at least a
   // part of its neighbours'.
   constexpr double kNeighbour = 0.3;

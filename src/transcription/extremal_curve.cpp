@@ -132,11 +132,21 @@ double ExtremalCurve::interpolated_slope(int element, double t) const {
   return slope;
 }
 
-ExtremalPoint ExtremalCurve::at(double sigma) const {
+ExtremalCurve::Place ExtremalCurve::place(double sigma) const {
   const auto& ends = mesh_.boundaries;
   const auto next = std::upper_bound(ends.begin() + 1, ends.end() - 1, sigma);
   const auto e = static_cast<int>(next - ends.begin()) - 1;
-  return at(e, (sigma - ends[at_index(e)]) / mesh_.length(e));
+  return {e, (sigma - ends[at_index(e)]) / mesh_.length(e)};
+}
+
+ExtremalPoint ExtremalCurve::at(double sigma) const {
+  const Place where = place(sigma);
+  return at(where.element, where.t);
+}
+
+double ExtremalCurve::interpolated_slope(double sigma) const {
+  const Place where = place(sigma);
+  return interpolated_slope(where.element, where.t);
 }
 
 ExtremalPoint ExtremalCurve::at_node(int node) const {

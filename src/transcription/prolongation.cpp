@@ -3,11 +3,19 @@
 
 #include "brachisto/transcription/prolongation.hpp"
 
+#include <cmath>
+
 namespace brachisto {
 
 PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
   return sample_at_mesh(problem, curve.rolling_time(),
-                        [&](double sigma) { return curve.at(sigma); });
+                        [&](double sigma) {
+                          ExtremalPoint point = curve.at(sigma);
+                          if (!std::isfinite(point.beta)) {
+                            point.beta = curve.interpolated_slope(sigma);
+                          }
+                          return point;
+                        });
 }
 
 PrimalDual sample_at_mesh(

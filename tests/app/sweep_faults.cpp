@@ -4,8 +4,10 @@
 // What goes wrong in a sweep costs as little as it can, and is told.
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -45,6 +47,25 @@ std::string bad_worker(const ScratchDirectory& scratch,
   fs::permissions(path, fs::perms::owner_all);
   return path;
 }
+
+/// A file system of some kilobytes in a directory, where that is allowed.
+class TinyDisk {
+ public:
+  explicit TinyDisk(const fs::path& directory)
+      : directory_(directory),
+        mounted_(::mount("tmpfs", directory.c_str(), "tmpfs", 0, "size=96k") ==
+                 0) {}
+  ~TinyDisk() {
+    if (mounted_) ::umount2(directory_.c_str(), MNT_DETACH);
+  }
+  TinyDisk(const TinyDisk&) = delete;
+  TinyDisk& operator=(const TinyDisk&) = delete;
+  explicit operator bool() const { return mounted_; }
+
+ private:
+  fs::path directory_;
+  bool mounted_;
+};
 
 struct Mischief {
   std::string name;
@@ -173,15 +194,53 @@ TEST(SweepFaults, AForeignOrTruncatedStoreIsLeftAlone) {
             6);
 }
 
-TEST(SweepFaults, AFullDiskIsTold) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+TEST(SweepFaults, AFullDiskIsToldAndCostsNothing) {
   const ScratchDirectory scratch;
-  fs::create_directories(scratch.path() / "out");
-  fs::create_symlink("/dev/full", scratch.path() / "out" / "sweep.sqlite");
+  const fs::path disk = scratch.path() / "out";
+  fs::create_directories(disk);
+  const TinyDisk mounted(disk);
+  if (!mounted) GTEST_SKIP() << "no file system can be mounted here";
 
   const Output output = sweep(scratch, "out");
 
   EXPECT_EQ(output.code, 6) << output.out << output.err;
+  EXPECT_NE(output.err.find("full"), std::string::npos) << output.err;
+  EXPECT_EQ(run({"export", disk.string(), "--csv"}).code, 0);
+}
+
+TEST(SweepFaults, WorkersThatAlwaysFailAreNotTheScenesFault) {
+  const ScratchDirectory scratch;
+
+  const Output output =
+      sweep(scratch, "out", {"--worker", bad_worker(scratch, "exit 1", 1000)});
+
+  EXPECT_EQ(output.code, 1);
+  EXPECT_NE(output.err.find("in a row"), std::string::npos) << output.err;
+  const Output resumed = sweep(scratch, "out", {"--resume", "--json"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(json::parse(resumed.out)["new"], kScenes) << "nothing was recorded";
+}
+
+TEST(SweepFaults, WhatNoWorkerAnsweredForIsTriedAgainOnDemand) {
+  const ScratchDirectory scratch;
+  const std::string worker = bad_worker(scratch, "exit 1", 2);
+  ASSERT_EQ(sweep(scratch, "calm").code, 0);
+  ASSERT_EQ(sweep(scratch, "out", {"--jobs", "1", "--worker", worker}).code, 4);
+  EXPECT_EQ(sweep(scratch, "out", {"--resume"}).code, 4)
+      << "a failure is a result";
+
+  const Output again = sweep(scratch, "out", {"--resume", "--retry-failed"});
+
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  EXPECT_EQ(table_of(scratch, "out"), table_of(scratch, "calm"));
+}
+
+TEST(SweepFaults, NobodyHasToListen) {
+  const ScratchDirectory scratch;
+  const std::string command =
+      "'" BRACHISTO_APP "' sweep '" + small_sweep(scratch) + "' --out '" +
+      (scratch.path() / "out").string() + "' --json 2>/dev/full";
+  EXPECT_EQ(std::system((command + " >/dev/null").c_str()), 0);
 }
 
 TEST(SweepFaults, ASceneThatCannotBeSolvedIsOneFailure) {

@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 #include "brachisto/extremal/shooting.hpp"
 #include "extremal/scenes.hpp"
@@ -59,9 +62,42 @@ TEST(Failure, OfNewtonsMethodSaysHowFarItCame) {
 
 TEST(Failure, ByTheClockIsSaid) {
   const ExtremalSolution found =
-      solve_extremal(base_scene(), {.max_seconds = 0.0});
+      solve_extremal(base_scene(), {.stop = StopCondition(0.0, nullptr)});
 
   EXPECT_EQ(found.status, ExtremalStatus::TimeLimit);
+}
+
+TEST(Failure, ByASignalIsSaid) {
+  const std::atomic<int> signal{2};
+  // In the continuation, and in Newton's method from a guess.
+  const ExtremalOptions options{.stop = StopCondition(3600.0, &signal)};
+
+  EXPECT_EQ(solve_extremal(base_scene(), options).status,
+            ExtremalStatus::Interrupted);
+  EXPECT_EQ(
+      solve_extremal(base_scene(), cycloid_guess(base_scene()), options).status,
+      ExtremalStatus::Interrupted);
+}
+
+TEST(Failure, OfASignalOnALongWayIsFast) {
+  // Two thousand turns: an integration along all of them takes seconds.
+  std::atomic<int> signal{0};
+  const Scene scene =
+      scene_of(Body::cylinder(0.0003, 2.0 / 3.0, 0.0, 0.5), 3.0);
+  std::chrono::steady_clock::time_point sent;
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    sent = std::chrono::steady_clock::now();
+    signal = 2;
+  });
+
+  const ExtremalSolution found =
+      solve_extremal(scene, {.stop = StopCondition(3600.0, &signal)});
+  const auto ended = std::chrono::steady_clock::now();
+  other.join();
+
+  EXPECT_EQ(found.status, ExtremalStatus::Interrupted) << found.message;
+  EXPECT_LT(std::chrono::duration<double>(ended - sent).count(), 2.0);
 }
 
 TEST(Failure, ToReachTheToleranceKeepsTheAnswer) {
@@ -72,11 +108,12 @@ TEST(Failure, ToReachTheToleranceKeepsTheAnswer) {
 
   EXPECT_EQ(found.status, ExtremalStatus::AccuracyNotReached) << found.message;
   EXPECT_GT(found.error_estimate, 1e-14);
+  EXPECT_TRUE(found.usable());
   EXPECT_NEAR(found.tau, 28.29440569044, 1e-10);
 }
 
 TEST(Failure, HasASentenceForEveryStatus) {
-  for (int i = 0; i <= static_cast<int>(ExtremalStatus::TimeLimit); ++i) {
+  for (int i = 0; i <= static_cast<int>(ExtremalStatus::Interrupted); ++i) {
     EXPECT_NE(describe(static_cast<ExtremalStatus>(i)), "unknown status");
   }
 }

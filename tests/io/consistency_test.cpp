@@ -119,5 +119,46 @@ TEST(Consistency, AllMistakesComeInFileOrder) {
   EXPECT_EQ(at, 0U) << "more lines than expected: " << message;
 }
 
+TEST(Consistency, ShootingRefusesKeysItHasNoUseFor) {
+  const std::string has = "has no effect with method: extremal, ";
+  for (const std::string keys :
+       {"discretisation: {degree: 3}\n", "discretisation: {elements: 40}\n",
+        "discretisation: {nodes: 41, tolerance: 1e-8}\n"}) {
+    const std::string found =
+        errors(kBead + keys + "solver: {method: extremal}\n");
+
+    EXPECT_NE(found.find(has + "which has no elements; leave it out, or take "
+                               "method: ipopt"),
+              std::string::npos)
+        << keys << found;
+  }
+  for (const std::string key :
+       {"search: global", "tolerance: 1e-9", "polish: false", "guess: random",
+        "linear_solver: mumps", "certify: extremal",
+        "limits: {iterations: 7}"}) {
+    const std::string found =
+        errors(kBead + "solver: {method: extremal, " + key + "}\n");
+
+    EXPECT_NE(found.find(has), std::string::npos) << key << ": " << found;
+    EXPECT_EQ(errors(kBead + "solver: {method: ipopt, " + key + "}\n"), "");
+  }
+}
+
+TEST(Consistency, ShootingMindsNoKeyThatSaysWhatHoldsAnyway) {
+  EXPECT_EQ(errors(kBead +
+                   "discretisation: {tolerance: 1e-8}\n"
+                   "solver: {method: extremal, search: principal, polish: true,"
+                   " certify: none, guess: cycloid, limits: {seconds: 5}}\n"),
+            "");
+}
+
+TEST(Consistency, NoContactIsSearchedForBetweenEndsOfTheCentresPath) {
+  EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
+                   "contact: centre}\nsolver: {search: global}\n"),
+            "p.yaml:2:18: solver.search: global is not allowed with contact: "
+            "centre; between fixed ends of the centre's path there is no "
+            "contact to search for");
+}
+
 }  // namespace
 }  // namespace brachisto::io

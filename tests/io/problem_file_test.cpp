@@ -37,10 +37,10 @@ scene:
 discretisation: {formulation: rolling_time, tolerance: 1e-8, degree: 4,
                  nodes: 41}
 solver:
-  method: extremal
+  method: ipopt
   linear_solver: mumps
   tolerance: 1e-10
-  search: global
+  search: principal
   polish: false
   certify: extremal
   guess: random
@@ -65,16 +65,23 @@ solver:
   EXPECT_EQ(mesh.degree, 4);
   EXPECT_EQ(mesh.elements, std::nullopt);
   EXPECT_EQ(mesh.nodes, 41);
-  EXPECT_EQ(problem.options.method, Method::Extremal);
+  EXPECT_EQ(problem.options.method, Method::Ipopt);
   EXPECT_EQ(problem.options.linear_solver, LinearSolver::Mumps);
   EXPECT_EQ(problem.options.tolerance, 1e-10);
-  EXPECT_EQ(problem.options.search, Search::Global);
+  EXPECT_EQ(problem.options.search, Search::Principal);
   EXPECT_FALSE(problem.options.polish);
   EXPECT_EQ(problem.options.certify, Certify::Extremal);
   EXPECT_EQ(problem.options.guess, Guess::Random);
   EXPECT_EQ(problem.options.seed, 7u);
   EXPECT_EQ(problem.options.limits.iterations, 100);
   EXPECT_EQ(problem.options.limits.seconds, 60.0);
+}
+
+TEST(ProblemFile, WordsThatExcludeOtherKeysArrive) {
+  EXPECT_EQ(read(kBead + "solver: {method: extremal}\n").options.method,
+            Method::Extremal);
+  EXPECT_EQ(read(kBead + "solver: {search: global}\n").options.search,
+            Search::Global);
 }
 
 TEST(ProblemFile, ElementsArrive) {

@@ -67,10 +67,10 @@ TEST(StrictSweep, KeysAreWrittenInFull) {
 }
 
 TEST(StrictSweep, SomeKeysCannotVary) {
-  EXPECT_EQ(sweep_errors({"version: [1]", "scene.path: [1]"}),
+  EXPECT_EQ(sweep_errors({"version: [1]", "solver.fsolve: [1]"}),
             "p.yaml:5:3: sweep.version: the version of the file format cannot "
             "vary\n"
-            "p.yaml:6:3: sweep.scene.path: reserved for a later version of "
+            "p.yaml:6:3: sweep.solver.fsolve: reserved for a later version of "
             "brachisto");
 }
 
@@ -174,12 +174,13 @@ TEST(StrictSweep, OneValueHasNoEndToGoTo) {
 }
 
 TEST(StrictSweep, WarmStartIsTrueOrFalse) {
-  EXPECT_EQ(sweep_errors({"scene.body.k: [0.1]", "warm_start: yes"}),
-            "p.yaml:6:15: sweep.warm_start: \"yes\" was read; expected true or "
-            "false");
+  EXPECT_EQ(
+      sweep_errors({"scene.body.k: [0.1]", "warm_start: yes"}),
+      "p.yaml:6:15: sweep.warm_start: \"yes\" was read; expected false or "
+      "true");
   EXPECT_EQ(sweep_errors({"scene.body.k: [0.1]", "warm_start: [true]"}),
-            "p.yaml:6:15: sweep.warm_start: a list was read; expected true or "
-            "false");
+            "p.yaml:6:15: sweep.warm_start: a list was read; expected false or "
+            "true");
 }
 
 TEST(StrictSweep, AllMistakesAreReportedAtOnce) {

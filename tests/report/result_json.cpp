@@ -33,6 +33,7 @@ const std::vector<std::string> kOtherKeys{"schema_version",
                                           "verified",
                                           "feasible",
                                           "infeasible_because",
+                                          "not_verified_because",
                                           "estimated_error",
                                           "nodes",
                                           "variables",
@@ -125,6 +126,7 @@ TEST(ResultJson, OfAVerifiedSolutionSaysSo) {
   EXPECT_EQ(document["verified"], true);
   EXPECT_EQ(document["feasible"], true);
   EXPECT_EQ(document["infeasible_because"], json::array());
+  EXPECT_EQ(document["not_verified_because"], json::array());
   EXPECT_EQ(document["nodes"], off_centred_solution().nodes);
 }
 
@@ -138,6 +140,11 @@ TEST(ResultJson, OfAnUnverifiedSolutionHasNoNumbersOfThePath) {
   EXPECT_EQ(document["verified"], false);
   EXPECT_TRUE(document["feasible"].is_null());
   EXPECT_TRUE(document["infeasible_because"].is_null());
+  const json& reasons = document["not_verified_because"];
+  ASSERT_EQ(reasons.size(), 1u);
+  EXPECT_TRUE(reasons[0].get<std::string>().starts_with("agreement is "));
+  EXPECT_NE(document["message"].get<std::string>().find("not verified"),
+            std::string::npos);
   for (const std::string& key : kPathKeys) {
     EXPECT_TRUE(document[key].is_null()) << key;
   }
@@ -148,6 +155,7 @@ TEST(ResultJson, OfAnUnsolvedSceneHasTheReason) {
 
   EXPECT_EQ(document["status"], "no_admissible_path");
   EXPECT_EQ(document["verified"], false);
+  EXPECT_TRUE(document["not_verified_because"].is_null());
   EXPECT_NE(document["message"].get<std::string>().find("inside the"),
             std::string::npos);
   for (const std::string& key : kPathKeys) {
@@ -170,6 +178,7 @@ TEST(ResultJson, TellsHowTheSolutionWasFound) {
   ExtremalOpinion opinion;
   opinion.solved = true;
   opinion.tau = 5.125;
+  opinion.difference = 0.5;
   solution.extremal = opinion;
 
   const json document = json::parse(result_json(solution));
@@ -192,6 +201,9 @@ TEST(ResultJson, TellsHowTheSolutionWasFound) {
   EXPECT_EQ(document["branches"][0]["remarks"][0], "failed check slope");
   EXPECT_EQ(document["extremal"]["solved"], true);
   EXPECT_EQ(document["extremal"]["tau"], 5.125);
+  EXPECT_EQ(document["certificate"]["extremal_tau"], 5.125);
+  EXPECT_EQ(document["certificate"]["tau"], document["tau"]);
+  EXPECT_EQ(document["certificate"]["extremal_difference"], 0.5);
 }
 
 TEST(ResultJson, HasNothingOfWhatWasNotAskedFor) {

@@ -175,6 +175,36 @@ TEST(SweepReport, TellsTheExtremesAndTheCounts) {
   }
 }
 
+TEST(SweepReport, SaysAtItsTopThatScenesAreMissing) {
+  SweepTable table = plane();
+  EXPECT_FALSE(says(page(table), "Partial"));
+  fail(table, 7);
+  EXPECT_FALSE(says(page(table), "Partial"));
+  for (const std::size_t scene : {3, 5, 99}) table.outcomes[scene] = {};
+
+  const std::string html = page(table);
+
+  EXPECT_TRUE(says(html, "Partial.</strong> 3 of 132 scenes"));
+  EXPECT_LT(html.find("Partial."), html.find("<table"));
+}
+
+TEST(SweepReport, ShowsDrawingsThatAreTooLargeForAPageFromTheirFiles) {
+  const auto square = [](std::size_t side) {
+    return sweep_over({{"scene.body.eta_m", 0.0, 0.5, side},
+                       {"scene.body.k", 0.0, 0.5, side}},
+                      sum);
+  };
+
+  const std::string small = page(square(100));
+  EXPECT_EQ(count(small, "<svg "), 1u);
+  EXPECT_FALSE(says(small, "<img"));
+
+  const std::string large = page(square(180));
+  EXPECT_EQ(count(large, "<svg "), 0u);
+  EXPECT_TRUE(says(large, "<img src=\"map-1.svg\""));
+  EXPECT_LT(large.size(), 100'000u);
+}
+
 TEST(SweepReport, ListsWhyScenesFailed) {
   SweepTable table = plane();
   EXPECT_FALSE(says(page(table), "Failed scenes"));

@@ -11,6 +11,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brachisto/study/sweep_table.hpp"
@@ -26,32 +27,33 @@ struct Range {
   std::size_t count;
 };
 
-/// The product of some ranges; τ of each scene as a function of its values, all
+/// An axis of one column with these values.
+struct List {
+  std::string key;
+  std::vector<double> values;
+};
+
+/// The product of some lists; τ of each scene as a function of its values, all
 /// scenes verified and feasible.
-inline SweepTable sweep_over(
-    const std::vector<Range>& ranges,
+inline SweepTable list_over(
+    const std::vector<List>& lists,
     const std::function<double(const std::vector<double>&)>& tau) {
   SweepTable table;
   table.title = "A sweep";
   std::size_t scenes = 1;
-  for (const Range& range : ranges) {
-    table.axes.push_back({{table.columns.size()}, range.count, true});
-    table.columns.push_back({range.key, {}, {}});
-    scenes *= range.count;
+  for (const List& list : lists) {
+    table.axes.push_back({{table.columns.size()}, list.values.size(), true});
+    table.columns.push_back({list.key, {}, {}});
+    scenes *= list.values.size();
   }
   for (std::size_t scene = 0; scene < scenes; ++scene) {
-    std::vector<double> values(ranges.size());
+    std::vector<double> values(lists.size());
     std::size_t rest = scene;
-    for (std::size_t a = ranges.size(); a-- > 0;) {
-      const Range& range = ranges[a];
-      const double share = range.count == 1
-                               ? 0.0
-                               : static_cast<double>(rest % range.count) /
-                                     static_cast<double>(range.count - 1);
-      values[a] = std::lerp(range.from, range.to, share);
-      rest /= range.count;
+    for (std::size_t a = lists.size(); a-- > 0;) {
+      values[a] = lists[a].values[rest % lists[a].values.size()];
+      rest /= lists[a].values.size();
     }
-    for (std::size_t a = 0; a < ranges.size(); ++a) {
+    for (std::size_t a = 0; a < lists.size(); ++a) {
       table.columns[a].numbers.push_back(values[a]);
     }
     SweepOutcome outcome;
@@ -65,6 +67,25 @@ inline SweepTable sweep_over(
     table.outcomes.push_back(outcome);
   }
   return table;
+}
+
+/// The same for ranges.
+inline SweepTable sweep_over(
+    const std::vector<Range>& ranges,
+    const std::function<double(const std::vector<double>&)>& tau) {
+  std::vector<List> lists;
+  for (const Range& range : ranges) {
+    List list{range.key, {}};
+    for (std::size_t i = 0; i < range.count; ++i) {
+      const double share =
+          range.count == 1
+              ? 0.0
+              : static_cast<double>(i) / static_cast<double>(range.count - 1);
+      list.values.push_back(std::lerp(range.from, range.to, share));
+    }
+    lists.push_back(std::move(list));
+  }
+  return list_over(lists, tau);
 }
 
 inline void fail(SweepTable& table, std::size_t scene,

@@ -114,5 +114,53 @@ TEST(Interrupt, AFlagSetMeanwhileEndsALargeSolve) {
   EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
 }
 
+TEST(Interrupt, AFlagSetMeanwhileEndsShooting) {
+  // Over a thousand turns: the continuation alone takes minutes.
+  Scene scene = reference("reference_case").scene();
+  scene.body.radius = 0.0005;
+  SolveOptions options;
+  options.method = Method::Extremal;
+  std::atomic<int> flag{0};
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    flag = 2;
+  });
+
+  const Solution solution = solve(scene, options, {.interrupt = &flag});
+  other.join();
+
+  EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
+  EXPECT_LT(solution.effort.seconds, 2.3);
+}
+
+TEST(Interrupt, NothingIsLeftOfAnAnswerThatCameTooLate) {
+  // Wherever the flag is seen, before, within or after the certificate.
+  SolveOptions options;
+  options.certify = Certify::Extremal;
+  const Scene scene = reference("reference_case").scene();
+  const double needed = solve(scene, options).effort.seconds;
+  constexpr int kMoments = 20;
+  for (int i = 1; i <= kMoments; ++i) {
+    std::atomic<int> flag{0};
+    std::thread other([&] {
+      std::this_thread::sleep_for(
+          std::chrono::duration<double>(needed * i / kMoments));
+      flag = 2;
+    });
+
+    const Solution solution = solve(scene, options, {.interrupt = &flag});
+    other.join();
+
+    if (solution.status == Status::Solved) continue;
+    EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
+    EXPECT_FALSE(solution.trajectory || solution.diagnostics ||
+                 solution.estimated_error || solution.extremal ||
+                 solution.as_neighbour)
+        << i;
+    EXPECT_TRUE(solution.certificate.checks.empty()) << i;
+    EXPECT_EQ(solution.nodes, 0) << i;
+  }
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include "brachisto/study/solve.hpp"
 #include "support/reference_values.hpp"
 
@@ -114,6 +118,55 @@ TEST(WantedTolerance, IsMetByEveryDegreeAndPaidForInNodes) {
   }
 }
 
+TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
+  // A mass point next to the rim: A falls to 1e-4, and on the mesh of the
+  // continuation 𝓗 has no minimum in β at some places.
+  Scene scene = kScene;
+  scene.body.eta_m = 0.99;
+  scene.body.k = 0.0;
+  SolveOptions fixed;
+  fixed.discretisation.degree = 8;
+  fixed.discretisation.elements = 60;
+  const Solution known = solve(scene, fixed);
+  ASSERT_TRUE(known.trajectory) << known.message;
+  ASSERT_LT(*known.estimated_error, 1e-8);
+  const double tau = known.trajectory->tau();
+
+  for (const double tolerance : {1e-6, kDefaultTolerance}) {
+    SolveOptions options;
+    options.discretisation.tolerance = tolerance;
+
+    const Solution solution = solve(scene, options);
+
+    ASSERT_TRUE(solution.verified()) << tolerance << ": " << solution.message;
+    EXPECT_NEAR(solution.trajectory->tau(), tau,
+                (tolerance + *known.estimated_error) * tau);
+  }
+}
+
+TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
+  // One or two digits per turn. The largest threshold is below one, for what is
+  // off by as much is no picture of a path.
+  for (const auto& [degree, elements] :
+       {std::pair{1, 10}, {1, 15}, {1, 20}, {1, 40}, {2, 5}, {2, 8}, {3, 4}}) {
+    SolveOptions options;
+    options.discretisation.degree = degree;
+    options.discretisation.elements = elements;
+
+    const Solution solution = solve(kScene, options);
+
+    ASSERT_TRUE(solution.verified())
+        << degree << "×" << elements << ": " << solution.message;
+    EXPECT_LE(std::abs(solution.trajectory->tau() / kTau - 1.0),
+              *solution.estimated_error)
+        << degree << "×" << elements;
+    for (const Check& check : solution.certificate.checks) {
+      if (check.name == "slope_angle") continue;
+      EXPECT_LT(check.threshold, 1.0) << check.name;
+    }
+  }
+}
+
 TEST(ACoarseMesh, IsNotVerifiedIfMoreIsWanted) {
   SolveOptions options;
   options.discretisation.degree = 2;
@@ -126,6 +179,11 @@ TEST(ACoarseMesh, IsNotVerifiedIfMoreIsWanted) {
   EXPECT_FALSE(solution.verified());
   ASSERT_NE(solution.certificate.find("agreement"), nullptr);
   EXPECT_FALSE(solution.certificate.find("agreement")->passed);
+  ASSERT_EQ(solution.not_verified_because().size(), 1u);
+  EXPECT_NE(solution.not_verified_because().front().find("agreement is "),
+            std::string::npos);
+  EXPECT_EQ(solution.message, "solved, but not verified: " +
+                                  solution.not_verified_because().front());
 }
 
 TEST(ACoarseMesh, IsNeverVerifiedFarFromTheAnswer) {

@@ -15,9 +15,9 @@ namespace {
 /// Rows of many lengths, shorter and longer than a chain may be.
 const std::vector<std::size_t> kRows{1, 2, 15, 16, 17, 32, 33, 61, 1000};
 
-TEST(ChainPlan, HasEveryScenesOnce) {
+TEST(ChainPlan, HasEverySceneOnce) {
   for (const std::size_t row : kRows) {
-    const ChainPlan plan(3 * row, row);
+    const ChainPlan plan(3 * row, row, 16);
     std::size_t next = 0;
     for (std::size_t id = 0; id < plan.size(); ++id) {
       const Chain chain = plan[id];
@@ -32,17 +32,17 @@ TEST(ChainPlan, HasEveryScenesOnce) {
 
 TEST(ChainPlan, NeverLeavesARow) {
   for (const std::size_t row : kRows) {
-    const ChainPlan plan(3 * row, row);
+    const ChainPlan plan(3 * row, row, 16);
     for (std::size_t id = 0; id < plan.size(); ++id) {
       const Chain chain = plan[id];
       EXPECT_EQ(chain.first / row, (chain.last - 1) / row);
-      EXPECT_LE(chain.last - chain.first, ChainPlan::kLongest);
+      EXPECT_LE(chain.last - chain.first, 16U);
     }
   }
 }
 
 TEST(ChainPlan, CutsARowIntoNearlyEqualPieces) {
-  const ChainPlan plan(61, 61);
+  const ChainPlan plan(61, 61, 16);
   ASSERT_EQ(plan.size(), 4U);
   for (std::size_t id = 0; id < plan.size(); ++id) {
     const std::size_t length = plan[id].last - plan[id].first;
@@ -52,7 +52,7 @@ TEST(ChainPlan, CutsARowIntoNearlyEqualPieces) {
 
 TEST(ChainPlan, FindsTheChainOfAScene) {
   for (const std::size_t row : kRows) {
-    const ChainPlan plan(3 * row, row);
+    const ChainPlan plan(3 * row, row, 16);
     for (std::size_t scene = 0; scene < 3 * row; ++scene) {
       const Chain chain = plan.of_scene(scene);
       EXPECT_LE(chain.first, scene);

@@ -40,6 +40,10 @@ class MergeTest : public ::testing::Test {
     store.record(answers, ChainPlan(job_.file));
     return directory;
   }
+  MergeReport merge_parts(const std::vector<fs::path>& parts, Store& whole) {
+    std::vector<Store> stores = open_parts(parts, whole.info());
+    return merge(stores, whole, job_);
+  }
   Store target(const std::string& name = "target") {
     return Store::open(part(name, 0, 0), Database::Access::ReadWrite);
   }
@@ -49,7 +53,7 @@ TEST_F(MergeTest, JoinsPartsAndListsGaps) {
   const fs::path a = part("a", 0, 10), b = part("b", 12, 40);
   Store whole = target();
 
-  const MergeReport report = merge({a, b}, whole, job_);
+  const MergeReport report = merge_parts({a, b}, whole);
 
   EXPECT_EQ(report.added, 38U);
   EXPECT_EQ(whole.num_results(), 38U);
@@ -61,9 +65,9 @@ TEST_F(MergeTest, JoinsPartsAndListsGaps) {
 TEST_F(MergeTest, IsIdempotent) {
   const fs::path a = part("a", 0, 10), b = part("b", 10, 40);
   Store whole = target();
-  (void)merge({a, b}, whole, job_);
+  (void)merge_parts({a, b}, whole);
 
-  const MergeReport again = merge({a, b}, whole, job_);
+  const MergeReport again = merge_parts({a, b}, whole);
 
   EXPECT_EQ(again.added, 0U);
   EXPECT_EQ(whole.num_results(), 40U);
@@ -74,7 +78,7 @@ TEST_F(MergeTest, ListsOverlapsThatDifferInTimesAtMost) {
   const fs::path a = part("a", 0, 6), b = part("b", 4, 10);
   Store whole = target();
 
-  const MergeReport report = merge({a, b}, whole, job_);
+  const MergeReport report = merge_parts({a, b}, whole);
 
   EXPECT_EQ(report.overlaps, (std::vector<std::size_t>{4, 5}));
   EXPECT_TRUE(report.conflicts.empty());
@@ -84,7 +88,7 @@ TEST_F(MergeTest, ListsConflictsAndKeepsTheFirst) {
   const fs::path a = part("a", 0, 6, 1), b = part("b", 5, 8, 2);
   Store whole = target();
 
-  const MergeReport report = merge({a, b}, whole, job_);
+  const MergeReport report = merge_parts({a, b}, whole);
 
   EXPECT_EQ(report.conflicts, (std::vector<std::size_t>{5}));
   whole.for_each_result([](std::size_t scene, const std::string& document) {
@@ -97,9 +101,27 @@ TEST_F(MergeTest, BringsTheStateOfAnUnfinishedChain) {
   const fs::path a = part("a", 0, 4, 0, "state");
   Store whole = target();
 
-  (void)merge({a}, whole, job_);
+  (void)merge_parts({a}, whole);
 
   EXPECT_EQ(whole.state_of(0), "state");
+}
+
+TEST_F(MergeTest, LeavesAFailedSceneWithoutTheStateOfAnotherPart) {
+  const fs::path a = part("a", 0, 4), b = part("b", 0, 3, 0, "state");
+  Store whole = target();
+
+  (void)merge_parts({a, b}, whole);
+
+  EXPECT_EQ(whole.state_of(0), "") << "scene 3 of part a left nothing";
+}
+
+TEST_F(MergeTest, MakesTheTargetAMergedStore) {
+  Store whole = target();
+  (void)merge_parts({part("a", 0, 4)}, whole);
+  EXPECT_EQ(Store::open(scratch_.path() / "target", Database::Access::ReadOnly)
+                .info()
+                .shard,
+            kMerged);
 }
 
 TEST_F(MergeTest, RefusesPartsOfAnotherSweepAndAddsNothing) {
@@ -109,7 +131,7 @@ TEST_F(MergeTest, RefusesPartsOfAnotherSweepAndAddsNothing) {
   job_ = small_job();
   Store whole = target();
 
-  EXPECT_THROW((void)merge({a, other}, whole, job_), StoreError);
+  EXPECT_THROW((void)merge_parts({a, other}, whole), StoreError);
   EXPECT_EQ(whole.num_results(), 0U);
 }
 

@@ -82,7 +82,7 @@ TEST(Request, SurvivesALine) {
 }
 
 TEST(Answer, SurvivesALine) {
-  const Answer answer{7, outcome_json(solved()), "state"};
+  const Answer answer{7, outcome_json(solved()), R"({"phi":1})"};
   const std::string line = to_line(answer);
   EXPECT_EQ(line.find('\n'), line.size() - 1);
 
@@ -91,7 +91,7 @@ TEST(Answer, SurvivesALine) {
   ASSERT_TRUE(read);
   EXPECT_EQ(read->scene, 7U);
   EXPECT_EQ(read->result, answer.result);
-  EXPECT_EQ(read->state, "state");
+  EXPECT_EQ(read->state, answer.state);
 }
 
 TEST(Answer, IsNotReadFromAnythingElse) {
@@ -102,6 +102,13 @@ TEST(Answer, IsNotReadFromAnythingElse) {
         std::string(R"({"scene": -1, "result": {}, "state": ""})"),
         std::string(R"({"scene": 1, "result": 3, "state": ""})"),
         std::string(R"({"scene": 1, "result": {"status": "solved"}})"),
+        std::string(
+            R"({"scene": 1, "state": "", "result":)"
+            R"({"status": "solved", "message": "", "verified": true}})"),
+        std::string(R"({"scene": 1, "state": "", "result":)"
+                    R"({"status": 1, "message": "", "verified": "yes"}})"),
+        std::string(R"({"scene": 1, "state": "rubbish", "result":)"
+                    R"({"status": "x", "message": "", "verified": false}})"),
         whole.substr(0, whole.size() / 2)}) {
     EXPECT_FALSE(answer_from_line(line)) << line;
   }

@@ -25,6 +25,7 @@ namespace brachisto::testing {
       "}\n"
       "  finish: {L: 3, H: 1}\n"
       "sweep:\n"
+      "  warm_start: true\n"
       "  scene.body.eta_m: [0.1, 0.2]\n"
       "  scene.body.theta_m: {from: 0, to: 1, count: " +
       std::to_string(count) + "}\n";

@@ -35,10 +35,36 @@ TEST_F(CertificateOf, TheSolutionPassesEveryCheck) {
   EXPECT_TRUE(result.verified());
   for (const char* name :
        {"kkt_residual", "hamiltonian", "slope", "start_angle", "second_order",
-        "legendre", "defects", "contact_error", "closure", "energy_drift",
-        "reintegration_error", "slope_angle", "speed"}) {
+        "legendre", "weierstrass", "defects", "contact_error", "closure",
+        "energy_drift", "reintegrated_time", "reintegration_error",
+        "slope_angle", "speed"}) {
     EXPECT_NE(result.find(name), nullptr) << name;
   }
+}
+
+TEST_F(CertificateOf, TheTimeIsJudgedByTheErrorOfTheTime) {
+  // 3 ε, and what the integrator's steps add.
+  const Check* time = certificate().find("reintegrated_time");
+
+  EXPECT_EQ(not_verified_because(certificate()), std::vector<std::string>{});
+  ASSERT_NE(time, nullptr);
+  EXPECT_LT(time->threshold, 1e-9);
+}
+
+TEST_F(CertificateOf, WhatFailedIsSaidWithValueAndThreshold) {
+  Certificate made;
+  made.add("slope", 0.5, 0.25, "σ = 0.75");
+  made.add("closure", 0.0, 1e-8);
+  made.add("reintegration_error", kNaN, 0.1, "the body comes to rest");
+  made.add("energy_drift", 0.5, kNaN);
+
+  const std::vector<std::string> reasons = not_verified_because(made);
+
+  ASSERT_EQ(reasons.size(), 3u);
+  EXPECT_EQ(reasons[0], "slope is 0.5, more than 0.25 (σ = 0.75)");
+  EXPECT_EQ(reasons[1],
+            "reintegration_error cannot be measured (the body comes to rest)");
+  EXPECT_EQ(reasons[2].find("nan"), std::string::npos) << reasons[2];
 }
 
 TEST_F(CertificateOf, SlopeAnglesShiftedByWholeTurnsMeanTheSame) {

@@ -27,7 +27,7 @@ TEST(Reintegration, RunsDownTheCycloidInTheTimeOfTheClosedForm) {
 
     const Reintegration motion = reintegrate(curve);
 
-    ASSERT_TRUE(motion.arrived);
+    ASSERT_TRUE(motion.arrived());
     EXPECT_GT(motion.steps, 5);
     EXPECT_LE(motion.time_error, kTolerance);
     EXPECT_LE(motion.speed_error, kTolerance);
@@ -50,7 +50,7 @@ TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
 
     const Reintegration motion = reintegrate(solution.trajectory->curve());
 
-    ASSERT_TRUE(motion.arrived) << theta_m;
+    ASSERT_TRUE(motion.arrived()) << theta_m;
     EXPECT_LE(motion.time_error, 1e-9) << theta_m;
     EXPECT_LE(motion.speed_error, 1e-9) << theta_m;
     EXPECT_LE(motion.position_error, 1e-9) << theta_m;
@@ -69,11 +69,39 @@ TEST(Reintegration, ImprovesWithTheMesh) {
 
     const Reintegration motion = reintegrate(solution.trajectory->curve());
 
-    ASSERT_TRUE(motion.arrived) << elements;
+    ASSERT_TRUE(motion.arrived()) << elements;
     const double error = std::max(motion.time_error, motion.position_error);
     // Order p + 1 or more: 16 times, half of it for coarse meshes.
     EXPECT_LT(error, before / 8.0) << elements << " elements";
     before = error;
+  }
+}
+
+TEST(Reintegration, OfAPolygonOfSpeedsIsThatOfOneAndTheSamePath) {
+  // With p = 1 slopes have kinks and the time between nodes is not that of the
+  // states; still the body arrives, and to the same end point its time exceeds
+  // the least one by the square of the path's error: order 2, ratio 4.
+  double before = 1.0;
+  for (const int elements : {5, 10, 20, 40, 80}) {
+    SolveOptions options;
+    options.discretisation.degree = 1;
+    options.discretisation.elements = elements;
+    const Solution solution = solve(off_centred_scene(), options);
+    ASSERT_TRUE(solution.trajectory) << solution.message;
+
+    const Reintegration motion = reintegrate(solution.trajectory->curve());
+
+    ASSERT_TRUE(motion.arrived()) << elements << describe(motion.end);
+    EXPECT_LT(motion.corrected_time_error, *solution.estimated_error);
+    EXPECT_LT(motion.corrected_time_error, before / 3.5) << elements;
+    before = motion.corrected_time_error;
+  }
+}
+
+TEST(Reintegration, HasASentenceForEveryEnd) {
+  for (int i = 0; i <= static_cast<int>(MotionEnd::TooManySteps); ++i) {
+    EXPECT_EQ(describe(static_cast<MotionEnd>(i)).find("unknown"),
+              std::string_view::npos);
   }
 }
 
@@ -95,7 +123,9 @@ TEST(Reintegration, DoesNotArriveWhereTheBodyCannotClimb) {
 
   const Reintegration motion = reintegrate({turned, solution.point});
 
-  EXPECT_FALSE(motion.arrived);
+  EXPECT_EQ(motion.end, MotionEnd::ComesToRest) << describe(motion.end);
+  EXPECT_GT(motion.share, 0.1);
+  EXPECT_LT(motion.share, 1.0);
 }
 
 }  // namespace

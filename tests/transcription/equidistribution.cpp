@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -157,6 +158,24 @@ TEST(Equidistribution, SurvivesSharesThatVanish) {
 
   expect_a_mesh(equidistribute(mesh, one, 1e-10));
   expect_a_mesh(equidistribute(mesh, std::vector<double>(10, 0.0), 1e-10));
+}
+
+TEST(Equidistribution, HalvesEveryElementWhereAnErrorIsNoNumber) {
+  const Mesh mesh = graded_mesh(3, 7);
+  for (const double unknown : {std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity()}) {
+    std::vector<double> errors(7, 1e-8);
+    errors[2] = unknown;
+
+    const Mesh after = equidistribute(mesh, errors, 1e-10, 5, 1.0);
+
+    expect_a_mesh(after);
+    EXPECT_EQ(after.degree, 5);
+    ASSERT_EQ(after.num_elements(), 14);
+    for (std::size_t e = 0; e <= 7; ++e) {
+      EXPECT_NEAR(after.boundaries[2 * e], mesh.boundaries[e], 1e-15);
+    }
+  }
 }
 
 TEST(Equidistribution, KeepsAtLeastAQuarterAndFour) {

@@ -27,6 +27,7 @@
 
 #include "brachisto/extremal/extremal_path.hpp"
 #include "brachisto/extremal/status.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {
@@ -54,7 +55,7 @@ struct ExtremalOptions {
   /// answer beyond a fold is connected with the cycloid, but is not what the
   /// cycloid turns into as η grows.
   bool follow_folds = false;
-  double max_seconds = 3600.0;
+  StopCondition stop = StopCondition();  ///< looked at between arcs
 };
 
 /// One solution on the branch, for a body with offset η.
@@ -96,6 +97,9 @@ struct ExtremalSolution {
   ExtremalPath path;
 
   [[nodiscard]] bool solved() const { return status == ExtremalStatus::Solved; }
+  /// True if the numbers may be used: an extremal whose own error is known,
+  /// though it may have fewer digits than were asked for.
+  [[nodiscard]] bool usable() const;
 };
 
 /// The extremal that Newton's method finds from a guess, which need not lie on

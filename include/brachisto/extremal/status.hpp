@@ -22,6 +22,7 @@ enum class ExtremalStatus {
   Stalls,              ///< The extremal found comes to rest on its way.
   NotMinimal,          ///< ∂²𝓗/∂β² > 0 fails on the extremal found.
   TimeLimit,           ///< The seconds allowed ran out.
+  Interrupted,         ///< Told to stop from outside.
 };
 
 /// One sentence for people.

@@ -27,6 +27,7 @@ namespace brachisto::io {
 struct ProblemFile {
   Scene scene;
   SolveOptions options;
+  std::string points_file;  ///< of scene.path, as the file names it, or empty
 };
 
 /// Longest problem file that is read [bytes].

@@ -6,15 +6,10 @@
 
 #pragma once
 
+#include "brachisto/model/point.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {
-
-/// A point of the plane, z down [m].
-struct Point {
-  double x = 0.0;
-  double z = 0.0;
-};
 
 /// Centre of a body of the given radius that touches the track at `contact`,
 /// where the track has slope angle β: eqs. (11)–(12) solved for (x_c, z_c).

@@ -7,10 +7,12 @@
 
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "brachisto/model/body.hpp"
+#include "brachisto/model/given_path.hpp"
 
 namespace brachisto {
 
@@ -27,6 +29,8 @@ struct Scene {
   double H = 0.0;         ///< drop from A to B [m]
   double gravity = 9.81;  ///< g [m/s²]
   Contact contact = Contact::Smooth;
+  /// To be evaluated; none: find the fastest.
+  std::shared_ptr<const GivenPath> path;
 };
 
 /// One reason why a scene is refused.

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "brachisto/trajectory/trajectory.hpp"
+#include "brachisto/trajectory/motion.hpp"
 
 namespace brachisto::report {
 
@@ -16,6 +16,6 @@ namespace brachisto::report {
 /// u, t, x_c, z_c, x_cm, z_cm, x_b, z_b, theta, beta, v_c, omega, R_n, R_t,
 /// kappa_b, in SI units, angles in radians, forces in m g. A bead has no theta,
 /// omega and R_t, which stay empty.
-[[nodiscard]] std::string trajectory_csv(const Trajectory& trajectory);
+[[nodiscard]] std::string trajectory_csv(const Motion& motion);
 
 }  // namespace brachisto::report

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/result.hpp"
-#include "brachisto/solvers/stop_condition.hpp"
 
 namespace brachisto {
 

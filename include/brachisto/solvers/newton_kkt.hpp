@@ -6,11 +6,11 @@
 
 #pragma once
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/solvers/stop_condition.hpp"
 
 namespace brachisto {
 

@@ -21,6 +21,7 @@ enum class Status {
   Interrupted,       ///< SIGINT or SIGTERM
   OutOfMemory,       ///< the linear solver could not get its workspace
   NoAdmissiblePath,  ///< no path can exist; nothing was solved
+  Stalled,           ///< on a given path the body does not arrive
   InternalError,     ///< the solver reported a fault of the set-up
 };
 

@@ -8,6 +8,7 @@
 
 #include <string>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/units.hpp"
 #include "brachisto/study/adaptive_mesh.hpp"
 #include "brachisto/trajectory/certificate.hpp"
@@ -21,7 +22,7 @@ inline constexpr double kCoarsestAgreement = 1e-2;
 
 /// A second opinion from the indirect method.
 struct ExtremalOpinion {
-  bool solved = false;
+  bool solved = false;  ///< ExtremalSolution::usable()
   std::string message;
   double tau = 0.0;
   double error_estimate = 0.0;  ///< relative, of the extremal method
@@ -33,12 +34,16 @@ struct ExtremalOpinion {
 [[nodiscard]] Certificate certify_answer(MeshAnswer& answer,
                                          const Discretisation& wanted);
 
+/// True if checks failed, and all that did are of the kind that a finer mesh
+/// mends.
+[[nodiscard]] bool under_resolved(const Certificate& certificate);
+
 /// Solves `scene` by multiple shooting, started from `answer`, and adds the
 /// check "extremal": two right answers differ by no more than both their
 /// errors.
 [[nodiscard]] ExtremalOpinion ask_extremal(const Scene& scene,
                                            const MeshAnswer& answer,
-                                           double max_seconds,
+                                           const StopCondition& stop,
                                            Certificate& certificate);
 
 }  // namespace brachisto

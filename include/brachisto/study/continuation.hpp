@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/cycloid.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/solvers/stop_condition.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/mesh.hpp"
 

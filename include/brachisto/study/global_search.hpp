@@ -6,10 +6,10 @@
 
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/solvers/stop_condition.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 
 namespace brachisto {
@@ -20,18 +20,27 @@ struct ContactCandidate {
   double phi = 0.0;
 };
 
+/// Outcome of find_contacts().
+struct ContactSearch {
+  std::vector<ContactCandidate> contacts;
+  int newton_steps = 0;
+};
+
 /// Looks for roots of β_end(φ) − φ.
 ///
-/// Extremals between C_A and C_B(φ) come in families, each a smooth function of
-/// φ. From `known` and from cold starts at evenly spaced φ each family is
-/// followed over φ in both directions by Newton's method; where β_end(φ) − φ
-/// changes sign, the contact is closed. What is found is not guaranteed to be
-/// all there is.
+/// scan_contacts() finds them by shooting backwards from B; Newton's method
+/// then solves for each on a mesh. A body that is not off-centred has but one
+/// smooth contact, and nothing is searched. What is found is not guaranteed to
+/// be all there is.
 ///
-/// \param scene  in natural units, with Contact::Smooth
-/// \param known  contacts known already; they come first in the result
-[[nodiscard]] std::vector<ContactCandidate> find_contacts(
-    const Scene& scene, const CycloidArc& arc, const Mesh& mesh,
+/// \param scene     in natural units, with Contact::Smooth
+/// \param longest   paths of the centre longer than this are left out
+/// \param mesh_for  mesh that can represent a path of given length
+/// \param known     contacts known already; they come first in the result, the
+///                  others follow by T
+[[nodiscard]] ContactSearch find_contacts(
+    const Scene& scene, double longest,
+    const std::function<Mesh(double length)>& mesh_for,
     std::vector<ContactCandidate> known, const StopCondition& stop);
 
 }  // namespace brachisto

@@ -17,8 +17,8 @@ namespace brachisto {
 
 /// Outcome of refine().
 struct Refinement {
-  Status status = Status::NotConverged;
-  std::string message;
+  Status status = Status::NotConverged;  ///< of the last mesh
+  std::string message;                   ///< of the last mesh
   std::optional<MeshAnswer> answer;  ///< the best one; nothing if none solved
   std::vector<MeshRecord> meshes;    ///< in the order in which they were tried
   std::string log;                   ///< of Ipopt
@@ -26,7 +26,8 @@ struct Refinement {
 
 /// Solves on the mesh that `wanted` fixes, or on meshes that follow its
 /// tolerance, each from the solution of the one before, until the estimated
-/// error is small enough or rounding keeps it from falling.
+/// error is small enough or rounding keeps it from falling. A mesh that cannot
+/// be solved on is doubled.
 ///
 /// \param scene  in natural units
 /// \param curve  an extremal of the scene on a coarse mesh, with the end angle

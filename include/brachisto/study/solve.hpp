@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,9 +16,11 @@
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/study/branches.hpp"
 #include "brachisto/study/certification.hpp"
+#include "brachisto/study/cold_start.hpp"
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/prescribed_motion.hpp"
 #include "brachisto/trajectory/trajectory.hpp"
 
 namespace brachisto {
@@ -35,13 +38,6 @@ struct Effort {
   std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
 };
 
-/// A start other than the cycloid, and where it led on a coarse mesh.
-struct ColdStart {
-  Status status = Status::NotConverged;
-  std::optional<double> tau;  ///< on the coarse mesh, if it converged
-  bool principal = false;     ///< it led to the principal branch
-};
-
 /// Outcome of solve(). Numbers of the path live in `trajectory`; they are worth
 /// something only if verified() is true.
 struct Solution {
@@ -50,6 +46,8 @@ struct Solution {
   Status status = Status::InternalError;
   std::string message;  ///< what failed, where, and what to try
   std::optional<Trajectory> trajectory;
+  /// In place of a trajectory, if the scene states its path.
+  std::shared_ptr<const PrescribedMotion> on_given_path;
   std::optional<PathDiagnostics> diagnostics;
   Certificate certificate;
   std::optional<double> estimated_error;  ///< relative, of T
@@ -69,8 +67,15 @@ struct Solution {
   [[nodiscard]] bool verified() const {
     return status == Status::Solved && certificate.verified();
   }
+  /// See brachisto::not_verified_because(); empty if nothing is solved.
+  [[nodiscard]] std::vector<std::string> not_verified_because() const;
   /// See brachisto::infeasible_because(); empty as long as nothing is solved.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
+  /// The motion, found or given; null if there is none.
+  [[nodiscard]] const Motion* motion() const {
+    return trajectory ? &*trajectory
+                      : static_cast<const Motion*>(on_given_path.get());
+  }
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
 };
 
@@ -84,7 +89,7 @@ struct SolveHooks {
   const Neighbour* neighbour = nullptr;
 };
 
-/// Finds the fastest track of a scene.
+/// Finds the fastest track of a scene, or evaluates the path that it states.
 ///
 /// \throws std::invalid_argument if the scene is not valid
 [[nodiscard]] Solution solve(const Scene& scene,

@@ -38,6 +38,10 @@ struct Certificate {
            std::string where = {});
 };
 
+/// One sentence per failed check, with its value and its threshold.
+[[nodiscard]] std::vector<std::string> not_verified_because(
+    const Certificate& certificate);
+
 /// Thresholds of the checks, each for a number without unit: lengths in units
 /// of max(L, H), speeds of √(2 g max(L, H)).
 struct CertificateThresholds {
@@ -53,6 +57,18 @@ struct CertificateThresholds {
   /// ε^(1/2). The factor allows for the constants, which are of order one to
   /// ten in the cases of the paper.
   double interior_factor = 100.0;
+  /// The time T' of the path itself exceeds T by the square of the path's
+  /// error, the solution's T_h errs by ε: |T' − T_h| ≤ ε T up to higher orders,
+  /// found to be below 0.8 ε T on all meshes down to two elements per turn.
+  double time_factor = 3.0;
+  /// However large ε is: what is off by more is no picture of a path. The
+  /// coarsest meshes that get T right to 1 % have 0.2 for 𝓗, 0.6 for slopes,
+  /// which are constant in an element then, and 0.03 for the motion.
+  double largest_interior = 0.25;
+  double largest_slope = 0.7;
+  double largest_at_end = 0.1;
+  /// Some rounding of 𝓗, whose terms are of order one.
+  double weierstrass = 1e-12;
 };
 
 /// Tests a solution of `problem` found with the end angle φ, by code that
@@ -65,13 +81,18 @@ struct CertificateThresholds {
 ///   start_angle      slope of the curve at the start against β₀
 ///   second_order     eigenvalues of the KKT matrix with the wrong sign or none
 ///   legendre         −min ∂²𝓗/∂β²; below zero on a minimum
+///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b; zero, at
+///                    b = β, if none is better
 /// Integrity:
 ///   defects          equality constraints, in long double
 ///   contact_error    distance of the track's ends from A and B
 ///   closure          |β_end(φ) − φ|, for Contact::Smooth
 ///   energy_drift     max |w²/2g − E| at element ends
-///   reintegration_error  the motion in physical time: the largest relative
-///                    error of T and end speed, and of end position and θ
+///   reintegrated_time  T of the motion from the equation of motion against T,
+///                    to one and the same end point
+///   reintegration_error  of that motion the largest relative error of T and
+///   end
+///                    speed, and of end position and θ
 ///   slope_angle      continuous slope angle within [−π, π]: no loop
 ///   speed            share of the places after the start without w > 0
 ///

@@ -2,80 +2,43 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The found path in SI units: as functions of σ, as a table, and in numbers.
+/// The motion that was found.
 
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "brachisto/model/kinematics.hpp"
 #include "brachisto/model/units.hpp"
+#include "brachisto/trajectory/motion.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 
 namespace brachisto {
 
-/// One row of a trajectory.
-struct TrajectoryPoint {
-  double u = 0.0;      ///< rolling time [s]
-  double t = 0.0;      ///< time [s]
-  double s = 0.0;      ///< arc length of the centre's path [m]
-  Point centre;        ///< (x_c, z_c) [m]
-  double theta = 0.0;  ///< [rad]
-  double beta = 0.0;   ///< continuous slope angle [rad]
-  Kinematics motion;   ///< SI units, forces in m g
-};
-
-/// Extreme value and where it is taken.
-struct Extreme {
-  double value = 0.0;
-  double x = 0.0;  ///< x_b, of the point of the track [m]
-};
-
-/// What a path does to the body. At the start itself R_n = 0, the friction
-/// needed is infinite if k > 0, and the track's curvature tends to −1/r. These
-/// limits say nothing about the path, so R_n and κ_b count from the end of
-/// their first monotone rise; what remains are true extrema, found by
-/// minimisation between samples.
-struct PathDiagnostics {
-  Extreme min_normal_force, max_normal_force;  ///< of R_n [m g]
-  double friction_above_0_3 = 0.0;  ///< share of T with |R_t| > 0.3 R_n
-  double friction_above_0_5 = 0.0;
-  double friction_above_1 = 0.0;
-  Extreme min_curvature, max_curvature;  ///< of κ_b [1/m]
-  Extreme min_fold_margin;               ///< of 1 − r κ_c
-  double max_abs_slope = 0.0;            ///< of the continuous β [rad]
-  std::optional<Point> self_crossing;    ///< of the track [m]
-};
-
 /// A solution on its way out: an ExtremalCurve and the units it was solved in.
-class Trajectory {
+/// Its places are σ = u / U.
+class Trajectory final : public Motion {
  public:
-  Trajectory(ExtremalCurve curve, const Scene& scene, const Units& units);
+  /// \param scene         in SI units; its θ_m may differ from the curve's by
+  ///                      whole turns
+  /// \param transit_time  T [s], if it is known better than from the curve
+  Trajectory(ExtremalCurve curve, const Scene& scene, const Units& units,
+             std::optional<double> transit_time = std::nullopt);
 
   [[nodiscard]] const ExtremalCurve& curve() const { return curve_; }
-  [[nodiscard]] const Scene& scene() const { return scene_; }
 
-  [[nodiscard]] double transit_time() const;        ///< T [s]
-  [[nodiscard]] double tau() const;                 ///< T √(2g/H)
-  [[nodiscard]] double centre_path_length() const;  ///< S [m]
-  [[nodiscard]] double start_angle() const;         ///< [rad]
-  [[nodiscard]] double end_angle() const;           ///< [rad]
-  /// S + r (β₀ − β_end), the signed ∫(1 − r κ_c) ds [m].
-  [[nodiscard]] double rail_length() const;
-  /// θ_end − θ_m [rad]; nothing for a bead.
-  [[nodiscard]] std::optional<double> rotation() const;
-
-  /// At σ ∈ [0, 1].
-  [[nodiscard]] TrajectoryPoint at(double sigma) const;
-  /// At every node.
-  [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const;
+  [[nodiscard]] const Scene& scene() const override { return scene_; }
+  [[nodiscard]] double transit_time() const override;
+  [[nodiscard]] double centre_path_length() const override;
+  [[nodiscard]] double start_angle() const override;
+  [[nodiscard]] double end_angle() const override;
+  [[nodiscard]] TrajectoryPoint at(double sigma) const override;
+  /// At every node of the mesh.
+  [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override;
+  [[nodiscard]] std::vector<TrajectoryPoint> fine_sample(
+      int least) const override;
   /// `per_element` places in each element, the element's start left out; the
   /// first entry is the start of the path.
   [[nodiscard]] std::vector<TrajectoryPoint> sample(int per_element) const;
-
-  /// From a fine sample of the path.
-  [[nodiscard]] PathDiagnostics diagnose() const;
 
  private:
   [[nodiscard]] TrajectoryPoint convert(const ExtremalPoint& point,
@@ -84,6 +47,7 @@ class Trajectory {
   ExtremalCurve curve_;
   Scene scene_;
   Units units_;
+  double transit_time_;
 };
 
 }  // namespace brachisto

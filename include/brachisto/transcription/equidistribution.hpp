@@ -21,6 +21,9 @@ namespace brachisto {
 /// An element of length h has the error C h^(2p+1); the number of elements per
 /// unit of σ is taken proportional to C^(1/(2p+1)), interpolated between the
 /// old elements. At least a quarter of the old number of elements stays.
+///
+/// Where an error is not finite nothing is known but that the mesh is too
+/// coarse: every element is halved.
 [[nodiscard]] Mesh equidistribute(const Mesh& mesh,
                                   std::span<const double> errors,
                                   double target);

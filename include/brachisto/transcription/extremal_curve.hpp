@@ -27,7 +27,8 @@ struct ExtremalPoint {
 
 /// The collocation polynomials of a solution, of order 2p at element ends and
 /// p + 1 between them. The slope angle is not interpolated: it is the minimum
-/// of 𝓗 at the interpolated states and costates. Costs O(p) per evaluation.
+/// of 𝓗 at the interpolated states and costates, NaN where that is not found
+/// because the mesh is much too coarse. Costs O(p) per evaluation.
 class ExtremalCurve {
  public:
   /// \param point  x and λ of a solution of `problem`
@@ -48,6 +49,7 @@ class ExtremalCurve {
   /// The polynomial of degree p − 1 through the slopes at the collocation
   /// points of element e, at t ∈ [0, 1].
   [[nodiscard]] double interpolated_slope(int element, double t) const;
+  [[nodiscard]] double interpolated_slope(double sigma) const;
   /// At node 0 … N p.
   [[nodiscard]] ExtremalPoint at_node(int node) const;
 
@@ -62,6 +64,12 @@ class ExtremalCurve {
   }
 
  private:
+  struct Place {
+    int element;
+    double t;
+  };
+  [[nodiscard]] Place place(double sigma) const;
+
   struct Nodes {
     std::vector<double> x, z, theta, w, s, t;
   };

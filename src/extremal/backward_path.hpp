@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// An extremal followed from its contact at B back to where the body rests.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "brachisto/extremal/extremal_path.hpp"
+#include "brachisto/model/scene.hpp"
+#include "extremal/boundary.hpp"
+#include "extremal/canonical_flow.hpp"
+
+namespace brachisto::shooting {
+
+/// How a body arrives at B. An extremal with smooth contact is known by it:
+/// β = φ there, the energy gives w, p_θ = p_w = 0, and 𝓗 = ∂𝓗/∂β = 0 leave
+///
+///     w (p_x cos φ + p_z sin φ) = −√A,
+///     w (p_z cos φ − p_x sin φ) = −η cos(θ − φ)/√A.
+struct Arrival {
+  double theta = 0.0;  ///< orientation [rad]
+  double phi = 0.0;    ///< slope angle of the track [rad]
+};
+
+/// Where the path comes from. Energy is conserved, so that w = 0 on the height
+/// of C_A if θ is θ_m; what is left to ask for is x and θ.
+struct Release {
+  double x = 0.0;      ///< of the centre, from C_A on
+  double theta = 0.0;  ///< [rad]
+  double transit_time = 0.0;
+};
+
+/// The costates p_x, p_z and the path itself.
+struct BackwardPath {
+  double p_x = 0.0, p_z = 0.0;
+  /// From the release on, u ascending from 0.
+  std::vector<ExtremalPath::Knot> knots;
+};
+
+/// Integrates Hamilton's equations back from B.
+class BackwardShooting {
+ public:
+  /// \param natural  the scene, off-centred, with Contact::Smooth, in natural
+  ///                 units
+  /// \param longest  the path of the centre is given up when it gets longer
+  BackwardShooting(const Scene& natural, double longest);
+
+  /// Nothing if the body cannot be at B that way, if its path ends or makes a
+  /// loop (|β| > π), or if it does not come to rest.
+  ///
+  /// \param tolerance  local error of a step, in natural units
+  /// \param path       [out] if not null
+  [[nodiscard]] std::optional<Release> shoot(const Arrival& arrival,
+                                             double tolerance,
+                                             BackwardPath* path) const;
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+ private:
+  Scene scene_;
+  double longest_;
+  Start start_;
+};
+
+}  // namespace brachisto::shooting

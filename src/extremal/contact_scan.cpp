@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/extremal/contact_scan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "brachisto/model/units.hpp"
+#include "extremal/backward_path.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using namespace shooting;
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kScanTolerance = 1e-7;
+constexpr double kPolishTolerance = 1e-10;
+// A root may lie so far outside of a triangle, in its own size: the map is not
+// linear, least of all where two roots are about to meet.
+constexpr double kSlack = 1.0;
+constexpr int kDivisions = 2;  // of cells on a border, each into four
+// Two roots are the same if θ and φ agree to this [rad].
+constexpr double kSame = 1e-5;
+
+/// Grid over the arrivals.
+struct Grid {
+  int thetas, phis;  ///< cells
+
+  [[nodiscard]] Arrival at(int i, int j) const {
+    return {kTurn * i / thetas, kTurn * (1.0 * j / phis - 0.5)};
+  }
+};
+
+/// A root of x = 0, θ = target.
+struct Root {
+  Arrival arrival;
+  double target;
+  double transit_time;
+};
+
+class Scan {
+ public:
+  Scan(const Scene& natural, double longest, const std::function<bool()>& stop)
+      : shooting_(natural, longest), stop_(stop) {}
+
+  void run(const Grid& grid) {
+    using Row = std::vector<std::optional<Release>>;
+    const auto row = [&](int i) {
+      Row releases;
+      for (int j = 0; j <= grid.phis; ++j) {
+        releases.push_back(
+            stop_() ? std::nullopt
+                    : shooting_.shoot(grid.at(i, j), kScanTolerance, nullptr));
+      }
+      return releases;
+    };
+    const auto corner = [&](int i, int j, const std::optional<Release>& at) {
+      return Corner{grid.at(i, j), at};
+    };
+    Row low = row(0);
+    for (int i = 0; i < grid.thetas && !stop_(); ++i) {
+      const Row high = row(i + 1);
+      for (int j = 0; j < grid.phis; ++j) {
+        const auto a = static_cast<std::size_t>(j);
+        look_into(
+            {corner(i, j, low[a]), corner(i + 1, j, high[a]),
+             corner(i, j + 1, low[a + 1]), corner(i + 1, j + 1, high[a + 1])},
+            kDivisions);
+      }
+      low = high;
+    }
+  }
+
+  /// Fastest first.
+  [[nodiscard]] std::vector<ScannedContact> contacts() const {
+    std::vector<Root> roots = roots_;
+    std::sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) {
+      return a.transit_time < b.transit_time;
+    });
+    std::vector<ScannedContact> found;
+    for (const Root& root : roots) {
+      BackwardPath path;
+      if (!shooting_.shoot(root.arrival, kPolishTolerance, &path)) continue;
+      // The start is at θ_m, not whole turns away from it.
+      const Scene& scene = shooting_.scene();
+      const double turns = root.target - scene.body.theta_m;
+      for (ExtremalPath::Knot& knot : path.knots) {
+        knot.y[kTheta] -= turns;
+      }
+      const ExtremalPath::Knot& end = path.knots.back();
+      found.push_back(
+          {root.arrival.phi, end.u, end.t,
+           scene.body.radius * (root.arrival.theta - root.target), path.p_x,
+           path.p_z,
+           ExtremalPath(scene, Units{}, path.p_x, path.p_z, path.knots)});
+    }
+    return found;
+  }
+
+ private:
+  struct Corner {
+    Arrival arrival;
+    std::optional<Release> release;
+  };
+  /// Corners (low, low), (high, low), (low, high), (high, high) in (θ, φ).
+  using Cell = std::array<Corner, 4>;
+
+  /// Two triangles cover a cell. One that lies on the border of where paths
+  /// exist is divided, for there the map bends most.
+  void look_into(const Cell& cell, int divisions) {
+    const auto exist = std::count_if(
+        cell.begin(), cell.end(),
+        [](const Corner& corner) { return corner.release.has_value(); });
+    if (exist == 0) return;
+    if (exist == 4) {
+      look_into(cell[0], cell[1], cell[2]);
+      look_into(cell[3], cell[1], cell[2]);
+    } else if (divisions > 0) {
+      const auto between = [this](const Corner& a, const Corner& b) {
+        const Arrival middle{0.5 * (a.arrival.theta + b.arrival.theta),
+                             0.5 * (a.arrival.phi + b.arrival.phi)};
+        return Corner{middle, shooting_.shoot(middle, kScanTolerance, nullptr)};
+      };
+      const Corner centre = between(cell[0], cell[3]);
+      const Corner south = between(cell[0], cell[1]);
+      const Corner north = between(cell[2], cell[3]);
+      const Corner west = between(cell[0], cell[2]);
+      const Corner east = between(cell[1], cell[3]);
+      look_into({cell[0], south, west, centre}, divisions - 1);
+      look_into({south, cell[1], centre, east}, divisions - 1);
+      look_into({west, centre, cell[2], north}, divisions - 1);
+      look_into({centre, east, north, cell[3]}, divisions - 1);
+    }
+  }
+
+  /// Starts Newton's method from the roots of the map that is linear in a
+  /// triangle.
+  void look_into(const Corner& a, const Corner& b, const Corner& c) {
+    const double x_b = b.release->x - a.release->x;
+    const double x_c = c.release->x - a.release->x;
+    const double theta_b = b.release->theta - a.release->theta;
+    const double theta_c = c.release->theta - a.release->theta;
+    const double determinant = x_b * theta_c - x_c * theta_b;
+    if (determinant == 0.0) return;
+    const auto [low, high] = std::minmax({0.0, theta_b, theta_c});
+    const double margin = kSlack * (high - low);
+    const double first = a.release->theta - shooting_.scene().body.theta_m;
+    const double last = std::floor((first + high + margin) / kTurn);
+    for (double n = std::ceil((first + low - margin) / kTurn);
+         n <= last && !stop_(); ++n) {
+      const double by_x = -a.release->x;
+      const double by_theta = kTurn * n - first;
+      const double at_b = (by_x * theta_c - x_c * by_theta) / determinant;
+      const double at_c = (x_b * by_theta - theta_b * by_x) / determinant;
+      if (std::min({at_b, at_c, 1.0 - at_b - at_c}) < -kSlack) continue;
+      const auto mix = [&](double of_a, double of_b, double of_c) {
+        return of_a + at_b * (of_b - of_a) + at_c * (of_c - of_a);
+      };
+      polish({mix(a.arrival.theta, b.arrival.theta, c.arrival.theta),
+              mix(a.arrival.phi, b.arrival.phi, c.arrival.phi)},
+             shooting_.scene().body.theta_m + kTurn * n);
+    }
+  }
+
+  /// Newton's method, the derivatives by differences.
+  void polish(Arrival arrival, double target) {
+    constexpr int kMostSteps = 12;
+    constexpr int kMostHalvings = 3;
+    constexpr double kDifference = 1e-6;
+    constexpr double kResidual = 1e-7;
+    const double r = shooting_.scene().body.radius;
+    const auto shoot = [&](double theta, double phi) {
+      return shooting_.shoot({theta, phi}, kPolishTolerance, nullptr);
+    };
+    // How far the body would have to roll for it.
+    const auto miss = [&](const Release& release) {
+      return std::hypot(release.x / r, release.theta - target);
+    };
+    std::optional<Release> now = shoot(arrival.theta, arrival.phi);
+    for (int i = 0; now && miss(*now) > kResidual; ++i) {
+      const auto by_theta = shoot(arrival.theta + kDifference, arrival.phi);
+      const auto by_phi = shoot(arrival.theta, arrival.phi + kDifference);
+      if (i == kMostSteps || !by_theta || !by_phi) return;
+      const double x_t = (by_theta->x - now->x) / kDifference;
+      const double x_p = (by_phi->x - now->x) / kDifference;
+      const double t_t = (by_theta->theta - now->theta) / kDifference;
+      const double t_p = (by_phi->theta - now->theta) / kDifference;
+      const double determinant = x_t * t_p - x_p * t_t;
+      const double gap = target - now->theta;
+      const double step_theta = (-now->x * t_p - x_p * gap) / determinant;
+      const double step_phi = (x_t * gap + t_t * now->x) / determinant;
+      std::optional<Release> next;
+      double by = 1.0;
+      for (int halving = 0; halving <= kMostHalvings; ++halving, by *= 0.5) {
+        next =
+            shoot(arrival.theta + by * step_theta, arrival.phi + by * step_phi);
+        if (next && miss(*next) < miss(*now)) break;
+        next.reset();
+      }
+      if (!next) return;
+      arrival.theta += by * step_theta;
+      arrival.phi += by * step_phi;
+      now = next;
+    }
+    if (!now) return;
+    for (const Root& other : roots_) {
+      if (std::abs(other.arrival.phi - arrival.phi) <= kSame &&
+          std::abs(std::remainder(other.arrival.theta - arrival.theta,
+                                  kTurn)) <= kSame) {
+        return;
+      }
+    }
+    roots_.push_back({arrival, target, now->transit_time});
+  }
+
+  BackwardShooting shooting_;
+  const std::function<bool()>& stop_;
+  std::vector<Root> roots_;
+};
+
+}  // namespace
+
+std::vector<ScannedContact> scan_contacts(const Scene& natural, double longest,
+                                          const std::function<bool()>& stop) {
+  constexpr Grid kGrid{64, 128};
+  Scan scan(natural, longest, stop);
+  scan.run(kGrid);
+  return scan.contacts();
+}
+
+}  // namespace brachisto

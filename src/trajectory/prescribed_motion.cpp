@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/trajectory/prescribed_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "brachisto/math/gauss.hpp"
+#include "brachisto/model/energy.hpp"
+#include "brachisto/model/inertia.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr int kGaussPoints = 12;
+constexpr int kFewestCells = 16;
+constexpr double kTolerance = 1e-13;  // of T, relative
+constexpr int kFineSamplesPerCell = 8;
+
+const math::QuadratureRule& rule() {
+  static const math::QuadratureRule gauss = math::gauss_legendre(kGaussPoints);
+  return gauss;
+}
+
+/// ∫ f dq from `from` to `to`.
+template <class Function>
+double integral(double from, double to, Function&& f) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule().points.size(); ++i) {
+    sum += rule().weights[i] * f(from + (to - from) * rule().points[i]);
+  }
+  return (to - from) * sum;
+}
+
+}  // namespace
+
+std::string Stall::message() const {
+  const std::string place = fmt::format(
+      "the centre is at x = {:.6g} m, z = {:.6g} m", centre.x, centre.z);
+  switch (reason) {
+    case Reason::DoesNotStart:
+      return "released from rest the body does not start to move along the "
+             "given path";
+    case Reason::Stops:
+      return "the body stalls: its energy is used up where " + place;
+    case Reason::DoesNotFit:
+      return "the body does not fit into a valley of the given track; " + place;
+  }
+  return {};
+}
+
+PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
+    : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
+  const Body& body = scene_.body;
+  // s = ½ s'' q² and E = a s at the start, so that w = q √(g a s'').
+  const double a = energy_slope(body, body.theta_m, start_.beta);
+  constexpr double kSmall = 1e-8;
+  const double s_bend = curve_->at(kSmall).speed / kSmall;
+  if (!(s_bend > 0.0)) {
+    stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
+  } else if (!(a > 0.0)) {
+    stall_ = Stall{Stall::Reason::DoesNotStart, 0.0, curve_->start()};
+  }
+  if (stall_) return;
+  start_rate_ = std::sqrt(s_bend / (scene_.gravity * a));
+
+  const auto pieces = static_cast<int>(curve_->joints().size()) + 1;
+  int cells = std::max(1, kFewestCells / pieces);
+  integrate(cells);
+  error_ = std::numeric_limits<double>::infinity();
+  while (!stall_ && error_ > kTolerance) {
+    cells *= 2;
+    const double before = cells_.back().t;
+    integrate(cells);
+    const double change = std::abs(cells_.back().t / before - 1.0) +
+                          std::numeric_limits<double>::epsilon();
+    const bool rounding_rules = !(change < 0.5 * error_);
+    error_ = change;
+    if (rounding_rules) break;
+  }
+}
+
+double PrescribedMotion::energy(const CurvePlace& place, double s) const {
+  const Body& body = scene_.body;
+  const double theta =
+      body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
+  return energy_height(body, place.offset.z, theta);
+}
+
+std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
+    const Sums& from, double q) const {
+  const Body& body = scene_.body;
+  Sums to = from;
+  to.q = q;
+  for (std::size_t i = 0; i < rule().points.size(); ++i) {
+    const double width = q - from.q;
+    const double at_q = from.q + width * rule().points[i];
+    const CurvePlace place = curve_->at(at_q);
+    const double s = from.s + integral(from.q, at_q, [&](double p) {
+                       return curve_->at(p).speed;
+                     });
+    const double E = energy(place, s);
+    const bool fits = place.speed > 0.0;
+    if (!fits || !(E > 0.0)) {
+      return Stall{fits ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
+                   at_q, point_of(*curve_, place)};
+    }
+    const double theta =
+        body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
+    const double A = inertia_factor(body, theta, place.beta);
+    const double du =
+        rule().weights[i] * width * place.speed / fall_speed(scene_.gravity, E);
+    to.u += du;
+    to.t += std::sqrt(A) * du;
+    to.s += rule().weights[i] * width * place.speed;
+  }
+  return to;
+}
+
+void PrescribedMotion::integrate(int cells_per_piece) {
+  std::vector<double> ends = curve_->joints();
+  ends.push_back(1.0);
+  cells_ = {Sums{}};
+  double from = 0.0;
+  for (const double to : ends) {
+    for (int i = 1; i <= cells_per_piece; ++i) {
+      const double q =
+          i == cells_per_piece ? to : from + (to - from) * i / cells_per_piece;
+      const std::variant<Sums, Stall> next = advance(cells_.back(), q);
+      if (const Stall* stall = std::get_if<Stall>(&next)) {
+        stall_ = *stall;
+        return;
+      }
+      cells_.push_back(std::get<Sums>(next));
+    }
+    from = to;
+  }
+}
+
+PrescribedMotion::Sums PrescribedMotion::sums_at(double q) const {
+  const auto after = std::upper_bound(
+      cells_.begin() + 1, cells_.end() - 1, q,
+      [](double value, const Sums& cell) { return value < cell.q; });
+  const Sums& from = *(after - 1);
+  // Where the cells were passed no place between their nodes can stop the body
+  // but for rounding.
+  const std::variant<Sums, Stall> at = advance(from, q);
+  return std::holds_alternative<Sums>(at) ? std::get<Sums>(at) : from;
+}
+
+double PrescribedMotion::place_at_length(double s) const {
+  const auto after = std::upper_bound(
+      cells_.begin() + 1, cells_.end() - 1, s,
+      [](double value, const Sums& cell) { return value < cell.s; });
+  const Sums& from = *(after - 1);
+  const Sums& to = *after;
+  // s grows like q², and q by Newton's method from there.
+  const double share = std::clamp((s - from.s) / (to.s - from.s), 0.0, 1.0);
+  double q = std::sqrt(std::lerp(from.q * from.q, to.q * to.q, share));
+  constexpr int kMostSteps = 20;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double speed = curve_->at(q).speed;
+    if (!(speed > 0.0)) break;
+    const double length = from.s + integral(from.q, q, [&](double p) {
+                            return curve_->at(p).speed;
+                          });
+    const double step = (s - length) / speed;
+    q = std::clamp(q + step, from.q, to.q);
+    if (std::abs(step) < 1e-15) break;
+  }
+  return q;
+}
+
+TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
+  const Body& body = scene_.body;
+  const CurvePlace place = curve_->at(sums.q);
+  TrajectoryPoint out;
+  out.sigma = sums.q;
+  out.u = sums.u;
+  out.t = sums.t;
+  out.s = sums.s;
+  out.centre = point_of(*curve_, place);
+  out.theta = body.rolls() ? body.theta_m + sums.s / body.radius : body.theta_m;
+  out.beta = place.beta;
+  PathState state{out.centre, out.theta, place.beta, 0.0, 0.0};
+  const double E = energy(place, sums.s);
+  const bool moves = sums.q > 0.0 && E > 0.0;
+  if (moves) state.w = fall_speed(scene_.gravity, E);
+  // dβ/du; at the start the limit of dq/du.
+  state.beta_rate =
+      place.turning * (moves ? state.w / place.speed : 1.0 / start_rate_);
+  out.motion = kinematics(body, scene_.gravity, state);
+  return out;
+}
+
+double PrescribedMotion::start_angle() const {
+  return start_.beta;
+}
+
+double PrescribedMotion::end_angle() const {
+  return curve_->at(1.0).beta;
+}
+
+TrajectoryPoint PrescribedMotion::at(double q) const {
+  return point_at(sums_at(q));
+}
+
+std::vector<TrajectoryPoint> PrescribedMotion::at_nodes() const {
+  std::vector<TrajectoryPoint> rows;
+  rows.reserve(cells_.size());
+  for (const Sums& cell : cells_) rows.push_back(point_at(cell));
+  return rows;
+}
+
+std::vector<TrajectoryPoint> PrescribedMotion::fine_sample(int least) const {
+  const int per_cell = std::max(kFineSamplesPerCell, least / num_cells() + 1);
+  std::vector<TrajectoryPoint> rows{point_at(cells_.front())};
+  for (std::size_t c = 1; c < cells_.size(); ++c) {
+    const double from = cells_[c - 1].q;
+    for (int i = 1; i <= per_cell; ++i) {
+      rows.push_back(at(from + (cells_[c].q - from) * i / per_cell));
+    }
+  }
+  return rows;
+}
+
+}  // namespace brachisto

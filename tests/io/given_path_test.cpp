@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The section scene.path.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "brachisto/io/problem_file.hpp"
+#include "support/scratch_directory.hpp"
+
+namespace brachisto::io {
+namespace {
+
+using testing::ScratchDirectory;
+
+/// A problem file with a section scene.path.
+std::string problem(const std::string& path, const std::string& more = "") {
+  return "scene:\n"
+         "  body: {shape: cylinder, radius: 1/3, eta_m: 2/3, k: 1/2}\n"
+         "  finish: {L: 3, H: 1}\n"
+         "  path: " +
+         path + "\n" + more;
+}
+
+std::string errors(const std::string& text,
+                   const std::string& name = "p.yaml") {
+  try {
+    (void)read_problem_text(text, name);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GivenPath, IsAbsentByDefault) {
+  const std::string text =
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}}\n";
+  EXPECT_EQ(read_problem_text(text, "p.yaml").scene.path, nullptr);
+}
+
+TEST(GivenPath, IsReadAsItStands) {
+  const auto path =
+      read_problem_text(
+          problem("{curve: track, shape: parabola, start_angle: 60 deg}"),
+          "p.yaml")
+          .scene.path;
+  ASSERT_NE(path, nullptr);
+  EXPECT_EQ(path->curve, GivenPath::Curve::Track);
+  EXPECT_EQ(path->shape, GivenPath::Shape::Parabola);
+  ASSERT_TRUE(path->start_angle);
+  EXPECT_DOUBLE_EQ(*path->start_angle, std::numbers::pi / 3.0);
+}
+
+TEST(GivenPath, IsTheCentresUnlessItSaysOtherwise) {
+  const auto path =
+      read_problem_text(problem("{shape: straight}"), "p.yaml").scene.path;
+  ASSERT_NE(path, nullptr);
+  EXPECT_EQ(path->curve, GivenPath::Curve::Centre);
+  EXPECT_FALSE(path->start_angle);
+}
+
+TEST(GivenPath, NeedsAShape) {
+  EXPECT_NE(errors(problem("{curve: track}")).find("scene.path.shape: missing"),
+            std::string::npos);
+  EXPECT_NE(errors(problem("{shape: parabel}")).find("did you mean parabola?"),
+            std::string::npos);
+}
+
+TEST(GivenPath, LeavesTheAngleToShapesThatHaveTheChoice) {
+  EXPECT_NE(errors(problem("{shape: straight, start_angle: 1}"))
+                .find("scene.path.start_angle: only a parabola"),
+            std::string::npos);
+}
+
+TEST(GivenPath, OfATrackHasNoEndsOfTheCentre) {
+  EXPECT_NE(
+      errors(problem("{curve: track, shape: straight}", "  contact: centre\n"))
+          .find("scene.path.curve: track is not allowed"),
+      std::string::npos);
+}
+
+TEST(GivenPath, ReadsItsPointsBesideTheProblemFile) {
+  const ScratchDirectory scratch;
+  (void)scratch.file("track.csv", "x,z\r\n0,0\r\n1,0.7\n\n3,1\n");
+  const std::string file = scratch.file(
+      "p.yaml", problem("{curve: track, shape: points, file: track.csv}"));
+
+  const auto path = read_problem_file(file).scene.path;
+
+  ASSERT_NE(path, nullptr);
+  ASSERT_EQ(path->points.size(), 3U);
+  EXPECT_EQ(path->points[1].x, 1.0);
+  EXPECT_EQ(path->points[1].z, 0.7);
+}
+
+TEST(GivenPath, RefusesPointsThatAreNone) {
+  const ScratchDirectory scratch;
+  const auto refusal = [&](const std::string& csv) {
+    (void)scratch.file("track.csv", csv);
+    return errors(problem("{curve: track, shape: points, file: track.csv}"),
+                  (scratch.path() / "p.yaml").string());
+  };
+  EXPECT_EQ(refusal("x,z\n0,0\n1,0.7\n3,1\n"), "");
+  EXPECT_NE(refusal("0,0\n3,1\n").find("track.csv:1:"), std::string::npos);
+  EXPECT_NE(refusal("x,z\n0,0\n1;2\n3,1\n").find("track.csv:3: \"1;2\""),
+            std::string::npos);
+  EXPECT_NE(refusal("x,z\n0,0\nnan,1\n3,1\n").find("track.csv:3:"),
+            std::string::npos);
+  EXPECT_NE(refusal("x,z\n0,0\n0,0\n3,1\n").find("repeats"), std::string::npos);
+  EXPECT_NE(refusal("x,z\n").find("two points"), std::string::npos);
+  EXPECT_NE(refusal("x,z\n0,0.1\n3,1\n").find("first point"),
+            std::string::npos);
+  EXPECT_NE(refusal("x,z\n0,0\n3,1.1\n").find("last point"), std::string::npos);
+}
+
+TEST(GivenPath, RefusesAFileThatIsNotThereOrNotWanted) {
+  EXPECT_NE(errors(problem("{curve: track, shape: points}"))
+                .find("scene.path.file: missing"),
+            std::string::npos);
+  EXPECT_NE(errors(problem("{curve: track, shape: points, file: none.csv}"))
+                .find("cannot be read"),
+            std::string::npos);
+  EXPECT_NE(
+      errors(problem("{shape: points, file: none.csv}")).find("scene.path"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace brachisto::io

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/model/plane_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brachisto {
+namespace {
+
+constexpr double kVertical = 0.5 * std::numbers::pi;
+
+std::vector<std::pair<std::string, PlaneCurvePtr>> all_curves() {
+  const Point a{0.5, -0.25}, b{3.0, 1.0};
+  const PlaneCurvePtr arc = circular_arc(a, b, 1.2);
+  return {{"straight", straight_line(a, b)},
+          {"parabola, vertical start", parabola(a, b, kVertical)},
+          {"parabola", parabola(a, b, 0.9)},
+          {"arc", arc},
+          {"arc, vertical start", circular_arc(a, b, kVertical)},
+          {"arc that bends down", circular_arc(a, b, 0.1)},
+          {"cycloid", cycloid_curve(a, b)},
+          {"centre over an arc", centre_path_over(arc, 0.3)},
+          {"spline", spline_through({a, {1.0, 0.6}, {2.0, 0.7}, b})}};
+}
+
+/// Places away from the start, where central differences may be taken.
+const std::vector<double> kPlaces{0.05, 0.3, 0.52, 0.7, 0.95};
+
+TEST(PlaneCurve, HasTheTangentOfItsSlopeAngle) {
+  constexpr double h = 1e-5;
+  for (const auto& [name, curve] : all_curves()) {
+    for (const double q : kPlaces) {
+      const Point before = curve->at(q - h).offset;
+      const Point after = curve->at(q + h).offset;
+      const CurvePlace place = curve->at(q);
+      EXPECT_NEAR((after.x - before.x) / (2.0 * h),
+                  place.speed * std::cos(place.beta), 1e-8)
+          << name << " at " << q;
+      EXPECT_NEAR((after.z - before.z) / (2.0 * h),
+                  place.speed * std::sin(place.beta), 1e-8)
+          << name << " at " << q;
+    }
+  }
+}
+
+TEST(PlaneCurve, TurnsAsItsSlopeAngleDoes) {
+  constexpr double h = 1e-5;
+  for (const auto& [name, curve] : all_curves()) {
+    for (const double q : kPlaces) {
+      EXPECT_NEAR((curve->at(q + h).beta - curve->at(q - h).beta) / (2.0 * h),
+                  curve->at(q).turning, 1e-8)
+          << name << " at " << q;
+    }
+  }
+}
+
+TEST(PlaneCurve, StartsFromRestAndEndsWhereItShould) {
+  for (const auto& [name, curve] : all_curves()) {
+    EXPECT_EQ(curve->at(0.0).speed, 0.0) << name;
+    EXPECT_EQ(curve->at(0.0).offset.x, 0.0) << name;
+    EXPECT_EQ(curve->at(0.0).offset.z, 0.0) << name;
+    if (name == "centre over an arc") continue;
+    const Point end = point_of(*curve, curve->at(1.0));
+    EXPECT_NEAR(end.x, 3.0, 1e-14) << name;
+    EXPECT_NEAR(end.z, 1.0, 1e-14) << name;
+  }
+}
+
+TEST(PlaneCurve, LeavesItsStartAsWanted) {
+  const Point a{0.5, -0.25}, b{3.0, 1.0};
+  EXPECT_NEAR(parabola(a, b, 0.9)->at(0.0).beta, 0.9, 1e-15);
+  EXPECT_NEAR(parabola(a, b, kVertical)->at(0.0).beta, kVertical, 1e-15);
+  EXPECT_NEAR(circular_arc(a, b, 1.2)->at(0.0).beta, 1.2, 1e-15);
+  EXPECT_NEAR(cycloid_curve(a, b)->at(0.0).beta, kVertical, 1e-15);
+}
+
+TEST(PlaneCurve, ThatCannotBeIsRefused) {
+  const Point a{0.0, 0.0};
+  EXPECT_THROW((void)parabola(a, {1.0, -1.0}, kVertical),
+               std::invalid_argument);
+  EXPECT_THROW((void)parabola(a, {1.0, 1.0}, 2.0), std::invalid_argument);
+  EXPECT_THROW((void)circular_arc(a, {-1.0, 0.0}, 0.0), std::invalid_argument);
+  EXPECT_THROW((void)circular_arc(a, a, 0.0), std::invalid_argument);
+  EXPECT_THROW((void)cycloid_curve(a, {1.0, -1.0}), std::invalid_argument);
+  EXPECT_THROW((void)spline_through({a}), std::invalid_argument);
+  EXPECT_THROW((void)spline_through({a, a}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace brachisto

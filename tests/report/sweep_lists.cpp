@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "brachisto/report/sweep_page.hpp"
+#include "report/sweep_tables.hpp"
+
+namespace brachisto {
+namespace {
+
+using report::OutputFile;
+using report::sweep_report;
+using testing::count;
+using ::testing::ElementsAre;
+using testing::list_over;
+
+double sum(const std::vector<double>& at) {
+  double tau = 5.0;
+  for (const double value : at) tau += value;
+  return tau;
+}
+
+std::vector<std::string> names(const std::vector<OutputFile>& files) {
+  std::vector<std::string> out;
+  for (const OutputFile& file : files) out.push_back(file.name);
+  return out;
+}
+
+TEST(SweepOfLists, DrawsTheMapOfItsValuesInOrder) {
+  const auto map = [](const std::vector<double>& k) {
+    const auto files = sweep_report(list_over(
+        {{"scene.body.k", k}, {"scene.finish.L", {1.0, 10.0, 100.0}}}, sum));
+    EXPECT_EQ(files[1].name, "map-1.svg");
+    return files[1].content;
+  };
+
+  EXPECT_EQ(map({0.1, 0.5, 0.3}), map({0.1, 0.3, 0.5}));
+}
+
+TEST(SweepOfLists, HasNoMapButCurvesOrDotsOfValuesTwice) {
+  const auto drawn = [](const std::vector<double>& k,
+                        const std::vector<double>& length) {
+    const SweepTable table =
+        list_over({{"scene.body.k", k}, {"scene.finish.L", length}}, sum);
+    return names(sweep_report(table));
+  };
+
+  for (const std::vector<double>& k :
+       {std::vector{0.3, 0.3, 0.3}, std::vector{0.1, 0.3, 0.1}}) {
+    EXPECT_THAT(drawn(k, {1.0, 2.0, 3.0, 4.0}),
+                ElementsAre("map-1.csv", "map-1-curves.svg", "scenes.csv",
+                            "index.html"));
+    EXPECT_THAT(drawn({1.0, 2.0, 3.0, 4.0}, k),
+                ElementsAre("map-1.csv", "map-1-curves.svg", "scenes.csv",
+                            "index.html"));
+    EXPECT_THAT(drawn(k, {2.0, 1.0, 2.0}),
+                ElementsAre("map-1.csv", "map-1-1.svg", "map-1-2.svg",
+                            "scenes.csv", "index.html"));
+  }
+}
+
+TEST(SweepOfLists, JoinsACurveInTheOrderOfItsValues) {
+  const auto curve = [](const std::vector<double>& k) {
+    return sweep_report(list_over({{"scene.body.k", k}}, sum))[1].content;
+  };
+
+  EXPECT_EQ(curve({0.1, 0.5, 0.3}), curve({0.1, 0.3, 0.5}));
+  EXPECT_EQ(count(curve({0.1, 0.5, 0.1}), "class=\"curve\""), 0u);
+}
+
+TEST(SweepOfLists, DrawsAnAxisByTheKeyThatTellsItsValuesApart) {
+  SweepTable table = list_over({{"scene.finish.H", {1.0, 1.0, 1.0}}}, sum);
+  table.columns.push_back({"scene.body.k", {0.1, 0.2, 0.3}, {}});
+  table.axes[0].columns = {0, 1};
+
+  const std::string page = sweep_report(table).back().content;
+  EXPECT_EQ(count(page, "<i>τ</i> against <i>k</i>."), 1u);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Search::Global: what it lists and what it answers with. The expected τ come
+// from backward shooting over (θ_end, φ) that shares no code with the project.
+
+#include "brachisto/study/global_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "brachisto/extremal/contact_scan.hpp"
+#include "brachisto/extremal/shooting.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto {
+namespace {
+
+// Half of the last printed digit.
+constexpr double kSixDecimals = 5e-7;
+// The wanted accuracy of an answer, tenfold.
+constexpr double kAccuracy = 1e-9;
+
+Scene scene_of(const Body& body, double L) {
+  Scene scene;
+  scene.body = body;
+  scene.L = L;
+  scene.H = 1.0;
+  return scene;
+}
+
+Scene base(double radius) {
+  return scene_of(Body::cylinder(radius, 2.0 / 3.0, 0.0, 0.5), 3.0);
+}
+
+Solution search(const Scene& scene) {
+  SolveOptions options;
+  options.search = Search::Global;
+  return solve(scene, options);
+}
+
+const Branch* find_branch(const Solution& solution, double tau,
+                          double tolerance) {
+  const auto one = std::find_if(
+      solution.branches.begin(), solution.branches.end(),
+      [&](const Branch& b) { return std::abs(b.tau - tau) <= tolerance; });
+  return one == solution.branches.end() ? nullptr : &*one;
+}
+
+TEST(GlobalSearch, FindsTheFeasibleContactBeyondTheFolds) {
+  const Solution solution = search(base(0.1));
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_TRUE(solution.feasible());
+  EXPECT_NEAR(solution.trajectory->tau(), 5.671362, kSixDecimals);
+  EXPECT_NEAR(solution.trajectory->end_angle(), -0.28541, 5e-6);
+  const Branch* principal = find_branch(solution, 5.609105, kSixDecimals);
+  ASSERT_NE(principal, nullptr);
+  EXPECT_TRUE(principal->principal);
+  EXPECT_TRUE(principal->verified);
+  EXPECT_FALSE(principal->feasible);
+  for (const double tau : {5.623189, 5.875915}) {
+    const Branch* saddle = find_branch(solution, tau, kSixDecimals);
+    ASSERT_NE(saddle, nullptr) << tau;
+    EXPECT_FALSE(saddle->minimum) << tau;
+  }
+}
+
+TEST(GlobalSearch, ListsMinimaAndSaddlesOfOtherRadii) {
+  struct Expected {
+    double radius;
+    std::vector<double> minima, saddles;
+  };
+  for (const Expected& expected :
+       {Expected{0.15, {5.516731, 5.617166}, {5.547017}},
+        Expected{0.2, {5.424799, 5.566444}, {5.483744}}}) {
+    const Solution solution = search(base(expected.radius));
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_TRUE(solution.feasible());
+    EXPECT_EQ(solution.branches.size(),
+              expected.minima.size() + expected.saddles.size());
+    for (const double tau : expected.minima) {
+      const Branch* branch = find_branch(solution, tau, kSixDecimals);
+      ASSERT_NE(branch, nullptr) << tau;
+      EXPECT_TRUE(branch->verified) << tau;
+    }
+    for (const double tau : expected.saddles) {
+      const Branch* branch = find_branch(solution, tau, kSixDecimals);
+      ASSERT_NE(branch, nullptr) << tau;
+      EXPECT_FALSE(branch->minimum) << tau;
+    }
+  }
+}
+
+TEST(GlobalSearch, ListsThreeContactsOfTheExampleAndBooksTheirWork) {
+  const Solution solution =
+      search(scene_of(Body::cylinder(0.4041, 0.458, -0.0867, 0.2594), 4.6395));
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_NEAR(solution.trajectory->tau(), 6.2360317459, kAccuracy);
+  EXPECT_NE(find_branch(solution, 6.2360317459, kAccuracy), nullptr);
+  const Branch* principal = find_branch(solution, 6.3038676047, kAccuracy);
+  ASSERT_NE(principal, nullptr);
+  EXPECT_TRUE(principal->principal);
+  const Branch* saddle = find_branch(solution, 6.104084, kSixDecimals);
+  ASSERT_NE(saddle, nullptr);
+  EXPECT_FALSE(saddle->minimum);
+  // Each candidate takes a pass at least; the meshes told are the answer's.
+  const Effort& effort = solution.effort;
+  const int passes_of_answer = std::accumulate(
+      effort.meshes.begin(), effort.meshes.end(), 0,
+      [](int sum, const MeshRecord& mesh) { return sum + mesh.passes; });
+  EXPECT_GE(effort.passes, passes_of_answer + 2);
+}
+
+TEST(GlobalSearch, StopsWhenItsTimeIsOver) {
+  SolveOptions options;
+  options.search = Search::Global;
+  options.limits.seconds = 0.3;
+
+  const Solution solution = solve(base(0.02), options);
+
+  EXPECT_EQ(solution.status, Status::TimeLimit);
+  EXPECT_LT(solution.effort.seconds, 3.0);
+}
+
+TEST(ContactScan, IsConfirmedByMultipleShooting) {
+  const Scene natural = in_natural_units(base(0.15));
+  const auto never = [] { return false; };
+  const std::vector<ScannedContact> contacts =
+      scan_contacts(natural, 5.0, never);
+
+  ASSERT_EQ(contacts.size(), 3u);
+  for (const ScannedContact& contact : contacts) {
+    const ExtremalSolution solution = solve_extremal(
+        natural, {contact.rolling_time, contact.phi, contact.p_x, contact.p_z,
+                  [&contact](double sigma) { return contact.path.at(sigma); }});
+
+    ASSERT_TRUE(solution.solved()) << solution.message;
+    EXPECT_NEAR(contact.transit_time / solution.transit_time, 1.0, 1e-7);
+    EXPECT_NEAR(contact.phi, solution.phi, 1e-6);
+    EXPECT_NEAR(contact.centre_path_length / solution.centre_path_length, 1.0,
+                1e-7);
+    const ExtremalState start = contact.path.at(0.0);
+    EXPECT_NEAR(start.w, 0.0, 1e-9);
+    EXPECT_NEAR(start.theta, natural.body.theta_m, 1e-6);
+  }
+}
+
+JudgedBranch judged(double tau, bool verified, bool feasible) {
+  JudgedBranch one;
+  one.branch.tau = tau;
+  one.branch.verified = verified;
+  one.branch.feasible = feasible;
+  return one;
+}
+
+TEST(BestBranch, IsVerifiedIfAnyIsAndFeasibleIfPossible) {
+  std::vector<JudgedBranch> none;
+  std::vector<JudgedBranch> unverified;
+  unverified.push_back(judged(1.0, false, true));
+  unverified.push_back(judged(2.0, false, false));
+  std::vector<JudgedBranch> infeasible;
+  infeasible.push_back(judged(1.0, false, true));
+  infeasible.push_back(judged(2.0, true, false));
+  infeasible.push_back(judged(3.0, true, false));
+  std::vector<JudgedBranch> all;
+  all.push_back(judged(1.0, false, true));
+  all.push_back(judged(2.0, true, false));
+  all.push_back(judged(3.0, true, true));
+  all.push_back(judged(4.0, true, true));
+
+  EXPECT_EQ(best_branch(none), nullptr);
+  EXPECT_EQ(best_branch(unverified)->branch.tau, 1.0);
+  EXPECT_EQ(best_branch(infeasible)->branch.tau, 2.0);
+  EXPECT_EQ(best_branch(all)->branch.tau, 3.0);
+}
+
+}  // namespace
+}  // namespace brachisto

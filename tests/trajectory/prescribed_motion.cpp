@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Motions on given paths against closed forms and the equation of motion.
+
+#include "brachisto/trajectory/prescribed_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "brachisto/model/cycloid.hpp"
+
+namespace brachisto {
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr double kVertical = 0.5 * std::numbers::pi;
+constexpr double kRounding = 1e-12;  // of T, relative; see kTolerance there
+
+Scene scene_of(const Body& body) {
+  Scene scene;
+  scene.body = body;
+  scene.L = 3.0;
+  scene.H = 1.0;
+  return scene;
+}
+
+double time_on(const Body& body, const PlaneCurvePtr& centre) {
+  const PrescribedMotion motion(scene_of(body), centre);
+  EXPECT_FALSE(motion.stall());
+  EXPECT_LE(motion.error_estimate(), kRounding);
+  return motion.transit_time();
+}
+
+TEST(PrescribedMotion, OnAStraightLineIsUniformlyAccelerated) {
+  const double length = std::hypot(3.0, 1.0);
+  const double bead = length * std::sqrt(2.0 / (kGravity * 1.0));
+  const PlaneCurvePtr line = straight_line({0.0, 0.0}, {3.0, 1.0});
+
+  EXPECT_NEAR(time_on(Body::bead(), line) / bead, 1.0, kRounding);
+  EXPECT_NEAR(time_on(Body::cylinder(0.2, 0.0, 0.3, 0.5), line) /
+                  (bead * std::sqrt(1.5)),
+              1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OnACycloidTakesTimeInProportionToPsi) {
+  const auto arc = cycloid_between({0.5, -0.2}, {3.0, 1.0});
+  ASSERT_TRUE(arc);
+  const PlaneCurvePtr curve = cycloid_curve({0.5, -0.2}, {3.0, 1.0});
+  const double expected = arc->psi_end * std::sqrt(arc->a / kGravity);
+
+  EXPECT_NEAR(time_on(Body::bead(), curve) / expected, 1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OnAQuarterCircleIsThatOfAPendulum) {
+  // Released level with the pivot it reaches the bottom after a quarter period.
+  const double R = 1.7;
+  const double expected =
+      std::sqrt(R / kGravity) *
+      boost::math::ellint_1(std::sin(0.25 * std::numbers::pi));
+  const PlaneCurvePtr arc = circular_arc({0.0, 0.0}, {R, R}, kVertical);
+
+  EXPECT_NEAR(time_on(Body::bead(), arc) / expected, 1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OnAParabolaIsItsIntegral) {
+  // x = 3 z², vertical at the start; z = y² takes the root out of dt.
+  boost::math::quadrature::tanh_sinh<double> rule;
+  const double expected = rule.integrate(
+      [](double y) {
+        const double slope = 6.0 * y * y;
+        return 2.0 * std::sqrt((1.0 + slope * slope) / (2.0 * kGravity));
+      },
+      0.0, 1.0);
+  const PlaneCurvePtr curve = parabola({0.0, 0.0}, {3.0, 1.0}, kVertical);
+
+  EXPECT_NEAR(time_on(Body::bead(), curve) / expected, 1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OfAnOffCentredCylinderObeysLagrange) {
+  // On an incline A s'' = g (sin β + η cos θ) − ½ A_s s'², in time.
+  const Body body =
+      Body::cylinder(0.077, 0.6521, -83.25 / 180.0 * std::numbers::pi, 0.255);
+  const double beta = std::atan2(0.18, 1.49);
+  const double length = std::hypot(0.18, 1.49);
+  using State = std::array<double, 2>;
+  const auto rate = [&](const State& y, State& dy, double) {
+    const double theta = body.theta_m + y[0] / body.radius;
+    const double A = 1.0 + body.eta_m * body.eta_m + body.k -
+                     2.0 * body.eta_m * std::sin(theta - beta);
+    const double A_s = -2.0 * body.eta_m * std::cos(theta - beta) / body.radius;
+    dy[0] = y[1];
+    dy[1] = (kGravity * (std::sin(beta) + body.eta_m * std::cos(theta)) -
+             0.5 * A_s * y[1] * y[1]) /
+            A;
+  };
+  namespace odeint = boost::numeric::odeint;
+  Scene scene = scene_of(body);
+  scene.L = 1.49;
+  scene.H = 0.18;
+  const PrescribedMotion motion(scene, straight_line({0.0, 0.0}, {1.49, 0.18}));
+  ASSERT_FALSE(motion.stall());
+  State y{0.0, 0.0};
+  odeint::integrate_adaptive(
+      odeint::make_controlled(1e-13, 1e-13,
+                              odeint::runge_kutta_fehlberg78<State>()),
+      rate, y, 0.0, motion.transit_time(), 1e-4);
+
+  EXPECT_NEAR(y[0], length, 1e-10);
+  EXPECT_NEAR(y[1], motion.at(1.0).motion.v_c, 1e-10);
+}
+
+TEST(PrescribedMotion, HasTheSpeedOfItsEnergyEverywhere) {
+  const Body body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
+  const PrescribedMotion motion(
+      scene_of(body), circular_arc({0.3, 0.0}, {3.0, 0.9}, kVertical));
+  ASSERT_FALSE(motion.stall());
+  const double z_0 = motion.at(0.0).motion.mass_centre.z;
+  for (const TrajectoryPoint& point : motion.fine_sample(0)) {
+    // ½ v_cm² + ½ k r² ω² = g × fall of the centre of mass, with v_cm from
+    // the no-slip motion of the centre of mass about the contact.
+    const Kinematics& m = point.motion;
+    const double arm = std::hypot(m.mass_centre.x - m.contact.x,
+                                  m.mass_centre.z - m.contact.z);
+    const double kinetic = 0.5 * m.omega * m.omega *
+                           (arm * arm + body.k * body.radius * body.radius);
+    EXPECT_NEAR(kinetic, kGravity * (m.mass_centre.z - z_0), 1e-12);
+  }
+}
+
+TEST(PrescribedMotion, DoesNotDependOnWhoseCurveALineIs) {
+  const Body body = Body::cylinder(0.25, 0.5, 0.2, 0.5);
+  const PlaneCurvePtr track = straight_line({0.0, 0.0}, {3.0, 1.0});
+  EXPECT_NEAR(time_on(body, centre_path_over(track, body.radius)) /
+                  time_on(body, track),
+              1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OverAnArcIsOnAnotherArc) {
+  // A valley of radius R holds a centre on the concentric arc of R − r.
+  const double r = 0.25, R = 1.5;
+  const Body body = Body::cylinder(r, 0.5, 0.2, 0.5);
+  const PlaneCurvePtr track = circular_arc({0.0, 0.0}, {R, R}, kVertical);
+  const PlaneCurvePtr centre = circular_arc({r, 0.0}, {R, R - r}, kVertical);
+  EXPECT_NEAR(time_on(body, centre_path_over(track, r)) / time_on(body, centre),
+              1.0, kRounding);
+}
+
+TEST(PrescribedMotion, OnASplineThroughAnArcComesCloseToTheArc) {
+  const double R = 2.0;
+  const PlaneCurvePtr arc = circular_arc({0.0, 0.0}, {R, R}, 1.2);
+  const double expected = time_on(Body::bead(), arc);
+  double last = 1.0;
+  for (const int n : {20, 40, 80}) {
+    std::vector<Point> points;
+    for (int i = 0; i <= n; ++i) {
+      points.push_back(
+          point_of(*arc, arc->at(std::sqrt(static_cast<double>(i) / n))));
+    }
+    const PrescribedMotion motion(scene_of(Body::bead()),
+                                  spline_through(points));
+    ASSERT_FALSE(motion.stall());
+    const double error = std::abs(motion.transit_time() / expected - 1.0);
+    // Order 4 of the spline; the slope at the start, of order 3, comes into T
+    // with a stretch of length h, where the body is slow: √h.
+    EXPECT_LT(error, last / 8.0);
+    last = error;
+  }
+}
+
+TEST(PrescribedMotion, IsSlowerThanTheFastestOne) {
+  const Body body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
+  // τ of the reference case, by the indirect method.
+  const double fastest = 5.093444466618 / std::sqrt(2.0 * kGravity);
+  Scene scene = scene_of(body);
+  scene.body.eta_m = 0.0;
+  const auto arc = axisymmetric_optimum(scene);
+  ASSERT_TRUE(arc);
+  const double cycloid =
+      time_on(body, cycloid_curve(arc->start, arc->at(arc->psi_end)));
+  EXPECT_GT(cycloid, fastest);
+  EXPECT_LT(cycloid, 1.1 * fastest);
+}
+
+TEST(PrescribedMotion, StallsWhereItsEnergyIsUsedUp) {
+  // Down to z = 1 and up again to z = −0.5, where it cannot get.
+  const PlaneCurvePtr curve = spline_through(
+      {{0.0, 0.0}, {1.0, 0.9}, {2.0, 1.0}, {3.0, 0.6}, {4.0, -0.5}});
+  const PrescribedMotion motion(scene_of(Body::bead()), curve);
+  ASSERT_TRUE(motion.stall());
+  EXPECT_EQ(motion.stall()->reason, Stall::Reason::Stops);
+  EXPECT_GT(motion.stall()->centre.x, 3.0);
+  EXPECT_NEAR(motion.stall()->centre.z, 0.0, 0.1);
+  EXPECT_NE(motion.stall()->message().find("stalls"), std::string::npos);
+}
+
+TEST(PrescribedMotion, DoesNotStartUphill) {
+  // sin β + η cos θ_m < 0: the centre of mass would have to rise.
+  const Body body = Body::cylinder(0.2, 0.8, std::numbers::pi, 0.1);
+  const PrescribedMotion motion(scene_of(body),
+                                straight_line({0.0, 0.0}, {3.0, 1.0}));
+  ASSERT_TRUE(motion.stall());
+  EXPECT_EQ(motion.stall()->reason, Stall::Reason::DoesNotStart);
+}
+
+TEST(PrescribedMotion, DoesNotFitIntoANarrowValley) {
+  const Body body = Body::cylinder(0.6, 0.0, 0.0, 0.5);
+  const PlaneCurvePtr track = circular_arc({0.0, 0.0}, {0.5, 0.5}, kVertical);
+  const PrescribedMotion motion(scene_of(body), centre_path_over(track, 0.6));
+  ASSERT_TRUE(motion.stall());
+  EXPECT_EQ(motion.stall()->reason, Stall::Reason::DoesNotFit);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -247,8 +247,9 @@ std::string result_json(const Solution& solution) {
   json["status"] = name(solution.status);
   json["message"] = solution.message;
   json["verified"] = verified;
-  json["not_verified_because"] =
-      solved ? Json(solution.not_verified_because()) : Json(nullptr);
+  json["not_verified_because"] = solution.motion() != nullptr
+                                     ? Json(solution.not_verified_because())
+                                     : Json(nullptr);
   json["feasible"] = verified ? Json(solution.feasible()) : Json(nullptr);
   json["infeasible_because"] =
       verified ? Json(solution.infeasible_because()) : Json(nullptr);

@@ -15,7 +15,6 @@
 #include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
-#include "brachisto/trajectory/feasibility.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
 #include "study/turn_meshes.hpp"
@@ -40,10 +39,9 @@ Scene without_whole_turns(Scene scene) {
 std::string no_cycloid(const Scene& scene) {
   return fmt::format(
       "B lies inside the uniform cylinder at its start, (L − r)² + H² ≤ r² "
-      "with "
-      "r = {:g}, L = {:g}, H = {:g}: that body has no path to B, and so the "
-      "principal branch, which starts from it, does not exist. Try a smaller "
-      "radius or a point B further away",
+      "with r = {:g}, L = {:g}, H = {:g}: that body has no path to B, and so "
+      "the principal branch, which starts from it, does not exist. Try a "
+      "smaller radius or a point B further away",
       scene.body.radius, scene.L, scene.H);
 }
 
@@ -85,7 +83,7 @@ class Run {
                          ? "stopped by a signal before the end"
                          : fmt::format("the limit of {:g} s was reached",
                                        options_.limits.seconds);
-      discard_answer();
+      out_.discard_answer();
     }
     out_.effort.seconds = seconds_since(start_time_);
     return std::move(out_);
@@ -107,7 +105,6 @@ class Run {
   void describe_way(const Refinement& refinement);
   void book(const Refinement& refinement);
   [[nodiscard]] ExtremalSolution shoot(double tolerance);
-  void discard_answer();
 
   [[nodiscard]] const StopCondition& stop() const {
     return mesh_options_.ipopt.stop;
@@ -121,16 +118,6 @@ class Run {
   MeshOptions mesh_options_;
   Solution out_;
 };
-
-void Run::discard_answer() {
-  out_.trajectory.reset();
-  out_.diagnostics.reset();
-  out_.estimated_error.reset();
-  out_.extremal.reset();
-  out_.as_neighbour.reset();
-  out_.certificate = {};
-  out_.nodes = out_.variables = out_.constraints = 0;
-}
 
 MeshOptions Run::budget() const {
   MeshOptions options = mesh_options_;
@@ -341,15 +328,6 @@ void Run::answer_from(const Continuation& start) {
 }
 
 }  // namespace
-
-std::vector<std::string> Solution::infeasible_because() const {
-  if (!diagnostics) return {};
-  return brachisto::infeasible_because(scene, *diagnostics);
-}
-
-std::vector<std::string> Solution::not_verified_because() const {
-  return brachisto::not_verified_because(certificate);
-}
 
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {

@@ -8,14 +8,13 @@
 namespace brachisto {
 
 PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
-  return sample_at_mesh(problem, curve.rolling_time(),
-                        [&](double sigma) {
-                          ExtremalPoint point = curve.at(sigma);
-                          if (!std::isfinite(point.beta)) {
-                            point.beta = curve.interpolated_slope(sigma);
-                          }
-                          return point;
-                        });
+  return sample_at_mesh(problem, curve.rolling_time(), [&](double sigma) {
+    ExtremalPoint point = curve.at(sigma);
+    if (!std::isfinite(point.beta)) {
+      point.beta = curve.interpolated_slope(sigma);
+    }
+    return point;
+  });
 }
 
 PrimalDual sample_at_mesh(

@@ -123,9 +123,8 @@ TEST(Sweep, StopsSoonAndGoesOnWhereItWas) {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
     const std::string name = "stopped" + std::to_string(code);
     const std::string out = (scratch.path() / name).string();
-    Process process(
-        {"sweep", small_sweep(scratch), "--out", out, "--jobs", "1", "--set",
-         kWarmStarts[1]});
+    Process process({"sweep", small_sweep(scratch), "--out", out, "--jobs", "1",
+                     "--set", kWarmStarts[1]});
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     process.signal(signal);
     const auto before = std::chrono::steady_clock::now();

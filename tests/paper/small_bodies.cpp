@@ -97,5 +97,65 @@ TEST(SmallBodies, TendToTheLimitLikeTheRootOfTheRadius) {
   EXPECT_LT(by_root, 0.25);
 }
 
+/// Mean of p_θ over the turn of the body around the share `middle` of the path,
+/// in units of r, and that of w.
+struct Turn {
+  double J_per_r = 0.0;
+  double w = 0.0;
+};
+
+Turn mean_over_a_turn(const ExtremalCurve& curve, double middle) {
+  const double r = curve.scene().body.radius;
+  const auto sigma_at = [&](double s) {
+    std::uintmax_t iterations = 60;
+    return boost::math::tools::toms748_solve(
+               [&](double sigma) { return curve.at(sigma).s - s; }, 0.0, 1.0,
+               boost::math::tools::eps_tolerance<double>(40), iterations)
+        .first;
+  };
+  constexpr int kPhases = 128;
+  Turn mean;
+  for (int i = 0; i < kPhases; ++i) {
+    const double turned = ((i + 0.5) / kPhases - 0.5) * kTurn;
+    const ExtremalPoint at =
+        curve.at(sigma_at(middle * curve.arc_length() + turned * r));
+    mean.J_per_r += at.p.p_theta / r / kPhases;
+    mean.w += at.w / kPhases;
+  }
+  return mean;
+}
+
+TEST(SmallBodies, KeepTheActionOfTheirRotation) {
+  // ⟨p_θ⟩ over a turn is an adiabatic invariant: constant up to O(r) of itself
+  // while w is not.
+  constexpr double kRadius = 0.02;
+  constexpr double kInertia = 0.5;
+  for (const double eta : {0.2, 2.0 / 3.0}) {
+    const Solution solution =
+        solve(scene_of(Body::cylinder(kRadius, eta, 0.0, kInertia)));
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    const ExtremalCurve& curve = solution.trajectory->curve();
+
+    const Turn first = mean_over_a_turn(curve, 0.3);
+
+    for (const double middle : {0.5, 0.7, 0.95}) {
+      EXPECT_NEAR(mean_over_a_turn(curve, middle).J_per_r, first.J_per_r,
+                  2.0 * kRadius * std::abs(first.J_per_r))
+          << eta << ", " << middle;
+    }
+    EXPECT_GT(mean_over_a_turn(curve, 0.7).w, 1.15 * first.w) << eta;
+  }
+}
+
+TEST(SmallBodies, OfThePrincipalBranchNeedNotHaveTheBestNumberOfTurns) {
+  // It would have J = 0, or within O(r) of it. So this branch need not tend to
+  // the limit, and does not.
+  const Solution solution =
+      solve(scene_of(Body::cylinder(0.02, 2.0 / 3.0, 0.0, 0.5)));
+  ASSERT_TRUE(solution.verified()) << solution.message;
+
+  EXPECT_GT(mean_over_a_turn(solution.trajectory->curve(), 0.5).J_per_r, 0.3);
+}
+
 }  // namespace
 }  // namespace brachisto

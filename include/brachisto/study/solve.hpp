@@ -77,6 +77,8 @@ struct Solution {
                       : static_cast<const Motion*>(on_given_path.get());
   }
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
+  /// Forgets the answer with all that is known of it, not how it was sought.
+  void discard_answer();
 };
 
 /// What a caller may hook into.

@@ -39,9 +39,8 @@ Scene without_whole_turns(Scene scene) {
 std::string no_cycloid(const Scene& scene) {
   return fmt::format(
       "B lies inside the uniform cylinder at its start, (L − r)² + H² ≤ r² "
-      "with r = {:g}, L = {:g}, H = {:g}: that body has no path to B, and so "
-      "the principal branch, which starts from it, does not exist. Try a "
-      "smaller radius or a point B further away",
+      "with r = {:g}, L = {:g}, H = {:g}, so that no branch starts from its "
+      "path. Try a smaller radius or a point B further away",
       scene.body.radius, scene.L, scene.H);
 }
 

@@ -100,8 +100,7 @@ std::string csv_line(const Fields& fields, const ToText& to_text) {
   return line + '\n';
 }
 
-}  // namespace
-
+/// The columns and axes of a sweep, no scene run yet.
 SweepTable empty_table(const Job& job) {
   const io::SweepFile& file = job.file;
   SweepTable table;
@@ -127,6 +126,8 @@ SweepTable empty_table(const Job& job) {
   }
   return table;
 }
+
+}  // namespace
 
 SweepTable read_table(Store& store, const Job& job) {
   SweepTable table = empty_table(job);

@@ -14,9 +14,6 @@
 
 namespace brachisto::sweep {
 
-/// The columns and axes of a sweep, no scene run yet.
-[[nodiscard]] SweepTable empty_table(const Job& job);
-
 /// All scenes of the store's sweep with what came out.
 [[nodiscard]] SweepTable read_table(Store& store, const Job& job);
 

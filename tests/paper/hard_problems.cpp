@@ -16,6 +16,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
+#include "paper/names.hpp"
 
 namespace brachisto {
 namespace {
@@ -37,29 +38,11 @@ std::string promise_of(const fs::path& file) {
   return comment_of(file, "# Pass: ");
 }
 
-std::vector<std::string> problem_files() {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(BRACHISTO_HARD_DIR)) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::string file_name(const ::testing::TestParamInfo<std::string>& file) {
-  std::string text = file.param;
-  std::replace_if(
-      text.begin(), text.end(),
-      [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return text;
-}
-
 class HardProblem : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Files, HardProblem,
-                         ::testing::ValuesIn(problem_files()), file_name);
+INSTANTIATE_TEST_SUITE_P(
+    Files, HardProblem,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_HARD_DIR)),
+    testing::file_name);
 
 void expect_refused(const fs::path& file, const std::string& because) {
   std::string message;

@@ -17,6 +17,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
+#include "paper/names.hpp"
 
 namespace brachisto {
 namespace {
@@ -43,33 +44,16 @@ Promise promise_of(const fs::path& file) {
   throw std::runtime_error(file.string() + " promises no number");
 }
 
-std::vector<std::string> problem_files() {
-  std::vector<std::string> names;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(BRACHISTO_PAPER_DIR)) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 class PaperProblem : public ::testing::TestWithParam<std::string> {};
 
-std::string file_name(const ::testing::TestParamInfo<std::string>& file) {
-  std::string text = file.param;
-  std::replace_if(
-      text.begin(), text.end(),
-      [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return text;
-}
-
-INSTANTIATE_TEST_SUITE_P(Files, PaperProblem,
-                         ::testing::ValuesIn(problem_files()), file_name);
+INSTANTIATE_TEST_SUITE_P(
+    Files, PaperProblem,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_PAPER_DIR)),
+    testing::file_name);
 
 TEST(PaperProblems, CoverTheFiguresOfThePaper) {
-  const std::vector<std::string> names = problem_files();
+  const std::vector<std::string> names =
+      testing::problem_files(BRACHISTO_PAPER_DIR);
   for (const std::string figure : {"fig04", "fig06", "fig08", "fig09", "fig10",
                                    "fig11", "fig12", "fig13"}) {
     EXPECT_TRUE(std::ranges::any_of(names, [&](const std::string& name) {

@@ -4,6 +4,7 @@
 // solve() with its default options against values of other methods.
 
 #include "support/reference_values.hpp"
+#include "paper/names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,18 +37,9 @@ constexpr double kReferenceDigits = 1e-12;
 
 class ReferenceValues : public ::testing::TestWithParam<ReferenceValue> {};
 
-std::string row_name(const ::testing::TestParamInfo<ReferenceValue>& row) {
-  std::string text;
-  for (const char c : std::string(row.param.name)) {
-    if (c == '-') text += "minus_";
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) text += c;
-    if (c == '_' || c == '.') text += '_';
-  }
-  return text;
-}
-
 INSTANTIATE_TEST_SUITE_P(AllRows, ReferenceValues,
-                         ::testing::ValuesIn(kReferenceValues), row_name);
+                         ::testing::ValuesIn(kReferenceValues),
+                         testing::row_name);
 
 TEST_P(ReferenceValues, AreReproducedAndVerified) {
   const ReferenceValue& expected = GetParam();

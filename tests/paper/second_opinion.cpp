@@ -10,6 +10,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
+#include "paper/names.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -21,18 +22,9 @@ using testing::ReferenceValue;
 
 class SecondOpinion : public ::testing::TestWithParam<ReferenceValue> {};
 
-std::string row_name(const ::testing::TestParamInfo<ReferenceValue>& row) {
-  std::string text;
-  for (const char c : std::string(row.param.name)) {
-    if (c == '-') text += "minus_";
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) text += c;
-    if (c == '_' || c == '.') text += '_';
-  }
-  return text;
-}
-
 INSTANTIATE_TEST_SUITE_P(AllRows, SecondOpinion,
-                         ::testing::ValuesIn(kReferenceValues), row_name);
+                         ::testing::ValuesIn(kReferenceValues),
+                         testing::row_name);
 
 TEST_P(SecondOpinion, Agrees) {
   // To the default tolerance of the mesh.

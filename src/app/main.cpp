@@ -99,6 +99,7 @@ int run(int argc, char** argv) {
   add_export(app, code);
   add_merge(app, code);
   add_report(app, code);
+  add_paper(app, code);
   add_worker(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {

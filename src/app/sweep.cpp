@@ -49,15 +49,6 @@ struct SweepFlags : CommonFlags {
   bool force = false;
 };
 
-StoreInfo describe(const Job& job, const std::string& shard) {
-  const report::Provenance made_with = report::provenance();
-  return {.job = sweep::to_line(job),
-          .input_hash = sweep::input_hash(job.file),
-          .version = made_with.brachisto,
-          .shard = shard,
-          .provenance = report::provenance_json()};
-}
-
 /// Refuses to go on with a store of something else.
 void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
                 const std::string& directory) {
@@ -194,7 +185,8 @@ void print_results(const SweepFlags& flags, const Counts& counts,
 
 int run(const SweepFlags& flags) {
   const Job job = sweep::read_job(flags.file, flags.overrides);
-  const StoreInfo wanted = describe(job, Shard::parse(flags.shard).name());
+  const StoreInfo wanted =
+      sweep::store_info(job, Shard::parse(flags.shard).name());
   const std::atomic<int>& signal = catch_signals();
   const sweep::DirectoryLock lock(flags.out);
   Store store = open_store(flags, job, wanted);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_html.hpp"
+#include "report/page_style.hpp"
 
 namespace brachisto::report {
 

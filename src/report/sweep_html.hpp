@@ -12,9 +12,6 @@
 
 namespace brachisto::report {
 
-/// How the page looks: on a screen, on a phone and printed.
-[[nodiscard]] std::string page_style();
-
 /// The axes with their columns and the values they run over.
 [[nodiscard]] std::string axes_table(const SweepTable& table);
 

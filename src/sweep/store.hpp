@@ -33,6 +33,9 @@ struct StoreInfo {
   std::string provenance;  ///< JSON
 };
 
+/// What a store says of a sweep that this program solves.
+[[nodiscard]] StoreInfo store_info(const Job& job, const std::string& shard);
+
 /// Results of a sweep as far as they are there. Written by one process alone;
 /// others may read meanwhile. Whatever record() was given survives a crash of
 /// the process or the machine.

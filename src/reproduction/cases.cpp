@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "reproduction/transit.hpp"
+#include "reproduction/cases.hpp"
+
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace brachisto::reproduction {
+
+namespace {
+
+/// Names of the problem files of a directory, in order.
+std::vector<std::string> problem_names(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(directory, error)) {
+    if (entry.path().extension() == ".yaml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  if (error) {
+    throw io::IoError(fmt::format("{}: cannot be read: {}", directory.string(),
+                                  error.message()));
+  }
+  if (names.empty()) {
+    throw io::IoError(
+        fmt::format("{}: has no problem files", directory.string()));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+Measured Case::tau() const {
+  Measured tau =
+      measure([](const Solution& solution) { return solution.motion()->tau(); });
+  tau.error =
+      std::max(tau.error, fine.estimated_error.value_or(0.0) * tau.value);
+  return tau;
+}
+
+Measured Case::measure(
+    const std::function<double(const Solution&)>& quantity) const {
+  const double value = quantity(fine);
+  return {value, std::abs(value - quantity(rough))};
+}
+
+Cases::Cases(const std::filesystem::path& directory,
+             const std::atomic<int>& interrupt, const Announce& announce)
+    : directory_(directory) {
+  constexpr double kFiner = 1e-2;
+  for (const std::string& name : problem_names(directory)) {
+    if (interrupt.load() != 0) return;
+    announce(name);
+    Case one{name, io::read_problem_file(directory / (name + ".yaml")), {}, {}};
+    SolveOptions options = one.file.options;
+    const SolveHooks hooks{.interrupt = &interrupt};
+    one.rough = solve(one.file.scene, options, hooks);
+    if (one.file.scene.path) {
+      one.fine = one.rough;
+    } else {
+      options.discretisation.tolerance =
+          kFiner * options.discretisation.tolerance.value_or(kDefaultTolerance);
+      one.fine = solve(one.file.scene, options, hooks);
+    }
+    cases_.emplace(name, std::move(one));
+  }
+}
+
+const Case& Cases::operator[](const std::string& name) const {
+  const auto found = cases_.find(name);
+  if (found == cases_.end()) {
+    throw io::IoError(fmt::format("{}: the problem file {}.yaml is missing",
+                                  directory_.string(), name));
+  }
+  if (!found->second.verified()) {
+    throw NotVerified(
+        fmt::format("{}: no verified answer: {}", name,
+                    found->second.fine.verified()
+                        ? found->second.rough.message
+                        : found->second.fine.message));
+  }
+  return found->second;
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What the paper prints, beside what is found.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reproduction/findings.hpp"
+
+namespace brachisto::reproduction {
+
+/// A number as the paper prints it, "4.99", and ours. Words are rich text.
+struct Comparison {
+  std::string place;     ///< in the paper
+  std::string quantity;
+  std::string paper;     ///< its digits as printed
+  Measured ours;
+  std::string unit;
+  std::string remark;
+
+  /// Ours − paper.
+  [[nodiscard]] double difference() const;
+  /// Half a unit of the paper's last digit, and our own error.
+  [[nodiscard]] double slack() const;
+  [[nodiscard]] bool agrees() const;
+};
+
+/// Whether a statement of the paper is borne out.
+enum class Verdict { Holds, HoldsInPart, Fails };
+
+/// A statement of the paper in words, and what is found.
+struct Claim {
+  std::string place;
+  std::string statement;
+  Verdict verdict = Verdict::Holds;
+  std::string evidence;
+};
+
+[[nodiscard]] std::string_view name(Verdict verdict);
+
+[[nodiscard]] std::vector<Comparison> compare(const Findings& found);
+[[nodiscard]] std::vector<Claim> judge(const Findings& found);
+
+/// As many digits as are known, and the error: "5.093444466618 ± 2e-13".
+[[nodiscard]] std::string with_error(const Measured& number);
+
+/// Whether the track bends less than the body everywhere, κ_b < 1/r: the
+/// paper's own condition. Sufficient for the track not to fold, not necessary.
+[[nodiscard]] bool bends_less_than_body(const Case& one);
+
+/// Cases of which something does not hold: "r = 0.2 (fig11_…), …".
+[[nodiscard]] std::vector<const Case*> infeasible_cases(const Cases& cases);
+
+}  // namespace brachisto::reproduction

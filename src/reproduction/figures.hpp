@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The figures of the paper, and those it lacks.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/chart.hpp"
+#include "reproduction/findings.hpp"
+
+namespace brachisto::reproduction {
+
+/// A drawing in three forms and what is to be said of it.
+struct Figure {
+  std::string name;     ///< of its files, without ending
+  std::string heading;  ///< "Fig. 4. …", rich text
+  std::string caption;  ///< rich text
+  std::string svg, csv, gnuplot;
+};
+
+/// A chart in its three forms.
+[[nodiscard]] Figure figure(const report::Chart& chart, std::string heading,
+                            std::string caption);
+
+/// Paths: standard curves, three bodies, families.
+[[nodiscard]] std::vector<Figure> path_figures(const Cases& cases);
+
+/// Along the path: speeds, forces, friction, curvature, energies.
+[[nodiscard]] std::vector<Figure> motion_figures(const Cases& cases);
+
+/// Over parameters: τ of η_m and θ_m, the fastest θ_m, possible bodies.
+[[nodiscard]] std::vector<Figure> parameter_figures(const Findings& found);
+
+/// All of them in the order of the paper.
+[[nodiscard]] std::vector<Figure> all_figures(const Findings& found);
+
+}  // namespace brachisto::reproduction

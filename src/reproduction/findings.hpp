@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// All that is computed for the paper.
+
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <vector>
+
+#include "reproduction/bead_boundary.hpp"
+#include "reproduction/cases.hpp"
+#include "reproduction/family.hpp"
+#include "reproduction/orientation.hpp"
+
+namespace brachisto::reproduction {
+
+/// The reference case on a mesh of so many nodes as the paper's.
+struct GridRow {
+  int nodes = 0;       ///< n of the paper
+  double linear = 0.0;  ///< τ by n nodes and degree 1
+  double quintic = 0.0;  ///< τ by n + 1 nodes and degree 5
+};
+
+/// The fastest orientation of a body.
+struct OrientationRow {
+  double eta_m = 0.0;
+  Orientation fastest;
+};
+
+/// τ of the uniform cylinder of some radius.
+struct RadiusRow {
+  double radius = 0.0;
+  double tau = 0.0;
+};
+
+struct Findings {
+  Cases cases;
+  SweepTable map;  ///< τ over η_m and θ_m
+  std::vector<GridRow> grid;
+  std::vector<OrientationRow> orientations;
+  std::vector<BoundaryBody> boundary;       ///< with θ_m = −π/6
+  std::vector<BoundaryBody> best_boundary;  ///< with the fastest θ_m
+  std::vector<RadiusRow> uniform;
+  /// τ of a bead between the ends of the *centre's* path of the body that the
+  /// paper found to be faster than the bead.
+  double bead_between_centres = 0.0;
+};
+
+/// Who asks and who listens.
+struct Hooks {
+  int jobs = 1;  ///< worker processes
+  const std::atomic<int>* interrupt = nullptr;
+  Announce announce;
+  sweep::ProgressSink progress;
+};
+
+/// A signal came.
+struct Interrupted {};
+
+/// Solves everything.
+///
+/// \param directory  of the problem files of the paper
+/// \throws io::IoError, io::InputError  if a file is missing or wrong
+/// \throws NotVerified  if something has no verified answer
+/// \throws Interrupted
+[[nodiscard]] Findings find_all(const std::filesystem::path& directory,
+                                const Hooks& hooks);
+
+}  // namespace brachisto::reproduction

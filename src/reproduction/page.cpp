@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "reproduction/page.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "brachisto/report/provenance.hpp"
+#include "report/page_style.hpp"
+#include "report/rich_text.hpp"
+#include "report/svg.hpp"
+#include "reproduction/tables.hpp"
+
+namespace brachisto::reproduction {
+
+namespace {
+
+using report::html_words;
+
+constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
+
+std::string comparison_table(const std::vector<Comparison>& rows) {
+  std::string out =
+      "<div class=\"wide\"><table><thead><tr><th>quantity</th><th>paper</th>"
+      "<th>here</th><th>here − paper</th><th>remark</th></tr></thead><tbody>\n";
+  for (const Comparison& row : rows) {
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    out += fmt::format(
+        "<tr><td>{}<br/><small>{}</small></td><td>{}{}</td><td>{}{}</td>"
+        "<td>{}</td><td class=\"words\">{}</td></tr>\n",
+        html_words(row.quantity), html_words(row.place), html_words(row.paper),
+        html_words(unit), with_error(row.ours), html_words(unit),
+        difference_text(row), html_words(row.remark));
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string claims_table(const std::vector<Claim>& claims) {
+  std::string out =
+      "<div class=\"wide\"><table><thead><tr><th>statement of the paper</th>"
+      "<th>verdict</th><th>evidence</th></tr></thead><tbody>\n";
+  for (const Claim& claim : claims) {
+    out += fmt::format(
+        "<tr><td class=\"words\">{} <small>{}</small></td><td>{}</td>"
+        "<td class=\"words\">{}</td></tr>\n",
+        html_words(claim.statement), html_words(claim.place),
+        name(claim.verdict), html_words(claim.evidence));
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string cases_table(const Cases& cases) {
+  std::string out = "<div class=\"wide\"><table><thead><tr>";
+  for (const char* head :
+       {"case", "τ", "track", "R_n, m g", "κ_b", "least 1 − r κ_c",
+        "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"}) {
+    out += fmt::format("<th>{}</th>", html_words(head));
+  }
+  out += "</tr></thead><tbody>\n";
+  for (const auto& [name, one] : cases.all()) {
+    const PathDiagnostics& d = *one.fine.diagnostics;
+    const bool rolls = one.scene().body.rolls();
+    out += fmt::format(
+        "<tr><td><code>{}</code></td><td>{}</td><td>{:.6f}</td>"
+        "<td>{:.3f} … {:.3f}</td><td>{:.3f} … {:.3f}{}</td><td>{}</td>"
+        "<td>{}</td><td>{}</td></tr>\n",
+        name, with_error(one.tau()), one.motion().rail_length(),
+        d.min_normal_force.value, d.max_normal_force.value,
+        d.min_curvature.value, d.max_curvature.value,
+        bends_less_than_body(one) ? "" : " (&gt; 1/r)",
+        rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
+        rolls ? fmt::format("{:.0f} %, {:.0f} %, {:.0f} %",
+                            100.0 * d.friction_above_0_3,
+                            100.0 * d.friction_above_0_5,
+                            100.0 * d.friction_above_1)
+              : "–",
+        one.fine.feasible() ? "yes" : "no");
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string orientation_table(const std::vector<OrientationRow>& rows) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  std::string out =
+      "<div class=\"wide\"><table><thead><tr><th>" + html_words("η_m") +
+      "</th><th>" + html_words("fastest θ_m [rad]") + "</th><th>[°]</th>"
+      "<th>τ there</th></tr></thead><tbody>\n";
+  for (const OrientationRow& row : rows) {
+    out += fmt::format(
+        "<tr><td>{:.6f}</td><td>{}</td><td>{:.5f}</td><td>{:.9f}</td></tr>\n",
+        row.eta_m, with_error(row.fastest.theta_m),
+        row.fastest.theta_m.value * kDegrees, row.fastest.tau);
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string figure_html(const Figure& figure) {
+  return fmt::format(
+      "<figure>\n<h3>{}</h3>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{} "
+      "<span class=\"files\"><a href=\"{}.svg\">SVG</a>, "
+      "<a href=\"{}.csv\">CSV</a>, <a href=\"{}.gp\">gnuplot</a></span>"
+      "</figcaption>\n</figure>\n",
+      html_words(figure.heading), figure.svg, html_words(figure.caption),
+      figure.name, figure.name, figure.name);
+}
+
+std::string introduction(const Findings& found) {
+  const Case& reference = found.cases["fig04_reference_case"];
+  return fmt::format(
+      "<p class=\"about\">Every figure and every number of K. Sambath and V. "
+      "Nagarajan, <i>Brachistochrone of off-centered cylinders</i> (2022), "
+      "computed again by brachisto {} and set beside what is printed.</p>\n"
+      "<h2>The scene</h2>\n<p>A cylinder of radius <i>r</i> rolls without slip "
+      "from A = (0, 0) to B = (<i>L</i>, <i>H</i>), <i>H</i> = 1, on a track "
+      "that is to be as fast as possible. Its centre of mass lies at the "
+      "distance {} from its axis, at first in the direction {} below the "
+      "horizontal; its moment of inertia about the centre of mass is "
+      "<i>k m r</i><sup>2</sup>. Times are <i>τ</i> = <i>T</i> "
+      "√(2<i>g</i>/<i>H</i>). The reference case has <i>L</i> = 3, <i>r</i> = "
+      "1/3, {}, <i>k</i> = 1/2: <i>τ</i> = {}.</p>\n"
+      "<p>All numbers are of solutions that passed every check of their "
+      "certificate. The error bar of <i>τ</i> is the estimated error; that of "
+      "other numbers is the change between a solution and one a hundred times "
+      "as accurate.</p>\n",
+      report::provenance().brachisto, html_words("η_m r"), html_words("θ_m"),
+      html_words("η_m = 2/3, θ_m = 0"), with_error(reference.tau()));
+}
+
+}  // namespace
+
+Reproduction reproduce(const Findings& found) {
+  return {compare(found), judge(found), all_figures(found)};
+}
+
+static std::string page(const Findings& found, const Reproduction& made) {
+  std::string out = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
+      "<h1>{0}: the paper and brachisto</h1>\n",
+      kTitle, report::page_style());
+  out += introduction(found);
+  out += "<h2>Numbers</h2>\n" + comparison_table(made.comparisons);
+  out += "<h2>Statements</h2>\n" + claims_table(made.claims);
+  out += "<h2>Figures</h2>\n";
+  for (const Figure& figure : made.figures) out += figure_html(figure);
+  out += "<h2>The fastest initial orientation</h2>\n" +
+         orientation_table(found.orientations);
+  out += "<h2>All cases</h2>\n" + cases_table(found.cases);
+  const report::Provenance with = report::provenance();
+  return out + fmt::format(
+                   "<footer>Written by brachisto {}, Ipopt {}, MUMPS {}, "
+                   "SuiteSparse {}, {}.</footer>\n</body>\n</html>\n",
+                   with.brachisto, with.ipopt, with.mumps, with.suitesparse,
+                   report::xml_escaped(with.compiler));
+}
+
+std::vector<report::OutputFile> files(const Findings& found,
+                                      const Reproduction& made) {
+  std::vector<report::OutputFile> out;
+  for (const Figure& figure : made.figures) {
+    out.push_back({figure.name + ".svg", figure.svg});
+    out.push_back({figure.name + ".csv", figure.csv});
+    out.push_back({figure.name + ".gp", figure.gnuplot});
+  }
+  out.push_back({"comparison.csv", comparison_csv(made.comparisons)});
+  out.push_back({"claims.csv", claims_csv(made.claims)});
+  out.push_back({"cases.csv", cases_csv(found.cases)});
+  out.push_back({"orientations.csv", orientations_csv(found.orientations)});
+  // Last, so that whoever sees the page sees what it refers to.
+  out.push_back({"index.html", page(found, made)});
+  return out;
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "brachisto/model/mass_distribution.hpp"
+#include "report/heat_map_svg.hpp"
+#include "report/sweep_csv.hpp"
+#include "report/sweep_scenes.hpp"
+#include "reproduction/transit.hpp"
+#include "reproduction/figures.hpp"
+
+namespace brachisto::reproduction {
+
+namespace {
+
+using report::Chart;
+using report::Curve;
+using report::Datum;
+using report::Stroke;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr const char* kEtaKey = "scene.body.eta_m";
+constexpr const char* kThetaKey = "scene.body.theta_m";
+
+std::size_t column(const SweepTable& table, const char* key) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].key == key) return c;
+  }
+  throw std::runtime_error(fmt::format("the map does not vary {}", key));
+}
+
+/// τ against θ_m for some of the offsets of the map.
+Figure map_as_curves(const SweepTable& map) {
+  constexpr std::size_t kEvery = 4;
+  const std::size_t eta = column(map, kEtaKey);
+  const std::size_t theta = column(map, kThetaKey);
+  const std::size_t row = map.axes.back().count;
+  Chart chart;
+  chart.name = "fig13_curves";
+  chart.title = "Transit time against initial orientation";
+  chart.x = {.label = "θ_m [°]", .scale = report::Scale::Degrees};
+  chart.y.label = "τ = T √(2g/H)";
+  const std::size_t rows = map.outcomes.size() / row;
+  const std::vector<std::string> colours =
+      report::family_colours((rows + kEvery - 1) / kEvery);
+  for (std::size_t r = 0; r < rows; r += kEvery) {
+    Curve curve;
+    const double offset = map.columns[eta].numbers[r * row];
+    curve.name = fmt::format("η_m = {:.3f}", offset);
+    curve.id = fmt::format("eta_m = {:.6f}", offset);
+    curve.colour = colours[r / kEvery];
+    for (std::size_t i = r * row; i < (r + 1) * row; ++i) {
+      curve.points.push_back(
+          {map.columns[theta].numbers[i] * kDegrees, map.outcomes[i].tau});
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return figure(chart, "Fig. 13. Transit times over the place of the centre of "
+                       "mass",
+                "k = 1/2, r = 1/3, L = 3. Without offset the orientation does "
+                "not matter, τ = 5.1151.");
+}
+
+/// gnuplot script of the map; the file has one row per scene.
+std::string map_script(const std::string& name, const SweepTable& map) {
+  const std::size_t first = 2;  // after the number of the scene
+  const std::size_t after = first + map.columns.size();
+  return fmt::format(
+      "# Redraws {0}.pdf from {0}.csv: gnuplot {0}.gp\n"
+      "set terminal pdfcairo enhanced font 'Sans,10' size 12cm,9cm\n"
+      "set output '{0}.pdf'\n"
+      "set datafile separator ','\n"
+      "set key autotitle columnhead\nunset key\n"
+      "set xlabel 'θ_m [°]'\nset ylabel 'η_m'\nset cblabel 'τ'\n"
+      "set palette viridis\nset view map\n"
+      "set autoscale xfix\nset autoscale yfix\n"
+      "set contour base\nset cntrparam levels 14\nset cntrlabel onecolor\n"
+      "set dgrid3d {1},{2} splines\n"
+      "splot '{0}.csv' using (${3}*180/pi):{4}:{5} with pm3d, "
+      "'' using (${3}*180/pi):{4}:{5} with lines lc 'black' nosurface\n",
+      name, map.axes.front().count, map.axes.back().count,
+      first + column(map, kThetaKey), first + column(map, kEtaKey), after + 3);
+}
+
+Figure map_as_colours(const SweepTable& table) {
+  report::SweepMap map;
+  map.x_column = column(table, kThetaKey);
+  map.y_column = column(table, kEtaKey);
+  map.nx = table.axes.back().count;
+  map.ny = table.axes.front().count;
+  map.name = "fig13_map";
+  // Scene (i, j) of a map has its x first.
+  for (std::size_t i = 0; i < map.nx; ++i) {
+    for (std::size_t j = 0; j < map.ny; ++j) {
+      map.scenes.push_back(j * map.nx + i);
+    }
+  }
+  const report::Scenes all = report::all_scenes(table);
+  const report::SweepDigest found = report::digest(table, all);
+  const report::ValueRange range{table.outcomes[found.fastest.value()].tau,
+                                 table.outcomes[found.slowest.value()].tau};
+  return {.name = map.name,
+          .heading = "Fig. 13 as a map",
+          .caption = fmt::format(
+              "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
+              "verified. The smallest value of the grid is {:.6f}.",
+              table.outcomes.size(), range.low),
+          .svg = report::heat_map_svg(table, map, range),
+          .csv = report::sweep_csv(table, all),
+          .gnuplot = map_script(map.name, table)};
+}
+
+Figure fastest_orientation_figure(const Findings& found) {
+  Chart chart;
+  chart.name = "fastest_orientation";
+  chart.title = "The fastest initial orientation";
+  chart.x.label = "η_m";
+  chart.y.label = "θ_m of the smallest τ [°]";
+  Curve curve{.name = "found", .points = {}, .colour = "#1a3f8f"};
+  curve.mark = report::Mark::Disc;
+  curve.id = "found";
+  for (const OrientationRow& row : found.orientations) {
+    curve.points.push_back({row.eta_m, row.fastest.theta_m.value * kDegrees});
+  }
+  const double last = found.orientations.back().eta_m;
+  chart.curves.push_back(std::move(curve));
+  chart.curves.push_back({.name = "paper: −π/6 for every η_m",
+                          .points = {{0.0, -30.0}, {last, -30.0}},
+                          .stroke = Stroke::Dashed,
+                          .colour = "#888888",
+                          .id = "paper"});
+  return figure(chart, "The fastest initial orientation",
+                "k = 1/2, r = 1/3, L = 3; each point by minimisation over θ_m, "
+                "to six digits or better.");
+}
+
+/// k = 1 − η_m², above which no body exists.
+double largest_k(double eta_m) {
+  return 1.0 - eta_m * eta_m;
+}
+
+std::vector<Datum> boundary_points(const std::vector<BoundaryBody>& bodies) {
+  std::vector<Datum> points;
+  for (const BoundaryBody& body : bodies) {
+    points.push_back({body.eta_m, body.k});
+    if (body.on_rim) break;
+  }
+  return points;
+}
+
+std::vector<Datum> possible_bodies() {
+  constexpr int kPoints = 200;
+  std::vector<Datum> outline{{0.0, 0.0}};
+  for (int i = 0; i <= kPoints; ++i) {
+    const double eta = static_cast<double>(i) / kPoints;
+    outline.push_back({eta, largest_k(eta)});
+  }
+  return outline;
+}
+
+/// A body made of parts as an example; lengths in units of its radius.
+report::Sketch example(const std::vector<BodyPart>& parts, std::string text) {
+  const MassDistribution whole = mass_distribution(parts, 1.0);
+  report::Sketch sketch;
+  sketch.at = {whole.eta_m, whole.k};
+  sketch.name = std::move(text);
+  for (const BodyPart& part : parts) {
+    if (part.shape == BodyPart::Shape::Point) {
+      sketch.masses.push_back({part.centre.x, part.centre.z});
+    } else {
+      sketch.rings.push_back(part.radius);
+    }
+  }
+  return sketch;
+}
+
+Figure region(const Findings& found) {
+  Chart chart;
+  chart.name = "fig14_region";
+  chart.title = "Possible bodies, and those that are faster than the bead";
+  chart.x = {.label = "η_m", .low = 0.0, .high = 1.05};
+  chart.y = {.label = "k", .low = 0.0, .high = 1.1};
+  chart.areas.push_back({"possible bodies, k ≤ 1 − η_m^2", possible_bodies(),
+                         "#eeeeee"});
+  chart.curves.push_back({.name = "as fast as the bead, θ_m = −π/6",
+                          .points = boundary_points(found.boundary),
+                          .colour = "#1a3f8f",
+                          .width = 2.0,
+                          .id = "theta_m = -pi/6"});
+  chart.curves.push_back({.name = "as fast as the bead, fastest θ_m",
+                          .points = boundary_points(found.best_boundary),
+                          .stroke = Stroke::Dashed,
+                          .colour = "#b5651d",
+                          .width = 2.0,
+                          .id = "fastest theta_m"});
+  chart.notes.push_back({{2.0 / 3.0, 0.5}, "Figs. 4–7", report::Mark::Disc,
+                         -9.0, 14.0});
+  chart.notes.push_back({{0.8, 0.1}, "faster than the bead",
+                         report::Mark::Disc, -9.0, 4.0});
+  using Part = BodyPart;
+  chart.sketches = {
+      example({Part::ring(1.0, 1.0)}, "ring"),
+      example({Part::point(1.0, {1.0, 0.0}), Part::point(1.0, {-1.0, 0.0})}, ""),
+      example({Part::point(1.0, {0.0, 0.0})}, "rod on the axis"),
+      example({Part::ring(1.0, 0.7)}, ""),
+      example({Part::point(3.0, {0.0, 1.0}), Part::point(1.0, {0.0, -1.0})}, ""),
+      example({Part::ring(1.0, 1.0), Part::point(3.0, {0.0, 1.0})}, ""),
+      example({Part::ring(1.0, 0.4), Part::point(1.0, {0.0, 0.8})}, ""),
+  };
+  return figure(chart, "Fig. 14. Possible bodies (appendix A)",
+                "All bodies of radius r lie between the axes and k = 1 − η_m^2, "
+                "which those reach whose mass lies on the rim. Those below the "
+                "lines get from A to B (L = 3, r = 1/3) faster than the bead. "
+                "The command brachisto body tells where a body made of parts lies.");
+}
+
+}  // namespace
+
+std::vector<Figure> parameter_figures(const Findings& found) {
+  return {map_as_curves(found.map), map_as_colours(found.map),
+          fastest_orientation_figure(found), region(found)};
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "reproduction/figures.hpp"
+
+namespace brachisto::reproduction {
+
+namespace {
+
+using report::Chart;
+using report::Curve;
+using report::Datum;
+using report::Stroke;
+
+constexpr int kSamples = 400;
+
+/// A case and its name in the key.
+struct Member {
+  std::string file;
+  std::string name;
+};
+
+std::vector<Datum> along(const Motion& motion,
+                         Point (*place)(const TrajectoryPoint&)) {
+  std::vector<Datum> points;
+  for (const TrajectoryPoint& at : motion.fine_sample(kSamples)) {
+    const Point p = place(at);
+    points.push_back({p.x, p.z});
+  }
+  return points;
+}
+
+Point track(const TrajectoryPoint& at) {
+  return at.motion.contact;
+}
+Point mass_centre(const TrajectoryPoint& at) {
+  return at.motion.mass_centre;
+}
+
+Chart path_chart(std::string name, std::string title) {
+  Chart chart;
+  chart.name = std::move(name);
+  chart.title = std::move(title);
+  chart.x.label = "x / H";
+  chart.y.label = "z / H, down";
+  chart.equal_scale = true;
+  chart.y_down = true;
+  return chart;
+}
+
+void add_ends(Chart& chart, const Scene& scene) {
+  chart.notes.push_back({{0.0, 0.0}, "A", report::Mark::Circle, -8.0, -6.0});
+  chart.notes.push_back(
+      {{scene.L, scene.H}, "B", report::Mark::Circle, 8.0, -6.0});
+}
+
+void add_body(Chart& chart, const Motion& motion) {
+  const Body& body = motion.scene().body;
+  const TrajectoryPoint start = motion.at(0.0);
+  const Point m = start.motion.mass_centre;
+  chart.rounds.push_back({{start.centre.x, start.centre.z},
+                          body.radius,
+                          Datum{m.x, m.z}});
+}
+
+/// Tracks as full lines, paths of the centre of mass dashed in the same colour.
+Chart family(const Cases& cases, std::string name, std::string title,
+             const std::vector<Member>& members) {
+  Chart chart = path_chart(std::move(name), std::move(title));
+  const std::vector<std::string> colours =
+      report::family_colours(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Case& one = cases[members[i].file];
+    chart.curves.push_back(
+        {.name = fmt::format("{}: τ = {:.4f}", members[i].name,
+                             one.tau().value),
+         .points = along(one.motion(), track),
+         .colour = colours[i],
+         .id = members[i].file + " track"});
+    if (!one.scene().body.rolls()) continue;
+    chart.curves.push_back({.name = "",
+                            .points = along(one.motion(), mass_centre),
+                            .stroke = Stroke::Dashed,
+                            .colour = colours[i],
+                            .width = 1.0,
+                            .id = members[i].file + " centre of mass"});
+  }
+  return chart;
+}
+
+Figure standard_curves(const Cases& cases) {
+  const std::vector<std::pair<Member, Stroke>> drawn = {
+      {{"fig04_reference_case", "brachistochrone"}, Stroke::Solid},
+      {{"fig04_cycloid", "Cycloid*"}, Stroke::Dashed},
+      {{"fig04_circular_arc", "circular arc"}, Stroke::DashDotted},
+      {{"fig04_parabola", "parabola"}, Stroke::Dotted},
+      {{"fig04_straight", "straight line"}, Stroke::Solid}};
+  Chart chart = path_chart("fig04_standard_curves",
+                           "The fastest track and standard curves");
+  const std::vector<std::string> colours = report::family_colours(drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto& [member, stroke] = drawn[i];
+    const Case& one = cases[member.file];
+    chart.curves.push_back(
+        {.name =
+             fmt::format("{}: τ = {:.4f}", member.name, one.tau().value),
+         .points = along(one.motion(), track),
+         .stroke = stroke,
+         .colour = i == 0 ? "#000000" : colours[i - 1],
+         .width = i == 0 ? 2.6 : 1.6,
+         .id = member.name});
+  }
+  const Motion& best = cases["fig04_reference_case"].motion();
+  add_body(chart, best);
+  add_ends(chart, best.scene());
+  return figure(chart, "Fig. 4. Standard curves and the fastest track",
+                "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five "
+                "tracks from A to B, at its start in grey. Cycloid* is the "
+                "track on which the centre runs along a cycloid, the optimum "
+                "of a uniform cylinder. On the circular arc the body would "
+                "lift off at the start. Paper: τ = 4.99 for the "
+                "brachistochrone.");
+}
+
+Figure three_bodies(const Cases& cases) {
+  Chart chart = path_chart("fig06_three_bodies",
+                           "Bead, uniform and off-centred cylinder");
+  const std::vector<std::pair<Member, std::string>> drawn = {
+      {{"fig06_bead", "bead"}, "#b5651d"},
+      {{"fig06_uniform_cylinder", "uniform cylinder"}, "#777777"},
+      {{"fig04_reference_case", "off-centred cylinder"}, "#1a3f8f"}};
+  for (const auto& [member, colour] : drawn) {
+    const Case& one = cases[member.file];
+    const bool bead = !one.scene().body.rolls();
+    chart.curves.push_back(
+        {.name = fmt::format("{}: τ = {:.4f}, track {:.4f}", member.name,
+                             one.tau().value, one.motion().rail_length()),
+         .points = along(one.motion(), track),
+         .stroke = bead ? Stroke::DashDotted : Stroke::Solid,
+         .colour = colour,
+         .width = 2.0,
+         .id = member.name + " track"});
+    if (bead) continue;
+    chart.curves.push_back({.name = "",
+                            .points = along(one.motion(), mass_centre),
+                            .stroke = Stroke::Dashed,
+                            .colour = colour,
+                            .width = 1.2,
+                            .id = member.name + " centre of mass"});
+  }
+  const Motion& best = cases["fig04_reference_case"].motion();
+  add_body(chart, best);
+  add_ends(chart, best.scene());
+  return figure(chart, "Fig. 6. Three bodies",
+                "Fastest tracks of a bead, a uniform and an off-centred "
+                "cylinder (r = 1/3, k = 1/2; η_m = 2/3, θ_m = 0), and the "
+                "trajectories of the centres of mass, dashed. Paper: τ = 4.52, "
+                "5.12, 4.99; lengths 3.57, 3.66, 3.66.");
+}
+
+Figure radii(const Cases& cases, const std::string& offset,
+             const std::vector<Member>& members, const std::string& suffix) {
+  return figure(
+      family(cases, "fig11_r" + suffix, "Fastest tracks for radii", members),
+      "Fig. 11. Radius of the cylinder, η_m = " + offset,
+      "η_m = " + offset +
+          ", θ_m = 0, k = 1/2, L = 3. The text of the paper has η_m = 1/3, the "
+          "caption 2/3: both are shown. Dashed: centre of mass.");
+}
+
+}  // namespace
+
+std::vector<Figure> path_figures(const Cases& cases) {
+  std::vector<Figure> out;
+  out.push_back(standard_curves(cases));
+  out.push_back(three_bodies(cases));
+  out.push_back(figure(
+      family(cases, "fig08_eta_m", "Fastest tracks for offsets",
+             {{"fig08_eta_m_0", "η_m = 0"},
+              {"fig08_eta_m_1_6", "η_m = 1/6"},
+              {"fig08_eta_m_1_3", "η_m = 1/3"},
+              {"fig08_eta_m_1_2", "η_m = 1/2"},
+              {"fig04_reference_case", "η_m = 2/3"},
+              {"fig08_eta_m_1_sqrt2", "η_m = 1/√2"}}),
+      "Fig. 8. Offset of the centre of mass",
+      "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass. The dependence "
+      "of τ on η_m is not monotone."));
+  out.push_back(figure(family(cases, "fig09_theta_m",
+                              "Fastest tracks for initial orientations",
+                              {{"fig09_theta_m_m90deg", "θ_m = −90°"},
+                               {"fig09_theta_m_m60deg", "θ_m = −60°"},
+                               {"fig09_theta_m_m30deg", "θ_m = −30°"},
+                               {"fig04_reference_case", "θ_m = 0"},
+                               {"fig09_theta_m_p30deg", "θ_m = 30°"},
+                               {"fig09_theta_m_p60deg", "θ_m = 60°"},
+                               {"fig09_theta_m_p90deg", "θ_m = 90°"}}),
+                       "Fig. 9. Initial orientation",
+                       "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of "
+                       "mass. For θ_m < 0 the track starts backwards."));
+  out.push_back(figure(
+      family(cases, "fig10_k", "Fastest tracks for moments of inertia",
+             {{"fig10_k_0.1", "k = 0.1"},
+              {"fig10_k_0.3", "k = 0.3"},
+              {"fig04_reference_case", "k = 0.5"},
+              {"fig10_k_5_9", "k = 5/9"}}),
+      "Fig. 10. Moment of inertia",
+      "η_m = 2/3, θ_m = 0, r = 1/3, L = 3; k up to 1 − η_m^2 = 5/9. Dashed: "
+      "centre of mass."));
+  out.push_back(radii(cases, "2/3",
+                      {{"fig11_r_0.2", "r = 0.2"},
+                       {"fig11_r_0.25", "r = 0.25"},
+                       {"fig04_reference_case", "r = 1/3"},
+                       {"fig11_r_0.4", "r = 0.4"},
+                       {"fig11_r_0.5", "r = 0.5"}},
+                      "_eta_2_3"));
+  out.push_back(radii(cases, "1/3",
+                      {{"fig11_r_0.2_eta_m_1_3", "r = 0.2"},
+                       {"fig11_r_0.25_eta_m_1_3", "r = 0.25"},
+                       {"fig11_r_1_3_eta_m_1_3", "r = 1/3"},
+                       {"fig11_r_0.4_eta_m_1_3", "r = 0.4"},
+                       {"fig11_r_0.5_eta_m_1_3", "r = 0.5"}},
+                      "_eta_1_3"));
+  out.push_back(figure(
+      family(cases, "fig12_L", "Fastest tracks for lengths of the domain",
+             {{"fig12_L_2", "L = 2"},
+              {"fig04_reference_case", "L = 3"},
+              {"fig12_L_4", "L = 4"}}),
+      "Fig. 12. Length of the domain",
+      "η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre of mass. Paper: τ = "
+      "3.96, 4.99, 6.26."));
+  return out;
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "reproduction/tables.hpp"
+
+#include <fmt/format.h>
+
+#include "report/csv.hpp"
+#include "report/rich_text.hpp"
+
+namespace brachisto::reproduction {
+
+namespace {
+
+std::string words(const std::string& rich) {
+  return report::csv_field(report::plain_words(rich));
+}
+
+}  // namespace
+
+std::string difference_text(const Comparison& row) {
+  const double paper = row.ours.value - row.difference();
+  return fmt::format("{:+.1e} ({:+.2f} %){}", row.difference(),
+                     100.0 * row.difference() / std::abs(paper),
+                     row.agrees() ? ", within the digits printed" : "");
+}
+
+std::string comparison_csv(const std::vector<Comparison>& rows) {
+  std::string out = "place,quantity,unit,paper,ours,error,difference,agrees,"
+                    "remark\n";
+  for (const Comparison& row : rows) {
+    out += fmt::format("{},{},{},{},{:.15g},{:.1e},{:.6g},{},{}\n",
+                       words(row.place), words(row.quantity), words(row.unit),
+                       words(row.paper), row.ours.value, row.ours.error,
+                       row.difference(), row.agrees(), words(row.remark));
+  }
+  return out;
+}
+
+std::string claims_csv(const std::vector<Claim>& claims) {
+  std::string out = "place,statement,verdict,evidence\n";
+  for (const Claim& claim : claims) {
+    out += fmt::format("{},{},{},{}\n", words(claim.place),
+                       words(claim.statement), name(claim.verdict),
+                       words(claim.evidence));
+  }
+  return out;
+}
+
+std::string cases_csv(const Cases& cases) {
+  std::string out =
+      "case,tau,error,centre_path_length,rail_length,start_angle,end_angle,"
+      "R_n_min,R_n_max,x_of_R_n_max,kappa_b_min,kappa_b_max,fold_margin,"
+      "share_above_0.3,share_above_0.5,share_above_1,feasible\n";
+  for (const auto& [name, one] : cases.all()) {
+    const Motion& motion = one.motion();
+    const PathDiagnostics& d = *one.fine.diagnostics;
+    const Measured tau = one.tau();
+    out += fmt::format(
+        "{},{:.15g},{:.1e},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{:.9g},"
+        "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
+        name, tau.value, tau.error, motion.centre_path_length(),
+        motion.rail_length(), motion.start_angle(), motion.end_angle(),
+        d.min_normal_force.value, d.max_normal_force.value,
+        d.max_normal_force.x, d.min_curvature.value, d.max_curvature.value,
+        d.min_fold_margin.value, d.friction_above_0_3, d.friction_above_0_5,
+        d.friction_above_1, one.fine.feasible());
+  }
+  return out;
+}
+
+std::string orientations_csv(const std::vector<OrientationRow>& rows) {
+  std::string out = "eta_m,theta_m,error,tau\n";
+  for (const OrientationRow& row : rows) {
+    out += fmt::format("{:.15g},{:.12g},{:.1e},{:.15g}\n", row.eta_m,
+                       row.fastest.theta_m.value, row.fastest.theta_m.error,
+                       row.fastest.tau);
+  }
+  return out;
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "reproduction/transit.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto::reproduction {
+
+double verified_tau(const Scene& scene) {
+  SolveOptions options;
+  options.discretisation.tolerance = 1e-12;
+  const Solution solution = solve(scene, options);
+  if (!solution.verified()) {
+    throw NotVerified(fmt::format(
+        "η_m = {:.6g}, θ_m = {:.6g} rad, k = {:.6g}: no verified answer: {}",
+        scene.body.eta_m, scene.body.theta_m, scene.body.k, solution.message));
+  }
+  return solution.motion()->tau();
+}
+
+}  // namespace brachisto::reproduction

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// When a number agrees with a printed one, and how numbers are printed.
+
+#include "reproduction/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brachisto::reproduction {
+namespace {
+
+Comparison beside(const char* printed, double ours, double error = 0.0) {
+  Comparison row;
+  row.paper = printed;
+  row.ours = {ours, error};
+  return row;
+}
+
+TEST(ReproductionComparison, AgreesWithinHalfAUnitOfTheLastDigit) {
+  EXPECT_TRUE(beside("4.99", 4.9949).agrees());
+  EXPECT_TRUE(beside("4.99", 4.9851).agrees());
+  EXPECT_FALSE(beside("4.99", 4.9951).agrees());
+  EXPECT_FALSE(beside("1.229", 1.22846).agrees());
+  EXPECT_TRUE(beside("2.5", 2.508).agrees());
+}
+
+TEST(ReproductionComparison, OurOwnErrorCounts) {
+  EXPECT_FALSE(beside("4.99", 4.997).agrees());
+  EXPECT_TRUE(beside("4.99", 4.997, 0.003).agrees());
+}
+
+TEST(ReproductionComparison, ReadsARealMinusSign) {
+  EXPECT_DOUBLE_EQ(beside("−1.34", -1.28).difference(), 0.06);
+}
+
+TEST(ReproductionComparison, PrintsAsManyDigitsAsAreKnown) {
+  EXPECT_EQ(with_error({5.0934444666178, 3e-13}), "5.093444466618 ± 3e-13");
+  EXPECT_EQ(with_error({4.33012345, 2e-4}), "4.3301 ± 2e-04");
+}
+
+TEST(ReproductionComparison, NeverClaimsMoreThanADoubleHolds) {
+  EXPECT_EQ(with_error({2.0, 0.0}), "2.000000000000 ± 8e-16");
+}
+
+}  // namespace
+}  // namespace brachisto::reproduction

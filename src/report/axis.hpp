@@ -44,6 +44,12 @@ struct Extent {
   }
 };
 
+/// A place of an axis that is marked.
+struct Tick {
+  double value = 0.0;
+  std::string words;  ///< rich text; empty: a short tick without a number
+};
+
 /// One side of a plot.
 class Axis {
  public:

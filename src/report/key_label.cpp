@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "report/letters.hpp"
+#include "report/rich_text.hpp"
 #include "report/svg.hpp"
 
 namespace brachisto::report {
@@ -64,28 +65,20 @@ KeyLabel KeyLabel::within(std::size_t letters) const {
 std::string KeyLabel::text(Markup markup, bool with_unit) const {
   const std::string rest =
       with_unit && !unit.empty() ? fmt::format("\u00A0[{}]", unit) : "";
+  const std::string lowered = subscript.empty() ? "" : "_{" + subscript + "}";
   switch (markup) {
     case Markup::Plain:
       return symbol + (subscript.empty() ? "" : "_" + subscript) + rest;
     case Markup::Html:
-      return letter
-                 ? fmt::format(
-                       "<i>{}</i>{}{}", symbol,
-                       subscript.empty() ? "" : "<sub>" + subscript + "</sub>",
-                       rest)
-                 : fmt::format("<code>{}</code>", xml_escaped(symbol));
+      return letter ? fmt::format("<i>{}</i>{}", symbol,
+                                  html_words(lowered + rest))
+                    : fmt::format("<code>{}</code>", xml_escaped(symbol));
     case Markup::Svg:
       break;
   }
   if (!letter) return xml_escaped(symbol);
-  std::string out =
-      fmt::format("<tspan font-style=\"italic\">{}</tspan>", symbol);
-  if (subscript.empty()) return out + rest;
-  // What follows comes back to the line; that needs a text, be it of no width.
-  return out + fmt::format(
-                   "<tspan dy=\"4\" font-size=\"75%\">{}</tspan>"
-                   "<tspan dy=\"-4\">{}</tspan>",
-                   subscript, rest.empty() ? "\u200B" : rest);
+  return fmt::format("<tspan font-style=\"italic\">{}</tspan>{}", symbol,
+                     svg_words(lowered + rest));
 }
 
 std::string tau_label_svg() {

@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "report/letters.hpp"
+#include "report/rich_text.hpp"
 
 namespace brachisto::report {
 
 namespace {
 
 constexpr double kTick = 5.0;
+constexpr double kShortTick = 3.0;
 constexpr double kLabelSize = 14.0;   // that of the document
 constexpr std::size_t kLetters = 14;  // of a category
 constexpr std::string_view kThin = "stroke=\"#333333\" stroke-width=\"1\"";
@@ -20,6 +22,14 @@ constexpr std::string_view kBelow =
     "text-anchor=\"middle\" font-size=\"13\" fill=\"#222222\"";
 constexpr std::string_view kBeside =
     "text-anchor=\"end\" font-size=\"13\" fill=\"#222222\"";
+
+std::vector<Tick> numbered(const Axis& axis) {
+  std::vector<Tick> ticks;
+  for (const double value : axis.ticks(7)) {
+    ticks.push_back({value, printed(value)});
+  }
+  return ticks;
+}
 
 /// Longest word as it is written.
 std::size_t longest(const std::vector<std::string>& words) {
@@ -68,29 +78,46 @@ std::size_t letters_of_y_label(const PlotArea& area) {
 }
 
 void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,
-                 std::string_view label) {
-  for (const double value : axis.ticks(7)) {
-    const double x = axis(value);
-    svg.line({x, area.bottom}, {x, area.bottom + kTick}, kThin);
-    svg.text({x, area.bottom + 19.0}, kBelow, printed(value));
+                 const std::vector<Tick>& ticks, std::string_view label) {
+  for (const Tick& tick : ticks) {
+    const double x = axis(tick.value);
+    const double length = tick.words.empty() ? kShortTick : kTick;
+    svg.line({x, area.bottom}, {x, area.bottom + length}, kThin);
+    if (tick.words.empty()) continue;
+    svg.text({x, area.bottom + 19.0}, kBelow, svg_words(tick.words));
   }
   svg.text({0.5 * (area.left + area.right), area.bottom + kAxisDepth},
            "text-anchor=\"middle\"", label);
 }
 
 void draw_y_axis(Svg& svg, const PlotArea& area, const Axis& axis,
-                 std::string_view label) {
-  for (const double value : axis.ticks(7)) {
-    const double y = axis(value);
-    svg.line({area.left - kTick, y}, {area.left, y}, kThin);
-    svg.text({area.left - kTick - 4.0, y + 4.5}, kBeside, printed(value));
+                 const std::vector<Tick>& ticks, std::string_view label,
+                 double label_x) {
+  for (const Tick& tick : ticks) {
+    const double y = axis(tick.value);
+    const double length = tick.words.empty() ? kShortTick : kTick;
+    svg.line({area.left - length, y}, {area.left, y}, kThin);
+    if (tick.words.empty()) continue;
+    svg.text({area.left - kTick - 4.0, y + 4.5}, kBeside,
+             svg_words(tick.words));
   }
   const double middle = 0.5 * (area.top + area.bottom);
-  svg.text(
-      {18.0, middle},
-      fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 18 {:.1f})\"",
-                  middle),
-      label);
+  svg.text({label_x, middle},
+           fmt::format("text-anchor=\"middle\" "
+                       "transform=\"rotate(-90 {:.0f} {:.1f})\"",
+                       label_x, middle),
+           label);
+}
+
+void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 std::string_view label) {
+  draw_x_axis(svg, area, axis, numbered(axis), label);
+}
+
+void draw_y_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 std::string_view label) {
+  constexpr double kLabelX = 18.0;
+  draw_y_axis(svg, area, axis, numbered(axis), label, kLabelX);
 }
 
 void draw_categories(Svg& svg, const PlotArea& area, const Axis& axis,

@@ -40,6 +40,14 @@ void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,
 void draw_y_axis(Svg& svg, const PlotArea& area, const Axis& axis,
                  std::string_view label);
 
+/// The same with given ticks.
+/// \param label_x  where the baseline of the vertical label is [px]
+void draw_x_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 const std::vector<Tick>& ticks, std::string_view label);
+void draw_y_axis(Svg& svg, const PlotArea& area, const Axis& axis,
+                 const std::vector<Tick>& ticks, std::string_view label,
+                 double label_x);
+
 /// How far a horizontal axis of numbers with its label reaches below the plot.
 inline constexpr double kAxisDepth = 42.0;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "report/chart.hpp"
 #include "report/key_axis.hpp"
 #include "report/key_label.hpp"
 #include "report/legend.hpp"
@@ -250,16 +251,7 @@ std::string Drawing::document() const {
 
 std::string xy_plot_svg(const SweepTable& table, const XyPlot& plot,
                         ValueRange range) {
-  std::vector<std::string> colours;
-  for (std::size_t c = 0; c < plot.curves.size(); ++c) {
-    // The lightest colours would be lost on white.
-    constexpr double kLightest = 0.75;
-    const double share = plot.curves.size() == 1
-                             ? 0.4
-                             : static_cast<double>(c) /
-                                   static_cast<double>(plot.curves.size() - 1);
-    colours.push_back(hex(colour_at(kLightest * share)));
-  }
+  const std::vector<std::string> colours = family_colours(plot.curves.size());
   Drawing drawing(table, plot, range);
   drawing.frame();
   std::size_t row = 0;

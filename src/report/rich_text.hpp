@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Words with subscripts and superscripts, for drawings, pages and scripts.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace brachisto::report {
+
+/// In the source an underscore or a caret lowers or raises the letter, or the
+/// group in braces, that follows: "η_m", "10^{-6}". Everything else is as it
+/// stands, and escaped for where it goes.
+[[nodiscard]] std::string svg_words(std::string_view source);
+[[nodiscard]] std::string html_words(std::string_view source);
+/// For enhanced text within single quotes.
+[[nodiscard]] std::string gnuplot_words(std::string_view source);
+/// Without the marks.
+[[nodiscard]] std::string plain_words(std::string_view source);
+
+}  // namespace brachisto::report

@@ -38,8 +38,7 @@ struct Case {
   [[nodiscard]] const Scene& scene() const { return fine.scene; }
   /// \pre verified()
   [[nodiscard]] const Motion& motion() const { return *fine.motion(); }
-  /// τ with its estimated error, or the change from rough to fine if that is
-  /// larger.
+  /// τ with its estimated error.
   [[nodiscard]] Measured tau() const;
   /// Any number that follows from a solution; its error is the change from
   /// rough to fine, which bounds that of the fine one from above by far.

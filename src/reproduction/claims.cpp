@@ -20,6 +20,12 @@ double tau(const Findings& found, const char* name) {
   return found.cases[name].tau().value;
 }
 
+/// The name of a case without what would be markup.
+std::string words(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
 Claim about_standard_curves(const Findings& found) {
   const double best = tau(found, "fig04_reference_case");
   double next = std::numeric_limits<double>::infinity();
@@ -54,7 +60,7 @@ Claim about_normal_force(const Findings& found) {
     if (one.scene().path || !one.scene().body.rolls()) continue;
     ++count;
     if (one.fine.diagnostics->min_normal_force.value <= 0.0) {
-      lifted.push_back(name);
+      lifted.push_back(words(name));
     }
   }
   return {"Sec. III.A", "R_n > 0 in every case studied.",
@@ -74,7 +80,7 @@ Claim about_curvature(const Findings& found) {
     least_margin =
         std::min(least_margin, one.fine.diagnostics->min_fold_margin.value);
     if (bends_less_than_body(one)) continue;
-    bent.push_back(fmt::format("{} (κ_b = {:.3f}, 1/r = {:.3f})", name,
+    bent.push_back(fmt::format("{} (κ_b = {:.3f}, 1/r = {:.3f})", words(name),
                                one.fine.diagnostics->max_curvature.value,
                                1.0 / one.scene().body.radius));
   }
@@ -165,14 +171,16 @@ Claim about_orientation(const Findings& found) {
 Claim about_beating_the_bead(const Findings& found) {
   const double bead = tau(found, "fig06_bead");
   const double fast = tau(found, "fig13_faster_than_bead");
+  const double between = found.bead_between_centres;
   return {"Sec. III.H", "An off-centred cylinder can be faster than the bead.",
           fast < bead ? Verdict::Holds : Verdict::Fails,
-          fmt::format("{:.6f} against {:.6f}, by {:.1f} % (printed: 10 %). But "
-                      "a bead between the ends of the centre's path of that "
-                      "cylinder takes {:.6f}: most of the gain is that a body "
-                      "of radius r has a shorter way.",
-                      fast, bead, 100.0 * (bead - fast) / bead,
-                      found.bead_between_centres)};
+          fmt::format("{:.6f} against {:.6f}, by {:.1f} % (printed: 10 %). A "
+                      "bead between the ends of the path of that cylinder's "
+                      "centre takes {:.6f}: {} that it starts beside A and "
+                      "ends above B.",
+                      fast, bead, 100.0 * (bead - fast) / bead, between,
+                      fast < between ? "the gain is not merely"
+                                     : "the whole gain is")};
 }
 
 Claim about_axisymmetric_bodies(const Findings& found) {

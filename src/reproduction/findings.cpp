@@ -101,12 +101,12 @@ Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   next("fastest orientations");
   out.orientations = fastest_orientations(reference);
   next("bodies as fast as the bead");
-  constexpr double kLargestOffset = 0.9;
+  constexpr double kLargestOffset = 0.95;
   out.boundary =
-      bead_boundary(fast.scene(), offsets(18, kLargestOffset), false);
+      bead_boundary(fast.scene(), offsets(19, kLargestOffset), false);
   next("the same, put down best");
   out.best_boundary =
-      bead_boundary(fast.scene(), offsets(9, kLargestOffset), true);
+      bead_boundary(fast.scene(), offsets(10, kLargestOffset), true);
   next("map of transit times");
   out.map = solve_family(directory / "sweeps" / "fig13_map.yaml", hooks.jobs,
                          *hooks.interrupt, hooks.progress);

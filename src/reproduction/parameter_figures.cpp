@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/model/mass_distribution.hpp"
+// #include "brachisto/model/mass_distribution.hpp"
 #include "report/heat_map_svg.hpp"
 #include "report/sweep_csv.hpp"
 #include "report/sweep_scenes.hpp"
@@ -45,7 +45,8 @@ Figure map_as_curves(const SweepTable& map) {
   Chart chart;
   chart.name = "fig13_curves";
   chart.title = "Transit time against initial orientation";
-  chart.x = {.label = "θ_m [°]", .scale = report::Scale::Degrees};
+  chart.x.label = "θ_m [°]";
+  chart.x.scale = report::Scale::Degrees;
   chart.y.label = "τ = T √(2g/H)";
   const std::size_t rows = map.outcomes.size() / row;
   const std::vector<std::string> colours =
@@ -68,6 +69,18 @@ Figure map_as_curves(const SweepTable& map) {
                 "not matter, τ = 5.1151.");
 }
 
+/// The colours of maps in gnuplot's words.
+std::string palette() {
+  constexpr int kColours = 9;
+  std::string out;
+  for (int i = 0; i < kColours; ++i) {
+    const double share = static_cast<double>(i) / (kColours - 1);
+    out += fmt::format("{}{:g} '{}'", i == 0 ? "" : ", ", share,
+                       report::hex(report::colour_at(share)));
+  }
+  return out;
+}
+
 /// gnuplot script of the map; the file has one row per scene.
 std::string map_script(const std::string& name, const SweepTable& map) {
   const std::size_t first = 2;  // after the number of the scene
@@ -79,14 +92,15 @@ std::string map_script(const std::string& name, const SweepTable& map) {
       "set datafile separator ','\n"
       "set key autotitle columnhead\nunset key\n"
       "set xlabel 'θ_m [°]'\nset ylabel 'η_m'\nset cblabel 'τ'\n"
-      "set palette viridis\nset view map\n"
+      "set palette defined ({6})\nset view map\n"
       "set autoscale xfix\nset autoscale yfix\n"
       "set contour base\nset cntrparam levels 14\nset cntrlabel onecolor\n"
-      "set dgrid3d {1},{2} splines\n"
+      "set dgrid3d {1},{2} qnorm 4\n"
       "splot '{0}.csv' using (${3}*180/pi):{4}:{5} with pm3d, "
       "'' using (${3}*180/pi):{4}:{5} with lines lc 'black' nosurface\n",
       name, map.axes.front().count, map.axes.back().count,
-      first + column(map, kThetaKey), first + column(map, kEtaKey), after + 3);
+      first + column(map, kThetaKey), first + column(map, kEtaKey), after + 3,
+      palette());
 }
 
 Figure map_as_colours(const SweepTable& table) {
@@ -165,28 +179,12 @@ std::vector<Datum> possible_bodies() {
   return outline;
 }
 
-/// A body made of parts as an example; lengths in units of its radius.
-report::Sketch example(const std::vector<BodyPart>& parts, std::string text) {
-  const MassDistribution whole = mass_distribution(parts, 1.0);
-  report::Sketch sketch;
-  sketch.at = {whole.eta_m, whole.k};
-  sketch.name = std::move(text);
-  for (const BodyPart& part : parts) {
-    if (part.shape == BodyPart::Shape::Point) {
-      sketch.masses.push_back({part.centre.x, part.centre.z});
-    } else {
-      sketch.rings.push_back(part.radius);
-    }
-  }
-  return sketch;
-}
-
 Figure region(const Findings& found) {
   Chart chart;
   chart.name = "fig14_region";
   chart.title = "Possible bodies, and those that are faster than the bead";
-  chart.x = {.label = "η_m", .low = 0.0, .high = 1.05};
-  chart.y = {.label = "k", .low = 0.0, .high = 1.1};
+  chart.x = {"η_m", report::Scale::Linear, 0.0, 1.05};
+  chart.y = {"k", report::Scale::Linear, 0.0, 1.1};
   chart.areas.push_back({"possible bodies, k ≤ 1 − η_m^2", possible_bodies(),
                          "#eeeeee"});
   chart.curves.push_back({.name = "as fast as the bead, θ_m = −π/6",
@@ -204,16 +202,6 @@ Figure region(const Findings& found) {
                          -9.0, 14.0});
   chart.notes.push_back({{0.8, 0.1}, "faster than the bead",
                          report::Mark::Disc, -9.0, 4.0});
-  using Part = BodyPart;
-  chart.sketches = {
-      example({Part::ring(1.0, 1.0)}, "ring"),
-      example({Part::point(1.0, {1.0, 0.0}), Part::point(1.0, {-1.0, 0.0})}, ""),
-      example({Part::point(1.0, {0.0, 0.0})}, "rod on the axis"),
-      example({Part::ring(1.0, 0.7)}, ""),
-      example({Part::point(3.0, {0.0, 1.0}), Part::point(1.0, {0.0, -1.0})}, ""),
-      example({Part::ring(1.0, 1.0), Part::point(3.0, {0.0, 1.0})}, ""),
-      example({Part::ring(1.0, 0.4), Part::point(1.0, {0.0, 0.8})}, ""),
-  };
   return figure(chart, "Fig. 14. Possible bodies (appendix A)",
                 "All bodies of radius r lie between the axes and k = 1 − η_m^2, "
                 "which those reach whose mass lies on the rim. Those below the "

@@ -8,15 +8,12 @@
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "report/letters.hpp"
-#include "report/rich_text.hpp"
 #include "reproduction/page.hpp"
 #include "reproduction/tables.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
-
-using report::plain_words;
 
 /// To a width in letters, which fmt would count in bytes.
 std::string padded(const std::string& text, std::size_t width) {
@@ -31,15 +28,15 @@ std::string summary(const Reproduction& made) {
                     padded("here", 27) + "here − paper\n";
   for (const Comparison& row : made.comparisons) {
     const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
-    out += padded(plain_words(row.quantity) + unit, 47) +
+    out += padded(row.quantity + unit, 47) +
            padded(row.paper, 8) + padded(with_error(row.ours), 27) +
            difference_text(row) + "\n";
   }
   out += "\n";
   for (const Claim& claim : made.claims) {
     out += fmt::format("{}: {}\n    {}\n", name(claim.verdict),
-                       plain_words(claim.statement),
-                       plain_words(claim.evidence));
+                       claim.statement,
+                       claim.evidence);
   }
   return out;
 }
@@ -49,21 +46,21 @@ std::string to_json(const Findings& found, const Reproduction& made) {
   Json comparisons = Json::array();
   for (const Comparison& row : made.comparisons) {
     comparisons.push_back({{"place", row.place},
-                           {"quantity", plain_words(row.quantity)},
+                           {"quantity", row.quantity},
                            {"unit", row.unit},
                            {"paper", row.paper},
                            {"ours", row.ours.value},
                            {"error", row.ours.error},
                            {"difference", row.difference()},
                            {"agrees", row.agrees()},
-                           {"remark", plain_words(row.remark)}});
+                           {"remark", row.remark}});
   }
   Json claims = Json::array();
   for (const Claim& claim : made.claims) {
     claims.push_back({{"place", claim.place},
-                      {"statement", plain_words(claim.statement)},
+                      {"statement", claim.statement},
                       {"verdict", name(claim.verdict)},
-                      {"evidence", plain_words(claim.evidence)}});
+                      {"evidence", claim.evidence}});
   }
   Json orientations = Json::array();
   for (const OrientationRow& row : found.orientations) {

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "report/csv.hpp"
-#include "report/rich_text.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
 std::string words(const std::string& rich) {
-  return report::csv_field(report::plain_words(rich));
+  return report::csv_field(rich);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-// #include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/mass_distribution.hpp"
 #include "report/heat_map_svg.hpp"
 #include "report/sweep_csv.hpp"
 #include "report/sweep_scenes.hpp"
@@ -179,6 +179,45 @@ std::vector<Datum> possible_bodies() {
   return outline;
 }
 
+/// A point mass, or a thin ring if it has a radius; lengths in units of r.
+struct Piece {
+  double mass = 1.0;
+  Point at;
+  double radius = 0.0;
+};
+
+/// A body made of such pieces as an example.
+report::Sketch example(const std::vector<Piece>& pieces, std::string text) {
+  std::vector<MassPart> parts;
+  report::Sketch sketch;
+  for (const Piece& piece : pieces) {
+    if (piece.radius > 0.0) {
+      parts.push_back(MassPart::ring(piece.mass, piece.at, piece.radius));
+      sketch.rings.push_back(piece.radius);
+    } else {
+      parts.push_back(MassPart::point(piece.mass, piece.at));
+      sketch.masses.push_back({piece.at.x, piece.at.z});
+    }
+  }
+  const MassProperties whole = mass_properties(parts, 1.0);
+  sketch.at = {whole.eta_m, whole.k};
+  sketch.name = std::move(text);
+  return sketch;
+}
+
+std::vector<report::Sketch> examples() {
+  const Point axis{0.0, 0.0};
+  return {
+      example({{1.0, axis, 1.0}}, "ring"),
+      example({{1.0, axis}}, "rod on the axis"),
+      example({{1.0, axis, 0.7}}, ""),
+      example({{3.0, {0.0, 1.0}}, {1.0, {0.0, -1.0}}}, "masses on the rim"),
+      example({{1.0, axis, 1.0}, {3.0, {0.0, 1.0}}}, ""),
+      example({{1.0, axis, 0.4}, {1.0, {0.0, 0.8}}}, ""),
+      example({{1.0, {-0.6, 0.5}}, {1.0, {0.6, 0.5}}}, ""),
+  };
+}
+
 Figure region(const Findings& found) {
   Chart chart;
   chart.name = "fig14_region";
@@ -202,6 +241,7 @@ Figure region(const Findings& found) {
                          -9.0, 14.0});
   chart.notes.push_back({{0.8, 0.1}, "faster than the bead",
                          report::Mark::Disc, -9.0, 4.0});
+  chart.sketches = examples();
   return figure(chart, "Fig. 14. Possible bodies (appendix A)",
                 "All bodies of radius r lie between the axes and k = 1 − η_m^2, "
                 "which those reach whose mass lies on the rim. Those below the "

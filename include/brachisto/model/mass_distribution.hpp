@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What a body is made of, and what of that matters for its motion.
+
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "brachisto/model/point.hpp"
+
+namespace brachisto {
+
+/// A piece of a body in the plane of its motion, places as seen from the axis
+/// of the cylinder, in any unit of length and any unit of mass.
+///
+/// The functions that make one throw std::invalid_argument unless masses and
+/// radii are positive and all numbers finite.
+struct MassPart {
+  double mass = 0.0;
+  Point centre;              ///< its centre of mass
+  double own_inertia = 0.0;  ///< about that, over its mass [length²]
+  double reach = 0.0;        ///< of the point farthest from the axis
+  std::string name = {};     ///< how messages call it
+
+  [[nodiscard]] static MassPart point(double mass, Point at);
+  /// A thin ring, I = m a².
+  [[nodiscard]] static MassPart ring(double mass, Point at, double radius);
+  /// A uniform disc, or an annulus about a hole of smaller radius b,
+  /// I = m (a² + b²)/2.
+  [[nodiscard]] static MassPart disc(double mass, Point at, double radius,
+                                     double hole = 0.0);
+  /// A thin uniform rod, I = m l²/12.
+  [[nodiscard]] static MassPart rod(double mass, Point from, Point to);
+};
+
+/// What the motion of a body depends on, in the symbols of Body.
+struct MassProperties {
+  double mass = 0.0;
+  double r_m = 0.0;      ///< offset of the centre of mass [unit of length]
+  double eta_m = 0.0;    ///< r_m / r
+  double theta_m = 0.0;  ///< from +x towards +z (down) [rad]; 0 if η_m = 0
+  double k = 0.0;        ///< I_cm / (m r²)
+
+  /// 1 − η_m², which k reaches iff all mass sits on the rim.
+  [[nodiscard]] double largest_k() const {
+    return (1.0 - eta_m) * (1.0 + eta_m);
+  }
+};
+
+/// Properties of a cylinder that consists of these parts.
+///
+/// I_cm = Σ m_i (j_i + |x_i − x_cm|²) by the parallel axes, j_i the own
+/// inertias: a sum of positive terms, in a second pass over the parts. An
+/// offset that rounding of the places alone could make counts as none.
+///
+/// \param radius  r, in the unit of length of the parts
+/// \throws std::invalid_argument  if there are no parts, if r is not positive,
+///         or if a part does not lie within the cylinder; it names the part
+[[nodiscard]] MassProperties mass_properties(std::span<const MassPart> parts,
+                                             double radius);
+
+}  // namespace brachisto

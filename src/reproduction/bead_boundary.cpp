@@ -55,7 +55,8 @@ std::vector<BoundaryBody> bead_boundary(const Scene& scene,
     for (int round = 0; round < rounds; ++round) {
       if (rounds > 1) {
         one.body.k = std::min(k, largest);
-        one.body.theta_m = fastest_orientation(one, one.body.theta_m).theta_m.value;
+        one.body.theta_m =
+            fastest_orientation(one, one.body.theta_m).theta_m.value;
       }
       k = equal_time_k(one, bead, std::min(k, 0.9 * largest), largest);
     }

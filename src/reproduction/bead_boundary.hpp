@@ -16,9 +16,9 @@ namespace brachisto::reproduction {
 struct BoundaryBody {
   double eta_m = 0.0;
   double k = 0.0;
-  double theta_m = 0.0;   ///< [rad]
-  bool on_rim = false;    ///< k is the largest one possible, 1 − η_m², and the
-                          ///< body still faster
+  double theta_m = 0.0;  ///< [rad]
+  bool on_rim = false;  ///< k is the largest one possible, 1 − η_m², and the
+                        ///< body still faster
 };
 
 /// For each η_m the k at which the fastest times of both are equal.

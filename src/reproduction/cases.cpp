@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "reproduction/transit.hpp"
 #include "reproduction/cases.hpp"
-
+#include "reproduction/transit.hpp"
 
 #include <fmt/format.h>
 
@@ -79,11 +78,10 @@ const Case& Cases::operator[](const std::string& name) const {
                                   directory_.string(), name));
   }
   if (!found->second.verified()) {
-    throw NotVerified(
-        fmt::format("{}: no verified answer: {}", name,
-                    found->second.fine.verified()
-                        ? found->second.rough.message
-                        : found->second.fine.message));
+    throw NotVerified(fmt::format("{}: no verified answer: {}", name,
+                                  found->second.fine.verified()
+                                      ? found->second.rough.message
+                                      : found->second.fine.message));
   }
   return found->second;
 }

@@ -33,8 +33,7 @@ Claim about_standard_curves(const Findings& found) {
                             "fig04_circular_arc", "fig04_cycloid"}) {
     next = std::min(next, tau(found, curve));
   }
-  return {"Fig. 4",
-          "The brachistochrone is faster than the standard curves.",
+  return {"Fig. 4", "The brachistochrone is faster than the standard curves.",
           best < next ? Verdict::Holds : Verdict::Fails,
           fmt::format("τ = {:.6f}; the best standard curve has {:.6f}.", best,
                       next)};
@@ -128,13 +127,13 @@ Claim about_radius(const Findings& found) {
   for (const RadiusRow& row : found.uniform) {
     values.push_back(fmt::format("{:.4f} (r = {:.3g})", row.tau, row.radius));
   }
-  return {"Sec. III.F",
-          "Transit times of axisymmetric cylinders do not depend on r.",
-          most->tau - least->tau < 0.005 ? Verdict::Holds
-                                         : Verdict::HoldsInPart,
-          fmt::format("Between fixed ends of the centre's path. Between fixed "
-                      "points A and B of the track τ = {}.",
-                      fmt::join(values, ", "))};
+  return {
+      "Sec. III.F",
+      "Transit times of axisymmetric cylinders do not depend on r.",
+      most->tau - least->tau < 0.005 ? Verdict::Holds : Verdict::HoldsInPart,
+      fmt::format("Between fixed ends of the centre's path. Between fixed "
+                  "points A and B of the track τ = {}.",
+                  fmt::join(values, ", "))};
 }
 
 Claim about_length_of_domain(const Findings& found) {
@@ -148,16 +147,15 @@ Claim about_length_of_domain(const Findings& found) {
 
 Claim about_orientation(const Findings& found) {
   const auto [least, most] = std::ranges::minmax_element(
-      found.orientations, {}, [](const OrientationRow& row) {
-        return row.fastest.theta_m.value;
-      });
+      found.orientations, {},
+      [](const OrientationRow& row) { return row.fastest.theta_m.value; });
   double error = 0.0;
   for (const OrientationRow& row : found.orientations) {
     error = std::max(error, row.fastest.theta_m.error);
   }
-  const double spread = std::max(
-      std::abs(least->fastest.theta_m.value + std::numbers::pi / 6.0),
-      std::abs(most->fastest.theta_m.value + std::numbers::pi / 6.0));
+  const double spread =
+      std::max(std::abs(least->fastest.theta_m.value + std::numbers::pi / 6.0),
+               std::abs(most->fastest.theta_m.value + std::numbers::pi / 6.0));
   return {"Fig. 13", "The minimum stays at θ_m = −π/6 for every η_m.",
           spread <= error ? Verdict::Holds : Verdict::Fails,
           fmt::format("It moves from {:.4f}° (η_m = {:.4f}) to {:.4f}° (η_m = "
@@ -174,19 +172,18 @@ Claim about_beating_the_bead(const Findings& found) {
   const double between = found.bead_between_centres;
   return {"Sec. III.H", "An off-centred cylinder can be faster than the bead.",
           fast < bead ? Verdict::Holds : Verdict::Fails,
-          fmt::format("{:.6f} against {:.6f}, by {:.1f} % (printed: 10 %). A "
-                      "bead between the ends of the path of that cylinder's "
-                      "centre takes {:.6f}: {} that it starts beside A and "
-                      "ends above B.",
-                      fast, bead, 100.0 * (bead - fast) / bead, between,
-                      fast < between ? "the gain is not merely"
-                                     : "the whole gain is")};
+          fmt::format(
+              "{:.6f} against {:.6f}, by {:.1f} % (printed: 10 %). A "
+              "bead between the ends of the path of that cylinder's "
+              "centre takes {:.6f}: {} that it starts beside A and "
+              "ends above B.",
+              fast, bead, 100.0 * (bead - fast) / bead, between,
+              fast < between ? "the gain is not merely" : "the whole gain is")};
 }
 
 Claim about_axisymmetric_bodies(const Findings& found) {
   const double k = found.boundary.front().k;
-  return {"Sec. III.H",
-          "Axisymmetric objects are always slower than the bead.",
+  return {"Sec. III.H", "Axisymmetric objects are always slower than the bead.",
           k > 0.0 ? Verdict::HoldsInPart : Verdict::Holds,
           fmt::format("Between fixed ends of the centre's path, by the factor "
                       "√(1 + k). Between A and B, with r = 1/3 and L = 3, "
@@ -210,11 +207,16 @@ std::string_view name(Verdict verdict) {
 }
 
 std::vector<Claim> judge(const Findings& found) {
-  return {about_standard_curves(found),  about_grid(found),
-          about_normal_force(found),     about_curvature(found),
-          about_order(found),            about_lengths(found),
-          about_radius(found),           about_length_of_domain(found),
-          about_orientation(found),      about_beating_the_bead(found),
+  return {about_standard_curves(found),
+          about_grid(found),
+          about_normal_force(found),
+          about_curvature(found),
+          about_order(found),
+          about_lengths(found),
+          about_radius(found),
+          about_length_of_domain(found),
+          about_orientation(found),
+          about_beating_the_bead(found),
           about_axisymmetric_bodies(found)};
 }
 

@@ -96,13 +96,15 @@ std::vector<Comparison> grid(const Findings& found) {
   for (const GridRow& row : found.grid) {
     const bool first = row.nodes == 25;
     rows.push_back(
-        {"Sec. II.C", fmt::format("τ, off-centred cylinder, n = {}", row.nodes),
+        {"Sec. II.C",
+         fmt::format("τ, off-centred cylinder, n = {}", row.nodes),
          first ? "4.97" : "4.99",
          {row.quintic, std::abs(row.quintic - exact)},
          "",
-         fmt::format("Degree 5, {} nodes. Degree 1, {} nodes: {:.6f}. Converged "
-                     "in the paper's digits from the first mesh on.",
-                     row.nodes + 1, row.nodes, row.linear)});
+         fmt::format(
+             "Degree 5, {} nodes. Degree 1, {} nodes: {:.6f}. Converged "
+             "in the paper's digits from the first mesh on.",
+             row.nodes + 1, row.nodes, row.linear)});
   }
   return rows;
 }
@@ -138,8 +140,8 @@ std::string with_error(const Measured& number) {
   constexpr double kRounding = 4e-16;
   const double error =
       std::max(number.error, kRounding * std::abs(number.value));
-  const int places = std::clamp(
-      static_cast<int>(std::ceil(-std::log10(error))), 1, kMostDecimals);
+  const int places = std::clamp(static_cast<int>(std::ceil(-std::log10(error))),
+                                1, kMostDecimals);
   return fmt::format("{:.{}f} ± {:.0e}", number.value, places, error);
 }
 

@@ -16,9 +16,9 @@ namespace brachisto::reproduction {
 
 /// A number as the paper prints it, "4.99", and ours. Words are rich text.
 struct Comparison {
-  std::string place;     ///< in the paper
+  std::string place;  ///< in the paper
   std::string quantity;
-  std::string paper;     ///< its digits as printed
+  std::string paper;  ///< its digits as printed
   Measured ours;
   std::string unit;
   std::string remark;

@@ -59,8 +59,8 @@ SweepTable solve_family(const std::filesystem::path& file, int jobs,
   if (interrupt.load() != 0) return table;
   for (const SweepOutcome& outcome : table.outcomes) {
     if (outcome.state != SweepOutcome::State::Verified) {
-      throw NotVerified(file.string() + ": a scene has no verified answer: " +
-                        outcome.message);
+      throw NotVerified(file.string() +
+                        ": a scene has no verified answer: " + outcome.message);
     }
   }
   return table;

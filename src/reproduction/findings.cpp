@@ -21,7 +21,7 @@ double tau_on_mesh(const Scene& scene, int degree, int nodes) {
   const Solution solution = solve(scene, options);
   if (!solution.verified()) {
     throw NotVerified("the grid study has no verified answer: " +
-                             solution.message);
+                      solution.message);
   }
   return solution.motion()->tau();
 }
@@ -29,8 +29,7 @@ double tau_on_mesh(const Scene& scene, int degree, int nodes) {
 std::vector<GridRow> grid_study(const Scene& scene) {
   std::vector<GridRow> rows;
   for (const int n : {25, 50, 100, 200}) {
-    rows.push_back(
-        {n, tau_on_mesh(scene, 1, n), tau_on_mesh(scene, 5, n + 1)});
+    rows.push_back({n, tau_on_mesh(scene, 1, n), tau_on_mesh(scene, 5, n + 1)});
   }
   return rows;
 }

@@ -19,8 +19,8 @@ namespace brachisto::reproduction {
 
 /// The reference case on a mesh of so many nodes as the paper's.
 struct GridRow {
-  int nodes = 0;       ///< n of the paper
-  double linear = 0.0;  ///< τ by n nodes and degree 1
+  int nodes = 0;         ///< n of the paper
+  double linear = 0.0;   ///< τ by n nodes and degree 1
   double quintic = 0.0;  ///< τ by n + 1 nodes and degree 5
 };
 

@@ -63,30 +63,28 @@ Figure incline(const Cases& cases) {
   const Motion& motion = one.motion();
   const Body& body = one.scene().body;
   const auto time = [](const TrajectoryPoint& at) { return at.t; };
-  Chart chart = chart_of("fig03_incline",
-                         "Off-centred cylinder on an incline: speeds", "t [s]",
-                         "speed [m/s]");
+  Chart chart =
+      chart_of("fig03_incline", "Off-centred cylinder on an incline: speeds",
+               "t [s]", "speed [m/s]");
   chart.curves.push_back(
       {.name = "centre of mass, v_{cm}",
-       .points = sampled(motion, time,
-                         [&](const TrajectoryPoint& at) {
-                           const KineticEnergy energy =
-                               kinetic_energy(body, one.scene().gravity,
-                                              at.theta, at.beta,
-                                              at.motion.v_c);
-                           return std::sqrt(2.0 * one.scene().gravity *
-                                            energy.translation);
-                         }),
-       .colour = kBlue,
-       .id = "v_cm"});
-  chart.curves.push_back(
-      {.name = "centre of the cylinder, v_c",
        .points = sampled(
            motion, time,
-           [](const TrajectoryPoint& at) { return at.motion.v_c; }),
-       .stroke = Stroke::Dashed,
-       .colour = kBlack,
-       .id = "v_c"});
+           [&](const TrajectoryPoint& at) {
+             const KineticEnergy energy = kinetic_energy(
+                 body, one.scene().gravity, at.theta, at.beta, at.motion.v_c);
+             return std::sqrt(2.0 * one.scene().gravity * energy.translation);
+           }),
+       .colour = kBlue,
+       .id = "v_cm"});
+  chart.curves.push_back({.name = "centre of the cylinder, v_c",
+                          .points = sampled(motion, time,
+                                            [](const TrajectoryPoint& at) {
+                                              return at.motion.v_c;
+                                            }),
+                          .stroke = Stroke::Dashed,
+                          .colour = kBlack,
+                          .id = "v_c"});
   const Check* again = one.fine.certificate.find("reintegration_error");
   return figure(
       chart, "Fig. 3. A cylinder on an incline",
@@ -108,26 +106,28 @@ Figure forces(const Cases& cases) {
   const Motion& motion = one.motion();
   Chart chart = chart_of("fig05_forces", "Forces along the fastest track",
                          "x_b / H", "force / m g");
-  chart.curves.push_back(
-      {.name = "normal force R_n",
-       .points = sampled(
-           motion, x_of_contact,
-           [](const TrajectoryPoint& at) { return at.motion.R_n; }),
-       .colour = kBlue,
-       .width = 2.0,
-       .id = "R_n"});
-  chart.curves.push_back(
-      {.name = "tangential force R_t",
-       .points = sampled(
-           motion, x_of_contact,
-           [](const TrajectoryPoint& at) { return at.motion.R_t; }),
-       .stroke = Stroke::Dashed,
-       .colour = kBlack,
-       .id = "R_t"});
+  chart.curves.push_back({.name = "normal force R_n",
+                          .points = sampled(motion, x_of_contact,
+                                            [](const TrajectoryPoint& at) {
+                                              return at.motion.R_n;
+                                            }),
+                          .colour = kBlue,
+                          .width = 2.0,
+                          .id = "R_n"});
+  chart.curves.push_back({.name = "tangential force R_t",
+                          .points = sampled(motion, x_of_contact,
+                                            [](const TrajectoryPoint& at) {
+                                              return at.motion.R_t;
+                                            }),
+                          .stroke = Stroke::Dashed,
+                          .colour = kBlack,
+                          .id = "R_t"});
   const Extreme peak = one.fine.diagnostics->max_normal_force;
   chart.notes.push_back({{peak.x, peak.value},
                          fmt::format("{:.3f} at {:.3f}", peak.value, peak.x),
-                         report::Mark::Disc, -10.0, -4.0});
+                         report::Mark::Disc,
+                         -10.0,
+                         -4.0});
   return figure(chart, "Fig. 5. Forces from the track",
                 "The off-centred cylinder of Fig. 4. R_n is zero at the start, "
                 "as on every fastest track. Paper: largest R_n 4.2 m g at x = "
@@ -138,20 +138,20 @@ Figure friction(const Cases& cases) {
   const Case& one = cases["fig04_reference_case"];
   const Motion& motion = one.motion();
   const PathDiagnostics& diagnostics = *one.fine.diagnostics;
-  Chart chart = chart_of("friction", "Friction coefficient needed",
-                         "t √(2g/H)", "|R_t| / R_n");
+  Chart chart = chart_of("friction", "Friction coefficient needed", "t √(2g/H)",
+                         "|R_t| / R_n");
   chart.y.scale = report::Scale::Logarithmic;
   chart.y.low = 1e-3;
   chart.y.high = 30.0;
-  chart.curves.push_back(
-      {.name = "needed |R_t| / R_n",
-       .points = sampled(motion, time_of(motion),
-                         [](const TrajectoryPoint& at) {
-                           return std::abs(at.motion.R_t) / at.motion.R_n;
-                         }),
-       .colour = kBlue,
-       .width = 2.0,
-       .id = "needed"});
+  chart.curves.push_back({.name = "needed |R_t| / R_n",
+                          .points = sampled(motion, time_of(motion),
+                                            [](const TrajectoryPoint& at) {
+                                              return std::abs(at.motion.R_t) /
+                                                     at.motion.R_n;
+                                            }),
+                          .colour = kBlue,
+                          .width = 2.0,
+                          .id = "needed"});
   const std::vector<std::pair<double, double>> levels = {
       {0.3, diagnostics.friction_above_0_3},
       {0.5, diagnostics.friction_above_0_5},
@@ -183,14 +183,14 @@ Figure curvature(const Cases& cases) {
                          "x_b / H", "curvature · H");
   chart.y.low = -3.5;
   chart.y.high = 3.5;
-  chart.curves.push_back(
-      {.name = "track, κ_b",
-       .points = sampled(
-           motion, x_of_contact,
-           [](const TrajectoryPoint& at) { return at.motion.kappa_b; }),
-       .colour = kBlue,
-       .width = 2.0,
-       .id = "kappa_b"});
+  chart.curves.push_back({.name = "track, κ_b",
+                          .points = sampled(motion, x_of_contact,
+                                            [](const TrajectoryPoint& at) {
+                                              return at.motion.kappa_b;
+                                            }),
+                          .colour = kBlue,
+                          .width = 2.0,
+                          .id = "kappa_b"});
   chart.curves.push_back(
       {.name = "path of the centre, κ_c",
        .points = sampled(motion, x_of_contact,
@@ -200,23 +200,24 @@ Figure curvature(const Cases& cases) {
        .stroke = Stroke::Dashed,
        .colour = kBlack,
        .id = "kappa_c"});
-  chart.curves.push_back(
-      {.name = "fold margin, 1 − r κ_c",
-       .points = sampled(
-           motion, x_of_contact,
-           [](const TrajectoryPoint& at) { return at.motion.fold_margin; }),
-       .stroke = Stroke::Dotted,
-       .colour = kBrown,
-       .id = "fold margin"});
+  chart.curves.push_back({.name = "fold margin, 1 − r κ_c",
+                          .points = sampled(motion, x_of_contact,
+                                            [](const TrajectoryPoint& at) {
+                                              return at.motion.fold_margin;
+                                            }),
+                          .stroke = Stroke::Dotted,
+                          .colour = kBrown,
+                          .id = "fold margin"});
   return figure(
       chart, "Curvature",
-      fmt::format("Eq. (23), positive where the path turns downwards. The track "
-                  "folds where 1 − r κ_c ≤ 0; the least value is {:.3f}. At "
-                  "the start κ_c → −∞ and κ_b → −1/r = −3. Paper: κ_b from "
-                  "−1.34 to 1.52; found, after the start: {:.3f} to {:.3f}.",
-                  one.fine.diagnostics->min_fold_margin.value,
-                  one.fine.diagnostics->min_curvature.value,
-                  one.fine.diagnostics->max_curvature.value));
+      fmt::format(
+          "Eq. (23), positive where the path turns downwards. The track "
+          "folds where 1 − r κ_c ≤ 0; the least value is {:.3f}. At "
+          "the start κ_c → −∞ and κ_b → −1/r = −3. Paper: κ_b from "
+          "−1.34 to 1.52; found, after the start: {:.3f} to {:.3f}.",
+          one.fine.diagnostics->min_fold_margin.value,
+          one.fine.diagnostics->min_curvature.value,
+          one.fine.diagnostics->max_curvature.value));
 }
 
 /// Kinetic energy of three bodies over a coordinate; of the off-centred one
@@ -264,22 +265,20 @@ Figure speeds(const Cases& cases) {
   const double unit = std::sqrt(2.0 * scene.gravity * scene.H);
   Chart chart = chart_of("speeds", "Speeds along the fastest track",
                          "t √(2g/H)", "speed / √(2 g H)");
-  chart.curves.push_back(
-      {.name = "centre of the cylinder, v_c = r ω",
-       .points = sampled(motion, time_of(motion),
-                         [unit](const TrajectoryPoint& at) {
-                           return at.motion.v_c / unit;
-                         }),
-       .colour = kBlack,
-       .id = "v_c"});
+  chart.curves.push_back({.name = "centre of the cylinder, v_c = r ω",
+                          .points = sampled(motion, time_of(motion),
+                                            [unit](const TrajectoryPoint& at) {
+                                              return at.motion.v_c / unit;
+                                            }),
+                          .colour = kBlack,
+                          .id = "v_c"});
   chart.curves.push_back(
       {.name = "centre of mass, v_{cm}",
        .points = sampled(motion, time_of(motion),
                          [&](const TrajectoryPoint& at) {
                            const KineticEnergy energy =
                                kinetic_energy(scene.body, scene.gravity,
-                                              at.theta, at.beta,
-                                              at.motion.v_c);
+                                              at.theta, at.beta, at.motion.v_c);
                            return std::sqrt(energy.translation / scene.H);
                          }),
        .stroke = Stroke::Dashed,

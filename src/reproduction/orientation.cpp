@@ -52,9 +52,9 @@ class Interpolant {
                                        int points) {
     std::vector<double> nodes;
     for (int i = points - 1; i >= 0; --i) {
-      nodes.push_back(centre + half_width * std::cos((i + 0.5) *
-                                                     std::numbers::pi /
-                                                     points));
+      nodes.push_back(centre +
+                      half_width *
+                          std::cos((i + 0.5) * std::numbers::pi / points));
     }
     return nodes;
   }
@@ -89,9 +89,9 @@ Orientation fastest_orientation(Scene scene, double guess) {
     }
     centre += wide.falls_above() ? kHalfWidth : -kHalfWidth;
   }
-  throw NotVerified(fmt::format(
-      "no fastest θ_m near {:.6g} rad for η_m = {:.6g}, k = {:.6g}", guess,
-      scene.body.eta_m, scene.body.k));
+  throw NotVerified(
+      fmt::format("no fastest θ_m near {:.6g} rad for η_m = {:.6g}, k = {:.6g}",
+                  guess, scene.body.eta_m, scene.body.k));
 }
 
 }  // namespace brachisto::reproduction

@@ -71,11 +71,11 @@ std::string cases_table(const Cases& cases) {
         d.min_curvature.value, d.max_curvature.value,
         bends_less_than_body(one) ? "" : " (&gt; 1/r)",
         rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
-        rolls ? fmt::format("{:.0f} %, {:.0f} %, {:.0f} %",
-                            100.0 * d.friction_above_0_3,
-                            100.0 * d.friction_above_0_5,
-                            100.0 * d.friction_above_1)
-              : "–",
+        rolls
+            ? fmt::format(
+                  "{:.0f} %, {:.0f} %, {:.0f} %", 100.0 * d.friction_above_0_3,
+                  100.0 * d.friction_above_0_5, 100.0 * d.friction_above_1)
+            : "–",
         one.fine.feasible() ? "yes" : "no");
   }
   return out + "</tbody></table></div>\n";
@@ -83,10 +83,11 @@ std::string cases_table(const Cases& cases) {
 
 std::string orientation_table(const std::vector<OrientationRow>& rows) {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  std::string out =
-      "<div class=\"wide\"><table><thead><tr><th>" + html_words("η_m") +
-      "</th><th>" + html_words("fastest θ_m [rad]") + "</th><th>[°]</th>"
-      "<th>τ there</th></tr></thead><tbody>\n";
+  std::string out = "<div class=\"wide\"><table><thead><tr><th>" +
+                    html_words("η_m") + "</th><th>" +
+                    html_words("fastest θ_m [rad]") +
+                    "</th><th>[°]</th>"
+                    "<th>τ there</th></tr></thead><tbody>\n";
   for (const OrientationRow& row : rows) {
     out += fmt::format(
         "<tr><td>{:.6f}</td><td>{}</td><td>{:.5f}</td><td>{:.9f}</td></tr>\n",
@@ -98,7 +99,8 @@ std::string orientation_table(const std::vector<OrientationRow>& rows) {
 
 std::string figure_html(const Figure& figure) {
   return fmt::format(
-      "<figure>\n<h3>{}</h3>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{} "
+      "<figure>\n<h3>{}</h3>\n<div "
+      "class=\"drawing\">\n{}</div>\n<figcaption>{} "
       "<span class=\"files\"><a href=\"{}.svg\">SVG</a>, "
       "<a href=\"{}.csv\">CSV</a>, <a href=\"{}.gp\">gnuplot</a></span>"
       "</figcaption>\n</figure>\n",
@@ -169,6 +171,7 @@ std::vector<report::OutputFile> files(const Findings& found,
   out.push_back({"claims.csv", claims_csv(made.claims)});
   out.push_back({"cases.csv", cases_csv(found.cases)});
   out.push_back({"orientations.csv", orientations_csv(found.orientations)});
+  out.push_back({"boundary.csv", boundary_csv(found)});
   // Last, so that whoever sees the page sees what it refers to.
   out.push_back({"index.html", page(found, made)});
   return out;

@@ -13,8 +13,8 @@
 #include "report/heat_map_svg.hpp"
 #include "report/sweep_csv.hpp"
 #include "report/sweep_scenes.hpp"
-#include "reproduction/transit.hpp"
 #include "reproduction/figures.hpp"
+#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
@@ -63,8 +63,9 @@ Figure map_as_curves(const SweepTable& map) {
     }
     chart.curves.push_back(std::move(curve));
   }
-  return figure(chart, "Fig. 13. Transit times over the place of the centre of "
-                       "mass",
+  return figure(chart,
+                "Fig. 13. Transit times over the place of the centre of "
+                "mass",
                 "k = 1/2, r = 1/3, L = 3. Without offset the orientation does "
                 "not matter, τ = 5.1151.");
 }
@@ -213,7 +214,7 @@ std::vector<report::Sketch> examples() {
       example({{1.0, axis, 0.7}}, ""),
       example({{3.0, {0.0, 1.0}}, {1.0, {0.0, -1.0}}}, "masses on the rim"),
       example({{1.0, axis, 1.0}, {3.0, {0.0, 1.0}}}, ""),
-      example({{1.0, axis, 0.4}, {1.0, {0.0, 0.8}}}, ""),
+      example({{1.0, axis, 0.5}, {1.0, {0.0, 1.0}}}, ""),
       example({{1.0, {-0.6, 0.5}}, {1.0, {0.6, 0.5}}}, ""),
   };
 }
@@ -222,10 +223,10 @@ Figure region(const Findings& found) {
   Chart chart;
   chart.name = "fig14_region";
   chart.title = "Possible bodies, and those that are faster than the bead";
-  chart.x = {"η_m", report::Scale::Linear, 0.0, 1.05};
-  chart.y = {"k", report::Scale::Linear, 0.0, 1.1};
-  chart.areas.push_back({"possible bodies, k ≤ 1 − η_m^2", possible_bodies(),
-                         "#eeeeee"});
+  chart.x = {"η_m", report::Scale::Linear, -0.07, 1.05};
+  chart.y = {"k", report::Scale::Linear, -0.09, 1.1};
+  chart.areas.push_back(
+      {"possible bodies, k ≤ 1 − η_m^2", possible_bodies(), "#eeeeee"});
   chart.curves.push_back({.name = "as fast as the bead, θ_m = −π/6",
                           .points = boundary_points(found.boundary),
                           .colour = "#1a3f8f",
@@ -237,16 +238,17 @@ Figure region(const Findings& found) {
                           .colour = "#b5651d",
                           .width = 2.0,
                           .id = "fastest theta_m"});
-  chart.notes.push_back({{2.0 / 3.0, 0.5}, "Figs. 4–7", report::Mark::Disc,
-                         -9.0, 14.0});
-  chart.notes.push_back({{0.8, 0.1}, "faster than the bead",
-                         report::Mark::Disc, -9.0, 4.0});
+  chart.notes.push_back(
+      {{2.0 / 3.0, 0.5}, "Figs. 4–7", report::Mark::Disc, -9.0, 14.0});
+  chart.notes.push_back(
+      {{0.8, 0.1}, "faster than the bead", report::Mark::Disc, -9.0, 4.0});
   chart.sketches = examples();
-  return figure(chart, "Fig. 14. Possible bodies (appendix A)",
-                "All bodies of radius r lie between the axes and k = 1 − η_m^2, "
-                "which those reach whose mass lies on the rim. Those below the "
-                "lines get from A to B (L = 3, r = 1/3) faster than the bead. "
-                "The command brachisto body tells where a body made of parts lies.");
+  return figure(
+      chart, "Fig. 14. Possible bodies (appendix A)",
+      "All bodies of radius r lie between the axes and k = 1 − η_m^2, "
+      "which those reach whose mass lies on the rim. Those below the "
+      "lines get from A to B (L = 3, r = 1/3) faster than the bead. "
+      "The command brachisto body tells where a body made of parts lies.");
 }
 
 }  // namespace

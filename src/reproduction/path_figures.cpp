@@ -62,9 +62,8 @@ void add_body(Chart& chart, const Motion& motion) {
   const Body& body = motion.scene().body;
   const TrajectoryPoint start = motion.at(0.0);
   const Point m = start.motion.mass_centre;
-  chart.rounds.push_back({{start.centre.x, start.centre.z},
-                          body.radius,
-                          Datum{m.x, m.z}});
+  chart.rounds.push_back(
+      {{start.centre.x, start.centre.z}, body.radius, Datum{m.x, m.z}});
 }
 
 /// Tracks as full lines, paths of the centre of mass dashed in the same colour.
@@ -76,8 +75,8 @@ Chart family(const Cases& cases, std::string name, std::string title,
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Case& one = cases[members[i].file];
     chart.curves.push_back(
-        {.name = fmt::format("{}: τ = {:.4f}", members[i].name,
-                             one.tau().value),
+        {.name =
+             fmt::format("{}: τ = {:.4f}", members[i].name, one.tau().value),
          .points = along(one.motion(), track),
          .colour = colours[i],
          .id = members[i].file + " track"});
@@ -106,8 +105,7 @@ Figure standard_curves(const Cases& cases) {
     const auto& [member, stroke] = drawn[i];
     const Case& one = cases[member.file];
     chart.curves.push_back(
-        {.name =
-             fmt::format("{}: τ = {:.4f}", member.name, one.tau().value),
+        {.name = fmt::format("{}: τ = {:.4f}", member.name, one.tau().value),
          .points = along(one.motion(), track),
          .stroke = stroke,
          .colour = i == 0 ? "#000000" : colours[i - 1],
@@ -117,13 +115,14 @@ Figure standard_curves(const Cases& cases) {
   const Motion& best = cases["fig04_reference_case"].motion();
   add_body(chart, best);
   add_ends(chart, best.scene());
-  return figure(chart, "Fig. 4. Standard curves and the fastest track",
-                "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five "
-                "tracks from A to B, at its start in grey. Cycloid* is the "
-                "track on which the centre runs along a cycloid, the optimum "
-                "of a uniform cylinder. On the circular arc the body would "
-                "lift off at the start. Paper: τ = 4.99 for the "
-                "brachistochrone.");
+  return figure(
+      chart, "Fig. 4. Standard curves and the fastest track",
+      "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five "
+      "tracks from A to B, at its start in grey. Cycloid* is the "
+      "track on which the centre runs along a cycloid, the optimum "
+      "of a uniform cylinder. On the circular arc the body would "
+      "lift off at the start. Paper: τ = 4.99 for the "
+      "brachistochrone.");
 }
 
 Figure three_bodies(const Cases& cases) {
@@ -178,29 +177,30 @@ std::vector<Figure> path_figures(const Cases& cases) {
   std::vector<Figure> out;
   out.push_back(standard_curves(cases));
   out.push_back(three_bodies(cases));
+  out.push_back(
+      figure(family(cases, "fig08_eta_m", "Fastest tracks for offsets",
+                    {{"fig08_eta_m_0", "η_m = 0"},
+                     {"fig08_eta_m_1_6", "η_m = 1/6"},
+                     {"fig08_eta_m_1_3", "η_m = 1/3"},
+                     {"fig08_eta_m_1_2", "η_m = 1/2"},
+                     {"fig04_reference_case", "η_m = 2/3"},
+                     {"fig08_eta_m_1_sqrt2", "η_m = 1/√2"}}),
+             "Fig. 8. Offset of the centre of mass",
+             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass. The "
+             "dependence "
+             "of τ on η_m is not monotone."));
   out.push_back(figure(
-      family(cases, "fig08_eta_m", "Fastest tracks for offsets",
-             {{"fig08_eta_m_0", "η_m = 0"},
-              {"fig08_eta_m_1_6", "η_m = 1/6"},
-              {"fig08_eta_m_1_3", "η_m = 1/3"},
-              {"fig08_eta_m_1_2", "η_m = 1/2"},
-              {"fig04_reference_case", "η_m = 2/3"},
-              {"fig08_eta_m_1_sqrt2", "η_m = 1/√2"}}),
-      "Fig. 8. Offset of the centre of mass",
-      "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass. The dependence "
-      "of τ on η_m is not monotone."));
-  out.push_back(figure(family(cases, "fig09_theta_m",
-                              "Fastest tracks for initial orientations",
-                              {{"fig09_theta_m_m90deg", "θ_m = −90°"},
-                               {"fig09_theta_m_m60deg", "θ_m = −60°"},
-                               {"fig09_theta_m_m30deg", "θ_m = −30°"},
-                               {"fig04_reference_case", "θ_m = 0"},
-                               {"fig09_theta_m_p30deg", "θ_m = 30°"},
-                               {"fig09_theta_m_p60deg", "θ_m = 60°"},
-                               {"fig09_theta_m_p90deg", "θ_m = 90°"}}),
-                       "Fig. 9. Initial orientation",
-                       "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of "
-                       "mass. For θ_m < 0 the track starts backwards."));
+      family(cases, "fig09_theta_m", "Fastest tracks for initial orientations",
+             {{"fig09_theta_m_m90deg", "θ_m = −90°"},
+              {"fig09_theta_m_m60deg", "θ_m = −60°"},
+              {"fig09_theta_m_m30deg", "θ_m = −30°"},
+              {"fig04_reference_case", "θ_m = 0"},
+              {"fig09_theta_m_p30deg", "θ_m = 30°"},
+              {"fig09_theta_m_p60deg", "θ_m = 60°"},
+              {"fig09_theta_m_p90deg", "θ_m = 90°"}}),
+      "Fig. 9. Initial orientation",
+      "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of "
+      "mass. For θ_m < 0 the track starts backwards."));
   out.push_back(figure(
       family(cases, "fig10_k", "Fastest tracks for moments of inertia",
              {{"fig10_k_0.1", "k = 0.1"},
@@ -230,7 +230,8 @@ std::vector<Figure> path_figures(const Cases& cases) {
               {"fig04_reference_case", "L = 3"},
               {"fig12_L_4", "L = 4"}}),
       "Fig. 12. Length of the domain",
-      "η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre of mass. Paper: τ = "
+      "η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre of mass. Paper: τ "
+      "= "
       "3.96, 4.99, 6.26."));
   return out;
 }

@@ -28,14 +28,12 @@ std::string summary(const Reproduction& made) {
                     padded("here", 27) + "here − paper\n";
   for (const Comparison& row : made.comparisons) {
     const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
-    out += padded(row.quantity + unit, 47) +
-           padded(row.paper, 8) + padded(with_error(row.ours), 27) +
-           difference_text(row) + "\n";
+    out += padded(row.quantity + unit, 47) + padded(row.paper, 8) +
+           padded(with_error(row.ours), 27) + difference_text(row) + "\n";
   }
   out += "\n";
   for (const Claim& claim : made.claims) {
-    out += fmt::format("{}: {}\n    {}\n", name(claim.verdict),
-                       claim.statement,
+    out += fmt::format("{}: {}\n    {}\n", name(claim.verdict), claim.statement,
                        claim.evidence);
   }
   return out;

@@ -25,8 +25,9 @@ std::string difference_text(const Comparison& row) {
 }
 
 std::string comparison_csv(const std::vector<Comparison>& rows) {
-  std::string out = "place,quantity,unit,paper,ours,error,difference,agrees,"
-                    "remark\n";
+  std::string out =
+      "place,quantity,unit,paper,ours,error,difference,agrees,"
+      "remark\n";
   for (const Comparison& row : rows) {
     out += fmt::format("{},{},{},{},{:.15g},{:.1e},{:.6g},{},{}\n",
                        words(row.place), words(row.quantity), words(row.unit),
@@ -39,9 +40,9 @@ std::string comparison_csv(const std::vector<Comparison>& rows) {
 std::string claims_csv(const std::vector<Claim>& claims) {
   std::string out = "place,statement,verdict,evidence\n";
   for (const Claim& claim : claims) {
-    out += fmt::format("{},{},{},{}\n", words(claim.place),
-                       words(claim.statement), name(claim.verdict),
-                       words(claim.evidence));
+    out +=
+        fmt::format("{},{},{},{}\n", words(claim.place), words(claim.statement),
+                    name(claim.verdict), words(claim.evidence));
   }
   return out;
 }
@@ -75,6 +76,20 @@ std::string orientations_csv(const std::vector<OrientationRow>& rows) {
                        row.fastest.theta_m.value, row.fastest.theta_m.error,
                        row.fastest.tau);
   }
+  return out;
+}
+
+std::string boundary_csv(const Findings& found) {
+  std::string out = "orientation,eta_m,k,theta_m,on_rim\n";
+  const auto add = [&](const char* orientation,
+                       const std::vector<BoundaryBody>& bodies) {
+    for (const BoundaryBody& body : bodies) {
+      out += fmt::format("{},{:.6g},{:.10g},{:.10g},{}\n", orientation,
+                         body.eta_m, body.k, body.theta_m, body.on_rim);
+    }
+  };
+  add("-pi/6", found.boundary);
+  add("fastest", found.best_boundary);
   return out;
 }
 

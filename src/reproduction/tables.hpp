@@ -22,5 +22,6 @@ namespace brachisto::reproduction {
 [[nodiscard]] std::string cases_csv(const Cases& cases);
 [[nodiscard]] std::string orientations_csv(
     const std::vector<OrientationRow>& rows);
+[[nodiscard]] std::string boundary_csv(const Findings& found);
 
 }  // namespace brachisto::reproduction

@@ -37,8 +37,8 @@ TEST(FastestOrientation, IsStationaryAndAMinimum) {
   EXPECT_NEAR(found.tau, here, 1e-9);
   // A fourth-order difference of the slope vanishes up to h⁴ τ⁗'/30 with τ of
   // order one, and noise of 1e-11 / h: 1e-8 in all; τ'' is about 0.3.
-  const double slope = (8.0 * (right - left) - (tau(2 * h) - tau(-2 * h))) /
-                       (12.0 * h);
+  const double slope =
+      (8.0 * (right - left) - (tau(2 * h) - tau(-2 * h))) / (12.0 * h);
   const double bend = (left - 2.0 * here + right) / (h * h);
   EXPECT_NEAR(slope / bend, 0.0, 1e-6);
 }

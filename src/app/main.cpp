@@ -91,6 +91,7 @@ int run(int argc, char** argv) {
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto validate my_case.yaml\n"
       "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
+      "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.");
   int code = kInternalError;
   add_solve(app, code);
@@ -100,6 +101,7 @@ int run(int argc, char** argv) {
   add_merge(app, code);
   add_report(app, code);
   add_paper(app, code);
+  add_body(app, code);
   add_worker(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {

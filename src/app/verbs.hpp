@@ -30,6 +30,7 @@ void add_export(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
 void add_paper(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_body(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
 
 }  // namespace brachisto::app

@@ -89,15 +89,15 @@ MassProperties mass_properties(std::span<const MassPart> parts, double radius) {
   check(parts, radius);
   // Wider numbers, so that the sums do not add to the rounding of the parts.
   using Sum = long double;
-  Sum mass = 0.0, x = 0.0, z = 0.0, distances = 0.0;
+  Sum mass = 0.0, x = 0.0, z = 0.0, reach = 0.0;
   for (const MassPart& part : parts) mass += part.mass;
   for (const MassPart& part : parts) {
     const Sum share = part.mass / mass;
     x += share * part.centre.x;
     z += share * part.centre.z;
-    distances += share * distance(part.centre);
+    reach += share * part.reach;
   }
-  if (std::hypot(x, z) <= 4.0 * kEpsilon * distances) x = z = 0.0;
+  if (std::hypot(x, z) <= 4.0 * kEpsilon * reach) x = z = 0.0;
 
   Sum inertia = 0.0;  // over m
   for (const MassPart& part : parts) {

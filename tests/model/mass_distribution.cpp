@@ -117,6 +117,14 @@ TEST(MassProperties, OfOpposedMassesHaveNoOffset) {
   }
 }
 
+TEST(MassProperties, OfARodThroughTheAxisHaveNoOffset) {
+  const double angle = 0.3;
+  EXPECT_EQ(of({MassPart::rod(1.0, polar(1.0, angle), polar(1.0, angle + kPi)),
+                MassPart::disc(3.0, {}, 1.0)})
+                .eta_m,
+            0.0);
+}
+
 TEST(MassProperties, KeepTheBoundOnK) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto body PART…: the numbers of a body that is made of parts.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/report/result_json.hpp"
+#include "io/expression.hpp"
+#include "io/mass_part_text.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct BodyFlags {
+  std::vector<std::string> parts;
+  std::string radius;  ///< expression [m]; empty: r is the unit of length
+  bool json = false;
+};
+
+/// The shortest text of about the same number: without the last three digits
+/// if only rounding put them there.
+std::string tidy(double value) {
+  constexpr double kSame = 4.0 * std::numeric_limits<double>::epsilon();
+  const std::string text = fmt::format("{:.12g}", value);
+  return std::abs(std::stod(text) - value) <= kSame * std::abs(value)
+             ? text
+             : fmt::format("{}", value);
+}
+
+/// "-30 deg".
+std::string angle(double radians) {
+  return tidy(radians * 180.0 / std::numbers::pi) + " deg";
+}
+
+double radius_of(const BodyFlags& flags) {
+  if (flags.radius.empty()) return 1.0;
+  try {
+    const double radius = io::evaluate(flags.radius);
+    if (radius > 0.0) return radius;
+    throw io::ExpressionError("a radius is > 0");
+  } catch (const io::ExpressionError& error) {
+    throw CLI::ValidationError("--radius " + flags.radius, error.what());
+  }
+}
+
+MassProperties properties_of(const BodyFlags& flags, double radius) {
+  std::vector<MassPart> parts;
+  for (const std::string& text : flags.parts) {
+    try {
+      parts.push_back(io::read_mass_part(text, radius));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(text, error.what());
+    }
+  }
+  try {
+    return mass_properties(parts, radius);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+  }
+}
+
+/// The line of a scene. Without a radius in metres it says 1 and what to do.
+std::string yaml(const BodyFlags& flags, double radius,
+                 const MassProperties& found) {
+  std::string line =
+      fmt::format("body: {{shape: cylinder, radius: {}", tidy(radius));
+  if (found.eta_m > 0.0) {
+    line += fmt::format(", eta_m: {}, theta_m: {}", tidy(found.eta_m),
+                        angle(found.theta_m));
+  }
+  line += fmt::format(", k: {}", tidy(found.k));
+  if (flags.radius.empty()) return line + "}  # radius: yours, in m";
+  return line + fmt::format(", mass: {}}}", tidy(found.mass));
+}
+
+void print_json(const BodyFlags& flags, double radius,
+                const MassProperties& found) {
+  nlohmann::ordered_json body = {
+      {"shape", "cylinder"},      {"radius", radius}, {"eta_m", found.eta_m},
+      {"theta_m", found.theta_m}, {"k", found.k},     {"mass", found.mass}};
+  const nlohmann::ordered_json document = {
+      {"schema_version", report::kSchemaVersion},
+      {"unit_of_length", flags.radius.empty() ? "radius" : "m"},
+      {"body", body},
+      {"r_m", found.r_m},
+      {"largest_k", found.largest_k()},
+      {"yaml", yaml(flags, radius, found)}};
+  fmt::print("{}\n", document.dump(2, ' ', false,
+                                   nlohmann::json::error_handler_t::replace));
+}
+
+void print_text(const BodyFlags& flags, double radius,
+                const MassProperties& found) {
+  const bool metres = !flags.radius.empty();
+  const bool off = found.eta_m > 0.0;
+  fmt::print("m    {:.10g}{}\n", found.mass, metres ? " kg" : "");
+  fmt::print("η_m  {:.10g}{}\n", found.eta_m,
+             metres && off ? fmt::format("  (r_m = {:.6g} m)", found.r_m) : "");
+  if (off) {
+    fmt::print("θ_m  {:.10g}°\n", found.theta_m * 180.0 / std::numbers::pi);
+  } else {
+    fmt::print("θ_m  any: the centre of mass lies on the axis\n");
+  }
+  fmt::print(
+      "k    {:.10g}  (at most 1 − η_m² = {:.10g}, with all mass on the rim)\n\n"
+      "{}\n",
+      found.k, found.largest_k(), yaml(flags, radius, found));
+  if (found.eta_m == 1.0) {
+    fmt::print(
+        stderr,
+        "brachisto: η_m = 1 is refused in a scene: all mass in one point of "
+        "the rim, which rests whenever it touches the track\n");
+  }
+}
+
+}  // namespace
+
+void add_body(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<BodyFlags>();
+  CLI::App* verb = app.add_subcommand(
+      "body", "Compute eta_m, theta_m and k of a body from its parts");
+  verb->add_option("PART", flags->parts,
+                   "Part of the body, KIND:NAME=VALUE,… (see below)")
+      ->required()
+      ->type_name("");
+  verb->add_option("--radius", flags->radius,
+                   "Radius of the cylinder in m; lengths of parts are in m "
+                   "then and masses in kg, else lengths are in radii")
+      ->type_name("LENGTH");
+  verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
+  verb->footer("Parts:\n" + io::mass_part_grammar() +
+               "Numbers may be expressions as in problem files.\n"
+               "Examples:\n"
+               "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
+               "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
+               "  brachisto body --radius 0.077 disc:m=0.4 "
+               "point:m=0.1,x=0.05,z=-0.02");
+  verb->callback([flags, &exit_code] {
+    const double radius = radius_of(*flags);
+    const MassProperties found = properties_of(*flags, radius);
+    if (flags->json) {
+      print_json(*flags, radius, found);
+    } else {
+      print_text(*flags, radius, found);
+    }
+    exit_code = kSuccess;
+  });
+}
+
+}  // namespace brachisto::app

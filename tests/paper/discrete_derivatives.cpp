@@ -94,8 +94,9 @@ TEST(LiftedNewtonStep, SolvesTheLinearisedSystem) {
 }
 
 TEST(LiftedNewtonStep, IsTheDenseOne) {
-  // Condition numbers here are below 1e6.
-  constexpr double kRelative = 1e-9;
+  // Condition numbers are some 1e3 (2e2 of the base case): 1e-13 of rounding,
+  // and room for another matrix and other pivots.
+  constexpr double kRelative = 1e-11;
   for (const DiscreteCase& one : discrete_cases()) {
     const DiscreteVariations system = exact(one);
     paper::LiftedNewtonStep lifted(system);

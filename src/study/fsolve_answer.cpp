@@ -43,12 +43,12 @@ SquareResult run(const DiscreteVariations& system, FsolveVariant variant,
       return solve_by_hybrid(residual, std::move(start), square);
     case FsolveVariant::Newton: {
       const paper::DenseNewtonStep step(system);
-      out.memory_bytes = step.memory_bytes(out.nodes);
+      out.memory_bytes = paper::DenseNewtonStep::memory_bytes(out.nodes);
       return solve_by_damped_newton(residual, step, std::move(start), square);
     }
     case FsolveVariant::Lifted: {
       paper::LiftedNewtonStep step(system);
-      out.unknowns = step.num_unknowns(out.nodes);
+      out.unknowns = paper::LiftedNewtonStep::num_unknowns(out.nodes);
       SquareResult result = solve_by_damped_newton(residual, std::ref(step),
                                                    std::move(start), square);
       out.memory_bytes = step.memory_bytes();

@@ -7,17 +7,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "io/key_spec.hpp"
+#include "io/unused_keys.hpp"
 
 namespace brachisto::io {
 
 namespace {
 
 constexpr int kDefaultDegree = 5;
+/// Both ends and a node to move.
+constexpr int kFewestDiscreteNodes = 3;
 
 void check_bead(const YamlValue& root, Findings& findings) {
   std::vector<std::string_view> allowed = keys_of("scene.body");
@@ -45,60 +47,6 @@ void check_cylinder(const YamlValue& root, Findings& findings) {
   }
 }
 
-/// A key that multiple shooting does not use.
-struct UnusedKey {
-  std::string_view path;
-  bool (*differs)(const SolveOptions&);  ///< from what holds if it is absent
-  std::string_view because;
-};
-
-constexpr std::string_view kOwnMesh = "which has no elements";
-constexpr std::string_view kNoProgram = "which solves no nonlinear program";
-
-constexpr std::array kUnusedByShooting{
-    UnusedKey{"discretisation.degree",
-              [](const SolveOptions& o) {
-                return o.discretisation.degree.has_value();
-              },
-              kOwnMesh},
-    UnusedKey{"discretisation.elements",
-              [](const SolveOptions& o) {
-                return o.discretisation.elements.has_value();
-              },
-              kOwnMesh},
-    UnusedKey{"discretisation.nodes",
-              [](const SolveOptions& o) {
-                return o.discretisation.nodes.has_value();
-              },
-              kOwnMesh},
-    UnusedKey{"solver.linear_solver",
-              [](const SolveOptions& o) {
-                return o.linear_solver != SolveOptions{}.linear_solver;
-              },
-              kNoProgram},
-    UnusedKey{"solver.tolerance",
-              [](const SolveOptions& o) {
-                return o.tolerance != SolveOptions{}.tolerance;
-              },
-              kNoProgram},
-    UnusedKey{"solver.search",
-              [](const SolveOptions& o) { return o.search == Search::Global; },
-              "which follows one branch"},
-    UnusedKey{"solver.polish", [](const SolveOptions& o) { return !o.polish; },
-              kNoProgram},
-    UnusedKey{
-        "solver.certify",
-        [](const SolveOptions& o) { return o.certify == Certify::Extremal; },
-        "whose second opinion on itself would be its first"},
-    UnusedKey{"solver.guess",
-              [](const SolveOptions& o) { return o.guess != Guess::Cycloid; },
-              "which starts from the cycloid"},
-    UnusedKey{"solver.limits.iterations",
-              [](const SolveOptions& o) {
-                return o.limits.iterations != Limits{}.iterations;
-              },
-              kNoProgram}};
-
 }  // namespace
 
 void check_body(const YamlValue& root, const ProblemFile& problem,
@@ -124,21 +72,7 @@ void check_solver(const YamlValue& root, const ProblemFile& problem,
                  "global is not allowed with contact: centre; between fixed "
                  "ends of the centre's path there is no contact to search for");
   }
-  if (findings.concern("solver.method") ||
-      problem.options.method != Method::Extremal) {
-    return;
-  }
-  for (const UnusedKey& unused : kUnusedByShooting) {
-    const Entry* entry = find_entry(root, unused.path);
-    if (entry == nullptr || findings.concern(unused.path) ||
-        !unused.differs(problem.options)) {
-      continue;
-    }
-    findings.add(entry->value.position, std::string(unused.path),
-                 fmt::format("has no effect with method: extremal, {}; leave "
-                             "it out, or take method: ipopt",
-                             unused.because));
-  }
+  check_unused_keys(root, problem, findings);
 }
 
 void check_mesh(const YamlValue& root, const ProblemFile& problem,
@@ -161,6 +95,14 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
     return;
   }
   const Discretisation& mesh = problem.options.discretisation;
+  if (problem.options.method == Method::Fsolve) {
+    if (mesh.nodes.value() >= kFewestDiscreteNodes) return;
+    findings.add(nodes->value.position, key,
+                 fmt::format("{} is not allowed; method: fsolve needs {} or "
+                             "more",
+                             mesh.nodes.value(), kFewestDiscreteNodes));
+    return;
+  }
   const int p = mesh.degree.value_or(kDefaultDegree);
   const int count = mesh.nodes.value();
   if ((count - 1) % p == 0) return;

@@ -15,5 +15,6 @@ namespace brachisto::io {
 [[nodiscard]] std::vector<KeySpec> scene_keys();
 [[nodiscard]] std::vector<KeySpec> discretisation_keys();
 [[nodiscard]] std::vector<KeySpec> solver_keys();
+[[nodiscard]] std::vector<KeySpec> fsolve_keys();
 
 }  // namespace brachisto::io

@@ -18,7 +18,8 @@ std::vector<KeySpec> all_keys() {
                              .description = "of the file format",
                              .interval = {1, 1},
                              .set = [](ProblemFile&, double) {}}};
-  for (auto part : {scene_keys(), discretisation_keys(), solver_keys()}) {
+  for (auto part :
+       {scene_keys(), discretisation_keys(), solver_keys(), fsolve_keys()}) {
     keys.insert(keys.end(), part.begin(), part.end());
   }
   keys.push_back({.path = "sweep",

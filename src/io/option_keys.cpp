@@ -66,7 +66,7 @@ std::vector<KeySpec> discretisation_keys() {
        .type = KeyType::Integer,
        .bounds = "from 2 to 80000001, and N p + 1",
        .description = "number of nodes, N p + 1; fixes the mesh in place of "
-                      "elements",
+                      "elements. With method: fsolve any n ≥ 3, 100 if absent",
        .interval = {2, kMaxNodes},
        .set =
            [](ProblemFile& p, double v) {
@@ -84,13 +84,16 @@ std::vector<KeySpec> solver_keys() {
        .type = KeyType::Choice,
        .fallback = "ipopt",
        .description = "ipopt: collocation and a nonlinear program; extremal: "
-                      "Pontryagin's conditions by multiple shooting",
+                      "Pontryagin's conditions by multiple shooting; fsolve: "
+                      "the paper's discrete system, for comparison, never "
+                      "verified",
        .choices =
            {{"ipopt", [](ProblemFile& p) { p.options.method = Method::Ipopt; }},
             {"extremal",
              [](ProblemFile& p) { p.options.method = Method::Extremal; }},
             {"newton_kkt"},
-            {"fsolve"}}},
+            {"fsolve",
+             [](ProblemFile& p) { p.options.method = Method::Fsolve; }}}},
       {.path = "solver.linear_solver",
        .type = KeyType::Choice,
        .fallback = "auto",
@@ -182,7 +185,6 @@ std::vector<KeySpec> solver_keys() {
        .description = "wall-clock time",
        .interval = {.lower = 0.0, .lower_allowed = false},
        .set = [](ProblemFile& p, double v) { p.options.limits.seconds = v; }},
-      {.path = "solver.fsolve"},
   };
 }
 

@@ -13,14 +13,17 @@ Units natural_units(const Scene& scene) {
   return {length, std::sqrt(length / (2.0 * scene.gravity))};
 }
 
+Scene in_units_of(double length, const Scene& scene) {
+  Scene scaled = scene;
+  scaled.body.radius /= length;
+  scaled.L /= length;
+  scaled.H /= length;
+  scaled.gravity = 0.5;
+  return scaled;
+}
+
 Scene in_natural_units(const Scene& scene) {
-  const double length = natural_units(scene).length;
-  Scene natural = scene;
-  natural.body.radius /= length;
-  natural.L /= length;
-  natural.H /= length;
-  natural.gravity = 0.5;
-  return natural;
+  return in_units_of(natural_units(scene).length, scene);
 }
 
 }  // namespace brachisto

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/provenance.hpp"
+#include "report/fsolve_json.hpp"
 
 namespace brachisto::report {
 
@@ -84,6 +85,18 @@ Json guess_json(const SolveOptions& options) {
   return nullptr;
 }
 
+const char* method_name(Method method) {
+  switch (method) {
+    case Method::Ipopt:
+      return "ipopt";
+    case Method::Extremal:
+      return "extremal";
+    case Method::Fsolve:
+      return "fsolve";
+  }
+  return "";
+}
+
 Json options_json(const SolveOptions& options) {
   const Discretisation& mesh = options.discretisation;
   return {{"discretisation",
@@ -93,7 +106,7 @@ Json options_json(const SolveOptions& options) {
             {"elements", or_null(mesh.elements)},
             {"nodes", or_null(mesh.nodes)}}},
           {"solver",
-           {{"method", options.method == Method::Ipopt ? "ipopt" : "extremal"},
+           {{"method", method_name(options.method)},
             {"linear_solver", "mumps"},
             {"tolerance", options.tolerance},
             {"search",
@@ -103,7 +116,8 @@ Json options_json(const SolveOptions& options) {
             {"guess", guess_json(options)},
             {"limits",
              {{"iterations", options.limits.iterations},
-              {"seconds", options.limits.seconds}}}}}};
+              {"seconds", options.limits.seconds}}},
+            {"fsolve", fsolve_options_json(options.fsolve)}}}};
 }
 
 Json provenance_json(const SolveOptions& options) {
@@ -247,9 +261,9 @@ std::string result_json(const Solution& solution) {
   json["status"] = name(solution.status);
   json["message"] = solution.message;
   json["verified"] = verified;
-  json["not_verified_because"] = solution.motion() != nullptr
-                                     ? Json(solution.not_verified_because())
-                                     : Json(nullptr);
+  const bool judged = solution.motion() != nullptr || solution.discrete;
+  json["not_verified_because"] =
+      judged ? Json(solution.not_verified_because()) : Json(nullptr);
   json["feasible"] = verified ? Json(solution.feasible()) : Json(nullptr);
   json["infeasible_because"] =
       verified ? Json(solution.infeasible_because()) : Json(nullptr);
@@ -280,6 +294,7 @@ std::string result_json(const Solution& solution) {
   json["cold_start"] = cold_start_json(solution.cold_start);
   json["branches"] = branches_json(solution.branches);
   json["extremal"] = extremal_json(solution.extremal);
+  json["discrete_system"] = fsolve_json(solution);
   json["seconds"] = {{"total", effort.seconds},
                      {"solve", effort.seconds - effort.certificate_seconds},
                      {"certificate", effort.certificate_seconds}};

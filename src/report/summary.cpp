@@ -77,6 +77,22 @@ void add_second_opinion(std::string& out, const Solution& solution) {
           : "none: " + opinion.message);
 }
 
+/// Not under the answer's label: it is the answer to another problem.
+void add_discrete_system(std::string& out, const Solution& solution) {
+  if (!solution.discrete) return;
+  const FsolveAnswer& answer = *solution.discrete;
+  line(out, "discrete system",
+       fmt::format("{} nodes, {} unknowns, ‖F‖ = {:.1e}, {} evaluations, "
+                   "{:.3f} s CPU",
+                   answer.nodes, answer.unknowns, answer.residual,
+                   answer.evaluations, answer.cpu_seconds));
+  if (!answer.solved()) return;
+  line(out, "",
+       fmt::format("its τ = {:.6f}, S = {:.6f} m, start {:.4f}°, end {:.4f}°",
+                   answer.tau, answer.centre_path_length,
+                   degrees(answer.start_angle), degrees(answer.end_angle)));
+}
+
 void add_branches(std::string& out, const Solution& solution) {
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
@@ -123,6 +139,7 @@ std::string summary(const Solution& solution) {
                      solution.folds.size() == 1 ? "" : "s",
                      solution.folds.front()));
   }
+  add_discrete_system(out, solution);
   add_second_opinion(out, solution);
   add_branches(out, solution);
   const Effort& effort = solution.effort;
@@ -134,11 +151,10 @@ std::string summary(const Solution& solution) {
                      mesh.degree, mesh.num_elements(), solution.nodes,
                      solution.variables, solution.constraints));
   }
-  line(
-      out, "work",
-      fmt::format("{} Ipopt iterations in {} passes, {} Newton steps, {:.3f} s",
-                  effort.iterations, effort.passes, effort.newton_steps,
-                  effort.seconds));
+  line(out, "work",
+       fmt::format("{} {} iterations in {} passes, {} Newton steps, {:.3f} s",
+                   effort.iterations, solution.discrete ? "solver" : "Ipopt",
+                   effort.passes, effort.newton_steps, effort.seconds));
   return out;
 }
 

@@ -36,6 +36,11 @@ class SparseLu {
   /// Sign of the determinant: +1 or −1, 0 if the last factorisation failed.
   [[nodiscard]] int determinant_sign() const;
 
+  /// Most memory that KLU had at a time [bytes].
+  [[nodiscard]] double peak_bytes() const {
+    return static_cast<double>(common_.mempeak);
+  }
+
   /// Solves A y = b with two steps of refinement, residuals in long double.
   [[nodiscard]] std::vector<double> solve(std::span<const double> b);
 

@@ -15,6 +15,7 @@
 #include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
+#include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
 #include "study/turn_meshes.hpp"
@@ -93,6 +94,7 @@ class Run {
   void find_beside(const Neighbour& neighbour);
   void find_fastest(const CycloidArc& arc, const Continuation& principal);
   void find_by_shooting();
+  void find_by_fsolve();
   void follow_folds(Continuation& principal);
   void try_other_start(const CycloidArc& arc, const Continuation& principal);
   void answer_from(const Continuation& start);
@@ -266,8 +268,27 @@ void Run::find_by_shooting() {
   report(answer, extremal.transit_time);
 }
 
+/// Method::Fsolve: an answer to other equations, and its distance from this
+/// one.
+void Run::find_by_fsolve() {
+  out_.discrete = solve_discrete_system(scene_, options_, stop());
+  out_.status = out_.discrete->status;
+  out_.message = out_.discrete->message;
+  out_.effort.iterations = out_.discrete->iterations;
+  if (!out_.discrete->solved()) return;
+  const auto begin = StopCondition::Clock::now();
+  const ExtremalSolution extremal = shoot(ExtremalOptions{}.tolerance);
+  out_.extremal = opinion_on(*out_.discrete, extremal);
+  out_.certificate = certify_discrete(*out_.discrete, *out_.extremal);
+  out_.message = fmt::format(
+      "the discrete equations hold, but: {}",
+      fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
+  out_.effort.certificate_seconds = seconds_since(begin);
+}
+
 void Run::find() {
   if (options_.method == Method::Extremal) return find_by_shooting();
+  if (options_.method == Method::Fsolve) return find_by_fsolve();
   const std::optional<CycloidArc> arc = axisymmetric_optimum(natural_);
   if (!arc) {
     out_.status = Status::NoAdmissiblePath;

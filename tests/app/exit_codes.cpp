@@ -91,6 +91,16 @@ TEST(ExitCode, Is4IfNotVerified) {
   EXPECT_NE(output.out.find("NOT VERIFIED"), std::string::npos) << output.out;
 }
 
+TEST(ExitCode, Is4ForThePapersDiscreteSystem) {
+  const Output output =
+      run({"solve", paper_problem("fig04_reference_case"), "--set",
+           "solver={method: fsolve, fsolve: {variant: lifted}}", "--set",
+           "discretisation={nodes: 50}"});
+
+  EXPECT_EQ(output.code, 4) << output.err;
+  EXPECT_NE(output.out.find("NOT VERIFIED"), std::string::npos) << output.out;
+}
+
 TEST(ExitCode, Is5IfTheBodyCouldNotRunOnTheTrack) {
   const ScratchDirectory scratch;
   const std::string file = scratch.file(

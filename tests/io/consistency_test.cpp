@@ -152,6 +152,60 @@ TEST(Consistency, ShootingMindsNoKeyThatSaysWhatHoldsAnyway) {
             "");
 }
 
+TEST(Consistency, TheDiscreteSystemRefusesKeysItHasNoUseFor) {
+  for (const std::string keys :
+       {"discretisation: {degree: 3}\n", "discretisation: {elements: 40}\n",
+        "discretisation: {tolerance: 1e-2}\n"}) {
+    const std::string found =
+        errors(kBead + keys + "solver: {method: fsolve}\n");
+
+    EXPECT_NE(found.find("has no effect with method: fsolve, "),
+              std::string::npos)
+        << keys << found;
+  }
+  for (const std::string key :
+       {"search: global", "tolerance: 1e-9", "polish: false", "guess: random",
+        "linear_solver: mumps", "certify: extremal"}) {
+    const std::string found =
+        errors(kBead + "solver: {method: fsolve, " + key + "}\n");
+
+    EXPECT_NE(found.find("has no effect with method: fsolve, "),
+              std::string::npos)
+        << key << ": " << found;
+  }
+}
+
+TEST(Consistency, TheDiscreteSystemHasAnyNumberOfNodes) {
+  const auto with = [](const std::string& nodes) {
+    return errors(kBead + "discretisation: {nodes: " + nodes +
+                  "}\nsolver: {method: fsolve, limits: {iterations: 9}}\n");
+  };
+
+  EXPECT_EQ(with("100"), "");
+  EXPECT_EQ(with("3"), "");
+  EXPECT_EQ(with("2"),
+            "p.yaml:2:25: discretisation.nodes: 2 is not allowed; method: "
+            "fsolve needs 3 or more");
+}
+
+TEST(Consistency, KeysOfTheDiscreteSystemNeedItsMethod) {
+  for (const std::string key :
+       {"quadrature: midpoint", "datum: rest", "slopes: smooth",
+        "epsilon: 1e-4", "variant: lifted"}) {
+    const std::string fsolve = "fsolve: {" + key + "}";
+    const std::string found = errors(kBead + "solver: {" + fsolve + "}\n");
+
+    EXPECT_NE(found.find("has no effect without method: fsolve"),
+              std::string::npos)
+        << key << ": " << found;
+    EXPECT_EQ(errors(kBead + "solver: {method: fsolve, " + fsolve + "}\n"), "");
+  }
+  EXPECT_NE(errors(kBead + "solver: {method: fsolve, fsolve: {variant: newton, "
+                           "epsilon: 1e-4}}\n")
+                .find("no effect with exact derivatives"),
+            std::string::npos);
+}
+
 TEST(Consistency, NoContactIsSearchedForBetweenEndsOfTheCentresPath) {
   EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
                    "contact: centre}\nsolver: {search: global}\n"),

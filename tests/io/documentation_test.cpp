@@ -121,6 +121,12 @@ std::string effective(const ProblemFile& p) {
        << ' ' << p.options.polish << ' ' << static_cast<int>(p.options.certify)
        << ' ' << static_cast<int>(p.options.guess) << ' ' << p.options.seed
        << ' ' << p.options.limits.iterations << ' ' << p.options.limits.seconds;
+  const FsolveOptions& fsolve = p.options.fsolve;
+  text << ' ' << static_cast<int>(fsolve.variant) << ' '
+       << static_cast<int>(fsolve.reading.quadrature) << ' '
+       << static_cast<int>(fsolve.reading.datum) << ' '
+       << static_cast<int>(fsolve.reading.slopes) << ' '
+       << fsolve.reading.epsilon;
   return text.str();
 }
 

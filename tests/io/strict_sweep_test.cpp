@@ -61,16 +61,18 @@ TEST(StrictSweep, KeysAreWrittenInFull) {
             "written with dots: solver.method, solver.linear_solver, "
             "solver.tolerance, solver.search, solver.polish, solver.certify, "
             "solver.guess, solver.seed, solver.limits.iterations, "
-            "solver.limits.seconds\n"
+            "solver.limits.seconds, solver.fsolve.quadrature, "
+            "solver.fsolve.datum, solver.fsolve.slopes, "
+            "solver.fsolve.epsilon, solver.fsolve.variant\n"
             "p.yaml:6:3: sweep.scene.finish: a map; its keys vary one by one, "
             "each written with dots: scene.finish.L, scene.finish.H");
 }
 
 TEST(StrictSweep, SomeKeysCannotVary) {
-  EXPECT_EQ(sweep_errors({"version: [1]", "solver.fsolve: [1]"}),
+  EXPECT_EQ(sweep_errors({"version: [1]", "constraints: [1]"}),
             "p.yaml:5:3: sweep.version: the version of the file format cannot "
             "vary\n"
-            "p.yaml:6:3: sweep.solver.fsolve: reserved for a later version of "
+            "p.yaml:6:3: sweep.constraints: reserved for a later version of "
             "brachisto");
 }
 
@@ -102,9 +104,11 @@ TEST(StrictSweep, ListsHaveValuesOfOneKind) {
             "or straight or random\n"
             "p.yaml:5:37: sweep.solver.guess: no value was read; expected "
             "cycloid or straight or random");
-  EXPECT_EQ(sweep_errors({"solver.method: [fsolve]"}),
-            "p.yaml:5:19: sweep.solver.method: \"fsolve\" is reserved for a "
-            "later version of brachisto; expected ipopt or extremal");
+  EXPECT_EQ(
+      sweep_errors({"solver.method: [newton_kkt]"}),
+      "p.yaml:5:19: sweep.solver.method: \"newton_kkt\" is reserved for a "
+      "later version of brachisto; expected ipopt or extremal or "
+      "fsolve");
 }
 
 TEST(StrictSweep, KeysHaveAValue) {

@@ -18,6 +18,7 @@ namespace {
 using nlohmann::json;
 using report::result_json;
 using testing::bead_solution;
+using testing::discrete_solution;
 using testing::impossible_solution;
 using testing::off_centred_solution;
 using testing::uniform_solution;
@@ -52,11 +53,13 @@ const std::vector<std::string> kOtherKeys{"schema_version",
                                           "folds",
                                           "cold_start",
                                           "branches",
-                                          "extremal"};
+                                          "extremal",
+                                          "discrete_system"};
 
 std::vector<const Solution*> all_kinds() {
-  return {&off_centred_solution(), &uniform_solution(), &bead_solution(),
-          &unverified_solution(), &impossible_solution()};
+  return {&off_centred_solution(), &uniform_solution(),
+          &bead_solution(),        &unverified_solution(),
+          &impossible_solution(),  &discrete_solution()};
 }
 
 TEST(ResultJson, HasEveryKeyWhateverTheOutcome) {
@@ -213,6 +216,38 @@ TEST(ResultJson, HasNothingOfWhatWasNotAskedFor) {
   EXPECT_EQ(document["branches"], json::array());
   EXPECT_TRUE(document["cold_start"].is_null());
   EXPECT_TRUE(document["extremal"].is_null());
+  EXPECT_TRUE(document["discrete_system"].is_null());
+}
+
+TEST(ResultJson, KeepsTheDiscreteSystemApartFromTheAnswer) {
+  const json document = json::parse(result_json(discrete_solution()));
+
+  EXPECT_EQ(document["status"], "solved");
+  EXPECT_EQ(document["verified"], false);
+  for (const std::string& key : kPathKeys) {
+    EXPECT_TRUE(document[key].is_null()) << key;
+  }
+  const json& reasons = document["not_verified_because"];
+  ASSERT_EQ(reasons.size(), 1u);
+  EXPECT_TRUE(reasons[0].get<std::string>().starts_with("discretisation is "));
+  const json& system = document["discrete_system"];
+  EXPECT_EQ(system["solved"], true);
+  EXPECT_EQ(system["nodes"], 100);
+  EXPECT_EQ(system["unknowns"], 399);
+  const double exact = testing::reference("reference_case").tau;
+  EXPECT_NEAR(system["tau"].get<double>(), 5.1274, 1e-4);  // computed elsewhere
+  EXPECT_NEAR(system["error"].get<double>(),
+              system["tau"].get<double>() / exact - 1.0, 1e-10);
+  for (const char* key :
+       {"residual", "iterations", "evaluations", "jacobians", "refused_points",
+        "cpu_seconds", "memory_bytes", "transit_time", "centre_path_length",
+        "start_angle", "end_angle"}) {
+    EXPECT_TRUE(system[key].is_number()) << key;
+  }
+  const json& options = document["provenance"]["options"]["solver"];
+  EXPECT_EQ(options["method"], "fsolve");
+  EXPECT_EQ(options["fsolve"]["variant"], "lifted");
+  EXPECT_EQ(options["fsolve"]["datum"], "rest");
 }
 
 TEST(ResultJson, SecondsAddUp) {
@@ -258,6 +293,8 @@ TEST(InputJson, HoldsTheSceneAndEveryDefault) {
   EXPECT_EQ(document["solver"]["limits"]["iterations"], 500);
   EXPECT_EQ(document["solver"]["limits"]["seconds"], 3600.0);
   EXPECT_EQ(document["solver"]["tolerance"], 1e-12);
+  EXPECT_EQ(document["solver"]["fsolve"]["quadrature"], "vmean");
+  EXPECT_EQ(document["solver"]["fsolve"]["epsilon"], 1e-3);
 }
 
 }  // namespace

@@ -34,6 +34,17 @@ namespace brachisto::testing {
   }();
   return kSolution;
 }
+/// Of the paper's discrete system.
+[[nodiscard]] inline const Solution& discrete_solution() {
+  static const Solution kSolution = [] {
+    SolveOptions options;
+    options.method = Method::Fsolve;
+    options.fsolve.variant = FsolveVariant::Lifted;
+    options.fsolve.reading.datum = DiscreteReading::Datum::Rest;
+    return solve(reference("reference_case").scene(), options);
+  }();
+  return kSolution;
+}
 /// Not solved at all.
 [[nodiscard]] inline const Solution& impossible_solution() {
   static const Solution kSolution = [] {

@@ -40,6 +40,15 @@ TEST(Summary, OfAnUnsolvedSceneHasTheReason) {
   EXPECT_TRUE(says(text, "inside the")) << text;
 }
 
+TEST(Summary, OfTheDiscreteSystemHasItsErrorAndNoAnswer) {
+  const std::string text = summary(testing::discrete_solution());
+
+  EXPECT_TRUE(says(text, "NOT VERIFIED")) << text;
+  EXPECT_TRUE(says(text, "discrete system")) << text;
+  EXPECT_TRUE(says(text, "discretisation is 0.0066")) << text;
+  EXPECT_FALSE(says(text, "τ = T √(2g/H)")) << text;
+}
+
 TEST(Summary, TellsOfFolds) {
   Solution solution = testing::off_centred_solution();
   EXPECT_FALSE(says(summary(solution), "fold of"));

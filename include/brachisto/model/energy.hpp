@@ -33,6 +33,16 @@ template <class Scalar>
                     (2.0 * body.radius * body.eta_m);
 }
 
+/// The same from the sines, as eq. (1) prints it, for where they are at hand:
+/// cheaper, and as accurate away from the start.
+template <class Scalar>
+[[nodiscard]] Scalar energy_height_from_sines(const Body& body,
+                                              const Scalar& drop,
+                                              const Scalar& sin_theta,
+                                              double sin_theta_m) {
+  return drop + (sin_theta - sin_theta_m) * (body.radius * body.eta_m);
+}
+
 /// a = sin β + η cos θ, the slope of E along the path: dE/ds [-].
 template <class Scalar>
 [[nodiscard]] Scalar energy_slope(const Body& body, const Scalar& theta,

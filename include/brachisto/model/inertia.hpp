@@ -33,6 +33,14 @@ template <class Scalar>
   return d * d * (2.0 * eta) + ((1.0 - eta) * (1.0 - eta) + body.k);
 }
 
+/// The same from sin δ, as eq. (7) prints it, for where sines and cosines of θ
+/// are at hand: cheaper, and as accurate unless A is small.
+template <class Scalar>
+[[nodiscard]] Scalar inertia_factor(const Body& body, const Scalar& sin_delta) {
+  const double eta = body.eta_m;
+  return sin_delta * (-2.0 * eta) + (1.0 + eta * eta + body.k);
+}
+
 /// Inertia factor of a body whose centre of mass lies on its axis: 1 + k.
 [[nodiscard]] inline double axisymmetric_inertia_factor(const Body& body) {
   return 1.0 + body.k;

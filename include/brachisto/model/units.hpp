@@ -23,6 +23,9 @@ struct Units {
 /// free of units and of g but for rounding.
 [[nodiscard]] Units natural_units(const Scene& scene);
 
+/// The same scene in a unit of length [m] and the time for which 2 g = 1.
+[[nodiscard]] Scene in_units_of(double length, const Scene& scene);
+
 /// The same scene, its numbers measured in natural_units(scene).
 [[nodiscard]] Scene in_natural_units(const Scene& scene);
 

@@ -18,6 +18,7 @@
 #include "brachisto/study/certification.hpp"
 #include "brachisto/study/cold_start.hpp"
 #include "brachisto/study/continuation.hpp"
+#include "brachisto/study/fsolve_answer.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/prescribed_motion.hpp"
@@ -48,6 +49,8 @@ struct Solution {
   std::optional<Trajectory> trajectory;
   /// In place of a trajectory, if the scene states its path.
   std::shared_ptr<const PrescribedMotion> on_given_path;
+  /// In place of a trajectory, with Method::Fsolve. Not what is asked for.
+  std::optional<FsolveAnswer> discrete;
   std::optional<PathDiagnostics> diagnostics;
   Certificate certificate;
   std::optional<double> estimated_error;  ///< relative, of T
@@ -63,9 +66,10 @@ struct Solution {
   std::optional<Neighbour> as_neighbour;  ///< for scenes not far from this one
   std::string log;                        ///< of Ipopt, if asked for
 
-  /// Solved, and every check of the certificate passed.
+  /// Solved, and every check of the certificate passed. Never for a solution
+  /// of the paper's discrete system.
   [[nodiscard]] bool verified() const {
-    return status == Status::Solved && certificate.verified();
+    return status == Status::Solved && !discrete && certificate.verified();
   }
   /// See brachisto::not_verified_because(); empty if nothing is solved.
   [[nodiscard]] std::vector<std::string> not_verified_because() const;
@@ -92,6 +96,8 @@ struct SolveHooks {
 };
 
 /// Finds the fastest track of a scene, or evaluates the path that it states.
+/// Method::Fsolve solves the paper's discrete system instead, compares its time
+/// with that of the extremal method, and is never verified.
 ///
 /// \throws std::invalid_argument if the scene is not valid
 [[nodiscard]] Solution solve(const Scene& scene,

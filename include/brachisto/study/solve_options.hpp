@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "brachisto/paper/discrete_reading.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
@@ -16,6 +17,22 @@ namespace brachisto {
 enum class Method {
   Ipopt,     ///< the nonlinear program
   Extremal,  ///< Pontryagin's conditions by multiple shooting, no program
+  Fsolve,    ///< the paper's discrete system, for comparison; never verified
+};
+
+/// Who solves the paper's discrete system.
+enum class FsolveVariant {
+  Hybrid,  ///< Powell's hybrid method, dense differences: what fsolve does
+  Newton,  ///< ε → 0, exact derivatives, dense Newton
+  Lifted,  ///< the same steps from a sparse system with θ_j as unknowns
+};
+
+/// Options of Method::Fsolve.
+struct FsolveOptions {
+  DiscreteReading reading;  ///< its ε is for the variant Hybrid only
+  FsolveVariant variant = FsolveVariant::Hybrid;
+  /// On the Euclidean norm of the residual: the paper's.
+  double tolerance = 1e-6;
 };
 
 /// Who factorises the KKT matrix. Auto takes the fastest that is there.
@@ -59,6 +76,7 @@ struct SolveOptions {
   Guess guess = Guess::Cycloid;
   std::uint64_t seed = 1;  ///< of Guess::Random
   Limits limits;
+  FsolveOptions fsolve;  ///< of Method::Fsolve
 };
 
 }  // namespace brachisto

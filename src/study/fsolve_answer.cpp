@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/fsolve_answer.hpp"
+
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <new>
+#include <optional>
+
+#include "brachisto/paper/discrete_variations.hpp"
+#include "brachisto/solvers/damped_newton.hpp"
+#include "brachisto/solvers/hybrid.hpp"
+#include "paper/newton_steps.hpp"
+
+namespace brachisto {
+
+namespace {
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+DiscreteReading reading_of(const FsolveOptions& options) {
+  DiscreteReading reading = options.reading;
+  if (options.variant != FsolveVariant::Hybrid) reading.epsilon = 0.0;
+  return reading;
+}
+
+/// Runs the solver that the options name; fills in what it costs.
+SquareResult run(const DiscreteVariations& system, FsolveVariant variant,
+                 std::vector<double> start, const SquareOptions& square,
+                 FsolveAnswer& out) {
+  const SquareResidual residual = [&](std::span<const double> x,
+                                      std::span<double> values) {
+    return system.residual(x, values);
+  };
+  switch (variant) {
+    case FsolveVariant::Hybrid:
+      out.memory_bytes = hybrid_memory_bytes(out.unknowns);
+      return solve_by_hybrid(residual, std::move(start), square);
+    case FsolveVariant::Newton: {
+      const paper::DenseNewtonStep step(system);
+      out.memory_bytes = paper::DenseNewtonStep::memory_bytes(out.nodes);
+      return solve_by_damped_newton(residual, step, std::move(start), square);
+    }
+    case FsolveVariant::Lifted: {
+      paper::LiftedNewtonStep step(system);
+      out.unknowns = paper::LiftedNewtonStep::num_unknowns(out.nodes);
+      SquareResult result = solve_by_damped_newton(residual, std::ref(step),
+                                                   std::move(start), square);
+      out.memory_bytes = step.memory_bytes();
+      return result;
+    }
+  }
+  return {};
+}
+
+void describe_path(const DiscreteVariations& system, const Scene& scene,
+                   const std::vector<double>& unknowns, FsolveAnswer& out) {
+  const auto n = static_cast<std::size_t>(system.num_nodes());
+  const double length = scene.H;
+  out.tau = system.tau(unknowns);
+  out.transit_time = out.tau * std::sqrt(length / (2.0 * scene.gravity));
+  out.centre_path_length = unknowns[2 * n] * length;
+  for (std::size_t j = 0; j < n; ++j) {
+    out.centre.push_back({unknowns[j] * length, unknowns[n + j] * length});
+  }
+  const auto slope = [&](std::size_t j) {
+    return std::atan2(out.centre[j + 1].z - out.centre[j].z,
+                      out.centre[j + 1].x - out.centre[j].x);
+  };
+  out.start_angle = slope(0);
+  out.end_angle = slope(n - 2);
+}
+
+}  // namespace
+
+FsolveAnswer fsolve_answer(const Scene& scene, int num_nodes,
+                           const FsolveOptions& options, int max_iterations,
+                           const StopCondition& stop) {
+  const DiscreteVariations system(scene, num_nodes, reading_of(options));
+  FsolveAnswer out;
+  out.nodes = num_nodes;
+  out.unknowns = system.num_unknowns();
+  out.residual = std::numeric_limits<double>::quiet_NaN();
+  std::optional<std::vector<double>> start = system.cycloid_guess();
+  if (!start) {
+    out.status = Status::NoAdmissiblePath;
+    out.message = "there is no cycloid of a uniform cylinder to start from";
+    return out;
+  }
+  const double begin = cpu_seconds();
+  try {
+    const SquareResult result =
+        run(system, options.variant, std::move(*start),
+            {options.tolerance, max_iterations, stop}, out);
+    out.status = result.status;
+    out.message = result.message;
+    out.iterations = result.iterations;
+    out.evaluations = result.evaluations;
+    out.jacobians = result.jacobians;
+    out.refused_points = result.refused_points;
+    out.residual = result.residual;
+    if (out.solved()) {
+      describe_path(system, scene, result.x, out);
+    } else if (!result.first_refused.empty()) {
+      out.message += ". Points were refused; at the first of them " +
+                     system.refusal(result.first_refused);
+    }
+  } catch (const std::bad_alloc&) {
+    out.status = Status::OutOfMemory;
+    out.message = "a matrix of this size does not fit into memory";
+  }
+  out.cpu_seconds = cpu_seconds() - begin;
+  return out;
+}
+
+}  // namespace brachisto

@@ -117,7 +117,7 @@ void Script::page() {
   put("set border 15 lw 1.5 lc rgb '#333333'\n");
   put("set grid xtics ytics mxtics mytics lt 1 lw 1.5 lc rgb '#e3e3e3', "
       "lt 1 lw 1.5 lc rgb '#f2f2f2'\n");
-  if (chart_.equal_scale) put("set size ratio -1\n");
+  if (scales_are_equal(chart_)) put("set size ratio -1\n");
 }
 
 void Script::side(char name, const Side& side, const ChartSide& laid,
@@ -189,7 +189,8 @@ void Script::sketches() {
              "fc rgb '#222222' fs solid noborder");
     }
     if (!sketch.name.empty()) {
-      words(beside(sketch, at), sketch.name, false);
+      const WordsPlace place = beside(sketch, at, layout_.area.right);
+      words(place.at, sketch.name, place.ends);
     }
   }
 }

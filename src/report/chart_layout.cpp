@@ -143,18 +143,13 @@ std::vector<Tick> ticks_up(const Side& side, const ChartSide& laid,
   return chart_ticks(side.scale, laid.low, laid.high, count);
 }
 
-bool equal_scale(const Chart& chart) {
-  return chart.equal_scale && chart.x.scale != Scale::Logarithmic &&
-         chart.y.scale != Scale::Logarithmic;
-}
-
 /// The layout with so much room at the left.
 ChartLayout layout_from(const Chart& chart, double left) {
   const Box box = box_of(chart);
   Extent x = range_of(chart.x, box.x);
   Extent y = range_of(chart.y, box.y);
   PlotArea area{left, kChartWidth - kRight, kTop, kTop + kHeight};
-  if (equal_scale(chart)) {
+  if (scales_are_equal(chart)) {
     const double room = area.right - area.left;
     const double scale =
         std::min(room / (x.high - x.low), kMostHeight / (y.high - y.low));
@@ -191,6 +186,11 @@ bool ChartLayout::shows(Datum p) const {
   const Pixel q = at(p);
   return q.x >= area.left - kSpare && q.x <= area.right + kSpare &&
          q.y >= area.top - kSpare && q.y <= area.bottom + kSpare;
+}
+
+bool scales_are_equal(const Chart& chart) {
+  return chart.equal_scale && chart.x.scale != Scale::Logarithmic &&
+         chart.y.scale != Scale::Logarithmic;
 }
 
 ChartLayout chart_layout(const Chart& chart) {

@@ -33,6 +33,9 @@ struct ChartLayout {
   [[nodiscard]] bool shows(Datum p) const;
 };
 
+/// Whether scales are equal: logarithmic ones cannot be.
+[[nodiscard]] bool scales_are_equal(const Chart& chart);
+
 /// Ranges hold all finite points, with a little room, unless the sides say
 /// otherwise. On axes of equal scale the height follows the data; if that were
 /// too low, too high or too narrow, a range is widened about its middle.

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 
+#include "report/letters.hpp"
+#include "report/rich_text.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -87,8 +90,12 @@ double mass_radius(const Sketch& sketch) {
   return std::max(2.4, 0.15 * sketch.radius);
 }
 
-Pixel beside(const Sketch& sketch, Pixel at) {
-  return {at.x + sketch.radius + 7.0, at.y + 4.5};
+WordsPlace beside(const Sketch& sketch, Pixel at, double right) {
+  constexpr double kGap = 7.0, kSize = 13.0, kHalfHeight = 4.5;
+  const double distance = sketch.radius + kGap;
+  const double width = width_of(letters(plain_words(sketch.name)), kSize);
+  const bool ends = at.x + distance + width > right;
+  return {{ends ? at.x - distance : at.x + distance, at.y + kHalfHeight}, ends};
 }
 
 std::vector<std::string> family_colours(std::size_t n) {

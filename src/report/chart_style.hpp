@@ -27,7 +27,13 @@ void draw_mark(Svg& svg, Pixel at, Mark mark, std::string_view colour);
 
 /// Radius of the masses of a sketch [px].
 [[nodiscard]] double mass_radius(const Sketch& sketch);
-/// Where the name of a sketch about that place begins, on its baseline.
-[[nodiscard]] Pixel beside(const Sketch& sketch, Pixel at);
+/// Where words begin or end, on their baseline.
+struct WordsPlace {
+  Pixel at;
+  bool ends;
+};
+/// The place of the name of a sketch that is drawn there: at its right, or at
+/// its left where it would reach beyond `right`.
+[[nodiscard]] WordsPlace beside(const Sketch& sketch, Pixel at, double right);
 
 }  // namespace brachisto::report

@@ -51,6 +51,8 @@ class Drawing {
 
  private:
   void sketch(const Sketch& sketch);
+  void words(Pixel at, std::string_view source, bool ends,
+             std::string_view kind);
 
   const Chart& chart_;
   ChartLayout layout_;
@@ -135,6 +137,14 @@ void Drawing::marks() {
   }
 }
 
+void Drawing::words(Pixel at, std::string_view source, bool ends,
+                    std::string_view kind) {
+  svg_.text(at,
+            fmt::format("class=\"{}\" {}{}", kind, kHalo,
+                        ends ? " text-anchor=\"end\"" : ""),
+            svg_words(source));
+}
+
 void Drawing::sketch(const Sketch& sketch) {
   const Pixel centre = layout_.at(sketch.at);
   const double r = sketch.radius;
@@ -151,7 +161,8 @@ void Drawing::sketch(const Sketch& sketch) {
                 mass_radius(sketch), "fill=\"#222222\"");
   }
   if (sketch.name.empty()) return;
-  svg_.text(beside(sketch, centre), kHalo, svg_words(sketch.name));
+  const WordsPlace place = beside(sketch, centre, layout_.area.right);
+  words(place.at, sketch.name, place.ends, "sketch-name");
 }
 
 void Drawing::sketches() {
@@ -166,10 +177,7 @@ void Drawing::notes() {
     const Pixel at = layout_.at(note.at);
     draw_mark(svg_, at, note.mark, "#000000");
     if (note.text.empty()) continue;
-    svg_.text({at.x + note.dx, at.y + note.dy},
-              fmt::format("class=\"note\" {}{}", kHalo,
-                          note.dx < 0.0 ? " text-anchor=\"end\"" : ""),
-              svg_words(note.text));
+    words({at.x + note.dx, at.y + note.dy}, note.text, note.dx < 0.0, "note");
   }
 }
 

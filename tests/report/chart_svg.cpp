@@ -173,6 +173,17 @@ TEST(ChartSvg, OfEqualScaleDrawsSquaresAsSquares) {
   }
 }
 
+TEST(ChartSvg, NamesASketchWhereThereIsRoom) {
+  Chart chart = of({"", {{0, 0}, {1, 1}}});
+  for (const double x : {0.0, 1.0}) {
+    chart.sketches = {{{x, 0.5}, 20.0, {}, {1.0}, "ring"}};
+    const std::string svg = chart_svg(chart);
+    const double place = numbers_of(svg, "class=\"sketch-name\"", "x").at(0);
+    const double centre = numbers_of(svg, "class=\"sketch\"", "cx").at(0);
+    EXPECT_EQ(place > centre, x == 0.0);
+  }
+}
+
 TEST(ChartSvg, HasYDownIfAsked) {
   Chart chart = of({"", {{0, 0}, {1, 1}}});
   for (const bool down : {false, true}) {

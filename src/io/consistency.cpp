@@ -18,6 +18,8 @@ namespace brachisto::io {
 namespace {
 
 constexpr int kDefaultDegree = 5;
+// Relative errors of the paper's cases are between 0.17/N² and 0.6/N².
+constexpr double kPiecesTimesRootOfError = 0.6;
 
 void check_bead(const YamlValue& root, Findings& findings) {
   std::vector<std::string_view> allowed = keys_of("scene.body");
@@ -141,8 +143,75 @@ void check_solver(const YamlValue& root, const ProblemFile& problem,
   }
 }
 
+namespace {
+
+/// What the formulation arc_length does not have.
+constexpr std::array kUnusedByArcLength{
+    UnusedKey{"discretisation.degree",
+              [](const SolveOptions& o) {
+                return o.discretisation.degree.has_value();
+              },
+              "whose pieces are straight"},
+    UnusedKey{"solver.method",
+              [](const SolveOptions& o) { return o.method != Method::Ipopt; },
+              "which is a nonlinear program"},
+    UnusedKey{"solver.search",
+              [](const SolveOptions& o) { return o.search == Search::Global; },
+              "which follows one branch"},
+    UnusedKey{"solver.guess",
+              [](const SolveOptions& o) { return o.guess != Guess::Cycloid; },
+              "which starts from the cycloid"}};
+
+void check_arc_length(const YamlValue& root, const ProblemFile& problem,
+                      Findings& findings) {
+  for (const UnusedKey& unused : kUnusedByArcLength) {
+    const Entry* entry = find_entry(root, unused.path);
+    if (entry == nullptr || findings.concern(unused.path) ||
+        !unused.differs(problem.options)) {
+      continue;
+    }
+    findings.add(entry->value.position, std::string(unused.path),
+                 fmt::format("not allowed with formulation: arc_length, {}; "
+                             "leave it out, or take formulation: rolling_time",
+                             unused.because));
+  }
+  const Discretisation& mesh = problem.options.discretisation;
+  const auto too_few = [&](std::string_view key, int count, int fewest) {
+    const Entry* entry = find_entry(root, key);
+    if (entry == nullptr || findings.concern(key) || count >= fewest) return;
+    findings.add(entry->value.position, std::string(key),
+                 fmt::format("{} is not allowed with formulation: arc_length, "
+                             "which needs {} or more",
+                             count, fewest));
+  };
+  too_few("discretisation.elements", mesh.elements.value_or(kFewestPieces),
+          kFewestPieces);
+  too_few("discretisation.nodes", mesh.nodes.value_or(kFewestPieces + 1),
+          kFewestPieces + 1);
+  const std::string key = "discretisation.tolerance";
+  const Entry* tolerance = find_entry(root, key);
+  if (tolerance == nullptr || findings.concern(key) ||
+      mesh.wanted_tolerance() >= kSmallestArcLengthTolerance) {
+    return;
+  }
+  findings.add(
+      tolerance->value.position, key,
+      fmt::format("{:g} is not allowed with formulation: arc_length, whose "
+                  "error falls as the square of the number of pieces: it would "
+                  "take some {:.0e} of them. Allowed is {:g} or more; or take "
+                  "formulation: rolling_time",
+                  mesh.wanted_tolerance(),
+                  kPiecesTimesRootOfError / std::sqrt(mesh.wanted_tolerance()),
+                  kSmallestArcLengthTolerance));
+}
+
+}  // namespace
+
 void check_mesh(const YamlValue& root, const ProblemFile& problem,
                 Findings& findings) {
+  const bool arc_length =
+      problem.options.discretisation.formulation == Formulation::ArcLength;
+  if (arc_length) check_arc_length(root, problem, findings);
   const std::string key = "discretisation.nodes";
   const Entry* elements = find_entry(root, "discretisation.elements");
   const Entry* nodes = find_entry(root, key);
@@ -157,7 +226,8 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
                              nodes_later ? "elements" : "nodes"));
     return;
   }
-  if (findings.concern(key) || findings.concern("discretisation.degree")) {
+  if (arc_length || findings.concern(key) ||
+      findings.concern("discretisation.degree")) {
     return;
   }
   const Discretisation& mesh = problem.options.discretisation;

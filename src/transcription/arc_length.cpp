@@ -99,8 +99,9 @@ bool ArcLength::set_nodes() {
     double E_theta = 0.0;
     double E_theta_theta = 0.0;
     if (layout_.has_theta()) {
-      const double theta = body.theta_m + x_[at(layout_.theta(node))];
-      E = energy_height(body, drop, theta);
+      const double turned = x_[at(layout_.theta(node))];
+      const double theta = body.theta_m + turned;
+      E = energy_height_after(body, drop, turned);
       E_theta = arm * std::cos(theta);
       E_theta_theta = -arm * std::sin(theta);
     }

@@ -3,6 +3,7 @@
 
 // Costates of an arc_length problem, and multipliers from them.
 
+#include <cmath>
 #include <cstddef>
 
 #include "brachisto/transcription/arc_length.hpp"
@@ -49,6 +50,37 @@ ArcLength::EndCostates ArcLength::end_costates(
   p.z.by_before = {0.0, stiff - w_w * nodes_.by_z[j] * nodes_.by_z[j - 1], 0.0};
   p.z.by_S = -S_w * nodes_.by_z[j];
   return p;
+}
+
+std::vector<ArcLength::PieceState> ArcLength::piece_states(
+    std::span<const double> lambda) const {
+  const EndCostates end = end_costates(lambda);
+  const double p_x = end.x.value;
+  const double p_z = end.z.value;
+  std::vector<PieceState> states;
+  states.reserve(at(num_intervals()));
+  for (int node = 1; node <= num_intervals(); ++node) {
+    const std::size_t j = at(node);
+    const Slopes d = slopes(node);
+    const double w = 1.0 / pieces_.inverse_speed[j];
+    const double dx = pieces_.dx[j];
+    const double dz = pieces_.dz[j];
+    // ∂/∂Δz of the Lagrangian is −(p_z + p_w g / w): what z and, with it, w
+    // are worth from here on.
+    const double momentum_z =
+        d.z + lambda[at(layout_.no_slip(node))] * dz / reference_length(node);
+    const double theta = layout_.has_theta() ? std::atan2(pieces_.sin_theta[j],
+                                                          pieces_.cos_theta[j])
+                                             : scene_.body.theta_m;
+    states.push_back({node,
+                      theta,
+                      w,
+                      std::atan2(dz, dx),
+                      {.p_x = p_x,
+                       .p_z = p_z,
+                       .p_w = -(momentum_z + p_z) * w / scene_.gravity}});
+  }
+  return states;
 }
 
 std::vector<double> ArcLength::multipliers(double p_x, double p_z) const {

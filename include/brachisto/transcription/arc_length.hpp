@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "brachisto/model/contact.hpp"
+#include "brachisto/model/hamiltonian.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/transcription/arc_length_layout.hpp"
@@ -119,6 +120,18 @@ class ArcLength final : public nlp::Problem {
   [[nodiscard]] std::array<double, 2> end_w_slopes() const {
     return {nodes_.by_z.back(), nodes_.by_theta.back()};
   }
+
+  /// Where σ is in the middle of a piece: rotation, mean speed, slope angle and
+  /// the costates of 𝓗 there.
+  struct PieceState {
+    int node;  ///< to which the piece leads
+    double theta, w, beta;
+    Costates p;  ///< p_θ is not set
+  };
+  /// Of all pieces, at the current point. ∂𝓗/∂β = 0 holds on each of them if
+  /// it is stationary.
+  [[nodiscard]] std::vector<PieceState> piece_states(
+      std::span<const double> lambda) const;
 
   /// Multipliers that make the current point as stationary as it can be, given
   /// the costates at the end: the no-slip multiplier of each piece from the

@@ -42,10 +42,11 @@ std::vector<KeySpec> discretisation_keys() {
                     }}}},
       {.path = "discretisation.tolerance",
        .type = KeyType::Number,
-       .fallback = "1e-10; 1e-6 for arc_length",
-       .bounds = "from 1e-13 to 1e-1; from 1e-9 for arc_length",
+       .fallback = "1e-10",
+       .bounds = "from 1e-13 to 1e-1",
        .description = "wanted relative error of the transit time; the mesh "
-                      "follows unless it is fixed",
+                      "follows unless it is fixed. arc_length: 1e-9 or more, "
+                      "1e-6 if absent",
        .interval = {1e-13, 1e-1},
        .set = [](ProblemFile& p,
                  double v) { p.options.discretisation.tolerance = v; }},

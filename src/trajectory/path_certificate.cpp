@@ -84,11 +84,15 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
     t = start.t;
   }
   double dt = kFirstStep * T;
-  while (t < T) {
-    dt = std::min(dt, T - t);
-    if (stepper.try_step(body, y, t, dt) == odeint::fail &&
-        dt < kShortest * T) {
-      return kFailed;
+  // Cell by cell: where the curvature has kinks the steps end, for the error
+  // estimate of this method does not see them.
+  for (const TrajectoryPoint& cell : motion.at_nodes()) {
+    while (t < cell.t) {
+      dt = std::min(dt, cell.t - t);
+      if (stepper.try_step(body, y, t, dt) == odeint::fail &&
+          dt < kShortest * T) {
+        return kFailed;
+      }
     }
   }
   const double v = motion.at(1.0).motion.v_c;

@@ -18,7 +18,7 @@ namespace brachisto::io {
 namespace {
 
 constexpr int kDefaultDegree = 5;
-// Relative errors of the paper's cases are between 0.17/N² and 0.6/N².
+// Relative errors of the paper's cases are 0.07/N² to 0.9/N².
 constexpr double kPiecesTimesRootOfError = 0.6;
 
 void check_bead(const YamlValue& root, Findings& findings) {

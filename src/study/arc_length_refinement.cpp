@@ -27,6 +27,7 @@ constexpr double kCoarsePerTurn = 50.0;
 constexpr int kMostPieces = 5'000'000;
 constexpr double kAim = 0.7;  // of the tolerance
 constexpr int kMostTries = 4;
+constexpr int kLargestDoubling = 30;
 
 /// A mesh to start with: all that the continuation's answer is needed for.
 int coarse_pieces(const Scene& scene, double length) {
@@ -63,8 +64,8 @@ class Sequence {
            const MeshOptions& options)
       : scene_(scene), curve_(curve), phi_(phi), options_(options) {}
 
-  /// Solves on meshes of ascending numbers of pieces, those that are coarser
-  /// than the present one left out. False if one fails.
+  /// Solves on meshes of ascending numbers of pieces, those that are not finer
+  /// than the present one left out. False if the last one fails.
   bool climb(const std::vector<int>& pieces);
   [[nodiscard]] ArcLengthRefinement& out() { return out_; }
 
@@ -187,8 +188,15 @@ bool Sequence::climb(const std::vector<int>& pieces) {
                            solution.closure.passes, solution.first_iterations,
                            solution.iterations, solution.polish.newton_steps});
     if (!solved) {
+      // A mesh that is too coarse tells nothing; the next one starts from the
+      // curve again.
       out_.answer.reset();
-      return false;
+      const bool too_coarse = solution.status == Status::NotConverged ||
+                              solution.status == Status::NotEvaluable;
+      if (!too_coarse || options_.ipopt.stop.met() || n == pieces.back()) {
+        return false;
+      }
+      continue;
     }
     out_.answer.emplace(std::move(answer));
   }
@@ -210,7 +218,14 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
     return std::move(out);
   }
   const double tolerance = wanted.wanted_tolerance();
-  if (!sequence.climb({coarsest, 2 * coarsest})) return std::move(out);
+  int coarse = coarsest;
+  while (!sequence.climb({coarse, 2 * coarse}) ||
+         !out.answer->estimated_error) {
+    if (options.ipopt.stop.met() || coarse > kLargestDoubling * coarsest) {
+      return std::move(out);
+    }
+    coarse *= 2;
+  }
   for (int i = 0; i < kMostTries; ++i) {
     const double error = *out.answer->estimated_error;
     if (error <= tolerance) break;
@@ -225,7 +240,10 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
       break;
     }
     const auto pieces = static_cast<int>(std::ceil(n));
-    if (!sequence.climb(halvings(pieces, coarsest))) break;
+    if (!sequence.climb(halvings(pieces, coarse)) ||
+        !out.answer->estimated_error) {
+      break;
+    }
   }
   return std::move(out);
 }

@@ -80,17 +80,4 @@ template <class Real, int Size>
   return a.chain(root, Real(0.5) / root);
 }
 
-/// Angle of the direction (x, y).
-template <class Real, int Size>
-[[nodiscard]] Jet1<Real, Size> atan2(const Jet1<Real, Size>& y,
-                                     const Jet1<Real, Size>& x) {
-  const Real square = x.value * x.value + y.value * y.value;
-  Jet1<Real, Size> out(std::atan2(y.value, x.value));
-  for (std::size_t i = 0; i < out.gradient.size(); ++i) {
-    out.gradient[i] =
-        (x.value * y.gradient[i] - y.value * x.gradient[i]) / square;
-  }
-  return out;
-}
-
 }  // namespace brachisto::math

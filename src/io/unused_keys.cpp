@@ -19,11 +19,13 @@ struct UnusedKey {
   bool (*differs)(const SolveOptions&);  ///< from what holds if it is absent
   std::string_view by_shooting = {};     ///< why; empty: it has a use
   std::string_view by_fsolve = {};
+  std::string_view by_arc_length = {};
 };
 
 constexpr std::string_view kOwnMesh = "which has no elements";
 constexpr std::string_view kNoProgram = "which solves no nonlinear program";
 constexpr std::string_view kOwnNodes = "whose mesh is its nodes";
+constexpr std::string_view kOneBranch = "which follows one branch";
 constexpr std::string_view kOneStart = "which starts from the cycloid";
 
 constexpr std::array kUnused{
@@ -43,7 +45,7 @@ constexpr std::array kUnused{
               [](const SolveOptions& o) {
                 return o.discretisation.degree.has_value();
               },
-              kOwnMesh, kOwnNodes},
+              kOwnMesh, kOwnNodes, "whose pieces are straight"},
     UnusedKey{"discretisation.elements",
               [](const SolveOptions& o) {
                 return o.discretisation.elements.has_value();
@@ -66,7 +68,7 @@ constexpr std::array kUnused{
               kNoProgram, kNoProgram},
     UnusedKey{"solver.search",
               [](const SolveOptions& o) { return o.search == Search::Global; },
-              "which follows one branch", kOneStart},
+              kOneBranch, kOneStart, kOneBranch},
     UnusedKey{"solver.polish", [](const SolveOptions& o) { return !o.polish; },
               kNoProgram, kNoProgram},
     UnusedKey{
@@ -76,7 +78,7 @@ constexpr std::array kUnused{
         "which is compared with the extremal anyway"},
     UnusedKey{"solver.guess",
               [](const SolveOptions& o) { return o.guess != Guess::Cycloid; },
-              kOneStart, kOneStart},
+              kOneStart, kOneStart, kOneStart},
     UnusedKey{"solver.limits.iterations",
               [](const SolveOptions& o) {
                 return o.limits.iterations != Limits{}.iterations;
@@ -134,6 +136,19 @@ void check_unused_keys(const YamlValue& root, const ProblemFile& problem,
            fmt::format("has no effect with method: {}, {}; leave it out, or "
                        "take method: ipopt",
                        fsolve ? "fsolve" : "extremal", because),
+           findings);
+  }
+  const bool arc_length =
+      options.method == Method::Ipopt &&
+      options.discretisation.formulation == Formulation::ArcLength;
+  for (const UnusedKey& key : kUnused) {
+    if (!arc_length || key.by_arc_length.empty() || !key.differs(options)) {
+      continue;
+    }
+    refuse(root, key.path,
+           fmt::format("not allowed with formulation: arc_length, {}; leave it "
+                       "out, or take formulation: rolling_time",
+                       key.by_arc_length),
            findings);
   }
   for (const FsolveKey& key : kOfFsolve) {

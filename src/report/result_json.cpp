@@ -100,7 +100,9 @@ const char* method_name(Method method) {
 Json options_json(const SolveOptions& options) {
   const Discretisation& mesh = options.discretisation;
   return {{"discretisation",
-           {{"formulation", "rolling_time"},
+           {{"formulation", mesh.formulation == Formulation::ArcLength
+                                ? "arc_length"
+                                : "rolling_time"},
             {"tolerance", or_null(mesh.tolerance)},
             {"degree", or_null(mesh.degree)},
             {"elements", or_null(mesh.elements)},
@@ -146,8 +148,8 @@ Json certificate_json(const Solution& solution) {
   // Both times of a second opinion, for nobody to have to compute their
   // difference anew.
   const std::optional<ExtremalOpinion>& opinion = solution.extremal;
-  const bool both = opinion && opinion->solved && solution.trajectory;
-  json["tau"] = both ? Json(solution.trajectory->tau()) : Json(nullptr);
+  const bool both = opinion && opinion->solved && solution.motion() != nullptr;
+  json["tau"] = both ? Json(solution.motion()->tau()) : Json(nullptr);
   json["extremal_tau"] = both ? Json(opinion->tau) : Json(nullptr);
   json["extremal_difference"] =
       both ? Json(opinion->difference) : Json(nullptr);
@@ -255,7 +257,7 @@ void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
 
 std::string result_json(const Solution& solution) {
   const bool verified = solution.verified();
-  const bool solved = solution.trajectory.has_value();
+  const bool solved = solution.trajectory || solution.through_nodes;
   Json json;
   json["schema_version"] = kSchemaVersion;
   json["status"] = name(solution.status);
@@ -276,9 +278,11 @@ std::string result_json(const Solution& solution) {
   json["nodes"] = size(solution.nodes);
   json["variables"] = size(solution.variables);
   json["constraints"] = size(solution.constraints);
-  if (solved) {
+  if (solution.trajectory) {
     const Mesh& mesh = solution.trajectory->curve().mesh();
     json["mesh"] = {{"degree", mesh.degree}, {"elements", mesh.num_elements()}};
+  } else if (solution.through_nodes) {
+    json["mesh"] = {{"degree", nullptr}, {"elements", solution.nodes - 1}};
   } else {
     json["mesh"] = nullptr;
   }

@@ -27,13 +27,15 @@ class Mumps {
     data_.sym = 2;
     data_.comm_fortran = -987654;  // MPI_COMM_WORLD, in MUMPS' own words
     dmumps_c(&data_);
-    // No output; QAMD ordering and no scaling, as in the solver; report null
-    // pivots; room for delayed pivots.
+    // No output; QAMD ordering, as in the solver; rows and columns scaled
+    // together, which keeps the inertia and lets pivots next to a start where
+    // lengths vanish be told from null ones; report these; room for delayed
+    // pivots.
     icntl(1) = icntl(2) = icntl(3) = -1;
     icntl(4) = 0;
     icntl(6) = 0;
     icntl(7) = 6;
-    icntl(8) = 0;
+    icntl(8) = 7;
     icntl(13) = 1;  // count negative pivots of the root exactly
     icntl(14) = 100;
     icntl(24) = 1;

@@ -17,42 +17,33 @@ namespace brachisto {
 
 namespace {
 
-bool solved_up_to_rounding(RollingTime& problem, const SolverResult& result) {
+bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
   if (result.status == Status::Solved) return true;
   if (result.status != Status::NotConverged &&
       result.status != Status::NotEvaluable) {
     return false;
   }
-  if (result.point.x.empty() || !problem.set_point(result.point.x)) {
+  if (result.point.x.empty() || !ends.problem.set_point(result.point.x)) {
     return false;
   }
-  return nlp::kkt_residual(problem, result.point.x, result.point.lambda)
-             .max() <= kRoundingResidual;
+  return nlp::kkt_residual(ends.problem, result.point.x, result.point.lambda)
+             .max() <= ends.rounding_residual;
 }
 
-double slope_at_end(const RollingTime& problem, const PrimalDual& point) {
-  return end_slope(problem, point.x, costates(problem, point.x, point.lambda));
-}
-
-void polish(RollingTime& problem, const MeshOptions& options,
+void polish(const FixedEnds& ends, const MeshOptions& options,
             MeshSolution& solution) {
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
   newton.stop = options.ipopt.stop;
-  const bool smooth = problem.scene().contact == Contact::Smooth;
-  std::optional<ContactEquation> contact;
-  if (smooth) contact.emplace(problem);
-  NewtonResult result =
-      solve_with_newton(problem, smooth ? &*contact : nullptr, solution.point,
-                        solution.closure.phi, newton);
+  NewtonResult result = solve_with_newton(
+      ends.problem, ends.contact, solution.point, solution.closure.phi, newton);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   if (result.residual >= result.first_residual) return;
   solution.point = std::move(result.point);
   solution.closure.phi = result.phi;
-  if (!smooth) return;
-  solution.closure.mismatch =
-      slope_at_end(problem, solution.point) - result.phi;
+  if (ends.contact == nullptr) return;
+  solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
 }
 
 }  // namespace
@@ -67,15 +58,30 @@ double reachable(double tolerance, const PrimalDual& point) {
 
 MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
                            const MeshOptions& options) {
+  problem.set_end_angle(start.phi);
+  std::optional<ContactEquation> contact;
+  if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
+  const auto slope_at_end = [&](const PrimalDual& point) {
+    return end_slope(problem, point.x,
+                     costates(problem, point.x, point.lambda));
+  };
+  return solve_between(
+      {problem, contact ? &*contact : nullptr, slope_at_end, reachable}, start,
+      options);
+}
+
+MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
+                           const MeshOptions& options) {
+  const bool smooth = ends.contact != nullptr;
   MeshSolution solution;
   solution.point = start.point;
   const auto pass = [&](double phi) -> std::optional<double> {
-    problem.set_end_angle(phi);
+    if (smooth) ends.contact->set_parameter(phi);
     IpoptOptions ipopt = options.ipopt;
-    ipopt.tolerance = reachable(ipopt.tolerance, solution.point);
+    ipopt.tolerance = ends.reachable(ipopt.tolerance, solution.point);
     ipopt.max_iterations =
         std::max(0, ipopt.max_iterations - solution.iterations);
-    SolverResult result = solve_with_ipopt(problem, solution.point, ipopt);
+    SolverResult result = solve_with_ipopt(ends.problem, solution.point, ipopt);
     if (solution.closure.passes == 0) {
       solution.first_iterations = result.iterations;
       solution.refused_points = result.refused_points;
@@ -84,16 +90,15 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     solution.iterations += result.iterations;
     solution.log += result.log;
     solution.message = result.message;
-    if (!solved_up_to_rounding(problem, result)) {
+    if (!solved_up_to_rounding(ends, result)) {
       solution.status = result.status;
       return std::nullopt;
     }
     solution.status = Status::Solved;
     solution.point = std::move(result.point);
-    return slope_at_end(problem, solution.point);
+    return ends.end_slope(solution.point);
   };
 
-  const bool smooth = problem.scene().contact == Contact::Smooth;
   ClosureOptions closure = options.closure;
   closure.initial_slope = start.closure_slope;
   if (options.polish) closure.tolerance = kPolishedFrom;
@@ -101,7 +106,7 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     const double final_tolerance = options.closure.loose_tolerance;
     solution.closure = close_contact(pass, start.phi, closure);
     if (solution.closure.closed && options.polish) {
-      polish(problem, options, solution);
+      polish(ends, options, solution);
       solution.closure.closed =
           std::abs(solution.closure.mismatch) <= final_tolerance;
     }
@@ -110,7 +115,7 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     solution.closure.phi = start.phi;
     solution.closure.closed = solution.solved();
     if (solution.solved() && options.polish) {
-      polish(problem, options, solution);
+      polish(ends, options, solution);
     }
   }
   if (solution.solved() && !solution.closure.closed) {

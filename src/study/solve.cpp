@@ -12,9 +12,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/study/arc_length_refinement.hpp"
 #include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
+#include "brachisto/transcription/arc_contact.hpp"
 #include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
@@ -49,6 +51,25 @@ std::string no_cycloid(const Scene& scene) {
 bool follows_the_branch(const SolveOptions& options) {
   return options.method == Method::Ipopt &&
          options.search == Search::Principal && options.guess == Guess::Cycloid;
+}
+
+/// \throws std::invalid_argument if arc_length is combined with what it has not
+void check_formulation(const SolveOptions& options) {
+  const Discretisation& mesh = options.discretisation;
+  if (mesh.formulation != Formulation::ArcLength) return;
+  const int pieces = mesh.elements ? *mesh.elements
+                     : mesh.nodes  ? *mesh.nodes - 1
+                                   : kFewestPieces;
+  if (mesh.degree || pieces < kFewestPieces ||
+      options.method != Method::Ipopt || options.search != Search::Principal ||
+      options.guess != Guess::Cycloid ||
+      mesh.wanted_tolerance() < kSmallestArcLengthTolerance) {
+    throw std::invalid_argument(fmt::format(
+        "the formulation arc_length has no degree, {} pieces or more, the "
+        "method ipopt, the search principal, the guess cycloid, and a "
+        "tolerance of {:g} or more",
+        kFewestPieces, kSmallestArcLengthTolerance));
+  }
 }
 
 /// One solve: its parts share the scene, the budget and the protocol.
@@ -100,11 +121,14 @@ class Run {
   void answer_from(const Continuation& start);
   void report(MeshAnswer& answer,
               std::optional<double> transit_time = std::nullopt);
+  void answer_on_pieces(const Continuation& start);
+  void report(ArcLengthAnswer& answer, const Continuation& start);
+  void set_verdict(const std::string& message);
   /// Adds up the work on meshes, whether or not the answer comes from there.
   void count(const std::vector<MeshRecord>& meshes);
   /// Keeps how the answer was refined.
-  void describe_way(const Refinement& refinement);
-  void book(const Refinement& refinement);
+  void describe_way(const RefinementProtocol& refinement);
+  void book(const RefinementProtocol& refinement);
   [[nodiscard]] ExtremalSolution shoot(double tolerance);
 
   [[nodiscard]] const StopCondition& stop() const {
@@ -136,7 +160,7 @@ void Run::count(const std::vector<MeshRecord>& meshes) {
   }
 }
 
-void Run::describe_way(const Refinement& refinement) {
+void Run::describe_way(const RefinementProtocol& refinement) {
   Effort& effort = out_.effort;
   for (const MeshRecord& mesh : refinement.meshes) {
     effort.first_iterations = mesh.first_iterations;
@@ -148,7 +172,7 @@ void Run::describe_way(const Refinement& refinement) {
   out_.message = refinement.message;
 }
 
-void Run::book(const Refinement& refinement) {
+void Run::book(const RefinementProtocol& refinement) {
   count(refinement.meshes);
   describe_way(refinement);
 }
@@ -172,15 +196,46 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
     out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
   }
   out_.effort.certificate_seconds += seconds_since(begin);
+  set_verdict(answer.solution.message);
+}
+
+void Run::set_verdict(const std::string& message) {
   // That a finer mesh failed only matters if this one is not good enough.
   if (out_.certificate.verified()) {
     out_.status = Status::Solved;
-    out_.message = answer.solution.message;
+    out_.message = message;
   } else if (out_.status == Status::Solved) {
     out_.message = fmt::format(
         "solved, but not verified: {}",
         fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
   }
+}
+
+void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
+  const MeshSolution& solution = answer.solution;
+  out_.estimated_error = answer.estimated_error;
+  out_.nodes = answer.problem.layout().num_nodes();
+  out_.variables = answer.problem.num_variables();
+  out_.constraints = answer.problem.num_constraints();
+  const auto begin = StopCondition::Clock::now();
+  const double end_angle =
+      end_slope(answer.problem, solution.point.x, solution.point.lambda);
+  auto motion = std::make_shared<const ArcLengthMotion>(
+      answer.problem, solution.point.x, answer.transit_time, end_angle,
+      out_.scene, units_);
+  out_.certificate = certify_answer(answer, *motion, options_.discretisation);
+  if (options_.certify == Certify::Extremal) {
+    out_.extremal = ask_extremal(
+        scene_, *start.curve, start.phi, motion->transit_time(),
+        answer.estimated_error.value_or(0.0), stop(), out_.certificate);
+  }
+  out_.effort.certificate_seconds += seconds_since(begin);
+  // Without a motion there is nothing to diagnose, and the certificate says so.
+  if (!motion->on_curve().stall()) {
+    out_.diagnostics = motion->diagnose();
+    out_.through_nodes = std::move(motion);
+  }
+  set_verdict(solution.message);
 }
 
 void Run::try_other_start(const CycloidArc& arc,
@@ -325,9 +380,20 @@ void Run::find_beside(const Neighbour& neighbour) {
   if (found.curve) answer_from(found);
 }
 
+/// The same by straight pieces, in the paper's variables.
+void Run::answer_on_pieces(const Continuation& start) {
+  ArcLengthRefinement refinement = refine_arc_length(
+      natural_, options_.discretisation, *start.curve, start.phi, budget());
+  book(refinement);
+  if (refinement.answer && !stop().met()) report(*refinement.answer, start);
+}
+
 /// Refines until T is as accurate as wanted and, where the path bends sharply,
 /// until it is resolved between the nodes too.
 void Run::answer_from(const Continuation& start) {
+  if (options_.discretisation.formulation == Formulation::ArcLength) {
+    return answer_on_pieces(start);
+  }
   constexpr int kRounds = 3;
   constexpr double kTighter = 1e-2;
   Discretisation wanted = options_.discretisation;
@@ -360,6 +426,7 @@ Solution solve(const Scene& scene, const SolveOptions& options,
     throw std::invalid_argument(text);
   }
   if (scene.path) return evaluate_path(scene, options);
+  check_formulation(options);
   if (hooks.neighbour != nullptr && comparable(scene, hooks.neighbour->scene) &&
       follows_the_branch(options)) {
     Solution beside = Run(scene, options, hooks).execute(hooks.neighbour);

@@ -6,8 +6,10 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/smooth_contact.hpp"
@@ -62,6 +64,23 @@ inline constexpr double kPolishedFrom = 1e-5;
 /// a defect is a sum of some p + 1 unknowns times matrix entries of order p,
 /// and θ runs to thousands on the way of a small body.
 [[nodiscard]] double reachable(double tolerance, const PrimalDual& point);
+
+/// A problem between fixed ends of the centre's path, of any formulation.
+struct FixedEnds {
+  nlp::Problem& problem;
+  nlp::ClosingEquation* contact;  ///< null with Contact::Centre
+  /// β_end of a solution [rad].
+  std::function<double(const PrimalDual& point)> end_slope;
+  /// The larger of a tolerance and what rounding leaves of residuals.
+  std::function<double(double tolerance, const PrimalDual& point)> reachable;
+  double rounding_residual = kRoundingResidual;
+};
+
+/// Solves between fixed end points with Ipopt and closes the contact around it,
+/// as described at solve_on_mesh().
+[[nodiscard]] MeshSolution solve_between(const FixedEnds& ends,
+                                         const MeshStart& start,
+                                         const MeshOptions& options);
 
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With

@@ -20,6 +20,7 @@
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/fsolve_answer.hpp"
 #include "brachisto/study/solve_options.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/prescribed_motion.hpp"
 #include "brachisto/trajectory/trajectory.hpp"
@@ -47,6 +48,8 @@ struct Solution {
   Status status = Status::InternalError;
   std::string message;  ///< what failed, where, and what to try
   std::optional<Trajectory> trajectory;
+  /// In place of a trajectory, if the formulation is arc_length.
+  std::shared_ptr<const ArcLengthMotion> through_nodes;
   /// In place of a trajectory, if the scene states its path.
   std::shared_ptr<const PrescribedMotion> on_given_path;
   /// In place of a trajectory, with Method::Fsolve. Not what is asked for.
@@ -77,8 +80,9 @@ struct Solution {
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   /// The motion, found or given; null if there is none.
   [[nodiscard]] const Motion* motion() const {
-    return trajectory ? &*trajectory
-                      : static_cast<const Motion*>(on_given_path.get());
+    if (trajectory) return &*trajectory;
+    if (through_nodes) return through_nodes.get();
+    return on_given_path.get();
   }
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
   /// Forgets the answer with all that is known of it, not how it was sought.
@@ -99,7 +103,9 @@ struct SolveHooks {
 /// Method::Fsolve solves the paper's discrete system instead, compares its time
 /// with that of the extremal method, and is never verified.
 ///
-/// \throws std::invalid_argument if the scene is not valid
+/// \throws std::invalid_argument if the scene is not valid, or the formulation
+///         arc_length is combined with what it does not have: a degree, another
+///         method or search, a tolerance below kSmallestArcLengthTolerance
 [[nodiscard]] Solution solve(const Scene& scene,
                              const SolveOptions& options = {},
                              const SolveHooks& hooks = {});

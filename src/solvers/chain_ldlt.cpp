@@ -171,11 +171,9 @@ bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
 bool ChainLdlt::factorise(EntryValues values) {
   values_.assign(values.begin(), values.end());
   inertia_ = {};
-  const Run& longest =
-      *std::max_element(map_.runs().begin(), map_.runs().end(),
-                        [](const Run& a, const Run& b) {
-                          return a.num_links < b.num_links;
-                        });
+  const Run& longest = *std::max_element(
+      map_.runs().begin(), map_.runs().end(),
+      [](const Run& a, const Run& b) { return a.num_links < b.num_links; });
   // The scale of the matrix, for what counts as zero in its first links.
   link_matrix(longest, longest.num_links / 2, matrix_);
   largest_ = 0.0;
@@ -195,8 +193,7 @@ bool ChainLdlt::factorise(EntryValues values) {
   inertia_.known = true;
   inertia_.negative = negative_ + fronts_.negative();
   inertia_.zero = fronts_.zero();
-  inertia_.positive =
-      map_.num_unknowns() - inertia_.negative - inertia_.zero;
+  inertia_.positive = map_.num_unknowns() - inertia_.negative - inertia_.zero;
   return true;
 }
 
@@ -238,9 +235,9 @@ void ChainLdlt::factorise_run(std::size_t r) {
     Lanes* slots = nullptr;
     ReplayOutcome outcome;
     if (plan.chosen != nullptr) {
-      slots = &storage_[plan.storage + at(first / kLanes) *
-                                           at(plan.chosen->program
-                                                  .num_factor_slots)];
+      slots = &storage_[plan.storage +
+                        at(first / kLanes) *
+                            at(plan.chosen->program.num_factor_slots)];
       const bool as_assumed = fill(run, plan, first, count, slots);
       if (!std::isfinite(largest_)) return;
       if (!as_assumed) {

@@ -177,16 +177,16 @@ std::optional<ChainMap> ChainMap::make(
     now.entries.clear();
     for (std::size_t k = starts[at(link)]; k < starts[at(link) + 1]; ++k) {
       const std::size_t number = order[k];
-      const std::size_t a =
-          static_cast<std::size_t>(
-              std::upper_bound(first_of_array.begin(), first_of_array.end(),
-                               number) -
-              first_of_array.begin()) -
-          1;
+      const std::size_t a = static_cast<std::size_t>(
+                                std::upper_bound(first_of_array.begin(),
+                                                 first_of_array.end(), number) -
+                                first_of_array.begin()) -
+                            1;
       const std::size_t e = number - first_of_array[a];
       const int i = local(row_of(a, e));
       const int j = local(at(positions[a].cols[e]));
-      now.entries.push_back({std::max(i, j), std::min(i, j),
+      now.entries.push_back({std::max(i, j),
+                             std::min(i, j),
                              static_cast<int>(a),
                              {static_cast<std::ptrdiff_t>(e), 0}});
     }
@@ -194,14 +194,14 @@ std::optional<ChainMap> ChainMap::make(
     // Does it continue the run? The second link of a run sets the strides.
     const auto continues = [&](Run& run) {
       if (run.interior != now.interior || run.left != now.left ||
-          run.right != now.right || run.unknowns.size() != now.unknowns.size() ||
+          run.right != now.right ||
+          run.unknowns.size() != now.unknowns.size() ||
           run.entries.size() != now.entries.size()) {
         return false;
       }
       const int i = run.num_links;
       const auto fits = [&](const Affine& old, const Affine& here) {
-        return i == 1 ||
-               old.at(i) == static_cast<std::size_t>(here.first);
+        return i == 1 || old.at(i) == static_cast<std::size_t>(here.first);
       };
       for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
         if (!fits(run.unknowns[k], now.unknowns[k])) return false;
@@ -216,8 +216,7 @@ std::optional<ChainMap> ChainMap::make(
       }
       if (i > 1) return true;
       for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
-        run.unknowns[k].stride =
-            now.unknowns[k].first - run.unknowns[k].first;
+        run.unknowns[k].stride = now.unknowns[k].first - run.unknowns[k].first;
       }
       for (std::size_t k = 0; k < now.entries.size(); ++k) {
         run.entries[k].source.stride =

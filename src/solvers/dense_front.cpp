@@ -94,8 +94,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
     const double b = front.at(r, j);
     const double c = front.at(r, r);
     const double det = std::abs(a * c - b * b);
-    const double largest =
-        std::max({std::abs(a), std::abs(b), std::abs(c)});
+    const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
     const double below_j = column_max(front, j, k, r).value;
     const double below_r = column_max(front, r, k, j).value;
     const double growth =
@@ -254,9 +253,9 @@ void FrontStack::backward(std::span<double> x) const {
     const int* const rows = rows_.data() + record.rows;
     const Width* const widths = widths_.data() + record.rows;
     // From the end of this front's values backwards.
-    const double* l = values_.data() + (f + 1 < records_.size()
-                                            ? records_[f + 1].values
-                                            : values_.size());
+    const double* l =
+        values_.data() +
+        (f + 1 < records_.size() ? records_[f + 1].values : values_.size());
     local_.resize(std::max(local_.size(), at(n)));
     for (int i = 0; i < n; ++i) local_[at(i)] = x[at(rows[i])];
     for (int k = record.eliminated; k > 0;) {

@@ -54,10 +54,9 @@ class Elimination {
   /// The cheapest stable pivot, or nothing.
   [[nodiscard]] std::optional<Candidate> best() const {
     std::vector<Candidate> candidates = all_candidates();
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b) {
-                return a.cost < b.cost;
-              });
+    std::sort(
+        candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     const Candidate* least = nullptr;
     double least_growth = kLargestGrowth;
     for (const Candidate& candidate : candidates) {
@@ -165,14 +164,14 @@ class Elimination {
         const auto in_p = static_cast<double>(P.count());
         const auto in_q = static_cast<double>(Q.count());
         if (p_zero && q_zero) {
-          out.push_back({0.5 * (in_p * in_q + in_p + in_q), Kind::Saddle, p,
-                         q});
+          out.push_back(
+              {0.5 * (in_p * in_q + in_p + in_q), Kind::Saddle, p, q});
         } else if (q_zero) {
-          out.push_back({0.5 * (both * in_q + both + in_q), Kind::Saddle, p,
-                         q});
+          out.push_back(
+              {0.5 * (both * in_q + both + in_q), Kind::Saddle, p, q});
         } else if (p_zero) {
-          out.push_back({0.5 * (both * in_p + both + in_p), Kind::Saddle, q,
-                         p});
+          out.push_back(
+              {0.5 * (both * in_p + both + in_p), Kind::Saddle, q, p});
         } else {
           out.push_back({0.5 * (both * both + 2.0 * both), Kind::Pair, p, q});
         }
@@ -300,8 +299,8 @@ class Numbering {
 
 }  // namespace
 
-std::optional<PivotProgram> PivotProgram::choose(
-    std::span<const double> matrix, int size, int interior) {
+std::optional<PivotProgram> PivotProgram::choose(std::span<const double> matrix,
+                                                 int size, int interior) {
   if (size > kMaxSize) return std::nullopt;
   Elimination elimination(matrix, size, interior);
   Numbering numbering(size, interior);

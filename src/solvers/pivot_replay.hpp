@@ -36,7 +36,6 @@ void replay_factor(const PivotProgram& program, Lanes* slots,
 void replay_forward(const PivotProgram& program, const Lanes* slots, Lanes* y);
 
 /// Solves with the transposed factor, the unknowns outside the interior known.
-void replay_backward(const PivotProgram& program, const Lanes* slots,
-                     Lanes* y);
+void replay_backward(const PivotProgram& program, const Lanes* slots, Lanes* y);
 
 }  // namespace brachisto

@@ -15,6 +15,8 @@ namespace {
 
 // Interiors of about this size keep the share of the separators small.
 constexpr int kJoinTo = 45;
+// To choose pivots takes as long as some dense fronts.
+constexpr int kFewLinks = 6;
 // A link passes the replay if the Frobenius norm of its multipliers is at most
 // this: rounding errors are then magnified by less than its square, and one
 // step of refinement makes up for them.
@@ -72,6 +74,8 @@ void ChainLdlt::link_matrix(const Run& run, int link,
 
 /// Takes the sequence for the pattern of the run's sample, or chooses one.
 void ChainLdlt::choose_program(const Run& run, Plan& plan) {
+  plan.chosen = nullptr;
+  if (run.num_links < kFewLinks) return;
   const std::size_t n = run.unknowns.size();
   link_matrix(run, plan.sample, matrix_);
   std::vector<char> pattern(n * n);
@@ -89,7 +93,6 @@ void ChainLdlt::choose_program(const Run& run, Plan& plan) {
     plan.known.erase(found);
     found = plan.known.end();
   }
-  plan.chosen = nullptr;
   if (found != plan.known.end()) {
     plan.chosen = found->get();
   } else {

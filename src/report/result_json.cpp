@@ -94,7 +94,7 @@ Json options_json(const SolveOptions& options) {
             {"nodes", or_null(mesh.nodes)}}},
           {"solver",
            {{"method", options.method == Method::Ipopt ? "ipopt" : "extremal"},
-            {"linear_solver", "mumps"},
+            {"linear_solver", name(options.linear_solver)},
             {"tolerance", options.tolerance},
             {"search",
              options.search == Search::Principal ? "principal" : "global"},
@@ -106,9 +106,11 @@ Json options_json(const SolveOptions& options) {
               {"seconds", options.limits.seconds}}}}}};
 }
 
-Json provenance_json(const SolveOptions& options) {
+Json provenance_json(const Solution& solution) {
   Json json = Json::parse(report::provenance_json());
-  json["options"] = options_json(options);
+  json["options"] = options_json(solution.options);
+  const std::optional<LinearSolver>& used = solution.effort.linear_solver;
+  json["linear_solver"] = used ? Json(name(*used)) : Json(nullptr);
   return json;
 }
 
@@ -284,7 +286,7 @@ std::string result_json(const Solution& solution) {
                      {"solve", effort.seconds - effort.certificate_seconds},
                      {"certificate", effort.certificate_seconds}};
   json["certificate"] = certificate_json(solution);
-  json["provenance"] = provenance_json(solution.options);
+  json["provenance"] = provenance_json(solution);
   json["scene"] = scene_json(solution.scene);
   return json.dump(2) + "\n";
 }

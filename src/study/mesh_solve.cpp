@@ -39,6 +39,7 @@ void polish(RollingTime& problem, const MeshOptions& options,
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   const bool smooth = problem.scene().contact == Contact::Smooth;
   std::optional<ContactEquation> contact;
@@ -79,6 +80,9 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     if (solution.closure.passes == 0) {
       solution.first_iterations = result.iterations;
       solution.refused_points = result.refused_points;
+    }
+    if (result.linear_solver != LinearSolver::Auto) {
+      solution.linear_solver = result.linear_solver;
     }
     ++solution.closure.passes;
     solution.iterations += result.iterations;

@@ -78,9 +78,6 @@ TEST(StrictKeys, ReservedWordsAreNotCalledUnknown) {
   EXPECT_EQ(message("discretisation", "formulation", "arc_length"),
             "p.yaml:2:31: discretisation.formulation: \"arc_length\"" +
                 reserved + "rolling_time");
-  EXPECT_EQ(message("solver", "linear_solver", "chain"),
-            "p.yaml:2:25: solver.linear_solver: \"chain\"" + reserved +
-                "auto or mumps");
   for (const std::string method : {"newton_kkt", "fsolve"}) {
     EXPECT_EQ(message("solver", "method", method),
               "p.yaml:2:18: solver.method: \"" + method + "\"" + reserved +

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
@@ -17,9 +18,6 @@ enum class Method {
   Ipopt,     ///< the nonlinear program
   Extremal,  ///< Pontryagin's conditions by multiple shooting, no program
 };
-
-/// Who factorises the KKT matrix. Auto takes the fastest that is there.
-enum class LinearSolver { Auto, Mumps };
 
 /// Which of several extremals is the answer.
 enum class Search {

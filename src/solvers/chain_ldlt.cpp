@@ -23,11 +23,18 @@ constexpr int kFewLinks = 6;
 constexpr double kLargestGrowth = 1e3;
 // A pivot below this many units of rounding of the largest entry is zero.
 constexpr double kZeroUnits = 64.0;
-// More delayed pivots than this, and smaller ones must do.
+// More delayed pivots than this, and smaller ones must do, but no smaller than
+// refinement can make up for.
 constexpr int kManyDelays = 24;
+constexpr double kLeastThreshold = 1e-6;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
+}
+
+/// The larger one; not a number stays what it is.
+double larger(double a, double b) {
+  return a >= b || std::isnan(a) ? a : b;
 }
 
 int batches(int links) {
@@ -153,11 +160,10 @@ bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
       const double value = values[place];
       place += entry.source.stride;
       lane[b] += value;
-      // Not a number stays.
-      seen = std::abs(value) <= seen ? seen : std::abs(value);
+      seen = larger(seen, std::abs(value));
     }
     if (plan.slots[k] == 0 && seen != 0.0) as_assumed = false;
-    largest = seen <= largest ? largest : seen;
+    largest = larger(largest, seen);
   }
   largest_ = largest;
   // Idle lanes repeat the last one.
@@ -181,7 +187,7 @@ bool ChainLdlt::factorise(EntryValues values) {
   link_matrix(longest, longest.num_links / 2, matrix_);
   largest_ = 0.0;
   for (const double value : matrix_) {
-    largest_ = std::abs(value) <= largest_ ? largest_ : std::abs(value);
+    largest_ = larger(largest_, std::abs(value));
   }
   // An entry that was assumed zero and is not makes for a new start, but not
   // for ever: then the links concerned are dense.
@@ -283,7 +289,7 @@ void ChainLdlt::factorise_run(std::size_t r) {
 void ChainLdlt::dense_link(const Run& run, int link) {
   link_matrix(run, link, matrix_);
   for (const double value : matrix_) {
-    largest_ = std::abs(value) <= largest_ ? largest_ : std::abs(value);
+    largest_ = larger(largest_, std::abs(value));
   }
   link_front_.reset(run.unknowns.size());
   link_front_.values.swap(matrix_);
@@ -365,8 +371,8 @@ void ChainLdlt::separator(const Run& run, int link, const PivotProgram* program,
   FrontStack::Rule rule{0.1, zero_, false};
   fronts_.eliminate(front_, rule);
   while (front_.candidates > kManyDelays) {
-    rule.threshold *= 1e-3;
-    if (rule.threshold < 1e-12) {
+    rule.threshold *= 1e-2;
+    if (rule.threshold < kLeastThreshold) {
       overflow_ = true;
       return;
     }
@@ -381,7 +387,7 @@ void ChainLdlt::last_front() {
   const int first_border = carried_.size() - border;
   for (const ChainMap::Entry& entry : map_.border_entries()) {
     const double value = values_[at(entry.array)][entry.source.at(0)];
-    largest_ = std::abs(value) <= largest_ ? largest_ : std::abs(value);
+    largest_ = larger(largest_, std::abs(value));
     const int i = first_border + entry.row;
     const int j = first_border + entry.col;
     carried_.at(i, j) += value;
@@ -391,107 +397,6 @@ void ChainLdlt::last_front() {
   carried_.candidates = carried_.size();
   fronts_.eliminate(carried_, {0.1, zero_, true});
   if (carried_.candidates > 0) overflow_ = true;
-}
-
-/// visit(run, program, slots, first link, number of links, flags of failure).
-template <class Visit>
-void ChainLdlt::for_each_batch(Visit&& visit) const {
-  for (std::size_t r = 0; r < plans_.size(); ++r) {
-    const Run& run = map_.runs()[r];
-    const Plan& plan = plans_[r];
-    if (plan.chosen == nullptr) continue;
-    const PivotProgram& program = plan.chosen->program;
-    const Lanes* slots = storage_.get() + plan.storage;
-    for (int first = 0; first < run.num_links; first += kLanes) {
-      const unsigned failed = failed_[plan.failed + at(first / kLanes)];
-      if (failed != 0xffU) {
-        visit(run, program, slots, first,
-              std::min(kLanes, run.num_links - first), failed);
-      }
-      slots += program.num_factor_slots;
-    }
-  }
-}
-
-void ChainLdlt::solve(std::span<double> x) const {
-  std::vector<Lanes> local;
-  for_each_batch([&](const Run& run, const PivotProgram& program,
-                     const Lanes* slots, int first, int count,
-                     unsigned failed) {
-    local.assign(run.unknowns.size(), Lanes{});
-    for (int i = 0; i < run.interior; ++i) {
-      for (int b = 0; b < count; ++b) {
-        local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
-      }
-    }
-    replay_forward(program, slots, local.data());
-    for (int b = 0; b < count; ++b) {
-      if (((failed >> b) & 1U) != 0) continue;
-      for (int i = 0; i < run.interior; ++i) {
-        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
-      }
-      for (int i = run.interior; i < run.size(); ++i) {
-        x[run.unknowns[at(i)].at(first + b)] += local[at(i)].lane[b];
-      }
-    }
-  });
-  fronts_.forward(x);
-  fronts_.backward(x);
-  for_each_batch([&](const Run& run, const PivotProgram& program,
-                     const Lanes* slots, int first, int count,
-                     unsigned failed) {
-    local.assign(run.unknowns.size(), Lanes{});
-    for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
-      for (int b = 0; b < count; ++b) {
-        local[i].lane[b] = x[run.unknowns[i].at(first + b)];
-      }
-    }
-    replay_backward(program, slots, local.data());
-    for (int b = 0; b < count; ++b) {
-      if (((failed >> b) & 1U) != 0) continue;
-      for (int i = 0; i < run.interior; ++i) {
-        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
-      }
-    }
-  });
-}
-
-void ChainLdlt::subtract_product(std::span<const double> x,
-                                 std::span<long double> residual) const {
-  const auto add = [&](std::size_t i, std::size_t j, double value) {
-    residual[i] -= static_cast<long double>(value) * x[j];
-    if (i != j) residual[j] -= static_cast<long double>(value) * x[i];
-  };
-  for (const Run& run : map_.runs()) {
-    for (int link = 0; link < run.num_links; ++link) {
-      for (const ChainMap::Entry& entry : run.entries) {
-        add(run.unknowns[at(entry.row)].at(link),
-            run.unknowns[at(entry.col)].at(link),
-            values_[at(entry.array)][entry.source.at(link)]);
-      }
-    }
-  }
-  for (const ChainMap::Entry& entry : map_.border_entries()) {
-    add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
-        values_[at(entry.array)][entry.source.at(0)]);
-  }
-}
-
-void ChainLdlt::solve_refined(std::span<const double> b, std::span<double> x,
-                              int refinements) const {
-  std::copy(b.begin(), b.end(), x.begin());
-  solve(x);
-  std::vector<long double> residual(b.size());
-  std::vector<double> correction(b.size());
-  for (int step = 0; step < refinements; ++step) {
-    std::copy(b.begin(), b.end(), residual.begin());
-    subtract_product(x, residual);
-    for (std::size_t i = 0; i < correction.size(); ++i) {
-      correction[i] = static_cast<double>(residual[i]);
-    }
-    solve(correction);
-    for (std::size_t i = 0; i < correction.size(); ++i) x[i] += correction[i];
-  }
 }
 
 std::size_t ChainLdlt::state_bytes() const {

@@ -232,7 +232,7 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
     return result;
   }
   SolverResult result = run(problem, start, options, LinearSolver::Mumps);
-  if (!why_not.empty()) {
+  if (!why_not.empty() && options.verbose) {
     result.log =
         "linear solver mumps, not chain: " + why_not + "\n" + result.log;
   }

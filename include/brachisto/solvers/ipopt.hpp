@@ -37,7 +37,8 @@ struct IpoptOptions {
 /// The chain factorisation is used if the problem states a chain structure and
 /// Ipopt is a release with a way in, 3.11.9; else LinearSolver::Auto means
 /// MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
-/// that says why. The result tells which one it was.
+/// that says why. The result tells which one it was, the verbose log why not
+/// the chain.
 ///
 /// One run per process at a time: MUMPS is not safe in threads, and the chain
 /// reaches Ipopt through a variable of the process.

@@ -106,8 +106,10 @@ std::vector<KeySpec> solver_keys() {
       {.path = "solver.linear_solver",
        .type = KeyType::Choice,
        .fallback = "auto",
-       .description = "what factorises the KKT matrix; auto takes the fastest "
-                      "there is",
+       .description =
+           "what factorises the KKT matrix. chain: along the chain "
+           "of elements; mumps: a general sparse solver; auto: chain "
+           "where it is possible, mumps otherwise",
        .choices = {{"auto",
                     [](ProblemFile& p) {
                       p.options.linear_solver = LinearSolver::Auto;
@@ -116,7 +118,10 @@ std::vector<KeySpec> solver_keys() {
                     [](ProblemFile& p) {
                       p.options.linear_solver = LinearSolver::Mumps;
                     }},
-                   {"chain"}}},
+                   {"chain",
+                    [](ProblemFile& p) {
+                      p.options.linear_solver = LinearSolver::Chain;
+                    }}}},
       {.path = "solver.tolerance",
        .type = KeyType::Number,
        .fallback = "1e-12",

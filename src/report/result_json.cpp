@@ -109,7 +109,7 @@ Json options_json(const SolveOptions& options) {
             {"nodes", or_null(mesh.nodes)}}},
           {"solver",
            {{"method", method_name(options.method)},
-            {"linear_solver", "mumps"},
+            {"linear_solver", name(options.linear_solver)},
             {"tolerance", options.tolerance},
             {"search",
              options.search == Search::Principal ? "principal" : "global"},
@@ -122,9 +122,11 @@ Json options_json(const SolveOptions& options) {
             {"fsolve", fsolve_options_json(options.fsolve)}}}};
 }
 
-Json provenance_json(const SolveOptions& options) {
+Json provenance_json(const Solution& solution) {
   Json json = Json::parse(report::provenance_json());
-  json["options"] = options_json(options);
+  json["options"] = options_json(solution.options);
+  const std::optional<LinearSolver>& used = solution.effort.linear_solver;
+  json["linear_solver"] = used ? Json(name(*used)) : Json(nullptr);
   return json;
 }
 
@@ -303,7 +305,7 @@ std::string result_json(const Solution& solution) {
                      {"solve", effort.seconds - effort.certificate_seconds},
                      {"certificate", effort.certificate_seconds}};
   json["certificate"] = certificate_json(solution);
-  json["provenance"] = provenance_json(solution.options);
+  json["provenance"] = provenance_json(solution);
   json["scene"] = scene_json(solution.scene);
   return json.dump(2) + "\n";
 }

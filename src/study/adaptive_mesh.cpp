@@ -51,6 +51,7 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   NewtonOptions newton;
   newton.tolerance = reachable(options.ipopt.tolerance, answer.solution.point);
   newton.max_iterations = 10;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
@@ -96,6 +97,7 @@ MeshSolution stay_with(RollingTime& problem, const ExtremalCurve& curve,
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   NewtonResult result = solve_with_newton(problem, smooth ? &*contact : nullptr,
                                           prolong(curve, problem), phi, newton);
@@ -151,6 +153,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
       stayed.closure.passes = solution.closure.passes;
       stayed.first_iterations = solution.first_iterations;
       stayed.iterations = solution.iterations;
+      stayed.linear_solver = solution.linear_solver;
       stayed.log = std::move(solution.log);
       solution = std::move(stayed);
     } else {

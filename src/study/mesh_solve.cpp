@@ -35,6 +35,7 @@ void polish(const FixedEnds& ends, const MeshOptions& options,
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   NewtonResult result = solve_with_newton(
       ends.problem, ends.contact, solution.point, solution.closure.phi, newton);
@@ -85,6 +86,9 @@ MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
     if (solution.closure.passes == 0) {
       solution.first_iterations = result.iterations;
       solution.refused_points = result.refused_points;
+    }
+    if (result.linear_solver != LinearSolver::Auto) {
+      solution.linear_solver = result.linear_solver;
     }
     ++solution.closure.passes;
     solution.iterations += result.iterations;

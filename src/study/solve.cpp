@@ -82,6 +82,7 @@ class Run {
         options_(options),
         start_time_(StopCondition::Clock::now()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
+    mesh_options_.ipopt.linear_solver = options.linear_solver;
     mesh_options_.ipopt.verbose = hooks.verbose;
     mesh_options_.ipopt.stop =
         StopCondition(options.limits.seconds, hooks.interrupt);
@@ -165,6 +166,7 @@ void Run::describe_way(const RefinementProtocol& refinement) {
   for (const MeshRecord& mesh : refinement.meshes) {
     effort.first_iterations = mesh.first_iterations;
     effort.closure_passes = mesh.passes;
+    effort.linear_solver = mesh.linear_solver;
     effort.meshes.push_back(mesh);
   }
   out_.log += refinement.log;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "brachisto/nlp/closing_equation.hpp"
@@ -40,6 +41,8 @@ struct MeshSolution {
   int first_iterations = 0;  ///< of the first pass
   int iterations = 0;        ///< of all passes
   int refused_points = 0;    ///< in the first pass
+  /// Of Ipopt, if it ran: Chain or Mumps.
+  std::optional<LinearSolver> linear_solver;
   std::string log;
 
   [[nodiscard]] bool solved() const { return status == Status::Solved; }

@@ -34,7 +34,10 @@ struct Effort {
   int passes = 0;            ///< solves between fixed end points, in all
   int closure_passes = 0;    ///< of these on the final mesh
   int newton_steps = 0;      ///< of continuation, polishing and checks
-  double seconds = 0.0;      ///< wall clock, all of solve()
+  /// Of Ipopt on the final mesh: Chain or Mumps; nothing where Ipopt did not
+  /// run there.
+  std::optional<LinearSolver> linear_solver;
+  double seconds = 0.0;              ///< wall clock, all of solve()
   double certificate_seconds = 0.0;  ///< of these for the certificate
   std::vector<ContinuationStep> continuation;
   std::vector<MeshRecord> meshes;  ///< in the order in which they were tried

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
@@ -34,9 +35,6 @@ struct FsolveOptions {
   /// On the Euclidean norm of the residual: the paper's.
   double tolerance = 1e-6;
 };
-
-/// Who factorises the KKT matrix. Auto takes the fastest that is there.
-enum class LinearSolver { Auto, Mumps };
 
 /// Which of several extremals is the answer.
 enum class Search {

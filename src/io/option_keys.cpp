@@ -92,15 +92,19 @@ std::vector<KeySpec> solver_keys() {
       {.path = "solver.method",
        .type = KeyType::Choice,
        .fallback = "ipopt",
-       .description = "ipopt: collocation and a nonlinear program; extremal: "
-                      "Pontryagin's conditions by multiple shooting; fsolve: "
-                      "the paper's discrete system, for comparison, never "
-                      "verified",
+       .description =
+           "ipopt: collocation and a nonlinear program; newton_kkt: "
+           "the same by Newton's method on its optimality conditions, "
+           "from the continuation; extremal: "
+           "Pontryagin's conditions by multiple shooting; fsolve: "
+           "the paper's discrete system, for comparison, never "
+           "verified",
        .choices =
            {{"ipopt", [](ProblemFile& p) { p.options.method = Method::Ipopt; }},
+            {"newton_kkt",
+             [](ProblemFile& p) { p.options.method = Method::NewtonKkt; }},
             {"extremal",
              [](ProblemFile& p) { p.options.method = Method::Extremal; }},
-            {"newton_kkt"},
             {"fsolve",
              [](ProblemFile& p) { p.options.method = Method::Fsolve; }}}},
       {.path = "solver.linear_solver",

@@ -89,6 +89,8 @@ const char* method_name(Method method) {
   switch (method) {
     case Method::Ipopt:
       return "ipopt";
+    case Method::NewtonKkt:
+      return "newton_kkt";
     case Method::Extremal:
       return "extremal";
     case Method::Fsolve:

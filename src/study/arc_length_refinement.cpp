@@ -104,18 +104,10 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
       std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
     return solution;
   }
-  // Newton's method alone stays at an extremal that is no minimum between its
-  // ends, which Ipopt leaves.
-  NewtonOptions newton;
-  newton.tolerance = ends.reachable(options_.ipopt.tolerance, start.point);
-  newton.to_rounding = true;
-  newton.stop = options_.ipopt.stop;
-  if (contact) contact->set_parameter(start.phi);
-  NewtonResult stayed =
-      solve_with_newton(problem, ends.contact, start.point, start.phi, newton);
-  solution.polish = {stayed.iterations, stayed.first_residual, stayed.residual};
-  if (stayed.residual > ends.rounding_residual ||
-      std::abs(stayed.phi - start.phi) > kLargestDeparture) {
+  if (options_.newton_alone) return solution;
+  MeshSolution stayed = stay_between(ends, start, options_);
+  if (!stayed.solved() ||
+      std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {
     if (solution.solved()) {
       solution.status = Status::NotConverged;
       solution.message = "no solution near the coarser one";
@@ -124,16 +116,15 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
                                    solution.message);
     return solution;
   }
-  solution.point = std::move(stayed.point);
-  solution.closure.phi = stayed.phi;
-  solution.closure.mismatch =
-      contact ? ends.end_slope(solution.point) - stayed.phi : 0.0;
-  solution.closure.closed = true;
-  solution.status = Status::Solved;
-  solution.message =
-      "Newton's method: extremal found; Ipopt left it, so that it is not a "
-      "minimum, or nearly none";
-  return solution;
+  stayed.closure.passes = solution.closure.passes;
+  stayed.closure.slope = solution.closure.slope;
+  stayed.first_iterations = solution.first_iterations;
+  stayed.iterations = solution.iterations;
+  stayed.linear_solver = solution.linear_solver;
+  stayed.log = std::move(solution.log);
+  stayed.message +=
+      "; Ipopt left it, so that it is not a minimum, or nearly none";
+  return stayed;
 }
 
 double Sequence::estimate(const ArcLengthAnswer& finer) const {
@@ -186,7 +177,8 @@ bool Sequence::climb(const std::vector<int>& pieces) {
     constexpr int kStraight = 1;
     out_.meshes.push_back({kStraight, n, answer.estimated_error,
                            solution.closure.passes, solution.first_iterations,
-                           solution.iterations, solution.polish.newton_steps});
+                           solution.iterations, solution.polish.newton_steps,
+                           solution.linear_solver});
     if (!solved) {
       // A mesh that is too coarse tells nothing; the next one starts from the
       // curve again.

@@ -57,22 +57,73 @@ double reachable(double tolerance, const PrimalDual& point) {
                   kTerms * std::numeric_limits<double>::epsilon() * largest);
 }
 
-MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
-                           const MeshOptions& options) {
-  problem.set_end_angle(start.phi);
+namespace {
+
+/// Calls `solve` with a problem in the rolling time as one of fixed ends.
+template <class Solve>
+MeshSolution with_fixed_ends(RollingTime& problem, double phi, Solve&& solve) {
+  problem.set_end_angle(phi);
   std::optional<ContactEquation> contact;
   if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
   const auto slope_at_end = [&](const PrimalDual& point) {
     return end_slope(problem, point.x,
                      costates(problem, point.x, point.lambda));
   };
-  return solve_between(
-      {problem, contact ? &*contact : nullptr, slope_at_end, reachable}, start,
-      options);
+  return solve(FixedEnds{problem, contact ? &*contact : nullptr, slope_at_end,
+                         reachable});
+}
+
+}  // namespace
+
+MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
+                           const MeshOptions& options) {
+  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
+    return solve_between(ends, start, options);
+  });
+}
+
+MeshSolution stay_on_mesh(RollingTime& problem, const MeshStart& start,
+                          const MeshOptions& options) {
+  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
+    return stay_between(ends, start, options);
+  });
+}
+
+MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
+                          const MeshOptions& options) {
+  MeshSolution solution;
+  NewtonOptions newton;
+  newton.tolerance = ends.reachable(options.ipopt.tolerance, start.point);
+  newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
+  newton.stop = options.ipopt.stop;
+  if (ends.contact != nullptr) ends.contact->set_parameter(start.phi);
+  NewtonResult result = solve_with_newton(ends.problem, ends.contact,
+                                          start.point, start.phi, newton);
+  solution.polish = {result.iterations, result.first_residual, result.residual};
+  solution.point = std::move(result.point);
+  solution.closure.phi = result.phi;
+  solution.closure.slope = start.closure_slope;
+  if (ends.contact != nullptr) {
+    solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
+  }
+  solution.closure.closed =
+      std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
+  solution.status =
+      result.residual <= ends.rounding_residual && solution.closure.closed
+          ? Status::Solved
+          : Status::NotConverged;
+  solution.message =
+      solution.solved()
+          ? "Newton's method: extremal found"
+          : fmt::format("Newton's method stopped at a residual of {:.1e}",
+                        result.residual);
+  return solution;
 }
 
 MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
                            const MeshOptions& options) {
+  if (options.newton_alone) return stay_between(ends, start, options);
   const bool smooth = ends.contact != nullptr;
   MeshSolution solution;
   solution.point = start.point;

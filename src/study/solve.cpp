@@ -47,9 +47,14 @@ std::string no_cycloid(const Scene& scene) {
       scene.body.radius, scene.L, scene.H);
 }
 
+/// Whether the method poses the nonlinear program.
+bool solves_the_program(Method method) {
+  return method == Method::Ipopt || method == Method::NewtonKkt;
+}
+
 /// True if the answer is the end of one branch that is followed.
 bool follows_the_branch(const SolveOptions& options) {
-  return options.method == Method::Ipopt &&
+  return solves_the_program(options.method) &&
          options.search == Search::Principal && options.guess == Guess::Cycloid;
 }
 
@@ -61,12 +66,13 @@ void check_formulation(const SolveOptions& options) {
                      : mesh.nodes  ? *mesh.nodes - 1
                                    : kFewestPieces;
   if (mesh.degree || pieces < kFewestPieces ||
-      options.method != Method::Ipopt || options.search != Search::Principal ||
-      options.guess != Guess::Cycloid ||
+      !solves_the_program(options.method) ||
+      options.search != Search::Principal || options.guess != Guess::Cycloid ||
       mesh.wanted_tolerance() < kSmallestArcLengthTolerance) {
     throw std::invalid_argument(fmt::format(
         "the formulation arc_length has no degree, {} pieces or more, the "
-        "method ipopt, the search principal, the guess cycloid, and a "
+        "method ipopt or newton_kkt, the search principal, the guess cycloid, "
+        "and a "
         "tolerance of {:g} or more",
         kFewestPieces, kSmallestArcLengthTolerance));
   }
@@ -87,6 +93,7 @@ class Run {
     mesh_options_.ipopt.stop =
         StopCondition(options.limits.seconds, hooks.interrupt);
     mesh_options_.polish = options.polish;
+    mesh_options_.newton_alone = options.method == Method::NewtonKkt;
     out_.scene = scene;
     out_.options = options;
   }

@@ -84,6 +84,27 @@ nlp::EliminationOrder ArcLength::elimination_order() const {
   return order;
 }
 
+nlp::ChainStructure ArcLength::chain_structure() const {
+  nlp::ChainStructure chain;
+  chain.num_links = num_intervals();
+  chain.block.assign(
+      static_cast<std::size_t>(num_variables() + num_constraints()),
+      nlp::ChainStructure::kBorder);
+  const int n = num_variables();
+  const auto put = [&](int unknown, int node) {
+    chain.block[static_cast<std::size_t>(unknown)] = 2 * node;
+  };
+  for (int node = 1; node <= num_intervals(); ++node) {
+    put(layout_.x(node), node);
+    put(layout_.z(node), node);
+    put(n + layout_.no_slip(node), node);
+    if (!layout_.has_theta()) continue;
+    put(layout_.theta(node), node);
+    put(n + layout_.place(node), node);
+  }
+  return chain;
+}
+
 bool ArcLength::do_set_point(std::span<const double> x) {
   x_.assign(x.begin(), x.end());
   return set_nodes() && set_pieces();

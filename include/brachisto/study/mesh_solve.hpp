@@ -53,6 +53,7 @@ struct MeshOptions {
   IpoptOptions ipopt;
   ClosureOptions closure;
   bool polish = true;
+  bool newton_alone = false;  ///< no Ipopt: stay_between() in place of passes
 };
 
 /// A pass that Ipopt breaks off near the solution, because steps drown in
@@ -84,6 +85,18 @@ struct FixedEnds {
 [[nodiscard]] MeshSolution solve_between(const FixedEnds& ends,
                                          const MeshStart& start,
                                          const MeshOptions& options);
+
+/// Newton's method alone on the optimality conditions and the contact together:
+/// it stays at the extremal that the start is close to, also at one that is no
+/// minimum between its end points, which Ipopt would leave.
+[[nodiscard]] MeshSolution stay_between(const FixedEnds& ends,
+                                        const MeshStart& start,
+                                        const MeshOptions& options);
+
+/// The same for a problem in the rolling time.
+[[nodiscard]] MeshSolution stay_on_mesh(RollingTime& problem,
+                                        const MeshStart& start,
+                                        const MeshOptions& options);
 
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With

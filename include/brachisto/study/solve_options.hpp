@@ -16,9 +16,10 @@ namespace brachisto {
 
 /// How the extremal is found.
 enum class Method {
-  Ipopt,     ///< the nonlinear program
-  Extremal,  ///< Pontryagin's conditions by multiple shooting, no program
-  Fsolve,    ///< the paper's discrete system, for comparison; never verified
+  Ipopt,      ///< the nonlinear program
+  NewtonKkt,  ///< the same by Newton's method on its optimality conditions
+  Extremal,   ///< Pontryagin's conditions by multiple shooting, no program
+  Fsolve,     ///< the paper's discrete system, for comparison; never verified
 };
 
 /// Who solves the paper's discrete system.

@@ -91,6 +91,9 @@ class ArcLength final : public nlp::Problem {
   /// Along the path: unknowns and multipliers of one node after the other, S
   /// last.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
+  /// A link for each piece, with nothing inside: a node and the multipliers of
+  /// the piece that leads to it are a separator; S is the border.
+  [[nodiscard]] nlp::ChainStructure chain_structure() const override;
   [[nodiscard]] std::string variable_name(int index) const override {
     return layout_.variable_name(index);
   }

@@ -52,6 +52,14 @@ nlp::ChainStructure in_ipopt_numbering(const nlp::Problem& problem) {
   // and keeps the order of the others. There are no inequalities, hence no
   // slacks, and the multipliers follow in the order of the constraints.
   nlp::ChainStructure chain = chain_of_free_unknowns(problem);
+  if (!chain.scale.empty()) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < chain.block.size(); ++i) {
+      if (chain.block[i] == nlp::ChainStructure::kAbsent) continue;
+      chain.scale[kept++] = chain.scale[i];
+    }
+    chain.scale.resize(kept);
+  }
   std::erase(chain.block, nlp::ChainStructure::kAbsent);
   return chain;
 }

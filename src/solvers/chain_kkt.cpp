@@ -15,6 +15,7 @@ nlp::ChainStructure chain_of_free_unknowns(const nlp::Problem& problem) {
   for (std::size_t i = 0; i < n; ++i) {
     if (problem.lower()[i] == problem.upper()[i]) {
       chain.block[i] = nlp::ChainStructure::kAbsent;
+      if (!chain.scale.empty()) chain.scale[i] = 1.0;
     }
   }
   return chain;

@@ -48,11 +48,14 @@ std::unique_ptr<ChainLdlt> ChainLdlt::make(
     std::span<const EntryPositions> positions) {
   std::optional<ChainMap> map = ChainMap::make(structure, positions, kJoinTo);
   if (!map) return nullptr;
-  return std::unique_ptr<ChainLdlt>(new ChainLdlt(std::move(*map)));
+  return std::unique_ptr<ChainLdlt>(
+      new ChainLdlt(std::move(*map), structure.scale));
 }
 
-ChainLdlt::ChainLdlt(ChainMap map)
-    : map_(std::move(map)), plans_(map_.runs().size()) {
+ChainLdlt::ChainLdlt(ChainMap map, std::vector<double> scale)
+    : map_(std::move(map)),
+      scale_(std::move(scale)),
+      plans_(map_.runs().size()) {
   std::size_t flags = 0;
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     const Run& run = map_.runs()[r];
@@ -71,7 +74,7 @@ void ChainLdlt::link_matrix(const Run& run, int link,
   const std::size_t n = run.unknowns.size();
   matrix.assign(n * n, 0.0);
   for (const ChainMap::Entry& entry : run.entries) {
-    const double value = values_[at(entry.array)][entry.source.at(link)];
+    const double value = scaled(run, entry, link);
     matrix[at(entry.row) + n * at(entry.col)] += value;
     if (entry.row != entry.col) {
       matrix[at(entry.col) + n * at(entry.row)] += value;
@@ -156,11 +159,19 @@ bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
     std::ptrdiff_t place = entry.source.first + entry.source.stride * first;
     double* const lane = slots[plan.slots[k]].lane;
     double seen = 0.0;
-    for (int b = 0; b < count; ++b) {
-      const double value = values[place];
-      place += entry.source.stride;
-      lane[b] += value;
-      seen = larger(seen, std::abs(value));
+    if (scale_.empty()) {
+      for (int b = 0; b < count; ++b) {
+        const double value = values[place];
+        place += entry.source.stride;
+        lane[b] += value;
+        seen = larger(seen, std::abs(value));
+      }
+    } else {
+      for (int b = 0; b < count; ++b) {
+        const double value = scaled(run, entry, first + b);
+        lane[b] += value;
+        seen = larger(seen, std::abs(value));
+      }
     }
     if (plan.slots[k] == 0 && seen != 0.0) as_assumed = false;
     largest = larger(largest, seen);
@@ -386,7 +397,11 @@ void ChainLdlt::last_front() {
   const int border = static_cast<int>(map_.border().size());
   const int first_border = carried_.size() - border;
   for (const ChainMap::Entry& entry : map_.border_entries()) {
-    const double value = values_[at(entry.array)][entry.source.at(0)];
+    double value = values_[at(entry.array)][entry.source.at(0)];
+    if (!scale_.empty()) {
+      value *= scale_[at(map_.border()[at(entry.row)])] *
+               scale_[at(map_.border()[at(entry.col)])];
+    }
     largest_ = larger(largest_, std::abs(value));
     const int i = first_border + entry.row;
     const int j = first_border + entry.col;

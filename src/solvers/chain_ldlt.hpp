@@ -88,7 +88,20 @@ class ChainLdlt {
   };
   using Run = ChainMap::Run;
 
-  explicit ChainLdlt(ChainMap map);
+  ChainLdlt(ChainMap map, std::vector<double> scale);
+
+  /// The value of an entry of a link in the matrix that is factorised.
+  [[nodiscard]] double scaled(const Run& run, const ChainMap::Entry& entry,
+                              int link) const {
+    const double value =
+        values_[static_cast<std::size_t>(entry.array)][entry.source.at(link)];
+    if (scale_.empty()) return value;
+    const auto unknown = [&](int local) {
+      return run.unknowns[static_cast<std::size_t>(local)].at(link);
+    };
+    return value * (scale_[unknown(entry.row)] * scale_[unknown(entry.col)]);
+  }
+  void apply_scale(std::span<double> x) const;
 
   void choose_programs();
   void choose_program(const Run& run, Plan& plan);
@@ -106,6 +119,7 @@ class ChainLdlt {
   void for_each_batch(Visit&& visit) const;
 
   ChainMap map_;
+  std::vector<double> scale_;  ///< of the structure, by unknown
   std::vector<Plan> plans_;
   std::vector<std::span<const double>> values_;
   std::unique_ptr<Lanes[]> storage_;

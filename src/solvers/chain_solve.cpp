@@ -39,7 +39,12 @@ void ChainLdlt::for_each_batch(Visit&& visit) const {
   }
 }
 
+void ChainLdlt::apply_scale(std::span<double> x) const {
+  for (std::size_t i = 0; i < scale_.size(); ++i) x[i] *= scale_[i];
+}
+
 void ChainLdlt::solve(std::span<double> x) const {
+  apply_scale(x);
   std::vector<Lanes> local;
   for_each_batch([&](const Run& run, const PivotProgram& program,
                      const Lanes* slots, int first, int count,
@@ -80,6 +85,7 @@ void ChainLdlt::solve(std::span<double> x) const {
       }
     }
   });
+  apply_scale(x);
 }
 
 void ChainLdlt::subtract_product(std::span<const double> x,

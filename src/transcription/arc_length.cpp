@@ -86,22 +86,32 @@ nlp::EliminationOrder ArcLength::elimination_order() const {
 
 nlp::ChainStructure ArcLength::chain_structure() const {
   nlp::ChainStructure chain;
+  const auto size =
+      static_cast<std::size_t>(num_variables() + num_constraints());
   chain.num_links = num_intervals();
-  chain.block.assign(
-      static_cast<std::size_t>(num_variables() + num_constraints()),
-      nlp::ChainStructure::kBorder);
+  chain.block.assign(size, nlp::ChainStructure::kBorder);
+  chain.scale.assign(size, 1.0);
   const int n = num_variables();
-  const auto put = [&](int unknown, int node) {
-    chain.block[static_cast<std::size_t>(unknown)] = 2 * node;
-  };
+  const double pieces = num_intervals();
   for (int node = 1; node <= num_intervals(); ++node) {
-    put(layout_.x(node), node);
-    put(layout_.z(node), node);
-    put(n + layout_.no_slip(node), node);
+    // Second derivatives of T grow like N³/j² towards the start, first ones of
+    // the constraints are of order one.
+    const double of_place =
+        std::exp2(std::round(std::log2(node / (pieces * std::sqrt(pieces)))));
+    const auto put = [&](int unknown, double scale) {
+      chain.block[static_cast<std::size_t>(unknown)] = 2 * node;
+      chain.scale[static_cast<std::size_t>(unknown)] = scale;
+    };
+    put(layout_.x(node), of_place);
+    put(layout_.z(node), of_place);
+    put(n + layout_.no_slip(node), 1.0 / of_place);
     if (!layout_.has_theta()) continue;
-    put(layout_.theta(node), node);
-    put(n + layout_.place(node), node);
+    put(layout_.theta(node), of_place);
+    put(n + layout_.place(node), 1.0 / of_place);
   }
+  // Place rows have the entries σ², scaled by 1/of_place: up to √N.
+  chain.scale[static_cast<std::size_t>(layout_.arc_length())] =
+      std::exp2(std::round(-0.5 * std::log2(pieces)));
   return chain;
 }
 

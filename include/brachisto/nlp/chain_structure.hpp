@@ -32,6 +32,10 @@ struct ChainStructure {
   /// Of every unknown: 2 e for separator e ≤ num_links, 2 e + 1 for the
   /// interior of link e, or one of the constants above.
   std::vector<int> block;
+  /// By what to multiply rows and columns of the unknowns so that no entry is
+  /// much larger than others: powers of two, which change no digit, 1 for
+  /// absent ones. Empty: ones.
+  std::vector<double> scale = {};
 
   /// True where a problem states no such structure.
   [[nodiscard]] bool empty() const { return num_links == 0; }

@@ -19,6 +19,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "comparison/work_precision.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::app {
@@ -102,7 +103,10 @@ int run(int argc, char** argv) {
   add_report(app, code);
   add_paper(app, code);
   add_body(app, code);
+  add_compare(app, code);
+  add_work_precision(app, code);
   add_worker(app, code);
+  add_measure(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a) == "--json";
@@ -128,6 +132,9 @@ int run(int argc, char** argv) {
     return fail(kIoError, "io_error", error.what(), json);
   } catch (const sweep::StoreError& error) {
     return fail(kIoError, "io_error", error.what(), json);
+  } catch (const comparison::NoReference& error) {
+    return fail(kNotSolved, "no_reference",
+                fmt::format("brachisto: {}", error.what()), json);
   } catch (const sweep::WorkersFail& error) {
     return fail(kInternalError, "workers_fail", error.what(), json);
   } catch (const std::system_error& error) {  // also of fmt::print

@@ -15,6 +15,8 @@
 #include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
+#include "math/cpu_clock.hpp"
+#include "study/certificate_timer.hpp"
 #include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
@@ -59,7 +61,8 @@ class Run {
         natural_(in_natural_units(scene_)),
         units_(natural_units(scene)),
         options_(options),
-        start_time_(StopCondition::Clock::now()) {
+        start_time_(StopCondition::Clock::now()),
+        start_cpu_(process_cpu_seconds()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
     mesh_options_.ipopt.verbose = hooks.verbose;
     mesh_options_.ipopt.stop =
@@ -86,6 +89,8 @@ class Run {
       out_.discard_answer();
     }
     out_.effort.seconds = seconds_since(start_time_);
+    out_.effort.cpu_seconds = process_cpu_seconds() - start_cpu_ -
+                              out_.effort.certificate_cpu_seconds;
     return std::move(out_);
   }
 
@@ -116,6 +121,7 @@ class Run {
   Units units_;
   SolveOptions options_;
   StopCondition::Clock::time_point start_time_;
+  double start_cpu_;
   MeshOptions mesh_options_;
   Solution out_;
 };
@@ -166,12 +172,13 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
     out_.as_neighbour = {scene_, answer.problem.mesh(), answer.solution.point,
                          answer.solution.closure.phi};
   }
-  const auto begin = StopCondition::Clock::now();
-  out_.certificate = certify_answer(answer, options_.discretisation);
-  if (options_.certify == Certify::Extremal) {
-    out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
+  {
+    const CertificateTimer timer(out_.effort);
+    out_.certificate = certify_answer(answer, options_.discretisation);
+    if (options_.certify == Certify::Extremal) {
+      out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
+    }
   }
-  out_.effort.certificate_seconds += seconds_since(begin);
   // That a finer mesh failed only matters if this one is not good enough.
   if (out_.certificate.verified()) {
     out_.status = Status::Solved;
@@ -263,7 +270,10 @@ void Run::find_by_shooting() {
     out_.message = extremal.message;
     return;
   }
-  MeshAnswer answer = answer_from_extremal(natural_, units_, extremal, stop());
+  MeshAnswer answer = [&] {
+    const CertificateTimer timer(out_.effort);
+    return answer_from_extremal(natural_, units_, extremal, stop());
+  }();
   out_.status = answer.solution.status;
   report(answer, extremal.transit_time);
 }
@@ -276,14 +286,13 @@ void Run::find_by_fsolve() {
   out_.message = out_.discrete->message;
   out_.effort.iterations = out_.discrete->iterations;
   if (!out_.discrete->solved()) return;
-  const auto begin = StopCondition::Clock::now();
+  const CertificateTimer timer(out_.effort);
   const ExtremalSolution extremal = shoot(ExtremalOptions{}.tolerance);
   out_.extremal = opinion_on(*out_.discrete, extremal);
   out_.certificate = certify_discrete(*out_.discrete, *out_.extremal);
   out_.message = fmt::format(
       "the discrete equations hold, but: {}",
       fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
-  out_.effort.certificate_seconds = seconds_since(begin);
 }
 
 void Run::find() {

@@ -80,6 +80,18 @@ TEST(Documentation, SweepsAreRead) {
   EXPECT_EQ(scenes, (std::vector<std::size_t>{41 * 61, 10, 2 * 3, 100}));
 }
 
+TEST(Documentation, ComparisonsAreRead) {
+  const std::string section =
+      between(documentation(), "## Work and precision\n", "\n## ");
+  const std::string example = between(section, "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  const ProblemFile stated = read(kCylinder + example);
+  const ProblemFile silent = read(kCylinder);
+  EXPECT_EQ(stated.work_precision.methods, silent.work_precision.methods);
+  EXPECT_EQ(stated.work_precision.meshes, silent.work_precision.meshes);
+}
+
 TEST(Documentation, ErrorsAreThoseOfTheProgram) {
   const std::string text = documentation();
   const std::size_t section = text.find("## Errors");
@@ -127,6 +139,13 @@ std::string effective(const ProblemFile& p) {
        << static_cast<int>(fsolve.reading.datum) << ' '
        << static_cast<int>(fsolve.reading.slopes) << ' '
        << fsolve.reading.epsilon;
+  for (const ComparedMethod& method : p.work_precision.methods) {
+    text << ' ' << static_cast<int>(method.kind) << ' ' << method.degree << ' '
+         << static_cast<int>(method.arm);
+  }
+  for (const int mesh : p.work_precision.meshes) text << ' ' << mesh;
+  text << ' ' << p.work_precision.repetitions << ' '
+       << p.work_precision.seconds_per_point;
   return text.str();
 }
 
@@ -173,6 +192,8 @@ TEST(KeyTable, IsComplete) {
                         spec.type == KeyType::Integer;
     EXPECT_FALSE(spec.description.empty()) << spec.path;
     EXPECT_EQ(spec.set != nullptr, number) << spec.path;
+    EXPECT_EQ(spec.read_list != nullptr, spec.type == KeyType::List)
+        << spec.path;
     EXPECT_EQ(choices_of(spec).empty(), spec.type != KeyType::Choice)
         << spec.path;
     EXPECT_TRUE(spec.parent().empty() || find_key(spec.parent()) != nullptr)

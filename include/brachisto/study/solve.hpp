@@ -35,6 +35,9 @@ struct Effort {
   int newton_steps = 0;      ///< of continuation, polishing and checks
   double seconds = 0.0;      ///< wall clock, all of solve()
   double certificate_seconds = 0.0;  ///< of these for the certificate
+  /// Processor time of solve() without the certificate and second opinions.
+  double cpu_seconds = 0.0;
+  double certificate_cpu_seconds = 0.0;  ///< processor time of these two
   std::vector<ContinuationStep> continuation;
   std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
 };

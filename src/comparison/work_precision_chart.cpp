@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "comparison/methods.hpp"
+#include "comparison/work_precision.hpp"
+#include "report/chart.hpp"
+
+namespace brachisto::comparison {
+
+namespace {
+
+using report::Curve;
+using report::Datum;
+using report::Mark;
+using report::Stroke;
+using Kind = ComparedMethod::Kind;
+
+constexpr const char* kName = "work_precision";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kThin = 0.9;  // [px]
+constexpr const char* kGrey = "#666666";
+
+/// How a line looks, different in grey too.
+struct Look {
+  std::string colour;
+  Stroke stroke;
+  Mark mark;
+};
+
+/// \param degrees  number of lines of collocation, and which of them this is
+Look look_of(const ComparedMethod& method, std::size_t degrees,
+             std::size_t index) {
+  constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
+                              Mark::Diamond, Mark::Triangle};
+  switch (method.kind) {
+    case Kind::RollingTime:
+      return {report::family_colours(degrees)[index], Stroke::Solid,
+              kMarks[index % kMarks.size()]};
+    case Kind::ArcLength:
+      return {"#000000", Stroke::Dashed, Mark::Square};
+    case Kind::Extremal:
+      return {"#000000", Stroke::Solid, Mark::Cross};
+    case Kind::Fsolve:
+      break;
+  }
+  switch (method.arm) {
+    case FsolveArm::Rest:
+      return {"#a50026", Stroke::DashDotted, Mark::Triangle};
+    case FsolveArm::Release:
+      return {"#d95f02", Stroke::DashDotted, Mark::Circle};
+    case FsolveArm::Newton:
+      return {"#8c510a", Stroke::Dotted, Mark::Diamond};
+    case FsolveArm::Lifted:
+      return {"#666666", Stroke::Dashed, Mark::Disc};
+  }
+  return {"#000000", Stroke::Solid, Mark::Disc};
+}
+
+/// Without what rich text would lower.
+std::string words(const ComparedMethod& method) {
+  std::string text = label(method);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+class Diagram {
+ public:
+  explicit Diagram(const WorkPrecision& found) : found_(found) {
+    chart_.name = kName;
+    chart_.title = "Processor time against error of the transit time";
+    chart_.x = {.label = "relative error of τ",
+                .scale = report::Scale::Logarithmic};
+    chart_.y = {.label = "processor time [s]",
+                .scale = report::Scale::Logarithmic};
+  }
+
+  [[nodiscard]] report::Chart draw() {
+    const auto degrees = static_cast<std::size_t>(
+        std::ranges::count(found_.lines, Kind::RollingTime,
+                           [](const auto& l) { return l.method.kind; }));
+    std::size_t index = 0;
+    for (const PrecisionLine& line : found_.lines) {
+      const Look look = look_of(line.method, degrees, index);
+      if (line.method.kind == Kind::RollingTime) ++index;
+      add_line(line, look);
+    }
+    set_ranges();
+    for (const PrecisionLine& line : found_.lines) add_failures(line);
+    if (failures_ > 0) add_limit();
+    add_floor();
+    return std::move(chart_);
+  }
+
+ private:
+  /// An error that cannot be told from that of the reference is drawn there.
+  [[nodiscard]] double shown(double error) const {
+    return std::max({error, found_.reference.error,
+                     std::numeric_limits<double>::epsilon()});
+  }
+
+  void add_line(const PrecisionLine& line, const Look& look) {
+    Curve curve{.name = words(line.method),
+                .points = {},
+                .stroke = look.stroke,
+                .colour = look.colour,
+                .mark = look.mark,
+                .id = identifier(line.method)};
+    Curve spread = curve;
+    spread.name.clear();
+    spread.id += "_spread";
+    spread.stroke = Stroke::Solid;
+    spread.mark = Mark::None;
+    spread.width = kThin;
+    for (const PrecisionPoint& point : line.points) {
+      if (!point.error) continue;
+      const double x = shown(*point.error);
+      const Spread times = spread_of(point.run.cpu);
+      curve.points.push_back({x, times.median});
+      spread.points.insert(
+          spread.points.end(),
+          {{x, times.least}, {x, times.greatest}, {kNone, kNone}});
+      xs_.include(x);
+      ys_.include(times.least);
+      ys_.include(times.greatest);
+    }
+    looks_.push_back(look);
+    if (curve.points.empty()) return;
+    if (line.method.kind == Kind::RollingTime) {
+      chart_.notes.push_back({.at = curve.points.back(),
+                              .text = fmt::format("{}", line.method.degree),
+                              .mark = Mark::None,
+                              .dx = -4.0,
+                              .dy = -6.0});
+    }
+    chart_.curves.push_back(std::move(spread));
+    chart_.curves.push_back(std::move(curve));
+  }
+
+  /// Decades in full leave room for marks at the edges.
+  void set_ranges() {
+    const auto has_failures = [](const PrecisionLine& line) {
+      return !std::ranges::all_of(
+          line.points, [](const PrecisionPoint& p) { return p.run.solved(); });
+    };
+    if (std::ranges::any_of(found_.lines, has_failures)) {
+      ys_.include(found_.plan.seconds_per_point);
+    }
+    xs_.include(found_.tolerance());
+    const auto whole = [](report::Side& side, const report::Extent& extent) {
+      constexpr double kRoom = 1.3;
+      side.low = std::pow(10.0, std::floor(std::log10(extent.low / kRoom)));
+      side.high = std::pow(10.0, std::ceil(std::log10(extent.high * kRoom)));
+    };
+    whole(chart_.x, xs_);
+    whole(chart_.y, ys_);
+  }
+
+  /// Runs without a result have no error: they stand in the upper right corner,
+  /// next to each other, at the time that they were given.
+  void add_failures(const PrecisionLine& line) {
+    constexpr double kApart = 0.35;  // decades
+    const auto index = static_cast<std::size_t>(&line - found_.lines.data());
+    Curve crosses{.name = {},
+                  .points = {},
+                  .colour = looks_[index].colour,
+                  .width = 0.0,
+                  .mark = Mark::Cross,
+                  .id = identifier(line.method) + "_without_result"};
+    std::string meshes;
+    for (const PrecisionPoint& point : line.points) {
+      if (point.run.solved()) continue;
+      ++failures_;
+      crosses.points.push_back(
+          {*chart_.x.high * std::pow(10.0, -kApart * failures_),
+           found_.plan.seconds_per_point});
+      if (point.mesh > 0) {
+        meshes += fmt::format("{}{}", meshes.empty() ? " " : ", ", point.mesh);
+      }
+    }
+    if (crosses.points.empty()) return;
+    crosses.name = words(line.method) + meshes + ": no result";
+    chart_.curves.push_back(std::move(crosses));
+  }
+
+  void add_limit() {
+    const double cap = found_.plan.seconds_per_point;
+    chart_.curves.push_back(
+        {.name = fmt::format("limit of {:g} s", cap),
+         .points = {{*chart_.x.low, cap}, {*chart_.x.high, cap}},
+         .stroke = Stroke::Dashed,
+         .colour = kGrey,
+         .width = kThin,
+         .id = "limit"});
+  }
+
+  void add_floor() {
+    const double x = found_.tolerance();
+    chart_.curves.push_back(
+        {.name = "tolerance of the KKT residual",
+         .points = {{x, *chart_.y.low}, {x, *chart_.y.high}},
+         .stroke = Stroke::Dotted,
+         .colour = kGrey,
+         .width = 1.2,
+         .id = "kkt_tolerance"});
+  }
+
+  const WorkPrecision& found_;
+  report::Chart chart_;
+  report::Extent xs_, ys_;
+  std::vector<Look> looks_;  ///< of each line
+  int failures_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> work_precision_file_names() {
+  const std::string name = kName;
+  return {name + ".svg", name + ".csv", name + ".gp", name + ".json"};
+}
+
+std::vector<report::OutputFile> files(const WorkPrecision& found) {
+  const report::Chart chart = Diagram(found).draw();
+  const std::vector<std::string> names = work_precision_file_names();
+  return {{names[0], report::chart_svg(chart)},
+          {names[1], report::chart_csv(chart)},
+          {names[2], report::chart_gnuplot(chart)},
+          {names[3], to_json(found)}};
+}
+
+}  // namespace brachisto::comparison

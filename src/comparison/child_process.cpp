@@ -73,8 +73,7 @@ class Pipe {
 ChildRun::End collect(ChildRun& run, int out, int err, Clock::time_point until,
                       const std::atomic<int>* interrupt) {
   constexpr int kLook = 50;  // for a reason to stop [ms]
-  std::array<pollfd, 2> streams{
-      {{.fd = out, .events = POLLIN}, {.fd = err, .events = POLLIN}}};
+  std::array<pollfd, 2> streams{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
   std::array<std::string*, 2> texts{&run.out, &run.err};
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
     if (interrupt != nullptr && interrupt->load() != 0) {

@@ -76,10 +76,10 @@ class Diagram {
   explicit Diagram(const WorkPrecision& found) : found_(found) {
     chart_.name = kName;
     chart_.title = "Processor time against error of the transit time";
-    chart_.x = {.label = "relative error of τ",
-                .scale = report::Scale::Logarithmic};
-    chart_.y = {.label = "processor time [s]",
-                .scale = report::Scale::Logarithmic};
+    chart_.x.label = "relative error of τ";
+    chart_.x.scale = report::Scale::Logarithmic;
+    chart_.y.label = "processor time [s]";
+    chart_.y.scale = report::Scale::Logarithmic;
   }
 
   [[nodiscard]] report::Chart draw() {

@@ -80,6 +80,11 @@ void add_compare(CLI::App& app, int& exit_code) {
       ->type_name("S")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  verb->add_option("--residual", flags->options.residual,
+                   "Residual at which the iterations of every method stop")
+      ->type_name("R")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-14, 1e-6));
   verb->add_option("--out", flags->out,
                    "Write compare.txt and compare.json there")
       ->type_name("DIR");

@@ -27,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 struct MeasureFlags : CommonFlags {
   int repetitions = 1;
   double seconds = 60.0;
+  double residual = FsolveOptions{}.tolerance;  ///< of the discrete system
 };
 
 /// A run that takes longer is not thrown away as a warm-up: caches and page
@@ -72,8 +73,8 @@ Json unknowns_of(const Solution& solution) {
 }
 
 int run(const MeasureFlags& flags) {
-  const io::ProblemFile problem =
-      io::read_problem_file(flags.file, flags.overrides);
+  io::ProblemFile problem = io::read_problem_file(flags.file, flags.overrides);
+  problem.options.fsolve.tolerance = flags.residual;
   const Clock::time_point begin = Clock::now();
   const Solution solution = solve(problem.scene, problem.options);
   const Json line = {{"cpu", repeat(problem, flags, solution, begin)},
@@ -94,6 +95,7 @@ void add_measure(CLI::App& app, int& exit_code) {
   verb->add_option("--repetitions", flags->repetitions)
       ->check(CLI::PositiveNumber);
   verb->add_option("--seconds", flags->seconds)->check(CLI::PositiveNumber);
+  verb->add_option("--residual", flags->residual)->check(CLI::PositiveNumber);
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -3,6 +3,8 @@
 
 #include "comparison/comparison.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,12 +21,14 @@ struct Contender {
   std::string label;
   std::vector<std::string> overrides;
   bool discrete_system = false;
+  bool nonlinear_program = false;
 };
 
 Contender contender(const ComparedMethod& method, int mesh,
                     const Subject& subject) {
   return {label(method), overrides(method, mesh, subject.problem),
-          method.kind == Kind::Fsolve};
+          method.kind == Kind::Fsolve,
+          method.kind == Kind::RollingTime || method.kind == Kind::ArcLength};
 }
 
 /// In the order of the table; the first one is the extremal method.
@@ -94,9 +98,13 @@ MethodComparison compare_methods(const Subject& subject,
   for (const Contender& one : contenders(subject, options.nodes)) {
     if (hooks.announce) hooks.announce(one.label);
     Experiment experiment{subject.file, subject.overrides, options.repetitions,
-                          options.seconds};
+                          options.seconds, options.residual};
     experiment.overrides.insert(experiment.overrides.end(),
                                 one.overrides.begin(), one.overrides.end());
+    if (one.nonlinear_program) {
+      experiment.overrides.push_back(
+          fmt::format("solver.tolerance={}", options.residual));
+    }
     ComparisonRow row{one.label, one.discrete_system,
                       measure(experiment, hooks.interrupt), std::nullopt};
     if (out.rows.empty()) out.reference = reference_in(row.run);

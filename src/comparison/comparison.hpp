@@ -65,6 +65,9 @@ struct ComparisonOptions {
   int nodes = 101;
   int repetitions = 5;
   double seconds = 60.0;  ///< wall clock, of each method
+  /// At which the iterations of all methods stop: of the KKT conditions, and of
+  /// the discrete system. The hybrid method makes no progress below about 1e-8.
+  double residual = FsolveOptions{}.tolerance;
 };
 
 struct MethodComparison {

@@ -70,6 +70,11 @@ std::string reference_text(const Reference& reference) {
                      reference.tau, reference.error * reference.tau);
 }
 
+std::string error_text(double error, const Reference& reference) {
+  return error < reference.error ? fmt::format("< {:.1e}", reference.error)
+                                 : fmt::format("{:.1e}", error);
+}
+
 std::string iterations_text(const Measurement& run) {
   const int steps = run.newton_steps.value_or(0);
   if (steps == 0) return or_dash(run.iterations);
@@ -89,18 +94,19 @@ std::string summary(const MethodComparison& comparison) {
          iterations_text(run), or_dash(run.evaluations),
          memory_text(run.peak_memory),
          run.solved() ? fmt::format("{:.10f}", run.tau) : "—",
-         row.error ? fmt::format("{:.1e}", *row.error) : "—", verdict(row)});
+         row.error ? error_text(*row.error, *comparison.reference) : "—",
+         verdict(row)});
   }
   return fmt::format(
       "{}\nerror: relative, against {}\n"
-      "CPU: median of up to {} solves without their certificates; "
-      "iterations: of the solver + Newton steps;\nmemory: peak of the process, "
-      "program and libraries included\n",
+      "CPU: median of up to {} solves without their certificates, from the "
+      "cycloid to residuals of {:.0e};\niterations: of the solver + Newton "
+      "steps; memory: peak of the process, program and libraries included\n",
       text_table(rows),
       comparison.reference ? reference_text(*comparison.reference)
                            : "nothing: the extremal method has no verified "
                              "answer",
-      comparison.options.repetitions);
+      comparison.options.repetitions, comparison.options.residual);
 }
 
 std::string to_json(const MethodComparison& comparison) {
@@ -118,7 +124,8 @@ std::string to_json(const MethodComparison& comparison) {
                    {"options",
                     {{"nodes", comparison.options.nodes},
                      {"repetitions", comparison.options.repetitions},
-                     {"seconds", comparison.options.seconds}}},
+                     {"seconds", comparison.options.seconds},
+                     {"residual", comparison.options.residual}}},
                    {"methods", rows}};
   add_origin(document, comparison.subject);
   return document.dump(2) + "\n";

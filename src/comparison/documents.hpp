@@ -24,6 +24,9 @@ void add_origin(nlohmann::ordered_json& document, const Subject& subject);
 /// "τ = 5.093444466618 ± 2e-14 by the extremal method".
 [[nodiscard]] std::string reference_text(const Reference& reference);
 
+/// "1.6e-06", or that it is less than the reference can tell.
+[[nodiscard]] std::string error_text(double error, const Reference& reference);
+
 /// "17 + 12": iterations of the solver and Newton steps, where there are any.
 [[nodiscard]] std::string iterations_text(const Measurement& run);
 

@@ -101,9 +101,11 @@ Measurement measure(const Experiment& experiment,
   for (const std::string& change : experiment.overrides) {
     arguments.insert(arguments.end(), {"--set", change});
   }
-  arguments.insert(arguments.end(),
-                   {"--repetitions", fmt::format("{}", experiment.repetitions),
-                    "--seconds", fmt::format("{}", experiment.seconds)});
+  arguments.insert(
+      arguments.end(),
+      {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
+       fmt::format("{}", experiment.seconds), "--residual",
+       fmt::format("{}", experiment.discrete_residual)});
   const ChildRun run =
       run_child("/proc/self/exe", arguments, experiment.seconds, interrupt);
   Measurement out;

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/study/solve_options.hpp"
+
 namespace brachisto::comparison {
 
 /// Stopped by a signal.
@@ -24,6 +26,8 @@ struct Experiment {
   std::vector<std::string> overrides;  ///< KEY=VALUE, the last one wins
   int repetitions = 1;                 ///< timed runs, at most
   double seconds = 60.0;               ///< wall clock, all repetitions together
+  /// Of the discrete system, at which its iterations stop.
+  double discrete_residual = FsolveOptions{}.tolerance;
 };
 
 /// What came of it.

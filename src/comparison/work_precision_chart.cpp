@@ -144,7 +144,7 @@ class Diagram {
     chart_.curves.push_back(std::move(curve));
   }
 
-  /// Decades in full leave room for marks at the edges.
+  /// With room for marks and words at the edges.
   void set_ranges() {
     const auto has_failures = [](const PrecisionLine& line) {
       return !std::ranges::all_of(
@@ -154,13 +154,13 @@ class Diagram {
       ys_.include(found_.plan.seconds_per_point);
     }
     xs_.include(found_.tolerance());
-    const auto whole = [](report::Side& side, const report::Extent& extent) {
-      constexpr double kRoom = 1.3;
-      side.low = std::pow(10.0, std::floor(std::log10(extent.low / kRoom)));
-      side.high = std::pow(10.0, std::ceil(std::log10(extent.high * kRoom)));
+    constexpr double kRoom = 2.5;
+    const auto widen = [](report::Side& side, const report::Extent& extent) {
+      side.low = extent.low / kRoom;
+      side.high = extent.high * kRoom;
     };
-    whole(chart_.x, xs_);
-    whole(chart_.y, ys_);
+    widen(chart_.x, xs_);
+    widen(chart_.y, ys_);
   }
 
   /// Runs without a result have no error: they stand in the upper right corner,

@@ -43,12 +43,13 @@ Rows point_rows(const WorkPrecision& found) {
                  fmt::format("{} – {}", seconds_text(spread.least),
                              seconds_text(spread.greatest))};
       }
-      rows.push_back({label(line.method),
-                      point.mesh > 0 ? fmt::format("{}", point.mesh) : "—",
-                      or_dash(run.unknowns), times[0], times[1],
-                      iterations_text(run), memory_text(run.peak_memory),
-                      point.error ? fmt::format("{:.2e}", *point.error) : "—",
-                      remark(point)});
+      rows.push_back(
+          {label(line.method),
+           point.mesh > 0 ? fmt::format("{}", point.mesh) : "—",
+           or_dash(run.unknowns), times[0], times[1], iterations_text(run),
+           memory_text(run.peak_memory),
+           point.error ? error_text(*point.error, found.reference) : "—",
+           remark(point)});
     }
   }
   return rows;

@@ -143,7 +143,7 @@ std::string effective(const ProblemFile& p) {
     text << ' ' << static_cast<int>(method.kind) << ' ' << method.degree << ' '
          << static_cast<int>(method.arm);
   }
-  for (const int mesh : p.work_precision.meshes) text << ' ' << mesh;
+  for (const int size : p.work_precision.meshes) text << ' ' << size;
   text << ' ' << p.work_precision.repetitions << ' '
        << p.work_precision.seconds_per_point;
   return text.str();

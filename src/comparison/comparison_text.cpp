@@ -9,6 +9,7 @@
 #include "comparison/machine.hpp"
 #include "comparison/statistics.hpp"
 #include "comparison/text_table.hpp"
+#include "report/letters.hpp"
 
 namespace brachisto::comparison {
 
@@ -83,6 +84,7 @@ std::string iterations_text(const Measurement& run) {
 }
 
 std::string summary(const MethodComparison& comparison) {
+  constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
   std::vector<std::vector<std::string>> rows{
       {"method", "unknowns", "CPU [s]", "iterations", "evaluations", "memory",
        "τ", "error", "verdict"}};
@@ -95,7 +97,7 @@ std::string summary(const MethodComparison& comparison) {
          memory_text(run.peak_memory),
          run.solved() ? fmt::format("{:.10f}", run.tau) : "—",
          row.error ? error_text(*row.error, *comparison.reference) : "—",
-         verdict(row)});
+         report::shortened(verdict(row), kVerdict)});
   }
   return fmt::format(
       "{}\nerror: relative, against {}\n"

@@ -94,7 +94,7 @@ class Diagram {
     }
     set_ranges();
     for (const PrecisionLine& line : found_.lines) add_failures(line);
-    if (failures_ > 0) add_limit();
+    if (limited_) add_limit();
     add_floor();
     return std::move(chart_);
   }
@@ -144,14 +144,21 @@ class Diagram {
     chart_.curves.push_back(std::move(curve));
   }
 
+  [[nodiscard]] static bool at_limit(const PrecisionPoint& point) {
+    return point.run.outcome == Measurement::Outcome::Limit;
+  }
+  [[nodiscard]] double time_of_failure(const PrecisionPoint& point) const {
+    if (at_limit(point)) return found_.plan.seconds_per_point;
+    return point.run.cpu.empty() ? point.run.seconds
+                                 : spread_of(point.run.cpu).median;
+  }
+
   /// With room for marks and words at the edges.
   void set_ranges() {
-    const auto has_failures = [](const PrecisionLine& line) {
-      return !std::ranges::all_of(
-          line.points, [](const PrecisionPoint& p) { return p.run.solved(); });
-    };
-    if (std::ranges::any_of(found_.lines, has_failures)) {
-      ys_.include(found_.plan.seconds_per_point);
+    for (const PrecisionLine& line : found_.lines) {
+      for (const PrecisionPoint& point : line.points) {
+        if (!point.run.solved()) ys_.include(time_of_failure(point));
+      }
     }
     xs_.include(found_.tolerance());
     constexpr double kRoom = 2.5;
@@ -163,8 +170,8 @@ class Diagram {
     widen(chart_.y, ys_);
   }
 
-  /// Runs without a result have no error: they stand in the upper right corner,
-  /// next to each other, at the time that they were given.
+  /// Runs without a result have no error: they stand at the right edge, next to
+  /// each other, at the time that they took or, at most, were given.
   void add_failures(const PrecisionLine& line) {
     constexpr double kApart = 0.35;  // decades
     const auto index = static_cast<std::size_t>(&line - found_.lines.data());
@@ -178,9 +185,10 @@ class Diagram {
     for (const PrecisionPoint& point : line.points) {
       if (point.run.solved()) continue;
       ++failures_;
+      if (at_limit(point)) limited_ = true;
       crosses.points.push_back(
           {*chart_.x.high * std::pow(10.0, -kApart * failures_),
-           found_.plan.seconds_per_point});
+           time_of_failure(point)});
       if (point.mesh > 0) {
         meshes += fmt::format("{}{}", meshes.empty() ? " " : ", ", point.mesh);
       }
@@ -217,6 +225,7 @@ class Diagram {
   report::Extent xs_, ys_;
   std::vector<Look> looks_;  ///< of each line
   int failures_ = 0;
+  bool limited_ = false;  ///< one of them took all its time
 };
 
 }  // namespace

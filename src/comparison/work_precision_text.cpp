@@ -10,6 +10,7 @@
 #include "comparison/methods.hpp"
 #include "comparison/text_table.hpp"
 #include "comparison/work_precision.hpp"
+#include "report/letters.hpp"
 
 namespace brachisto::comparison {
 
@@ -20,7 +21,10 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string remark(const PrecisionPoint& point) {
   if (point.run.solved()) return "";
-  return fmt::format("{}: {}", name(point.run.outcome), point.run.cause);
+  constexpr std::size_t kLetters = 72;  // the document has it in full
+  return report::shortened(
+      fmt::format("{}: {}", name(point.run.outcome), point.run.cause),
+      kLetters);
 }
 
 std::string order_text(const std::optional<ObservedOrder>& order) {

@@ -87,7 +87,7 @@ std::string verdict(const ComparisonRow& row) {
     return std::string(name(row.run.outcome)) + ": " + row.run.cause;
   }
   if (row.run.verified) return "verified";
-  return row.discrete_system ? "solved, first order"
+  return row.discrete_system ? "solved, first-order conditions"
                              : "solved, not verified: " + row.run.cause;
 }
 

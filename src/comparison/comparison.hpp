@@ -58,7 +58,8 @@ struct ComparisonRow {
   std::optional<double> error;  ///< relative, of τ; needs a reference
 };
 
-/// "verified", "solved, first order", "failed: …".
+/// "verified", "solved, first-order conditions" (of a discrete system, which
+/// nothing verifies), "failed: …".
 [[nodiscard]] std::string verdict(const ComparisonRow& row);
 
 struct ComparisonOptions {

@@ -44,7 +44,10 @@ std::optional<ObservedOrder> observed_order(std::span<const SizeError> points,
     ne += (n - mean_n) * (error - mean_error);
   }
   if (!(nn > 0.0)) return std::nullopt;
-  ObservedOrder fit{-ne / nn, static_cast<int>(logs.size()), std::nullopt};
+  const auto& [n0, error0] = logs[logs.size() - 2];
+  const auto& [n1, error1] = logs.back();
+  ObservedOrder fit{-ne / nn, static_cast<int>(logs.size()), std::nullopt,
+                    -(error1 - error0) / (n1 - n0)};
   if (logs.size() > 2) {
     double squares = 0.0;
     for (const auto& [n, error] : logs) {

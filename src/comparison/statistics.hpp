@@ -36,11 +36,16 @@ struct ObservedOrder {
   int points = 0;  ///< that it was fitted to
   /// Standard error of `order`; nothing from two points, which fit exactly.
   std::optional<double> uncertainty;
+  /// Between the last two points alone: where it differs much from `order`, the
+  /// error does not follow a power yet, or no longer.
+  double finest = 0.0;
 };
 
 /// Fits log(error) over log(n) by least squares to the points whose error is
 /// above `floor`; below it rounding and tolerances speak. Nothing if fewer than
 /// two different n are left.
+///
+/// \param points  ascending in n
 [[nodiscard]] std::optional<ObservedOrder> observed_order(
     std::span<const SizeError> points, double floor);
 

@@ -134,11 +134,11 @@ class Diagram {
     looks_.push_back(look);
     if (curve.points.empty()) return;
     if (line.method.kind == Kind::RollingTime) {
-      chart_.notes.push_back({.at = curve.points.back(),
+      chart_.notes.push_back({.at = curve.points.front(),
                               .text = fmt::format("{}", line.method.degree),
                               .mark = Mark::None,
                               .dx = -4.0,
-                              .dy = -6.0});
+                              .dy = 17.0});
     }
     chart_.curves.push_back(std::move(spread));
     chart_.curves.push_back(std::move(curve));

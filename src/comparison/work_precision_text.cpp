@@ -60,12 +60,14 @@ Rows point_rows(const WorkPrecision& found) {
 }
 
 Rows order_rows(const WorkPrecision& found) {
-  Rows rows{{"method", "observed order", "points"}};
+  Rows rows{{"method", "observed order", "finest two", "points"}};
   for (const PrecisionLine& line : found.lines) {
     if (!has_meshes(line.method)) continue;
-    rows.push_back({label(line.method), order_text(line.order),
-                    fmt::format("{} of {}", line.order ? line.order->points : 0,
-                                line.points.size())});
+    rows.push_back(
+        {label(line.method), order_text(line.order),
+         line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
+         fmt::format("{} of {}", line.order ? line.order->points : 0,
+                     line.points.size())});
   }
   return rows;
 }
@@ -75,6 +77,7 @@ Json order_json(const std::optional<ObservedOrder>& order) {
   return {{"order", order->order},
           {"uncertainty",
            order->uncertainty ? Json(*order->uncertainty) : Json(nullptr)},
+          {"finest_two", order->finest},
           {"points", order->points}};
 }
 

@@ -109,7 +109,7 @@ TEST(Verdict, TellsFailuresWithTheirCause) {
   row.run.cause = "agreement";
   EXPECT_EQ(verdict(row), "solved, not verified: agreement");
   row.discrete_system = true;
-  EXPECT_EQ(verdict(row), "solved, first order");
+  EXPECT_EQ(verdict(row), "solved, first-order conditions");
   row.run.verified = true;
   EXPECT_EQ(verdict(row), "verified");
 }

@@ -56,6 +56,7 @@ TEST(ObservedOrder, IsThatOfAPowerLaw) {
     EXPECT_EQ(fit->points, 5);
     ASSERT_TRUE(fit->uncertainty);
     EXPECT_LT(*fit->uncertainty, kRounding * order);
+    EXPECT_NEAR(fit->finest, order, kRounding * order);
   }
 }
 
@@ -90,6 +91,7 @@ TEST(ObservedOrder, TellsHowWellItFits) {
 
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->order, 1.5, kRounding);
+  EXPECT_NEAR(fit->finest, 2.0, kRounding);
   EXPECT_NEAR(fit->uncertainty.value(), std::sqrt(1.0 / 12.0), kRounding);
 }
 

@@ -47,7 +47,7 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
     case Kind::ArcLength:
       return {"#000000", Stroke::Dashed, Mark::Square};
     case Kind::Extremal:
-      return {"#000000", Stroke::Solid, Mark::Cross};
+      return {"#000000", Stroke::Solid, Mark::Triangle};
     case Kind::Fsolve:
       break;
   }
@@ -93,8 +93,7 @@ class Diagram {
       add_line(line, look);
     }
     set_ranges();
-    for (const PrecisionLine& line : found_.lines) add_failures(line);
-    if (limited_) add_limit();
+    if (failures_ > 0) add_failures();
     add_floor();
     return std::move(chart_);
   }
@@ -157,7 +156,9 @@ class Diagram {
   void set_ranges() {
     for (const PrecisionLine& line : found_.lines) {
       for (const PrecisionPoint& point : line.points) {
-        if (!point.run.solved()) ys_.include(time_of_failure(point));
+        if (point.run.solved()) continue;
+        ys_.include(time_of_failure(point));
+        ++failures_;
       }
     }
     xs_.include(found_.tolerance());
@@ -170,32 +171,43 @@ class Diagram {
     widen(chart_.y, ys_);
   }
 
-  /// Runs without a result have no error: they stand at the right edge, next to
-  /// each other, at the time that they took or, at most, were given.
-  void add_failures(const PrecisionLine& line) {
-    constexpr double kApart = 0.35;  // decades
-    const auto index = static_cast<std::size_t>(&line - found_.lines.data());
-    Curve crosses{.name = {},
-                  .points = {},
-                  .colour = looks_[index].colour,
-                  .width = 0.0,
-                  .mark = Mark::Cross,
-                  .id = identifier(line.method) + "_without_result"};
-    std::string meshes;
-    for (const PrecisionPoint& point : line.points) {
-      if (point.run.solved()) continue;
-      ++failures_;
-      if (at_limit(point)) limited_ = true;
-      crosses.points.push_back(
-          {*chart_.x.high * std::pow(10.0, -kApart * failures_),
-           time_of_failure(point)});
-      if (point.mesh > 0) {
-        meshes += fmt::format("{}{}", meshes.empty() ? " " : ", ", point.mesh);
+  /// Runs without a result have no error: they stand in a field of their own,
+  /// at the time that they took or, at most, were given.
+  void add_failures() {
+    constexpr double kWidth = 1.6;  // decades
+    const double left = *chart_.x.high;
+    chart_.x.high = left * std::pow(10.0, kWidth);
+    chart_.areas.push_back({.name = "no result",
+                            .outline = {{left, *chart_.y.low},
+                                        {*chart_.x.high, *chart_.y.low},
+                                        {*chart_.x.high, *chart_.y.high},
+                                        {left, *chart_.y.high}}});
+    bool limited = false;
+    int place = 0;
+    for (std::size_t i = 0; i < found_.lines.size(); ++i) {
+      const PrecisionLine& line = found_.lines[i];
+      Curve crosses{.name = words(line.method) + ": no result",
+                    .points = {},
+                    .colour = looks_[i].colour,
+                    .width = 0.0,
+                    .mark = Mark::Cross,
+                    .id = identifier(line.method) + "_without_result"};
+      const char* separator = " on ";
+      for (const PrecisionPoint& point : line.points) {
+        if (point.run.solved()) continue;
+        limited = limited || at_limit(point);
+        const double share = (place++ + 0.5) / failures_;
+        crosses.points.push_back(
+            {left * std::pow(10.0, kWidth * share), time_of_failure(point)});
+        if (point.mesh > 0) {
+          crosses.name += fmt::format("{}{}", separator, point.mesh);
+          separator = ", ";
+        }
       }
+      if (crosses.points.empty()) continue;
+      chart_.curves.push_back(std::move(crosses));
     }
-    if (crosses.points.empty()) return;
-    crosses.name = words(line.method) + meshes + ": no result";
-    chart_.curves.push_back(std::move(crosses));
+    if (limited) add_limit();
   }
 
   void add_limit() {
@@ -225,7 +237,6 @@ class Diagram {
   report::Extent xs_, ys_;
   std::vector<Look> looks_;  ///< of each line
   int failures_ = 0;
-  bool limited_ = false;  ///< one of them took all its time
 };
 
 }  // namespace

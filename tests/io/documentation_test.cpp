@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -90,6 +91,18 @@ TEST(Documentation, ComparisonsAreRead) {
   const ProblemFile silent = read(kCylinder);
   EXPECT_EQ(stated.work_precision.methods, silent.work_precision.methods);
   EXPECT_EQ(stated.work_precision.meshes, silent.work_precision.meshes);
+}
+
+TEST(Documentation, ScenesOfComparisonsAreReady) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(
+           BRACHISTO_SOURCE_DIR "/problems/work_precision")) {
+    const ProblemFile problem = read_problem_file(file.path());
+    EXPECT_EQ(problem.work_precision.methods.size(), 12U) << file.path();
+    EXPECT_GE(problem.work_precision.meshes.size(), 5U) << file.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 6);
 }
 
 TEST(Documentation, ErrorsAreThoseOfTheProgram) {

@@ -38,24 +38,20 @@ int run(const CompareFlags& flags) {
   hooks.announce = [&](const std::string& what) {
     if (!flags.quiet) fmt::print(stderr, "{}\n", what);
   };
-  try {
-    const comparison::MethodComparison made =
-        comparison::compare_methods(subject, flags.options, hooks);
-    const std::string json = comparison::to_json(made);
-    const std::string table = comparison::summary(made);
-    if (!flags.out.empty()) {
-      report::write_files(flags.out, {{kTable, table}, {kDocument, json}},
-                          flags.force);
-    }
-    if (flags.json) {
-      fmt::print("{}", json);
-    } else if (!flags.quiet) {
-      fmt::print("{}", table);
-    }
-    return made.reference ? kSuccess : kNotSolved;
-  } catch (const comparison::Interrupted&) {
-    return kSignalBase + signal.load();
+  const comparison::MethodComparison made =
+      comparison::compare_methods(subject, flags.options, hooks);
+  const std::string json = comparison::to_json(made);
+  const std::string table = comparison::summary(made);
+  if (!flags.out.empty()) {
+    report::write_files(flags.out, {{kTable, table}, {kDocument, json}},
+                        flags.force);
   }
+  if (flags.json) {
+    fmt::print("{}", json);
+  } else if (!flags.quiet) {
+    fmt::print("{}", table);
+  }
+  return made.reference ? kSuccess : kNotSolved;
 }
 
 }  // namespace

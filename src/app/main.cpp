@@ -14,12 +14,14 @@
 #include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/signals.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "comparison/work_precision.hpp"
+#include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::app {
@@ -135,6 +137,17 @@ int run(int argc, char** argv) {
   } catch (const comparison::NoReference& error) {
     return fail(kNotSolved, "no_reference",
                 fmt::format("brachisto: {}", error.what()), json);
+  } catch (const reproduction::NotVerified& error) {
+    return fail(kNotSolved, "not_verified",
+                fmt::format("brachisto: {}", error.what()), json);
+  } catch (const comparison::Interrupted& error) {
+    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
+                "interrupted", fmt::format("brachisto: {}", error.what()),
+                json);
+  } catch (const reproduction::Interrupted& error) {
+    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
+                "interrupted", fmt::format("brachisto: {}", error.what()),
+                json);
   } catch (const sweep::WorkersFail& error) {
     return fail(kInternalError, "workers_fail", error.what(), json);
   } catch (const std::system_error& error) {  // also of fmt::print

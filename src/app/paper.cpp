@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <thread>
 
@@ -19,7 +20,6 @@
 #include "brachisto/report/output_files.hpp"
 #include "reproduction/findings.hpp"
 #include "reproduction/page.hpp"
-#include "reproduction/transit.hpp"
 #include "sweep/progress.hpp"
 
 namespace brachisto::app {
@@ -55,8 +55,8 @@ int run(const PaperFlags& flags) {
   constexpr const char* kPage = "index.html";
   report::check_writable(flags.out, {kPage}, flags.force);
   const std::atomic<int>& signal = catch_signals();
-  sweep::Progress progress(flags.quiet ? sweep::Progress::Form::None
-                                       : sweep::Progress::form_of_stderr());
+  // Its clock starts with the sweep.
+  std::optional<sweep::Progress> progress;
   reproduction::Hooks hooks;
   hooks.jobs =
       flags.jobs > 0
@@ -66,27 +66,25 @@ int run(const PaperFlags& flags) {
   hooks.announce = [&](const std::string& what) {
     if (!flags.quiet) fmt::print(stderr, "{}\n", what);
   };
-  hooks.progress = [&](const sweep::Counts& now) { progress.show(now); };
-  try {
-    const reproduction::Findings found = reproduction::find_all(
-        flags.problems.empty() ? default_problems() : fs::path(flags.problems),
-        hooks);
-    const reproduction::Reproduction made = reproduction::reproduce(found);
-    report::write_files(flags.out, reproduction::files(found, made),
-                        flags.force);
-    if (flags.json) {
-      fmt::print("{}", reproduction::to_json(found, made));
-    } else if (!flags.quiet) {
-      fmt::print("{}\n{}\n", reproduction::summary(made),
-                 (fs::path(flags.out) / kPage).string());
+  hooks.progress = [&](const sweep::Counts& now) {
+    if (!progress) {
+      progress.emplace(flags.quiet ? sweep::Progress::Form::None
+                                   : sweep::Progress::form_of_stderr());
     }
-    return kSuccess;
-  } catch (const reproduction::Interrupted&) {
-    return kSignalBase + signal.load();
-  } catch (const reproduction::NotVerified& error) {
-    fmt::print(stderr, "brachisto: {}\n", error.what());
-    return kNotSolved;
+    progress->show(now);
+  };
+  const reproduction::Findings found = reproduction::find_all(
+      flags.problems.empty() ? default_problems() : fs::path(flags.problems),
+      hooks);
+  const reproduction::Reproduction made = reproduction::reproduce(found);
+  report::write_files(flags.out, reproduction::files(found, made), flags.force);
+  if (flags.json) {
+    fmt::print("{}", reproduction::to_json(found, made));
+  } else if (!flags.quiet) {
+    fmt::print("{}\n{}\n", reproduction::summary(made),
+               (fs::path(flags.out) / kPage).string());
   }
+  return kSuccess;
 }
 
 }  // namespace

@@ -49,25 +49,21 @@ int run(const WorkPrecisionFlags& flags) {
   hooks.announce = [&](const std::string& what) {
     if (!flags.quiet) fmt::print(stderr, "{}\n", what);
   };
-  try {
-    const comparison::WorkPrecision found = comparison::run_work_precision(
-        subject, flags.quick ? quick(stated) : stated, hooks);
-    if (!flags.out.empty()) {
-      report::write_files(flags.out, comparison::files(found), flags.force);
-    }
-    if (flags.json) {
-      fmt::print("{}", comparison::to_json(found));
-    } else if (!flags.quiet) {
-      fmt::print("{}", comparison::summary(found));
-      if (!flags.out.empty()) {
-        fmt::print("{}\n",
-                   (std::filesystem::path(flags.out) / names.front()).string());
-      }
-    }
-    return kSuccess;
-  } catch (const comparison::Interrupted&) {
-    return kSignalBase + signal.load();
+  const comparison::WorkPrecision found = comparison::run_work_precision(
+      subject, flags.quick ? quick(stated) : stated, hooks);
+  if (!flags.out.empty()) {
+    report::write_files(flags.out, comparison::files(found), flags.force);
   }
+  if (flags.json) {
+    fmt::print("{}", comparison::to_json(found));
+  } else if (!flags.quiet) {
+    fmt::print("{}", comparison::summary(found));
+    if (!flags.out.empty()) {
+      fmt::print("{}\n",
+                 (std::filesystem::path(flags.out) / names.front()).string());
+    }
+  }
+  return kSuccess;
 }
 
 }  // namespace

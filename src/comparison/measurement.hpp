@@ -10,6 +10,7 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,10 @@
 namespace brachisto::comparison {
 
 /// Stopped by a signal.
-struct Interrupted {};
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("stopped by a signal") {}
+};
 
 /// What to run.
 struct Experiment {

@@ -20,6 +20,8 @@ namespace {
 constexpr int kDefaultDegree = 5;
 /// Both ends and a node to move.
 constexpr int kFewestDiscreteNodes = 3;
+// Relative errors of the paper's cases are 0.07/N² to 0.9/N².
+constexpr double kPiecesTimesRootOfError = 0.6;
 
 void check_bead(const YamlValue& root, Findings& findings) {
   std::vector<std::string_view> allowed = keys_of("scene.body");
@@ -75,8 +77,47 @@ void check_solver(const YamlValue& root, const ProblemFile& problem,
   check_unused_keys(root, problem, findings);
 }
 
+namespace {
+
+void check_arc_length(const YamlValue& root, const ProblemFile& problem,
+                      Findings& findings) {
+  const Discretisation& mesh = problem.options.discretisation;
+  const auto too_few = [&](std::string_view key, int count, int fewest) {
+    const Entry* entry = find_entry(root, key);
+    if (entry == nullptr || findings.concern(key) || count >= fewest) return;
+    findings.add(entry->value.position, std::string(key),
+                 fmt::format("{} is not allowed with formulation: arc_length, "
+                             "which needs {} or more",
+                             count, fewest));
+  };
+  too_few("discretisation.elements", mesh.elements.value_or(kFewestPieces),
+          kFewestPieces);
+  too_few("discretisation.nodes", mesh.nodes.value_or(kFewestPieces + 1),
+          kFewestPieces + 1);
+  const std::string key = "discretisation.tolerance";
+  const Entry* tolerance = find_entry(root, key);
+  if (tolerance == nullptr || findings.concern(key) ||
+      mesh.wanted_tolerance() >= kSmallestArcLengthTolerance) {
+    return;
+  }
+  findings.add(
+      tolerance->value.position, key,
+      fmt::format("{:g} is not allowed with formulation: arc_length, whose "
+                  "error falls as the square of the number of pieces: it would "
+                  "take some {:.0e} of them. Allowed is {:g} or more; or take "
+                  "formulation: rolling_time",
+                  mesh.wanted_tolerance(),
+                  kPiecesTimesRootOfError / std::sqrt(mesh.wanted_tolerance()),
+                  kSmallestArcLengthTolerance));
+}
+
+}  // namespace
+
 void check_mesh(const YamlValue& root, const ProblemFile& problem,
                 Findings& findings) {
+  const bool arc_length =
+      problem.options.discretisation.formulation == Formulation::ArcLength;
+  if (arc_length) check_arc_length(root, problem, findings);
   const std::string key = "discretisation.nodes";
   const Entry* elements = find_entry(root, "discretisation.elements");
   const Entry* nodes = find_entry(root, key);
@@ -91,7 +132,8 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
                              nodes_later ? "elements" : "nodes"));
     return;
   }
-  if (findings.concern(key) || findings.concern("discretisation.degree")) {
+  if (arc_length || findings.concern(key) ||
+      findings.concern("discretisation.degree")) {
     return;
   }
   const Discretisation& mesh = problem.options.discretisation;

@@ -61,16 +61,12 @@ std::string row(const KeySpec& spec) {
                      allowed_text(spec), spec.description);
 }
 
-/// Keys and words that this version refuses as known.
+/// Keys that this version refuses as known.
 std::string reserved() {
   std::vector<std::string> names;
   for (const KeySpec& spec : key_table()) {
     if (spec.type == KeyType::Reserved) {
       names.push_back(fmt::format("`{}`", spec.path));
-    }
-    for (const Choice& choice : spec.choices) {
-      if (choice.set != nullptr) continue;
-      names.push_back(fmt::format("`{}: {}`", spec.path, choice.name));
     }
   }
   return fmt::format("{}", fmt::join(names, ", "));

@@ -49,7 +49,7 @@ std::vector<std::string_view> keys_of(std::string_view map) {
 std::vector<std::string_view> choices_of(const KeySpec& spec) {
   std::vector<std::string_view> names;
   for (const Choice& choice : spec.choices) {
-    if (choice.set != nullptr) names.push_back(choice.name);
+    names.push_back(choice.name);
   }
   return names;
 }
@@ -59,15 +59,12 @@ Unit unit_of(const KeySpec& spec) {
 }
 
 std::string objection(const KeySpec& spec, std::string_view word) {
-  const auto choice = std::ranges::find(spec.choices, word, &Choice::name);
-  if (choice == spec.choices.end()) {
-    return fmt::format("{} was read; expected {}{}", in_quotes(word),
-                       expected(spec), suggestion(word, choices_of(spec)));
+  if (std::ranges::find(spec.choices, word, &Choice::name) !=
+      spec.choices.end()) {
+    return "";
   }
-  if (choice->set != nullptr) return "";
-  return fmt::format(
-      "{} is reserved for a later version of brachisto; expected {}",
-      in_quotes(word), expected(spec));
+  return fmt::format("{} was read; expected {}{}", in_quotes(word),
+                     expected(spec), suggestion(word, choices_of(spec)));
 }
 
 std::string expected(const KeySpec& spec) {

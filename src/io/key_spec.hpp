@@ -41,7 +41,7 @@ enum class Presence {
 /// A word that a Choice may be.
 struct Choice {
   std::string_view name;
-  void (*set)(ProblemFile&) = nullptr;  ///< nullptr: reserved
+  void (*set)(ProblemFile&);
 };
 
 /// Bounds that a number has for the sake of the program. Those that physics
@@ -99,7 +99,7 @@ struct KeySpec {
 /// Names of the keys that a map may contain, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
 
-/// Names that a Choice may be, reserved ones left out.
+/// Names that a Choice may be.
 [[nodiscard]] std::vector<std::string_view> choices_of(const KeySpec& spec);
 
 /// Whether a number of this key may carry the suffix of an angle.

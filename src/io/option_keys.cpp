@@ -27,19 +27,26 @@ std::vector<KeySpec> discretisation_keys() {
       {.path = "discretisation.formulation",
        .type = KeyType::Choice,
        .fallback = "rolling_time",
-       .description = "how the problem is made finite",
+       .description = "how the problem is made finite. rolling_time: "
+                      "collocation; arc_length: the paper's variables, on "
+                      "straight pieces, of order 2",
        .choices = {{"rolling_time",
                     [](ProblemFile& p) {
                       p.options.discretisation.formulation =
                           Formulation::RollingTime;
                     }},
-                   {"arc_length"}}},
+                   {"arc_length",
+                    [](ProblemFile& p) {
+                      p.options.discretisation.formulation =
+                          Formulation::ArcLength;
+                    }}}},
       {.path = "discretisation.tolerance",
        .type = KeyType::Number,
        .fallback = "1e-10",
        .bounds = "from 1e-13 to 1e-1",
        .description = "wanted relative error of the transit time; the mesh "
-                      "follows unless it is fixed",
+                      "follows unless it is fixed. arc_length: 1e-9 or more, "
+                      "1e-6 if absent",
        .interval = {1e-13, 1e-1},
        .set = [](ProblemFile& p,
                  double v) { p.options.discretisation.tolerance = v; }},
@@ -47,7 +54,7 @@ std::vector<KeySpec> discretisation_keys() {
        .type = KeyType::Integer,
        .fallback = "follows the tolerance, 5 on a fixed mesh",
        .bounds = "from 1 to 8",
-       .description = "p, polynomial degree of an element",
+       .description = "p, polynomial degree of an element; not for arc_length",
        .interval = {kMinDegree, kMaxDegree},
        .set =
            [](ProblemFile& p, double v) {
@@ -56,7 +63,8 @@ std::vector<KeySpec> discretisation_keys() {
       {.path = "discretisation.elements",
        .type = KeyType::Integer,
        .bounds = "from 1 to 10 million",
-       .description = "N, number of elements; fixes the mesh",
+       .description = "N, number of elements, of straight pieces for "
+                      "arc_length; fixes the mesh",
        .interval = {1, kMaxElements},
        .set =
            [](ProblemFile& p, double v) {
@@ -65,8 +73,9 @@ std::vector<KeySpec> discretisation_keys() {
       {.path = "discretisation.nodes",
        .type = KeyType::Integer,
        .bounds = "from 2 to 80000001, and N p + 1",
-       .description = "number of nodes, N p + 1; fixes the mesh in place of "
-                      "elements. With method: fsolve any n ≥ 3, 100 if absent",
+       .description = "number of nodes, N p + 1, or N + 1 for arc_length; "
+                      "fixes the mesh in place of elements. With method: "
+                      "fsolve any n ≥ 3, 100 if absent",
        .interval = {2, kMaxNodes},
        .set =
            [](ProblemFile& p, double v) {
@@ -83,22 +92,28 @@ std::vector<KeySpec> solver_keys() {
       {.path = "solver.method",
        .type = KeyType::Choice,
        .fallback = "ipopt",
-       .description = "ipopt: collocation and a nonlinear program; extremal: "
-                      "Pontryagin's conditions by multiple shooting; fsolve: "
-                      "the paper's discrete system, for comparison, never "
-                      "verified",
+       .description =
+           "ipopt: collocation and a nonlinear program; newton_kkt: "
+           "the same by Newton's method on its optimality conditions, "
+           "from the continuation; extremal: "
+           "Pontryagin's conditions by multiple shooting; fsolve: "
+           "the paper's discrete system, for comparison, never "
+           "verified",
        .choices =
            {{"ipopt", [](ProblemFile& p) { p.options.method = Method::Ipopt; }},
+            {"newton_kkt",
+             [](ProblemFile& p) { p.options.method = Method::NewtonKkt; }},
             {"extremal",
              [](ProblemFile& p) { p.options.method = Method::Extremal; }},
-            {"newton_kkt"},
             {"fsolve",
              [](ProblemFile& p) { p.options.method = Method::Fsolve; }}}},
       {.path = "solver.linear_solver",
        .type = KeyType::Choice,
        .fallback = "auto",
-       .description = "what factorises the KKT matrix; auto takes the fastest "
-                      "there is",
+       .description =
+           "what factorises the KKT matrix. chain: along the chain "
+           "of elements; mumps: a general sparse solver; auto: chain "
+           "where it is possible, mumps otherwise",
        .choices = {{"auto",
                     [](ProblemFile& p) {
                       p.options.linear_solver = LinearSolver::Auto;
@@ -107,7 +122,10 @@ std::vector<KeySpec> solver_keys() {
                     [](ProblemFile& p) {
                       p.options.linear_solver = LinearSolver::Mumps;
                     }},
-                   {"chain"}}},
+                   {"chain",
+                    [](ProblemFile& p) {
+                      p.options.linear_solver = LinearSolver::Chain;
+                    }}}},
       {.path = "solver.tolerance",
        .type = KeyType::Number,
        .fallback = "1e-12",

@@ -19,11 +19,14 @@ struct UnusedKey {
   bool (*differs)(const SolveOptions&);  ///< from what holds if it is absent
   std::string_view by_shooting = {};     ///< why; empty: it has a use
   std::string_view by_fsolve = {};
+  std::string_view by_arc_length = {};
+  std::string_view by_newton = {};
 };
 
 constexpr std::string_view kOwnMesh = "which has no elements";
 constexpr std::string_view kNoProgram = "which solves no nonlinear program";
 constexpr std::string_view kOwnNodes = "whose mesh is its nodes";
+constexpr std::string_view kOneBranch = "which follows one branch";
 constexpr std::string_view kOneStart = "which starts from the cycloid";
 
 constexpr std::array kUnused{
@@ -43,7 +46,7 @@ constexpr std::array kUnused{
               [](const SolveOptions& o) {
                 return o.discretisation.degree.has_value();
               },
-              kOwnMesh, kOwnNodes},
+              kOwnMesh, kOwnNodes, "whose pieces are straight"},
     UnusedKey{"discretisation.elements",
               [](const SolveOptions& o) {
                 return o.discretisation.elements.has_value();
@@ -66,7 +69,7 @@ constexpr std::array kUnused{
               kNoProgram, kNoProgram},
     UnusedKey{"solver.search",
               [](const SolveOptions& o) { return o.search == Search::Global; },
-              "which follows one branch", kOneStart},
+              kOneBranch, kOneStart, kOneBranch},
     UnusedKey{"solver.polish", [](const SolveOptions& o) { return !o.polish; },
               kNoProgram, kNoProgram},
     UnusedKey{
@@ -76,7 +79,8 @@ constexpr std::array kUnused{
         "which is compared with the extremal anyway"},
     UnusedKey{"solver.guess",
               [](const SolveOptions& o) { return o.guess != Guess::Cycloid; },
-              kOneStart, kOneStart},
+              kOneStart, kOneStart, kOneStart,
+              "which starts from the continuation"},
     UnusedKey{"solver.limits.iterations",
               [](const SolveOptions& o) {
                 return o.limits.iterations != Limits{}.iterations;
@@ -110,6 +114,34 @@ constexpr std::array kOfFsolve{
                 return o.variant != FsolveOptions{}.variant;
               }}};
 
+std::string_view why_unused(const UnusedKey& key, Method method) {
+  switch (method) {
+    case Method::Ipopt:
+      return {};
+    case Method::NewtonKkt:
+      return key.by_newton;
+    case Method::Extremal:
+      return key.by_shooting;
+    case Method::Fsolve:
+      return key.by_fsolve;
+  }
+  return {};
+}
+
+std::string_view name_of(Method method) {
+  switch (method) {
+    case Method::Ipopt:
+      return "ipopt";
+    case Method::NewtonKkt:
+      return "newton_kkt";
+    case Method::Extremal:
+      return "extremal";
+    case Method::Fsolve:
+      return "fsolve";
+  }
+  return {};
+}
+
 /// Adds a finding about the value of a key, if the file has it and it could be
 /// read.
 void refuse(const YamlValue& root, std::string_view path, std::string message,
@@ -127,13 +159,26 @@ void check_unused_keys(const YamlValue& root, const ProblemFile& problem,
   if (findings.concern("solver.method")) return;
   const bool fsolve = options.method == Method::Fsolve;
   for (const UnusedKey& key : kUnused) {
-    if (options.method == Method::Ipopt) break;
-    const std::string_view because = fsolve ? key.by_fsolve : key.by_shooting;
+    const std::string_view because = why_unused(key, options.method);
     if (because.empty() || !key.differs(options)) continue;
     refuse(root, key.path,
            fmt::format("has no effect with method: {}, {}; leave it out, or "
                        "take method: ipopt",
-                       fsolve ? "fsolve" : "extremal", because),
+                       name_of(options.method), because),
+           findings);
+  }
+  const bool arc_length =
+      (options.method == Method::Ipopt ||
+       options.method == Method::NewtonKkt) &&
+      options.discretisation.formulation == Formulation::ArcLength;
+  for (const UnusedKey& key : kUnused) {
+    if (!arc_length || key.by_arc_length.empty() || !key.differs(options)) {
+      continue;
+    }
+    refuse(root, key.path,
+           fmt::format("not allowed with formulation: arc_length, {}; leave it "
+                       "out, or take formulation: rolling_time",
+                       key.by_arc_length),
            findings);
   }
   for (const FsolveKey& key : kOfFsolve) {

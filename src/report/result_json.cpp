@@ -89,6 +89,8 @@ const char* method_name(Method method) {
   switch (method) {
     case Method::Ipopt:
       return "ipopt";
+    case Method::NewtonKkt:
+      return "newton_kkt";
     case Method::Extremal:
       return "extremal";
     case Method::Fsolve:
@@ -100,14 +102,16 @@ const char* method_name(Method method) {
 Json options_json(const SolveOptions& options) {
   const Discretisation& mesh = options.discretisation;
   return {{"discretisation",
-           {{"formulation", "rolling_time"},
+           {{"formulation", mesh.formulation == Formulation::ArcLength
+                                ? "arc_length"
+                                : "rolling_time"},
             {"tolerance", or_null(mesh.tolerance)},
             {"degree", or_null(mesh.degree)},
             {"elements", or_null(mesh.elements)},
             {"nodes", or_null(mesh.nodes)}}},
           {"solver",
            {{"method", method_name(options.method)},
-            {"linear_solver", "mumps"},
+            {"linear_solver", name(options.linear_solver)},
             {"tolerance", options.tolerance},
             {"search",
              options.search == Search::Principal ? "principal" : "global"},
@@ -120,9 +124,11 @@ Json options_json(const SolveOptions& options) {
             {"fsolve", fsolve_options_json(options.fsolve)}}}};
 }
 
-Json provenance_json(const SolveOptions& options) {
+Json provenance_json(const Solution& solution) {
   Json json = Json::parse(report::provenance_json());
-  json["options"] = options_json(options);
+  json["options"] = options_json(solution.options);
+  const std::optional<LinearSolver>& used = solution.effort.linear_solver;
+  json["linear_solver"] = used ? Json(name(*used)) : Json(nullptr);
   return json;
 }
 
@@ -146,8 +152,8 @@ Json certificate_json(const Solution& solution) {
   // Both times of a second opinion, for nobody to have to compute their
   // difference anew.
   const std::optional<ExtremalOpinion>& opinion = solution.extremal;
-  const bool both = opinion && opinion->solved && solution.trajectory;
-  json["tau"] = both ? Json(solution.trajectory->tau()) : Json(nullptr);
+  const bool both = opinion && opinion->solved && solution.motion() != nullptr;
+  json["tau"] = both ? Json(solution.motion()->tau()) : Json(nullptr);
   json["extremal_tau"] = both ? Json(opinion->tau) : Json(nullptr);
   json["extremal_difference"] =
       both ? Json(opinion->difference) : Json(nullptr);
@@ -255,7 +261,7 @@ void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
 
 std::string result_json(const Solution& solution) {
   const bool verified = solution.verified();
-  const bool solved = solution.trajectory.has_value();
+  const bool solved = solution.trajectory || solution.through_nodes;
   Json json;
   json["schema_version"] = kSchemaVersion;
   json["status"] = name(solution.status);
@@ -276,9 +282,11 @@ std::string result_json(const Solution& solution) {
   json["nodes"] = size(solution.nodes);
   json["variables"] = size(solution.variables);
   json["constraints"] = size(solution.constraints);
-  if (solved) {
+  if (solution.trajectory) {
     const Mesh& mesh = solution.trajectory->curve().mesh();
     json["mesh"] = {{"degree", mesh.degree}, {"elements", mesh.num_elements()}};
+  } else if (solution.through_nodes) {
+    json["mesh"] = {{"degree", nullptr}, {"elements", solution.nodes - 1}};
   } else {
     json["mesh"] = nullptr;
   }
@@ -300,7 +308,7 @@ std::string result_json(const Solution& solution) {
                      {"certificate", effort.certificate_seconds},
                      {"cpu", effort.cpu_seconds}};
   json["certificate"] = certificate_json(solution);
-  json["provenance"] = provenance_json(solution.options);
+  json["provenance"] = provenance_json(solution);
   json["scene"] = scene_json(solution.scene);
   return json.dump(2) + "\n";
 }

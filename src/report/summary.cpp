@@ -150,6 +150,11 @@ std::string summary(const Solution& solution) {
                      "constraints",
                      mesh.degree, mesh.num_elements(), solution.nodes,
                      solution.variables, solution.constraints));
+  } else if (solution.through_nodes) {
+    line(out, "mesh",
+         fmt::format("{} straight pieces; {} variables, {} constraints",
+                     solution.nodes - 1, solution.variables,
+                     solution.constraints));
   }
   line(out, "work",
        fmt::format("{} {} iterations in {} passes, {} Newton steps, {:.3f} s",

@@ -3,66 +3,123 @@
 
 #include "reproduction/bead_boundary.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
-#include "brachisto/model/cycloid.hpp"
+#include "brachisto/math/roots.hpp"
 #include "reproduction/orientation.hpp"
-#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
-/// Secant steps in k; τ² is nearly linear in it, for η_m = 0 exactly.
-double equal_time_k(Scene scene, double bead, double k, double largest) {
-  constexpr double kClose = 1e-9;
-  constexpr int kMostSteps = 12;
-  const auto excess = [&](double at) {
-    scene.body.k = at;
-    const double tau = verified_tau(scene);
-    return tau * tau - bead * bead;
-  };
-  double k_before = largest;
-  double before = excess(k_before);
-  if (before <= 0.0) return largest;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const double now = excess(k);
-    const double next = k - now * (k - k_before) / (now - before);
-    k_before = k;
-    before = now;
-    k = std::clamp(next, 0.0, largest);
-    if (std::abs(k - k_before) < kClose) break;
-  }
-  return k;
+double largest_k(double eta_m) {
+  return (1.0 - eta_m) * (1.0 + eta_m);
 }
+
+/// Follows the boundary from body to body.
+class Boundary {
+ public:
+  Boundary(const Scene& scene, bool best, const Interrupt& interrupt)
+      : one_(scene), best_(best), interrupt_(interrupt) {
+    Scene bead = scene;
+    bead.body = Body::bead();
+    bead_ = verified_tau(bead, interrupt);
+  }
+
+  /// Moves to another offset; false if even a body on the rim is faster.
+  bool move_to(double eta_m) {
+    one_.body.eta_m = eta_m;
+    const double largest = largest_k(eta_m);
+    orient(std::min(k_, largest));
+    if (excess(largest) <= 0.0) return false;
+    k_ = equal_time_k(largest);
+    return true;
+  }
+
+  /// The body on the rim between an offset where it is slower and one where it
+  /// is faster.
+  void move_to_rim(double slower, double faster) {
+    const double eta_m = math::find_root(
+        [&](double eta) {
+          one_.body.eta_m = eta;
+          return excess(largest_k(eta));
+        },
+        slower, faster);
+    one_.body.eta_m = eta_m;
+    k_ = largest_k(eta_m);
+  }
+
+  [[nodiscard]] BoundaryBody body() const {
+    return {one_.body.eta_m, k_, one_.body.theta_m};
+  }
+
+ private:
+  /// An error of θ_m matters to the time, and so to k, only squared: that of
+  /// the last k will do.
+  void orient(double k) {
+    if (!best_ || one_.body.eta_m == 0.0) return;
+    one_.body.k = k;
+    one_.body.theta_m =
+        fastest_orientation(one_, one_.body.theta_m, interrupt_).theta_m.value;
+  }
+
+  /// τ² − τ_bead², nearly linear in k, for η_m = 0 exactly.
+  [[nodiscard]] double excess(double k) {
+    one_.body.k = k;
+    const double tau = verified_tau(one_, interrupt_);
+    return (tau - bead_) * (tau + bead_);
+  }
+
+  /// Secant steps in k.
+  [[nodiscard]] double equal_time_k(double largest) {
+    constexpr double kClose = 1e-9;
+    constexpr int kMostSteps = 20;
+    double before = largest;
+    double f_before = excess(before);
+    double k = std::min(k_, 0.9 * largest);
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double f = excess(k);
+      const double next =
+          std::clamp(k - f * (k - before) / (f - f_before), 0.0, largest);
+      before = k;
+      f_before = f;
+      k = next;
+      if (std::abs(k - before) < kClose) return k;
+    }
+    throw NotVerified(
+        fmt::format("no body as fast as the bead was found for η_m = {:.6g}",
+                    one_.body.eta_m));
+  }
+
+  Scene one_;
+  bool best_;
+  const Interrupt& interrupt_;
+  double bead_ = 0.0;
+  double k_ = 0.1;
+};
 
 }  // namespace
 
 std::vector<BoundaryBody> bead_boundary(const Scene& scene,
                                         const std::vector<double>& eta_m,
-                                        bool best) {
-  Scene bead_scene = scene;
-  bead_scene.body = Body::bead();
-  const double bead = verified_tau(bead_scene);
-  std::vector<BoundaryBody> boundary;
-  double k = 0.1;
-  Scene one = scene;
+                                        bool best, const Interrupt& interrupt) {
+  Boundary boundary(scene, best, interrupt);
+  std::vector<BoundaryBody> bodies;
   for (const double eta : eta_m) {
-    const double largest = 1.0 - eta * eta;
-    one.body.eta_m = eta;
-    // By the envelope theorem an error of θ_m matters to k only squared.
-    const int rounds = best && eta > 0.0 ? 2 : 1;
-    for (int round = 0; round < rounds; ++round) {
-      if (rounds > 1) {
-        one.body.k = std::min(k, largest);
-        one.body.theta_m =
-            fastest_orientation(one, one.body.theta_m).theta_m.value;
-      }
-      k = equal_time_k(one, bead, std::min(k, 0.9 * largest), largest);
+    if (boundary.move_to(eta)) {
+      bodies.push_back(boundary.body());
+      continue;
     }
-    boundary.push_back({eta, k, one.body.theta_m, k >= largest});
+    if (!bodies.empty()) boundary.move_to_rim(bodies.back().eta_m, eta);
+    bodies.push_back(boundary.body());
+    return bodies;
   }
-  return boundary;
+  throw NotVerified(
+      "the boundary of the bodies faster than the bead does not "
+      "end at the rim");
 }
 
 }  // namespace brachisto::reproduction

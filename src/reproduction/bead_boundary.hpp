@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
+#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
@@ -17,15 +18,18 @@ struct BoundaryBody {
   double eta_m = 0.0;
   double k = 0.0;
   double theta_m = 0.0;  ///< [rad]
-  bool on_rim = false;  ///< k is the largest one possible, 1 − η_m², and the
-                        ///< body still faster
 };
 
-/// For each η_m the k at which the fastest times of both are equal.
+/// For each η_m the k at which the fastest times of both are equal, as long as
+/// that is possible, k ≤ 1 − η_m²; then the body on the rim, k = 1 − η_m², with
+/// which the boundary ends.
 ///
 /// \param scene  radius, L, H and, if `best` is false, θ_m of the cylinders
+/// \param eta_m  ascending, the last one beyond that end
 /// \param best   each body put down as fastest_orientation() says
+/// \throws Interrupted, NotVerified  also if the boundary does not end in time
 [[nodiscard]] std::vector<BoundaryBody> bead_boundary(
-    const Scene& scene, const std::vector<double>& eta_m, bool best);
+    const Scene& scene, const std::vector<double>& eta_m, bool best,
+    const Interrupt& interrupt);
 
 }  // namespace brachisto::reproduction

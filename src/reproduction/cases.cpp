@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
 namespace brachisto::reproduction {
 
 namespace {
@@ -49,12 +47,21 @@ Measured Case::measure(
   return {value, std::abs(value - quantity(rough))};
 }
 
+io::IoError Cases::missing(const std::string& name) const {
+  return io::IoError(fmt::format("{}: the problem file {}.yaml is missing",
+                                 directory_.string(), name));
+}
+
 Cases::Cases(const std::filesystem::path& directory,
-             const std::atomic<int>& interrupt, const Announce& announce)
+             const std::vector<std::string>& required,
+             const Interrupt& interrupt, const Announce& announce)
     : directory_(directory) {
   constexpr double kFiner = 1e-2;
-  for (const std::string& name : problem_names(directory)) {
-    if (interrupt.load() != 0) return;
+  const std::vector<std::string> names = problem_names(directory);
+  for (const std::string& name : required) {
+    if (!std::ranges::binary_search(names, name)) throw missing(name);
+  }
+  for (const std::string& name : names) {
     announce(name);
     Case one{name, io::read_problem_file(directory / (name + ".yaml")), {}, {}};
     SolveOptions options = one.file.options;
@@ -63,9 +70,16 @@ Cases::Cases(const std::filesystem::path& directory,
     if (one.file.scene.path) {
       one.fine = one.rough;
     } else {
+      options.certify = Certify::Extremal;
       options.discretisation.tolerance =
           kFiner * options.discretisation.tolerance.value_or(kDefaultTolerance);
       one.fine = solve(one.file.scene, options, hooks);
+    }
+    check(interrupt);
+    if (!one.verified()) {
+      throw NotVerified(
+          fmt::format("{}: no verified answer: {}", name,
+                      (one.rough.verified() ? one.fine : one.rough).message));
     }
     cases_.emplace(name, std::move(one));
   }
@@ -74,14 +88,7 @@ Cases::Cases(const std::filesystem::path& directory,
 const Case& Cases::operator[](const std::string& name) const {
   const auto found = cases_.find(name);
   if (found == cases_.end()) {
-    throw io::IoError(fmt::format("{}: the problem file {}.yaml is missing",
-                                  directory_.string(), name));
-  }
-  if (!found->second.verified()) {
-    throw NotVerified(fmt::format("{}: no verified answer: {}", name,
-                                  found->second.fine.verified()
-                                      ? found->second.rough.message
-                                      : found->second.fine.message));
+    throw missing(name);
   }
   return found->second;
 }

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,6 +14,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
+#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
@@ -29,8 +29,9 @@ struct Case {
   std::string name;      ///< of its problem file, without ending
   io::ProblemFile file;  ///< with its wanted accuracy
   Solution rough;        ///< as the file wants it
-  Solution fine;         ///< a hundred times as accurate; of a given path: the
-                         ///< same
+  /// A hundred times as accurate, with a second opinion of the indirect
+  /// method; of a given path: the same.
+  Solution fine;
 
   [[nodiscard]] bool verified() const {
     return rough.verified() && fine.verified();
@@ -53,19 +54,23 @@ using Announce = std::function<void(const std::string&)>;
 class Cases {
  public:
   /// Solves every problem file of `directory`.
-  /// \param interrupt  nonzero: stop
-  /// \throws io::IoError, io::InputError  if a file cannot be read
+  /// \param required  names that have to be there
+  /// \throws io::IoError, io::InputError  if one is not, or cannot be read
+  /// \throws NotVerified  if a scene has no verified answer
+  /// \throws Interrupted
   Cases(const std::filesystem::path& directory,
-        const std::atomic<int>& interrupt, const Announce& announce);
+        const std::vector<std::string>& required, const Interrupt& interrupt,
+        const Announce& announce);
 
-  /// \throws NotVerified  if there is no file of that name, or its scene
-  ///                             has no verified answer
+  /// \throws io::IoError  if there is no file of that name
   [[nodiscard]] const Case& operator[](const std::string& name) const;
   [[nodiscard]] const std::map<std::string, Case>& all() const {
     return cases_;
   }
 
  private:
+  [[nodiscard]] io::IoError missing(const std::string& name) const;
+
   std::filesystem::path directory_;
   std::map<std::string, Case> cases_;
 };

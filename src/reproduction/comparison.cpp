@@ -8,15 +8,43 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string_view>
+#include <optional>
+
+#include "reproduction/printed.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
-constexpr const char* kOffCentred =
-    "Three independent methods agree on ours; no reading of the paper's "
-    "discrete system that was tried gives the printed number.";
+/// What the indirect method and the paper's own equations say.
+std::string other_methods(const Findings& found, const std::string& name) {
+  std::string out;
+  if (const auto& opinion = found.cases[name].fine.extremal) {
+    out = fmt::format("The indirect method differs by {:.0e}. ",
+                      opinion->difference);
+  }
+  const auto equations = found.equations.find(name);
+  if (equations == found.equations.end()) return out;
+  const auto tau = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.4f}", *value)
+                 : std::string("no solution from the cycloid");
+  };
+  return out + fmt::format(
+                   "The paper's own equations with n = 100 give {} (v = 0 at "
+                   "node 1) or {} (energy from node 1).",
+                   tau(equations->second.rest), tau(equations->second.release));
+}
+
+/// With the other usual value of g.
+std::string half_arch(const Case& one) {
+  constexpr double kOtherGravity = 9.8;
+  const Scene& scene = one.scene();
+  return fmt::format(
+      "π √(3/2g) in closed form; the paper does not state g. Here g = {:g} "
+      "m/s^2; with {:g} it is {:.6f} s.",
+      scene.gravity, kOtherGravity,
+      one.motion().transit_time() * std::sqrt(scene.gravity / kOtherGravity));
+}
 
 Measured transit_time(const Case& one) {
   const double T = one.motion().transit_time();
@@ -36,28 +64,28 @@ int decimals(std::string_view printed) {
              : static_cast<int>(printed.size() - point - 1);
 }
 
-std::vector<Comparison> transit_times(const Cases& cases) {
+std::vector<Comparison> transit_times(const Findings& found) {
+  const auto row = [&](const char* place, const char* quantity,
+                       const char* paper, const char* name) {
+    return Comparison{place, quantity,
+                      paper, found.cases[name].tau(),
+                      "",    other_methods(found, name)};
+  };
+  const Case& arch = found.cases["check_uniform_half_arch"];
   return {
-      {"Fig. 6", "τ, bead, L = 3", "4.52", cases["fig06_bead"].tau(), "",
-       "Closed form 4.510563136747. The paper is 0.2 % above."},
-      {"Fig. 6", "τ, uniform cylinder, L = 3", "5.12",
-       cases["fig06_uniform_cylinder"].tau(), "",
-       "Closed form 5.115100653580."},
-      {"Fig. 4", "τ, off-centred cylinder, L = 3", "4.99",
-       cases["fig04_reference_case"].tau(), "", kOffCentred},
-      {"Fig. 12", "τ, off-centred cylinder, L = 2", "3.96",
-       cases["fig12_L_2"].tau(), "", kOffCentred},
-      {"Fig. 12", "τ, off-centred cylinder, L = 4", "6.26",
-       cases["fig12_L_4"].tau(), "", kOffCentred},
-      {"Sec. III.H", "τ, k = 0.1, η_m = 4/5, θ_m = −π/6", "4.06",
-       cases["fig13_faster_than_bead"].tau(), "",
-       "The start is far from vertical here (112°), so that the printed energy "
-       "z in place of z − z_0 makes a present of energy. " +
-           std::string(kOffCentred)},
+      row("Fig. 6", "τ, bead, L = 3", printed::kBead, "fig06_bead"),
+      row("Fig. 6", "τ, uniform cylinder, L = 3", printed::kUniform,
+          "fig06_uniform_cylinder"),
+      row("Fig. 4", "τ, off-centred cylinder, L = 3", printed::kOffCentred,
+          "fig04_reference_case"),
+      row("Fig. 12", "τ, off-centred cylinder, L = 2", printed::kShort,
+          "fig12_L_2"),
+      row("Fig. 12", "τ, off-centred cylinder, L = 4", printed::kLong,
+          "fig12_L_4"),
+      row("Sec. III.H", "τ, k = 0.1, η_m = 4/5, θ_m = −π/6", printed::kFast,
+          "fig13_faster_than_bead"),
       {"Sec. II.C", "T, uniform cylinder to (r + π, r + 2)", "1.229",
-       transit_time(cases["check_uniform_half_arch"]), "s",
-       "Closed form π √(3/2g) = 1.228459939 s at g = 9.81 m/s^2. The paper "
-       "claims 0.05 %, and is 0.04 % above."},
+       transit_time(arch), "s", half_arch(arch)},
   };
 }
 
@@ -74,37 +102,37 @@ std::vector<Comparison> lengths_and_forces(const Cases& cases) {
       {"Fig. 6", "length of the track, uniform cylinder", "3.66",
        track_length(cases["fig06_uniform_cylinder"]), "", ""},
       {"Fig. 6", "length of the track, off-centred cylinder", "3.66",
-       track_length(reference), "", "Of another path, as its τ shows."},
+       track_length(reference), "", ""},
       {"Fig. 5", "largest R_n, off-centred cylinder", "4.2",
        diagnostic([](const D& d) { return d.max_normal_force.value; }), "m g",
-       "Differences on some 100 nodes smooth the peak, and the path is "
-       "another."},
-      {"Fig. 5", "where R_n is largest, x_b", "2.5",
+       ""},
+      {"Fig. 5", "where R_n is largest, x_b / H", "2.5",
        diagnostic([](const D& d) { return d.max_normal_force.x; }), "", ""},
-      {"Sec. III.A", "least κ_b after the start", "−1.34",
-       diagnostic([](const D& d) { return d.min_curvature.value; }), "",
-       "At the start itself κ_b tends to −1/r = −3, which a mesh of 100 nodes "
-       "does not show."},
+      {"Sec. III.A", "least local minimum of κ_b", "−1.34",
+       diagnostic([](const D& d) { return d.min_curvature.value; }), "1/H",
+       "The rise from the start, where κ_b tends to −1/r, is left out."},
       {"Sec. III.A", "largest κ_b", "1.52",
-       diagnostic([](const D& d) { return d.max_curvature.value; }), "", ""},
+       diagnostic([](const D& d) { return d.max_curvature.value; }), "1/H", ""},
   };
 }
 
 std::vector<Comparison> grid(const Findings& found) {
   const double exact = found.cases["fig04_reference_case"].tau().value;
   std::vector<Comparison> rows;
+  const auto tau = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.4f}", *value) : std::string("nothing");
+  };
   for (const GridRow& row : found.grid) {
-    const bool first = row.nodes == 25;
     rows.push_back(
         {"Sec. II.C",
          fmt::format("τ, off-centred cylinder, n = {}", row.nodes),
-         first ? "4.97" : "4.99",
+         row.nodes == 25 ? printed::kOffCentredCoarse : printed::kOffCentred,
          {row.quintic, std::abs(row.quintic - exact)},
          "",
-         fmt::format(
-             "Degree 5, {} nodes. Degree 1, {} nodes: {:.6f}. Converged "
-             "in the paper's digits from the first mesh on.",
-             row.nodes + 1, row.nodes, row.linear)});
+         fmt::format("Degree 5, {} nodes, its true error; {:.6f} by degree 1 "
+                     "and {} nodes. The paper's own equations give {} or {}.",
+                     row.nodes + 1, row.linear, row.nodes,
+                     tau(row.equations.rest), tau(row.equations.release))});
   }
   return rows;
 }
@@ -112,11 +140,7 @@ std::vector<Comparison> grid(const Findings& found) {
 }  // namespace
 
 double Comparison::difference() const {
-  std::string digits = paper;
-  if (const std::size_t minus = digits.find("−"); minus == 0) {
-    digits = "-" + digits.substr(std::string_view("−").size());
-  }
-  return ours.value - std::strtod(digits.c_str(), nullptr);
+  return ours.value - number_in(paper);
 }
 
 double Comparison::slack() const {
@@ -128,7 +152,7 @@ bool Comparison::agrees() const {
 }
 
 std::vector<Comparison> compare(const Findings& found) {
-  std::vector<Comparison> rows = transit_times(found.cases);
+  std::vector<Comparison> rows = transit_times(found);
   for (auto&& more : {lengths_and_forces(found.cases), grid(found)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
@@ -142,7 +166,8 @@ std::string with_error(const Measured& number) {
       std::max(number.error, kRounding * std::abs(number.value));
   const int places = std::clamp(static_cast<int>(std::ceil(-std::log10(error))),
                                 1, kMostDecimals);
-  return fmt::format("{:.{}f} ± {:.0e}", number.value, places, error);
+  return with_minus_signs(
+      fmt::format("{:.{}f} ± {:.0e}", number.value, places, error));
 }
 
 bool bends_less_than_body(const Case& one) {
@@ -151,12 +176,22 @@ bool bends_less_than_body(const Case& one) {
          one.fine.diagnostics->max_curvature.value * body.radius < 1.0;
 }
 
-std::vector<const Case*> infeasible_cases(const Cases& cases) {
-  std::vector<const Case*> found;
-  for (const auto& [name, one] : cases.all()) {
-    if (!one.scene().path && !one.fine.feasible()) found.push_back(&one);
+double number_in(const std::string& printed) {
+  constexpr std::string_view kMinus = "−";
+  const bool negative = printed.starts_with(kMinus);
+  const std::string digits = negative ? printed.substr(kMinus.size()) : printed;
+  const double value = std::strtod(digits.c_str(), nullptr);
+  return negative ? -value : value;
+}
+
+std::string with_minus_signs(std::string text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = text[i] == '-' && i + 1 < text.size() &&
+                      text[i + 1] >= '0' && text[i + 1] <= '9';
+    out += sign ? "−" : std::string(1, text[i]);
   }
-  return found;
+  return out;
 }
 
 }  // namespace brachisto::reproduction

@@ -6,8 +6,8 @@
 
 #pragma once
 
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reproduction/findings.hpp"
@@ -53,7 +53,10 @@ struct Claim {
 /// paper's own condition. Sufficient for the track not to fold, not necessary.
 [[nodiscard]] bool bends_less_than_body(const Case& one);
 
-/// Cases of which something does not hold: "r = 0.2 (fig11_…), …".
-[[nodiscard]] std::vector<const Case*> infeasible_cases(const Cases& cases);
+/// The number at the beginning of a text, whose minus may be a real one.
+[[nodiscard]] double number_in(const std::string& printed);
+
+/// A text with real minus signs before digits.
+[[nodiscard]] std::string with_minus_signs(std::string text);
 
 }  // namespace brachisto::reproduction

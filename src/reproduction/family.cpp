@@ -3,7 +3,9 @@
 
 #include "reproduction/family.hpp"
 
+#include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <system_error>
 
@@ -40,11 +42,10 @@ class ScratchDirectory {
 
 }  // namespace
 
-SweepTable solve_family(const std::filesystem::path& file, int jobs,
-                        const std::atomic<int>& interrupt,
+SweepTable solve_family(const sweep::Job& job, int jobs,
+                        const Interrupt& interrupt,
                         const sweep::ProgressSink& progress) {
   constexpr double kSecondsPerScene = 120.0;
-  const sweep::Job job = sweep::read_job(file, {});
   const ScratchDirectory scratch;
   sweep::Store store =
       sweep::Store::create(scratch.path(), sweep::store_info(job, "1/1"));
@@ -56,10 +57,10 @@ SweepTable solve_family(const std::filesystem::path& file, int jobs,
                                       .interrupt = &interrupt};
   sweep::run_manager(job, store, options, progress);
   SweepTable table = sweep::read_table(store, job);
-  if (interrupt.load() != 0) return table;
+  check(interrupt);
   for (const SweepOutcome& outcome : table.outcomes) {
     if (outcome.state != SweepOutcome::State::Verified) {
-      throw NotVerified(file.string() +
+      throw NotVerified(job.name +
                         ": a scene has no verified answer: " + outcome.message);
     }
   }

@@ -6,23 +6,20 @@
 
 #pragma once
 
-#include <atomic>
-#include <filesystem>
-
 #include "brachisto/study/sweep_table.hpp"
+#include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::reproduction {
 
-/// Solves the sweep of a problem file with the program's own workers.
+/// Solves a sweep with the program's own workers.
 ///
 /// \param jobs  worker processes
-/// \return all scenes verified, unless the interrupt came
+/// \throws Interrupted
 /// \throws NotVerified  if a scene has no verified answer
-/// \throws io::IoError, io::InputError, sweep::StoreError, sweep::WorkersFail
-[[nodiscard]] SweepTable solve_family(const std::filesystem::path& file,
-                                      int jobs,
-                                      const std::atomic<int>& interrupt,
+/// \throws sweep::StoreError, sweep::WorkersFail
+[[nodiscard]] SweepTable solve_family(const sweep::Job& job, int jobs,
+                                      const Interrupt& interrupt,
                                       const sweep::ProgressSink& progress);
 
 }  // namespace brachisto::reproduction

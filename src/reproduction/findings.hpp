@@ -6,8 +6,10 @@
 
 #pragma once
 
-#include <atomic>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "reproduction/bead_boundary.hpp"
@@ -17,11 +19,20 @@
 
 namespace brachisto::reproduction {
 
+/// τ that the paper's own equations have with n nodes, ε → 0, under two
+/// readings of their energy; nothing where the iteration from the cycloid
+/// fails.
+struct PaperEquations {
+  std::optional<double> rest;     ///< as printed, but v = 0 at node 1
+  std::optional<double> release;  ///< relative to node 1
+};
+
 /// The reference case on a mesh of so many nodes as the paper's.
 struct GridRow {
   int nodes = 0;         ///< n of the paper
   double linear = 0.0;   ///< τ by n nodes and degree 1
   double quintic = 0.0;  ///< τ by n + 1 nodes and degree 5
+  PaperEquations equations;
 };
 
 /// The fastest orientation of a body.
@@ -40,6 +51,8 @@ struct Findings {
   Cases cases;
   SweepTable map;  ///< τ over η_m and θ_m
   std::vector<GridRow> grid;
+  /// By problem file, with the paper's n = 100.
+  std::map<std::string, PaperEquations> equations;
   std::vector<OrientationRow> orientations;
   std::vector<BoundaryBody> boundary;       ///< with θ_m = −π/6
   std::vector<BoundaryBody> best_boundary;  ///< with the fastest θ_m
@@ -52,13 +65,10 @@ struct Findings {
 /// Who asks and who listens.
 struct Hooks {
   int jobs = 1;  ///< worker processes
-  const std::atomic<int>* interrupt = nullptr;
+  const Interrupt* interrupt = nullptr;
   Announce announce;
   sweep::ProgressSink progress;
 };
-
-/// A signal came.
-struct Interrupted {};
 
 /// Solves everything.
 ///

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brachisto/model/kinetic_energy.hpp"
-#include "brachisto/model/units.hpp"
+#include "reproduction/comparison.hpp"
 #include "reproduction/figures.hpp"
 
 namespace brachisto::reproduction {
@@ -58,6 +58,15 @@ double x_of_contact(const TrajectoryPoint& at) {
   return at.motion.contact.x;
 }
 
+/// Why the body could not follow its track, as sentences.
+std::string reasons(const Case& one) {
+  std::string out;
+  for (const std::string& reason : one.fine.infeasible_because()) {
+    out += fmt::format(" Infeasible: {}.", reason);
+  }
+  return out;
+}
+
 Figure incline(const Cases& cases) {
   const Case& one = cases["fig03_incline"];
   const Motion& motion = one.motion();
@@ -92,13 +101,10 @@ Figure incline(const Cases& cases) {
           "m = 1.195 kg, r = 0.077 m, k = 0.255, η_m = 0.6521, θ_m = −83.25°, "
           "L = 1.49 m, H = 0.18 m; nothing is optimised. T = {:.6f} s. The "
           "equation of motion, integrated in time on its own, gives the same "
-          "motion to {:.0e}. {}The text of the paper names the centre of the "
+          "motion to {:.0e}.{} The text of the paper names the centre of the "
           "cylinder, the caption the centre of mass: both are shown.",
           motion.transit_time(), again != nullptr ? again->value : 0.0,
-          one.fine.feasible()
-              ? ""
-              : "It could not be seen in a laboratory to the end: R_n < 0 "
-                "before B, where the body would jump. "));
+          reasons(one)));
 }
 
 Figure forces(const Cases& cases) {
@@ -123,6 +129,7 @@ Figure forces(const Cases& cases) {
                           .colour = kBlack,
                           .id = "R_t"});
   const Extreme peak = one.fine.diagnostics->max_normal_force;
+  chart.y.high = 1.12 * peak.value;
   chart.notes.push_back({{peak.x, peak.value},
                          fmt::format("{:.3f} at {:.3f}", peak.value, peak.x),
                          report::Mark::Disc,
@@ -180,7 +187,7 @@ Figure curvature(const Cases& cases) {
   const Motion& motion = one.motion();
   const double r = one.scene().body.radius;
   Chart chart = chart_of("curvature", "Curvatures along the fastest track",
-                         "x_b / H", "curvature · H");
+                         "x_b / H", "κ_b H, κ_c H, 1 − r κ_c");
   chart.y.low = -3.5;
   chart.y.high = 3.5;
   chart.curves.push_back({.name = "track, κ_b",
@@ -208,16 +215,16 @@ Figure curvature(const Cases& cases) {
                           .stroke = Stroke::Dotted,
                           .colour = kBrown,
                           .id = "fold margin"});
+  const PathDiagnostics& found = *one.fine.diagnostics;
   return figure(
       chart, "Curvature",
-      fmt::format(
-          "Eq. (23), positive where the path turns downwards. The track "
-          "folds where 1 − r κ_c ≤ 0; the least value is {:.3f}. At "
-          "the start κ_c → −∞ and κ_b → −1/r = −3. Paper: κ_b from "
-          "−1.34 to 1.52; found, after the start: {:.3f} to {:.3f}.",
-          one.fine.diagnostics->min_fold_margin.value,
-          one.fine.diagnostics->min_curvature.value,
-          one.fine.diagnostics->max_curvature.value));
+      with_minus_signs(fmt::format(
+          "Eq. (23), positive where the path turns downwards. The track folds "
+          "where 1 − r κ_c ≤ 0; the least value is {:.3f}. At the start κ_c → "
+          "−∞ and κ_b → −1/r = {:.3g}. Paper: κ_b from −1.34 to 1.52; the "
+          "least local minimum and the maximum found are {:.3f} and {:.3f}.",
+          found.min_fold_margin.value, -1.0 / r, found.min_curvature.value,
+          found.max_curvature.value)));
 }
 
 /// Kinetic energy of three bodies over a coordinate; of the off-centred one

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "brachisto/math/polynomial_basis.hpp"
@@ -21,13 +20,14 @@ namespace {
 /// τ(θ_m) as a polynomial on an interval.
 class Interpolant {
  public:
-  Interpolant(Scene scene, double centre, double half_width, int points)
+  Interpolant(Scene scene, double centre, double half_width, int points,
+              const Interrupt& interrupt)
       : low_(centre - half_width),
         high_(centre + half_width),
         basis_(chebyshev(centre, half_width, points)) {
     for (const double theta_m : basis_.nodes()) {
       scene.body.theta_m = theta_m;
-      values_.push_back(verified_tau(scene));
+      values_.push_back(verified_tau(scene, interrupt));
     }
   }
 
@@ -73,17 +73,19 @@ class Interpolant {
 
 }  // namespace
 
-Orientation fastest_orientation(Scene scene, double guess) {
+Orientation fastest_orientation(Scene scene, double guess,
+                                const Interrupt& interrupt) {
   constexpr double kHalfWidth = 0.3;
   constexpr int kPoints = 9;
   constexpr int kMostMoves = 6;
   double centre = guess;
   for (int move = 0; move < kMostMoves; ++move) {
-    const Interpolant wide(scene, centre, kHalfWidth, kPoints);
+    const Interpolant wide(scene, centre, kHalfWidth, kPoints, interrupt);
     if (wide.falls_below() == wide.falls_above()) {
       if (wide.falls_below()) break;  // a maximum
       const double first = wide.minimum();
-      const Interpolant narrow(scene, first, 0.5 * kHalfWidth, kPoints);
+      const Interpolant narrow(scene, first, 0.5 * kHalfWidth, kPoints,
+                               interrupt);
       const double second = narrow.minimum();
       return {{second, std::abs(second - first)}, narrow(second)};
     }

@@ -8,6 +8,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "reproduction/cases.hpp"
+#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
@@ -24,8 +25,10 @@ struct Orientation {
 /// small, and the root of the interpolant's slope taken; then once more on half
 /// the interval about it. The change between both is the error.
 ///
-/// \throws NotVerified  if a scene on the way has no verified answer, or
+/// \throws Interrupted, NotVerified  if a scene on the way has no verified
+/// answer, or
 ///                             there is no minimum within 90° of the guess
-[[nodiscard]] Orientation fastest_orientation(Scene scene, double guess);
+[[nodiscard]] Orientation fastest_orientation(Scene scene, double guess,
+                                              const Interrupt& interrupt);
 
 }  // namespace brachisto::reproduction

@@ -51,10 +51,16 @@ std::string claims_table(const std::vector<Claim>& claims) {
   return out + "</tbody></table></div>\n";
 }
 
+std::string span(const Extreme& low, const Extreme& high) {
+  return with_minus_signs(
+      fmt::format("{:.3f} … {:.3f}", low.value, high.value));
+}
+
 std::string cases_table(const Cases& cases) {
   std::string out = "<div class=\"wide\"><table><thead><tr>";
   for (const char* head :
-       {"case", "τ", "track", "R_n, m g", "κ_b", "least 1 − r κ_c",
+       {"case", "τ", "track", "R_n [m g]: least minimum … largest",
+        "κ_b [1/H]: the same", "least 1 − r κ_c",
         "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"}) {
     out += fmt::format("<th>{}</th>", html_words(head));
   }
@@ -64,11 +70,11 @@ std::string cases_table(const Cases& cases) {
     const bool rolls = one.scene().body.rolls();
     out += fmt::format(
         "<tr><td><code>{}</code></td><td>{}</td><td>{:.6f}</td>"
-        "<td>{:.3f} … {:.3f}</td><td>{:.3f} … {:.3f}{}</td><td>{}</td>"
+        "<td>{}</td><td>{}{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td></tr>\n",
         name, with_error(one.tau()), one.motion().rail_length(),
-        d.min_normal_force.value, d.max_normal_force.value,
-        d.min_curvature.value, d.max_curvature.value,
+        span(d.min_normal_force, d.max_normal_force),
+        span(d.min_curvature, d.max_curvature),
         bends_less_than_body(one) ? "" : " (&gt; 1/r)",
         rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
         rolls
@@ -90,9 +96,11 @@ std::string orientation_table(const std::vector<OrientationRow>& rows) {
                     "<th>τ there</th></tr></thead><tbody>\n";
   for (const OrientationRow& row : rows) {
     out += fmt::format(
-        "<tr><td>{:.6f}</td><td>{}</td><td>{:.5f}</td><td>{:.9f}</td></tr>\n",
+        "<tr><td>{:.6f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
         row.eta_m, with_error(row.fastest.theta_m),
-        row.fastest.theta_m.value * kDegrees, row.fastest.tau);
+        with_minus_signs(
+            fmt::format("{:.5f}", row.fastest.theta_m.value * kDegrees)),
+        row.fastest.tau);
   }
   return out + "</tbody></table></div>\n";
 }
@@ -111,7 +119,8 @@ std::string figure_html(const Figure& figure) {
 std::string introduction(const Findings& found) {
   const Case& reference = found.cases["fig04_reference_case"];
   return fmt::format(
-      "<p class=\"about\">Every figure and every number of K. Sambath and V. "
+      "<p class=\"about\">Every figure with a result and every number of K. "
+      "Sambath and V. "
       "Nagarajan, <i>Brachistochrone of off-centered cylinders</i> (2022), "
       "computed again by brachisto {} and set beside what is printed.</p>\n"
       "<h2>The scene</h2>\n<p>A cylinder of radius <i>r</i> rolls without slip "
@@ -123,20 +132,16 @@ std::string introduction(const Findings& found) {
       "√(2<i>g</i>/<i>H</i>). The reference case has <i>L</i> = 3, <i>r</i> = "
       "1/3, {}, <i>k</i> = 1/2: <i>τ</i> = {}.</p>\n"
       "<p>All numbers are of solutions that passed every check of their "
-      "certificate. The error bar of <i>τ</i> is the estimated error; that of "
-      "other numbers is the change between a solution and one a hundred times "
-      "as accurate.</p>\n",
+      "certificate. The error bar of times is the estimated error, in the grid "
+      "study the true one; that of other numbers is the change between a "
+      "solution and one a hundred times as accurate. Least values of forces "
+      "and curvatures leave out the rise from the start, where {}.</p>\n",
       report::provenance().brachisto, html_words("η_m r"), html_words("θ_m"),
-      html_words("η_m = 2/3, θ_m = 0"), with_error(reference.tau()));
+      html_words("η_m = 2/3, θ_m = 0"), with_error(reference.tau()),
+      html_words("R_n = 0 and κ_b = −1/r"));
 }
 
-}  // namespace
-
-Reproduction reproduce(const Findings& found) {
-  return {compare(found), judge(found), all_figures(found)};
-}
-
-static std::string page(const Findings& found, const Reproduction& made) {
+std::string page(const Findings& found, const Reproduction& made) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
@@ -157,6 +162,12 @@ static std::string page(const Findings& found, const Reproduction& made) {
                    "SuiteSparse {}, {}.</footer>\n</body>\n</html>\n",
                    with.brachisto, with.ipopt, with.mumps, with.suitesparse,
                    report::xml_escaped(with.compiler));
+}
+
+}  // namespace
+
+Reproduction reproduce(const Findings& found) {
+  return {compare(found), judge(found), all_figures(found)};
 }
 
 std::vector<report::OutputFile> files(const Findings& found,

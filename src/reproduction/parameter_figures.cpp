@@ -57,6 +57,9 @@ Figure map_as_curves(const SweepTable& map) {
     curve.name = fmt::format("η_m = {:.3f}", offset);
     curve.id = fmt::format("eta_m = {:.6f}", offset);
     curve.colour = colours[r / kEvery];
+    constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
+                                   Stroke::DashDotted, Stroke::Dotted};
+    curve.stroke = kStrokes[r / kEvery % std::size(kStrokes)];
     for (std::size_t i = r * row; i < (r + 1) * row; ++i) {
       curve.points.push_back(
           {map.columns[theta].numbers[i] * kDegrees, map.outcomes[i].tau});
@@ -66,8 +69,9 @@ Figure map_as_curves(const SweepTable& map) {
   return figure(chart,
                 "Fig. 13. Transit times over the place of the centre of "
                 "mass",
-                "k = 1/2, r = 1/3, L = 3. Without offset the orientation does "
-                "not matter, τ = 5.1151.");
+                fmt::format("k = 1/2, r = 1/3, L = 3. Without offset the "
+                            "orientation does not matter: τ = {:.4f}.",
+                            map.outcomes.front().tau));
 }
 
 /// The colours of maps in gnuplot's words.
@@ -145,15 +149,21 @@ Figure fastest_orientation_figure(const Findings& found) {
     curve.points.push_back({row.eta_m, row.fastest.theta_m.value * kDegrees});
   }
   const double last = found.orientations.back().eta_m;
+  double error = 0.0;
+  for (const OrientationRow& row : found.orientations) {
+    error = std::max(error, row.fastest.theta_m.error);
+  }
   chart.curves.push_back(std::move(curve));
   chart.curves.push_back({.name = "paper: −π/6 for every η_m",
                           .points = {{0.0, -30.0}, {last, -30.0}},
                           .stroke = Stroke::Dashed,
                           .colour = "#888888",
                           .id = "paper"});
-  return figure(chart, "The fastest initial orientation",
-                "k = 1/2, r = 1/3, L = 3; each point by minimisation over θ_m, "
-                "to six digits or better.");
+  return figure(
+      chart, "The fastest initial orientation",
+      fmt::format("k = 1/2, r = 1/3, L = 3; each point by minimisation "
+                  "over θ_m, known to {:.0e}°.",
+                  error * kDegrees));
 }
 
 /// k = 1 − η_m², above which no body exists.
@@ -165,7 +175,6 @@ std::vector<Datum> boundary_points(const std::vector<BoundaryBody>& bodies) {
   std::vector<Datum> points;
   for (const BoundaryBody& body : bodies) {
     points.push_back({body.eta_m, body.k});
-    if (body.on_rim) break;
   }
   return points;
 }
@@ -214,8 +223,8 @@ std::vector<report::Sketch> examples() {
       example({{1.0, axis, 0.7}}, ""),
       example({{3.0, {0.0, 1.0}}, {1.0, {0.0, -1.0}}}, "masses on the rim"),
       example({{1.0, axis, 1.0}, {3.0, {0.0, 1.0}}}, ""),
-      example({{1.0, axis, 0.5}, {1.0, {0.0, 1.0}}}, ""),
-      example({{1.0, {-0.6, 0.5}}, {1.0, {0.6, 0.5}}}, ""),
+      example({{1.0, axis, 0.9}, {1.0, {0.0, 0.6}}}, ""),
+      example({{1.0, {-0.8, 0.2}}, {1.0, {0.8, 0.2}}}, ""),
   };
 }
 
@@ -238,10 +247,18 @@ Figure region(const Findings& found) {
                           .colour = "#b5651d",
                           .width = 2.0,
                           .id = "fastest theta_m"});
-  chart.notes.push_back(
-      {{2.0 / 3.0, 0.5}, "Figs. 4–7", report::Mark::Disc, -9.0, 14.0});
-  chart.notes.push_back(
-      {{0.8, 0.1}, "faster than the bead", report::Mark::Disc, -9.0, 4.0});
+  const auto mark = [&](const char* name, std::string text) {
+    const Body& body = found.cases[name].scene().body;
+    chart.notes.push_back({{body.eta_m, body.k},
+                           std::move(text),
+                           report::Mark::Disc,
+                           -9.0,
+                           14.0});
+  };
+  mark("fig04_reference_case", "Figs. 4–7");
+  mark("fig13_faster_than_bead",
+       fmt::format("τ = {:.4f}",
+                   found.cases["fig13_faster_than_bead"].tau().value));
   chart.sketches = examples();
   return figure(
       chart, "Fig. 14. Possible bodies (appendix A)",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reproduction/figures.hpp"
+#include "reproduction/printed.hpp"
 
 namespace brachisto::reproduction {
 
@@ -48,6 +49,7 @@ Chart path_chart(std::string name, std::string title) {
   chart.x.label = "x / H";
   chart.y.label = "z / H, down";
   chart.equal_scale = true;
+  chart.x.low = -0.2;
   chart.y_down = true;
   return chart;
 }
@@ -79,6 +81,7 @@ Chart family(const Cases& cases, std::string name, std::string title,
              fmt::format("{}: τ = {:.4f}", members[i].name, one.tau().value),
          .points = along(one.motion(), track),
          .colour = colours[i],
+         .width = i % 2 == 0 ? 1.4 : 2.6,  // for those who print in grey
          .id = members[i].file + " track"});
     if (!one.scene().body.rolls()) continue;
     chart.curves.push_back({.name = "",
@@ -154,11 +157,20 @@ Figure three_bodies(const Cases& cases) {
   const Motion& best = cases["fig04_reference_case"].motion();
   add_body(chart, best);
   add_ends(chart, best.scene());
-  return figure(chart, "Fig. 6. Three bodies",
-                "Fastest tracks of a bead, a uniform and an off-centred "
-                "cylinder (r = 1/3, k = 1/2; η_m = 2/3, θ_m = 0), and the "
-                "trajectories of the centres of mass, dashed. Paper: τ = 4.52, "
-                "5.12, 4.99; lengths 3.57, 3.66, 3.66.");
+  std::string caption =
+      "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five tracks "
+      "from A to B; in grey at the start of the tracks that begin vertically. "
+      "Cycloid* is the track on which the centre runs along a cycloid, the "
+      "optimum of a uniform cylinder.";
+  for (const auto& [member, stroke] : drawn) {
+    for (const std::string& reason :
+         cases[member.file].fine.infeasible_because()) {
+      caption += fmt::format(" {}: {}.", member.name, reason);
+    }
+  }
+  return figure(chart, "Fig. 4. Standard curves and the fastest track",
+                caption + " Paper: τ = " + printed::kOffCentred +
+                    " for the brachistochrone.");
 }
 
 Figure radii(const Cases& cases, const std::string& offset,
@@ -186,9 +198,7 @@ std::vector<Figure> path_figures(const Cases& cases) {
                      {"fig04_reference_case", "η_m = 2/3"},
                      {"fig08_eta_m_1_sqrt2", "η_m = 1/√2"}}),
              "Fig. 8. Offset of the centre of mass",
-             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass. The "
-             "dependence "
-             "of τ on η_m is not monotone."));
+             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass."));
   out.push_back(figure(
       family(cases, "fig09_theta_m", "Fastest tracks for initial orientations",
              {{"fig09_theta_m_m90deg", "θ_m = −90°"},

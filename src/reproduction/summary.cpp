@@ -70,10 +70,8 @@ std::string to_json(const Findings& found, const Reproduction& made) {
   const auto bodies = [](const std::vector<BoundaryBody>& boundary) {
     Json list = Json::array();
     for (const BoundaryBody& body : boundary) {
-      list.push_back({{"eta_m", body.eta_m},
-                      {"k", body.k},
-                      {"theta_m", body.theta_m},
-                      {"on_rim", body.on_rim}});
+      list.push_back(
+          {{"eta_m", body.eta_m}, {"k", body.k}, {"theta_m", body.theta_m}});
     }
     return list;
   };

@@ -5,23 +5,25 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "report/csv.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
-std::string words(const std::string& rich) {
+std::string field(const std::string& rich) {
   return report::csv_field(rich);
 }
 
 }  // namespace
 
 std::string difference_text(const Comparison& row) {
-  const double paper = row.ours.value - row.difference();
-  return fmt::format("{:+.1e} ({:+.2f} %){}", row.difference(),
-                     100.0 * row.difference() / std::abs(paper),
-                     row.agrees() ? ", within the digits printed" : "");
+  return with_minus_signs(
+      fmt::format("{:+.3g} ({:+.2f} %){}", row.difference(),
+                  100.0 * row.difference() / std::abs(number_in(row.paper)),
+                  row.agrees() ? ", within the digits printed" : ""));
 }
 
 std::string comparison_csv(const std::vector<Comparison>& rows) {
@@ -30,9 +32,9 @@ std::string comparison_csv(const std::vector<Comparison>& rows) {
       "remark\n";
   for (const Comparison& row : rows) {
     out += fmt::format("{},{},{},{},{:.15g},{:.1e},{:.6g},{},{}\n",
-                       words(row.place), words(row.quantity), words(row.unit),
-                       words(row.paper), row.ours.value, row.ours.error,
-                       row.difference(), row.agrees(), words(row.remark));
+                       field(row.place), field(row.quantity), field(row.unit),
+                       field(row.paper), row.ours.value, row.ours.error,
+                       row.difference(), row.agrees(), field(row.remark));
   }
   return out;
 }
@@ -41,8 +43,8 @@ std::string claims_csv(const std::vector<Claim>& claims) {
   std::string out = "place,statement,verdict,evidence\n";
   for (const Claim& claim : claims) {
     out +=
-        fmt::format("{},{},{},{}\n", words(claim.place), words(claim.statement),
-                    name(claim.verdict), words(claim.evidence));
+        fmt::format("{},{},{},{}\n", field(claim.place), field(claim.statement),
+                    name(claim.verdict), field(claim.evidence));
   }
   return out;
 }
@@ -80,12 +82,12 @@ std::string orientations_csv(const std::vector<OrientationRow>& rows) {
 }
 
 std::string boundary_csv(const Findings& found) {
-  std::string out = "orientation,eta_m,k,theta_m,on_rim\n";
+  std::string out = "orientation,eta_m,k,theta_m\n";
   const auto add = [&](const char* orientation,
                        const std::vector<BoundaryBody>& bodies) {
     for (const BoundaryBody& body : bodies) {
-      out += fmt::format("{},{:.6g},{:.10g},{:.10g},{}\n", orientation,
-                         body.eta_m, body.k, body.theta_m, body.on_rim);
+      out += fmt::format("{},{:.10g},{:.10g},{:.10g}\n", orientation,
+                         body.eta_m, body.k, body.theta_m);
     }
   };
   add("-pi/6", found.boundary);

@@ -5,16 +5,19 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "brachisto/study/solve.hpp"
 
 namespace brachisto::reproduction {
 
-double verified_tau(const Scene& scene) {
+void check(const Interrupt& interrupt) {
+  if (interrupt.load() != 0) throw Interrupted();
+}
+
+double verified_tau(const Scene& scene, const Interrupt& interrupt) {
   SolveOptions options;
   options.discretisation.tolerance = 1e-12;
-  const Solution solution = solve(scene, options);
+  const Solution solution = solve(scene, options, {.interrupt = &interrupt});
+  check(interrupt);
   if (!solution.verified()) {
     throw NotVerified(fmt::format(
         "η_m = {:.6g}, θ_m = {:.6g} rad, k = {:.6g}: no verified answer: {}",

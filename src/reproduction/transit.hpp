@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <stdexcept>
 
 #include "brachisto/model/scene.hpp"
@@ -18,8 +19,22 @@ class NotVerified : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A signal came.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("stopped by a signal") {}
+};
+
+/// The flag that a signal sets.
+using Interrupt = std::atomic<int>;
+
+/// \throws Interrupted  if the flag is set
+void check(const Interrupt& interrupt);
+
 /// τ of the fastest track, to a relative error of 1e-12.
 /// \throws NotVerified  without a verified answer
-[[nodiscard]] double verified_tau(const Scene& scene);
+/// \throws Interrupted
+[[nodiscard]] double verified_tau(const Scene& scene,
+                                  const Interrupt& interrupt);
 
 }  // namespace brachisto::reproduction

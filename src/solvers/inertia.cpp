@@ -5,10 +5,13 @@
 
 #include <dmumps_c.h>
 
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "solvers/blas_threads.hpp"
+#include "solvers/chain_kkt.hpp"
 
 namespace brachisto {
 
@@ -27,13 +30,15 @@ class Mumps {
     data_.sym = 2;
     data_.comm_fortran = -987654;  // MPI_COMM_WORLD, in MUMPS' own words
     dmumps_c(&data_);
-    // No output; QAMD ordering and no scaling, as in the solver; report null
-    // pivots; room for delayed pivots.
+    // No output; QAMD ordering, as in the solver; rows and columns scaled
+    // together, which keeps the inertia and lets pivots next to a start where
+    // lengths vanish be told from null ones; report these; room for delayed
+    // pivots.
     icntl(1) = icntl(2) = icntl(3) = -1;
     icntl(4) = 0;
     icntl(6) = 0;
     icntl(7) = 6;
-    icntl(8) = 0;
+    icntl(8) = 7;
     icntl(13) = 1;  // count negative pivots of the root exactly
     icntl(14) = 100;
     icntl(24) = 1;
@@ -69,18 +74,10 @@ class Mumps {
   DMUMPS_STRUC_C data_ = {};
 };
 
-}  // namespace
-
-Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point) {
-  if (!problem.set_point(point.x)) {
-    throw std::domain_error("KKT inertia: " + problem.refusal());
-  }
+/// The inertia from the two arrays of values, by MUMPS.
+Inertia mumps_inertia(const nlp::Problem& problem, std::span<const double> hess,
+                      std::span<const double> jac) {
   const SingleThreadedBlas single_threaded;
-  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
-  problem.eval_hess_lag(1.0, point.lambda, hess);
-  std::vector<double> jac(problem.jac_g_pattern().num_entries());
-  problem.eval_jac_g(jac);
-
   // Numbers of the free variables; fixed ones drop out.
   std::vector<int> number(at(problem.num_variables()), 0);
   int free = 0;
@@ -108,6 +105,30 @@ Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point) {
   }
   return Mumps().factorise(free + problem.num_constraints(), rows, cols,
                            values);
+}
+
+}  // namespace
+
+Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
+                    LinearSolver solver) {
+  if (!problem.set_point(point.x)) {
+    throw std::domain_error("KKT inertia: " + problem.refusal());
+  }
+  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
+  problem.eval_hess_lag(1.0, point.lambda, hess);
+  std::vector<double> jac(problem.jac_g_pattern().num_entries());
+  problem.eval_jac_g(jac);
+
+  Inertia inertia;
+  if (solver != LinearSolver::Mumps) {
+    const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem);
+    const std::array<std::span<const double>, 2> values = {hess, jac};
+    if (chain && chain->factorise(values)) inertia = chain->inertia();
+  }
+  if (!inertia.known && solver != LinearSolver::Chain) {
+    inertia = mumps_inertia(problem, hess, jac);
+  }
+  return inertia;
 }
 
 }  // namespace brachisto

@@ -9,15 +9,35 @@
 #include <mumps_compat.h>
 #include <IpIpoptApplication.hpp>
 
+#include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "solvers/blas_threads.hpp"
+#include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
 
 namespace brachisto {
 
 namespace {
+
+void set_linear_solver(Ipopt::OptionsList& list, LinearSolver solver) {
+  list.SetStringValue("linear_system_scaling", "none");
+  if (solver == LinearSolver::Chain) {
+    // In the place of MA97, see ChainHook. There is no pivot tolerance to
+    // increase, nor a scaling to choose.
+    list.SetStringValue("linear_solver", "ma97");
+    list.SetStringValue("ma97_scaling", "none");
+    list.SetNumericValue("ma97_u", 1e-8);
+    list.SetNumericValue("ma97_umax", 1e-8);
+    return;
+  }
+  list.SetStringValue("linear_solver", "mumps");
+  // QAMD copes with the dense column of the global unknown.
+  list.SetIntegerValue("mumps_pivot_order", 6);
+  list.SetIntegerValue("mumps_scaling", 0);
+  list.SetIntegerValue("mumps_permuting_scaling", 0);
+}
 
 void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
                  bool warm) {
@@ -32,15 +52,9 @@ void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
   list.SetIntegerValue("acceptable_iter", 0);
   // Problems come in natural units and with scaled defects.
   list.SetStringValue("nlp_scaling_method", "none");
-  list.SetStringValue("linear_system_scaling", "none");
   list.SetStringValue("fixed_variable_treatment", "make_parameter");
   // Without it a NaN in the Hessian surfaces as a failed restoration.
   list.SetStringValue("check_derivatives_for_naninf", "yes");
-  list.SetStringValue("linear_solver", "mumps");
-  // QAMD copes with the dense column of the global unknown.
-  list.SetIntegerValue("mumps_pivot_order", 6);
-  list.SetIntegerValue("mumps_scaling", 0);
-  list.SetIntegerValue("mumps_permuting_scaling", 0);
   // There are no inequalities, so there is no barrier to follow.
   list.SetNumericValue("mu_init", 1e-11);
   if (warm) list.SetStringValue("warm_start_init_point", "yes");
@@ -143,11 +157,10 @@ bool memory_failure(std::string_view log) {
          log.find("not enough memory") != std::string_view::npos;
 }
 
-}  // namespace
-
-SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
-                              const IpoptOptions& options) {
-  const SingleThreadedBlas single_threaded;
+/// One run with the given linear solver: Chain, with a ChainHook in force, or
+/// Mumps.
+SolverResult run(nlp::Problem& problem, const PrimalDual& start,
+                 const IpoptOptions& options, LinearSolver solver) {
   const bool warm = !start.lambda.empty();
   Ipopt::SmartPtr<IpoptAdapter> adapter =
       new IpoptAdapter(problem, start, options.stop);
@@ -163,7 +176,9 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
   application->Jnlst()->AddJournal(Ipopt::GetRawPtr(journal));
 
   set_options(*application->Options(), options, warm);
+  set_linear_solver(*application->Options(), solver);
   SolverResult result;
+  result.linear_solver = solver;
   // The empty name keeps a stray ipopt.opt in the working directory out.
   if (application->Initialize("") != Ipopt::Solve_Succeeded) {
     result.message = "Ipopt refused its options";
@@ -188,6 +203,38 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
         " ({} trial points refused, the last because "
         "{})",
         result.refused_points, adapter->last_refusal());
+  }
+  return result;
+}
+
+}  // namespace
+
+SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
+                              const IpoptOptions& options) {
+  const SingleThreadedBlas single_threaded;
+  std::string why_not;
+  if (options.linear_solver != LinearSolver::Mumps) {
+    if (!ChainHook::available()) {
+      why_not = "this release of Ipopt has no way in for it";
+    } else if (problem.chain_structure().empty()) {
+      why_not = "the problem states no chain structure";
+    } else {
+      const ChainHook hook(problem);
+      SolverResult result = run(problem, start, options, LinearSolver::Chain);
+      if (hook.refusal().empty()) return result;
+      why_not = hook.refusal();
+    }
+  }
+  if (options.linear_solver == LinearSolver::Chain) {
+    SolverResult result;
+    result.status = Status::InternalError;
+    result.message = "linear_solver chain cannot be used: " + why_not;
+    return result;
+  }
+  SolverResult result = run(problem, start, options, LinearSolver::Mumps);
+  if (!why_not.empty() && options.verbose) {
+    result.log =
+        "linear solver mumps, not chain: " + why_not + "\n" + result.log;
   }
   return result;
 }

@@ -33,11 +33,6 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing)
     fixed_[at(i)] = problem.lower()[at(i)] == problem.upper()[at(i)] ? 1 : 0;
   }
   if (closing_ != nullptr) closing_at_ = closing_->linearise(x_, lambda_);
-  visit([&](int row, int col, double) {
-    pattern_.rows.push_back(row);
-    pattern_.cols.push_back(col);
-  });
-  jacobian_.resize(pattern_.num_entries());
 }
 
 nlp::EliminationOrder KktSystem::elimination_order() const {
@@ -124,11 +119,22 @@ void KktSystem::visit(Put&& put) const {
   put(last, last, closing_at_.by_parameter);
 }
 
-std::span<const double> KktSystem::jacobian() {
+void KktSystem::evaluate_jacobian() {
   problem_.eval_hess_lag(1.0, lambda_, hess_lag_);
-  std::size_t entry = 0;
-  visit([&](int, int, double value) { jacobian_[entry++] = value; });
-  return jacobian_;
+}
+
+nlp::SparsityPattern KktSystem::pattern() const {
+  nlp::SparsityPattern pattern;
+  visit([&](int row, int col, double) {
+    pattern.rows.push_back(row);
+    pattern.cols.push_back(col);
+  });
+  return pattern;
+}
+
+void KktSystem::jacobian(std::vector<double>& values) const {
+  values.clear();
+  visit([&](int, int, double value) { values.push_back(value); });
 }
 
 }  // namespace brachisto

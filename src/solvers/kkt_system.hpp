@@ -22,7 +22,8 @@ class KktSystem {
   KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing);
 
   [[nodiscard]] int size() const { return n_ + m_ + (closing_ ? 1 : 0); }
-  [[nodiscard]] const nlp::SparsityPattern& pattern() const { return pattern_; }
+  [[nodiscard]] const nlp::Problem& problem() const { return problem_; }
+  [[nodiscard]] const nlp::ClosingEquation* closing() const { return closing_; }
 
   /// That of the problem, φ and the closing equation at the end.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const;
@@ -33,24 +34,34 @@ class KktSystem {
                               std::span<const double> lambda, double phi);
   [[nodiscard]] std::span<const double> residual() const { return residual_; }
   [[nodiscard]] double max_residual() const;
-  /// Entries of the Jacobian at the same point, in the order of pattern().
-  [[nodiscard]] std::span<const double> jacobian();
+
+  /// Second derivatives at the same point, then available below.
+  void evaluate_jacobian();
+  [[nodiscard]] std::span<const double> hess_lag() const { return hess_lag_; }
+  [[nodiscard]] std::span<const double> jac_g() const { return jac_g_; }
+  [[nodiscard]] const nlp::ClosingEquation::Linearisation& closing_row() const {
+    return closing_at_;
+  }
+
+  /// The Jacobian by coordinates, and its entries in that order.
+  [[nodiscard]] nlp::SparsityPattern pattern() const;
+  void jacobian(std::vector<double>& values) const;
+
+  [[nodiscard]] bool fixed(int variable) const {
+    return fixed_[static_cast<std::size_t>(variable)] != 0;
+  }
 
  private:
   /// Calls put(row, col, value) for every entry in a fixed order.
   template <class Put>
   void visit(Put&& put) const;
-  [[nodiscard]] bool fixed(int variable) const {
-    return fixed_[static_cast<std::size_t>(variable)] != 0;
-  }
 
   nlp::Problem& problem_;
   nlp::ClosingEquation* closing_;
   int n_, m_;
   std::vector<char> fixed_;
-  nlp::SparsityPattern pattern_;
   std::vector<double> x_, lambda_;
-  std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_, jacobian_;
+  std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_;
   nlp::ClosingEquation::Linearisation closing_at_;
 };
 

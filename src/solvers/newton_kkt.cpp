@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
 #include "solvers/sparse_lu.hpp"
 
@@ -29,6 +31,52 @@ struct Iterate {
   }
 };
 
+/// Steps of Newton's method: by the chain where it serves, else by sparse LU.
+class StepSolver {
+ public:
+  StepSolver(KktSystem& system, LinearSolver solver)
+      : system_(system), step_(static_cast<std::size_t>(system.size())) {
+    if (solver != LinearSolver::Mumps) chain_ = BorderedChain::make(system);
+  }
+
+  /// J step = −residual at the system's point. False if J is singular.
+  [[nodiscard]] bool solve() {
+    system_.evaluate_jacobian();
+    std::vector<double> rhs(system_.residual().begin(),
+                            system_.residual().end());
+    for (double& value : rhs) value = -value;
+    if (chain_ && chain_->factorise() && chain_->solve(rhs, step_)) {
+      determinant_sign_ = chain_->determinant_sign();
+      by_chain_ = true;
+      return true;
+    }
+    // What the chain cannot do may still be regular: the block of the problem
+    // may be singular where the system with its closing equation is not.
+    if (!lu_) {
+      lu_ = std::make_unique<SparseLu>(system_.pattern(),
+                                       system_.elimination_order());
+    }
+    system_.jacobian(jacobian_);
+    const bool regular = lu_->factorise(jacobian_);
+    determinant_sign_ = lu_->determinant_sign();
+    if (regular) step_ = lu_->solve(rhs);
+    by_chain_ = false;
+    return regular;
+  }
+
+  [[nodiscard]] const std::vector<double>& step() const { return step_; }
+  [[nodiscard]] int determinant_sign() const { return determinant_sign_; }
+  [[nodiscard]] bool by_chain() const { return by_chain_; }
+
+ private:
+  KktSystem& system_;
+  std::unique_ptr<BorderedChain> chain_;
+  std::unique_ptr<SparseLu> lu_;
+  std::vector<double> step_, jacobian_;
+  int determinant_sign_ = 0;
+  bool by_chain_ = false;
+};
+
 }  // namespace
 
 NewtonResult solve_with_newton(nlp::Problem& problem,
@@ -48,7 +96,7 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
   }
   double residual = system.max_residual();
   result.first_residual = result.residual = residual;
-  SparseLu lu(system.pattern(), system.elimination_order());
+  StepSolver solver(system, options.linear_solver);
 
   while (result.iterations < options.max_iterations) {
     if (residual <= options.tolerance && !options.to_rounding) break;
@@ -58,19 +106,17 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
           options.stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
       return result;
     }
-    const bool regular = lu.factorise(system.jacobian());
-    result.determinant_sign = lu.determinant_sign();
+    const bool regular = solver.solve();
+    result.determinant_sign = solver.determinant_sign();
     if (!regular) break;
-    std::vector<double> rhs(system.residual().begin(), system.residual().end());
-    for (double& value : rhs) value = -value;
-    const std::vector<double> step = lu.solve(rhs);
     ++result.iterations;
+    if (solver.by_chain()) ++result.chain_steps;
 
     // The first of the full, halved, … steps that makes the residual fall.
     bool moved = false;
     double by = 1.0;
     for (int halving = 0; halving <= options.max_halvings; ++halving) {
-      const Iterate trial = now.moved(step, by, closing != nullptr);
+      const Iterate trial = now.moved(solver.step(), by, closing != nullptr);
       if (system.evaluate(trial.point.x, trial.point.lambda, trial.phi) &&
           system.max_residual() < residual) {
         moved = system.max_residual() <= 0.5 * residual ||

@@ -22,6 +22,9 @@ namespace brachisto {
 
 namespace {
 
+constexpr const char* kNoMinimum =
+    "; Ipopt left it, so that it is not a minimum, or nearly none";
+
 // What rounding leaves of T, relative: a few ulps from the sum of the integral.
 constexpr double kRoundingError = 2e-15;
 
@@ -54,6 +57,7 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
       reachable(std::min(options.ipopt.tolerance, kRoundingResidual),
                 answer.solution.point);
   newton.max_iterations = 10;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
@@ -87,42 +91,6 @@ double departure(const RollingTime& problem, const MeshSolution& solution,
                   std::abs(solution.closure.phi - phi));
 }
 
-/// Newton's method alone: it stays at an extremal that is not a minimum between
-/// its end points, which Ipopt leaves.
-MeshSolution stay_with(RollingTime& problem, const ExtremalCurve& curve,
-                       double phi, const MeshOptions& options) {
-  MeshSolution solution;
-  problem.set_end_angle(phi);
-  const bool smooth = problem.scene().contact == Contact::Smooth;
-  std::optional<ContactEquation> contact;
-  if (smooth) contact.emplace(problem);
-  NewtonOptions newton;
-  newton.tolerance = options.ipopt.tolerance;
-  newton.to_rounding = true;
-  newton.stop = options.ipopt.stop;
-  NewtonResult result = solve_with_newton(problem, smooth ? &*contact : nullptr,
-                                          prolong(curve, problem), phi, newton);
-  solution.polish = {result.iterations, result.first_residual, result.residual};
-  solution.point = std::move(result.point);
-  solution.closure.phi = result.phi;
-  if (smooth) {
-    solution.closure.mismatch =
-        end_slope(problem, solution.point.x,
-                  costates(problem, solution.point.x, solution.point.lambda)) -
-        result.phi;
-  }
-  solution.closure.closed =
-      std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
-  solution.status =
-      result.residual <= kRoundingResidual && solution.closure.closed
-          ? Status::Solved
-          : Status::NotConverged;
-  solution.message =
-      "Newton's method: extremal found; Ipopt left it, so that it is not a "
-      "minimum, or nearly none";
-  return solution;
-}
-
 }  // namespace
 
 MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
@@ -147,14 +115,17 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   const double away = solution.solved()
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();
-  if (away > kLargestDeparture) {
-    MeshSolution stayed = stay_with(answer.problem, curve, phi, options);
+  if (away > kLargestDeparture && !options.newton_alone) {
+    MeshSolution stayed = stay_on_mesh(
+        answer.problem, {prolong(curve, answer.problem), phi, -1.0}, options);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
       stayed.closure.passes = solution.closure.passes;
       stayed.first_iterations = solution.first_iterations;
       stayed.iterations = solution.iterations;
+      stayed.linear_solver = solution.linear_solver;
       stayed.log = std::move(solution.log);
+      stayed.message += kNoMinimum;
       solution = std::move(stayed);
     } else {
       answer.problem.set_end_angle(solution.closure.phi);

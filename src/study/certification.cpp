@@ -60,11 +60,19 @@ ExtremalOpinion ask_extremal(const Scene& scene, const MeshAnswer& answer,
                              const StopCondition& stop,
                              Certificate& certificate) {
   const ExtremalCurve curve = answer.curve();
-  const Units units = natural_units(scene);
+  return ask_extremal(scene, curve, answer.solution.closure.phi,
+                      curve.transit_time() * natural_units(scene).time,
+                      answer.estimated_error.value_or(0.0), stop, certificate);
+}
+
+ExtremalOpinion ask_extremal(const Scene& scene, const ExtremalCurve& nearby,
+                             double phi, double T, double error,
+                             const StopCondition& stop,
+                             Certificate& certificate) {
   ExtremalOptions options;
   options.stop = stop;
   const ExtremalSolution other = solve_extremal(
-      scene, as_guess(curve, units, answer.solution.closure.phi), options);
+      scene, as_guess(nearby, natural_units(scene), phi), options);
   ExtremalOpinion opinion;
   opinion.solved = other.usable();
   opinion.message = other.message;
@@ -72,12 +80,10 @@ ExtremalOpinion ask_extremal(const Scene& scene, const MeshAnswer& answer,
   if (opinion.solved) {
     opinion.tau = other.tau;
     opinion.error_estimate = other.error_estimate;
-    difference =
-        std::abs(curve.transit_time() * units.time / other.transit_time - 1.0);
+    difference = std::abs(T / other.transit_time - 1.0);
     opinion.difference = difference;
   }
-  certificate.add("extremal", difference,
-                  answer.estimated_error.value_or(0.0) + opinion.error_estimate,
+  certificate.add("extremal", difference, error + opinion.error_estimate,
                   other.message);
   return opinion;
 }

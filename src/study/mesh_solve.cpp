@@ -17,42 +17,34 @@ namespace brachisto {
 
 namespace {
 
-bool solved_up_to_rounding(RollingTime& problem, const SolverResult& result) {
+bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
   if (result.status == Status::Solved) return true;
   if (result.status != Status::NotConverged &&
       result.status != Status::NotEvaluable) {
     return false;
   }
-  if (result.point.x.empty() || !problem.set_point(result.point.x)) {
+  if (result.point.x.empty() || !ends.problem.set_point(result.point.x)) {
     return false;
   }
-  return nlp::kkt_residual(problem, result.point.x, result.point.lambda)
-             .max() <= kRoundingResidual;
+  return nlp::kkt_residual(ends.problem, result.point.x, result.point.lambda)
+             .max() <= ends.rounding_residual;
 }
 
-double slope_at_end(const RollingTime& problem, const PrimalDual& point) {
-  return end_slope(problem, point.x, costates(problem, point.x, point.lambda));
-}
-
-void polish(RollingTime& problem, const MeshOptions& options,
+void polish(const FixedEnds& ends, const MeshOptions& options,
             MeshSolution& solution) {
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
-  const bool smooth = problem.scene().contact == Contact::Smooth;
-  std::optional<ContactEquation> contact;
-  if (smooth) contact.emplace(problem);
-  NewtonResult result =
-      solve_with_newton(problem, smooth ? &*contact : nullptr, solution.point,
-                        solution.closure.phi, newton);
+  NewtonResult result = solve_with_newton(
+      ends.problem, ends.contact, solution.point, solution.closure.phi, newton);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   if (result.residual >= result.first_residual) return;
   solution.point = std::move(result.point);
   solution.closure.phi = result.phi;
-  if (!smooth) return;
-  solution.closure.mismatch =
-      slope_at_end(problem, solution.point) - result.phi;
+  if (ends.contact == nullptr) return;
+  solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
 }
 
 }  // namespace
@@ -65,35 +57,103 @@ double reachable(double tolerance, const PrimalDual& point) {
                   kTerms * std::numeric_limits<double>::epsilon() * largest);
 }
 
+namespace {
+
+/// Calls `solve` with a problem in the rolling time as one of fixed ends.
+template <class Solve>
+MeshSolution with_fixed_ends(RollingTime& problem, double phi, Solve&& solve) {
+  problem.set_end_angle(phi);
+  std::optional<ContactEquation> contact;
+  if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
+  const auto slope_at_end = [&](const PrimalDual& point) {
+    return end_slope(problem, point.x,
+                     costates(problem, point.x, point.lambda));
+  };
+  return solve(FixedEnds{problem, contact ? &*contact : nullptr, slope_at_end,
+                         reachable});
+}
+
+}  // namespace
+
 MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
                            const MeshOptions& options) {
+  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
+    return solve_between(ends, start, options);
+  });
+}
+
+MeshSolution stay_on_mesh(RollingTime& problem, const MeshStart& start,
+                          const MeshOptions& options) {
+  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
+    return stay_between(ends, start, options);
+  });
+}
+
+MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
+                          const MeshOptions& options) {
+  MeshSolution solution;
+  NewtonOptions newton;
+  newton.tolerance = ends.reachable(options.ipopt.tolerance, start.point);
+  newton.to_rounding = true;
+  newton.linear_solver = options.ipopt.linear_solver;
+  newton.stop = options.ipopt.stop;
+  if (ends.contact != nullptr) ends.contact->set_parameter(start.phi);
+  NewtonResult result = solve_with_newton(ends.problem, ends.contact,
+                                          start.point, start.phi, newton);
+  solution.polish = {result.iterations, result.first_residual, result.residual};
+  solution.point = std::move(result.point);
+  solution.closure.phi = result.phi;
+  solution.closure.slope = start.closure_slope;
+  if (ends.contact != nullptr) {
+    solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
+  }
+  solution.closure.closed =
+      std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
+  solution.status =
+      result.residual <= ends.rounding_residual && solution.closure.closed
+          ? Status::Solved
+          : Status::NotConverged;
+  solution.message =
+      solution.solved()
+          ? "Newton's method: extremal found"
+          : fmt::format("Newton's method stopped at a residual of {:.1e}",
+                        result.residual);
+  return solution;
+}
+
+MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
+                           const MeshOptions& options) {
+  if (options.newton_alone) return stay_between(ends, start, options);
+  const bool smooth = ends.contact != nullptr;
   MeshSolution solution;
   solution.point = start.point;
   const auto pass = [&](double phi) -> std::optional<double> {
-    problem.set_end_angle(phi);
+    if (smooth) ends.contact->set_parameter(phi);
     IpoptOptions ipopt = options.ipopt;
-    ipopt.tolerance = reachable(ipopt.tolerance, solution.point);
+    ipopt.tolerance = ends.reachable(ipopt.tolerance, solution.point);
     ipopt.max_iterations =
         std::max(0, ipopt.max_iterations - solution.iterations);
-    SolverResult result = solve_with_ipopt(problem, solution.point, ipopt);
+    SolverResult result = solve_with_ipopt(ends.problem, solution.point, ipopt);
     if (solution.closure.passes == 0) {
       solution.first_iterations = result.iterations;
       solution.refused_points = result.refused_points;
+    }
+    if (result.linear_solver != LinearSolver::Auto) {
+      solution.linear_solver = result.linear_solver;
     }
     ++solution.closure.passes;
     solution.iterations += result.iterations;
     solution.log += result.log;
     solution.message = result.message;
-    if (!solved_up_to_rounding(problem, result)) {
+    if (!solved_up_to_rounding(ends, result)) {
       solution.status = result.status;
       return std::nullopt;
     }
     solution.status = Status::Solved;
     solution.point = std::move(result.point);
-    return slope_at_end(problem, solution.point);
+    return ends.end_slope(solution.point);
   };
 
-  const bool smooth = problem.scene().contact == Contact::Smooth;
   ClosureOptions closure = options.closure;
   closure.initial_slope = start.closure_slope;
   if (options.polish) closure.tolerance = kPolishedFrom;
@@ -101,7 +161,7 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     const double final_tolerance = options.closure.loose_tolerance;
     solution.closure = close_contact(pass, start.phi, closure);
     if (solution.closure.closed && options.polish) {
-      polish(problem, options, solution);
+      polish(ends, options, solution);
       solution.closure.closed =
           std::abs(solution.closure.mismatch) <= final_tolerance;
     }
@@ -110,7 +170,7 @@ MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
     solution.closure.phi = start.phi;
     solution.closure.closed = solution.solved();
     if (solution.solved() && options.polish) {
-      polish(problem, options, solution);
+      polish(ends, options, solution);
     }
   }
   if (solution.solved() && !solution.closure.closed) {

@@ -54,7 +54,8 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     out.meshes.push_back({mesh.degree, mesh.num_elements(),
                           answer.estimated_error, solution.closure.passes,
                           solution.first_iterations, solution.iterations,
-                          solution.polish.newton_steps});
+                          solution.polish.newton_steps,
+                          solution.linear_solver});
     out.log += solution.log;
     out.status = solution.status;
     out.message = solution.message;

@@ -18,6 +18,7 @@ std::vector<std::string> Solution::not_verified_because() const {
 void Solution::discard_answer() {
   trajectory.reset();
   discrete.reset();
+  through_nodes.reset();
   diagnostics.reset();
   estimated_error.reset();
   extremal.reset();

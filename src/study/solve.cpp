@@ -12,9 +12,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/study/arc_length_refinement.hpp"
 #include "brachisto/study/evaluate_path.hpp"
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
+#include "brachisto/transcription/arc_contact.hpp"
 #include "math/cpu_clock.hpp"
 #include "study/certificate_timer.hpp"
 #include "study/fsolve_solution.hpp"
@@ -47,10 +49,35 @@ std::string no_cycloid(const Scene& scene) {
       scene.body.radius, scene.L, scene.H);
 }
 
+/// Whether the method poses the nonlinear program.
+bool solves_the_program(Method method) {
+  return method == Method::Ipopt || method == Method::NewtonKkt;
+}
+
 /// True if the answer is the end of one branch that is followed.
 bool follows_the_branch(const SolveOptions& options) {
-  return options.method == Method::Ipopt &&
+  return solves_the_program(options.method) &&
          options.search == Search::Principal && options.guess == Guess::Cycloid;
+}
+
+/// \throws std::invalid_argument if arc_length is combined with what it has not
+void check_formulation(const SolveOptions& options) {
+  const Discretisation& mesh = options.discretisation;
+  if (mesh.formulation != Formulation::ArcLength) return;
+  const int pieces = mesh.elements ? *mesh.elements
+                     : mesh.nodes  ? *mesh.nodes - 1
+                                   : kFewestPieces;
+  if (mesh.degree || pieces < kFewestPieces ||
+      !solves_the_program(options.method) ||
+      options.search != Search::Principal || options.guess != Guess::Cycloid ||
+      mesh.wanted_tolerance() < kSmallestArcLengthTolerance) {
+    throw std::invalid_argument(fmt::format(
+        "the formulation arc_length has no degree, {} pieces or more, the "
+        "method ipopt or newton_kkt, the search principal, the guess cycloid, "
+        "and a "
+        "tolerance of {:g} or more",
+        kFewestPieces, kSmallestArcLengthTolerance));
+  }
 }
 
 /// One solve: its parts share the scene, the budget and the protocol.
@@ -64,10 +91,12 @@ class Run {
         start_time_(StopCondition::Clock::now()),
         start_cpu_(process_cpu_seconds()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
+    mesh_options_.ipopt.linear_solver = options.linear_solver;
     mesh_options_.ipopt.verbose = hooks.verbose;
     mesh_options_.ipopt.stop =
         StopCondition(options.limits.seconds, hooks.interrupt);
     mesh_options_.polish = options.polish;
+    mesh_options_.newton_alone = options.method == Method::NewtonKkt;
     out_.scene = scene;
     out_.options = options;
   }
@@ -105,11 +134,14 @@ class Run {
   void answer_from(const Continuation& start);
   void report(MeshAnswer& answer,
               std::optional<double> transit_time = std::nullopt);
+  void answer_on_pieces(const Continuation& start);
+  void report(ArcLengthAnswer& answer, const Continuation& start);
+  void set_verdict(const std::string& message);
   /// Adds up the work on meshes, whether or not the answer comes from there.
   void count(const std::vector<MeshRecord>& meshes);
   /// Keeps how the answer was refined.
-  void describe_way(const Refinement& refinement);
-  void book(const Refinement& refinement);
+  void describe_way(const RefinementProtocol& refinement);
+  void book(const RefinementProtocol& refinement);
   [[nodiscard]] ExtremalSolution shoot(double tolerance);
 
   [[nodiscard]] const StopCondition& stop() const {
@@ -142,11 +174,12 @@ void Run::count(const std::vector<MeshRecord>& meshes) {
   }
 }
 
-void Run::describe_way(const Refinement& refinement) {
+void Run::describe_way(const RefinementProtocol& refinement) {
   Effort& effort = out_.effort;
   for (const MeshRecord& mesh : refinement.meshes) {
     effort.first_iterations = mesh.first_iterations;
     effort.closure_passes = mesh.passes;
+    effort.linear_solver = mesh.linear_solver;
     effort.meshes.push_back(mesh);
   }
   out_.log += refinement.log;
@@ -154,7 +187,7 @@ void Run::describe_way(const Refinement& refinement) {
   out_.message = refinement.message;
 }
 
-void Run::book(const Refinement& refinement) {
+void Run::book(const RefinementProtocol& refinement) {
   count(refinement.meshes);
   describe_way(refinement);
 }
@@ -179,15 +212,46 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
       out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
     }
   }
+  set_verdict(answer.solution.message);
+}
+
+void Run::set_verdict(const std::string& message) {
   // That a finer mesh failed only matters if this one is not good enough.
   if (out_.certificate.verified()) {
     out_.status = Status::Solved;
-    out_.message = answer.solution.message;
+    out_.message = message;
   } else if (out_.status == Status::Solved) {
     out_.message = fmt::format(
         "solved, but not verified: {}",
         fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
   }
+}
+
+void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
+  const MeshSolution& solution = answer.solution;
+  out_.estimated_error = answer.estimated_error;
+  out_.nodes = answer.problem.layout().num_nodes();
+  out_.variables = answer.problem.num_variables();
+  out_.constraints = answer.problem.num_constraints();
+  std::optional<CertificateTimer> timer(std::in_place, out_.effort);
+  const double end_angle =
+      end_slope(answer.problem, solution.point.x, solution.point.lambda);
+  auto motion = std::make_shared<const ArcLengthMotion>(
+      answer.problem, solution.point.x, answer.transit_time, end_angle,
+      out_.scene, units_);
+  out_.certificate = certify_answer(answer, *motion, options_.discretisation);
+  if (options_.certify == Certify::Extremal) {
+    out_.extremal = ask_extremal(
+        scene_, *start.curve, start.phi, motion->transit_time(),
+        answer.estimated_error.value_or(0.0), stop(), out_.certificate);
+  }
+  timer.reset();
+  // Without a motion there is nothing to diagnose, and the certificate says so.
+  if (!motion->on_curve().stall()) {
+    out_.diagnostics = motion->diagnose();
+    out_.through_nodes = std::move(motion);
+  }
+  set_verdict(solution.message);
 }
 
 void Run::try_other_start(const CycloidArc& arc,
@@ -334,9 +398,20 @@ void Run::find_beside(const Neighbour& neighbour) {
   if (found.curve) answer_from(found);
 }
 
+/// The same by straight pieces, in the paper's variables.
+void Run::answer_on_pieces(const Continuation& start) {
+  ArcLengthRefinement refinement = refine_arc_length(
+      natural_, options_.discretisation, *start.curve, start.phi, budget());
+  book(refinement);
+  if (refinement.answer && !stop().met()) report(*refinement.answer, start);
+}
+
 /// Refines until T is as accurate as wanted and, where the path bends sharply,
 /// until it is resolved between the nodes too.
 void Run::answer_from(const Continuation& start) {
+  if (options_.discretisation.formulation == Formulation::ArcLength) {
+    return answer_on_pieces(start);
+  }
   constexpr int kRounds = 3;
   constexpr double kTighter = 1e-2;
   Discretisation wanted = options_.discretisation;
@@ -369,6 +444,7 @@ Solution solve(const Scene& scene, const SolveOptions& options,
     throw std::invalid_argument(text);
   }
   if (scene.path) return evaluate_path(scene, options);
+  check_formulation(options);
   if (hooks.neighbour != nullptr && comparable(scene, hooks.neighbour->scene) &&
       follows_the_branch(options)) {
     Solution beside = Run(scene, options, hooks).execute(hooks.neighbour);

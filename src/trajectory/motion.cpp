@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "brachisto/trajectory/self_crossing.hpp"
+#include "trajectory/friction_share.hpp"
 
 namespace brachisto {
 
@@ -94,13 +95,10 @@ PathDiagnostics Motion::diagnose() const {
     const Kinematics& moving = rows[i].motion;
     out.max_abs_slope = std::max(out.max_abs_slope, std::abs(rows[i].beta));
     track.push_back(moving.contact);
-    // Shares count the step that ends here.
-    const double share = (rows[i].t - rows[i - 1].t) / rows.back().t;
-    const double friction = std::abs(moving.R_t);
-    if (!(friction <= 0.3 * moving.R_n)) out.friction_above_0_3 += share;
-    if (!(friction <= 0.5 * moving.R_n)) out.friction_above_0_5 += share;
-    if (!(friction <= moving.R_n)) out.friction_above_1 += share;
   }
+  out.friction_above_0_3 = friction_share(*this, rows, 0.3);
+  out.friction_above_0_5 = friction_share(*this, rows, 0.5);
+  out.friction_above_1 = friction_share(*this, rows, 1.0);
   out.self_crossing = self_crossing(track);
   return out;
 }

@@ -89,6 +89,33 @@ nlp::EliminationOrder RollingTime::elimination_order() const {
   return order;
 }
 
+nlp::ChainStructure RollingTime::chain_structure() const {
+  nlp::ChainStructure chain;
+  chain.num_links = mesh_.num_elements();
+  chain.block.resize(at(num_variables() + num_constraints()));
+  const int p = mesh_.degree;
+  const int states = layout_.num_states();
+  // The block of a node, and of the multipliers that lead to it.
+  const auto block_of_node = [&](int node) {
+    return 2 * (node / p) + (node % p == 0 ? 0 : 1);
+  };
+  for (int node = 0; node < layout_.num_nodes(); ++node) {
+    const int first = layout_.state(node, X);
+    for (int s = 0; s < states; ++s) {
+      chain.block[at(first + s)] = block_of_node(node);
+    }
+  }
+  for (int c = 0; c < mesh_.num_points(); ++c) {
+    chain.block[at(layout_.beta(c))] = 2 * (c / p) + 1;
+    const int first = num_variables() + layout_.defect(c, X);
+    for (int s = 0; s < states; ++s) {
+      chain.block[at(first + s)] = block_of_node(c + 1);
+    }
+  }
+  chain.block[at(layout_.rolling_time())] = nlp::ChainStructure::kBorder;
+  return chain;
+}
+
 std::string RollingTime::refusal() const {
   if (refused_point_ < 0) return refused_because_;
   return fmt::format("{} at collocation point {} of {}", refused_because_,

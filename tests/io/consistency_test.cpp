@@ -17,6 +17,35 @@ std::string mesh_errors(const std::string& keys) {
   return errors(kBead + "discretisation: {" + keys + "}\n");
 }
 
+TEST(Consistency, StraightPiecesHaveNoDegreeAndNoOtherSearch) {
+  const std::string leave = "; leave it out, or take formulation: rolling_time";
+  EXPECT_EQ(mesh_errors("formulation: arc_length, nodes: 1000"), "");
+  EXPECT_EQ(mesh_errors("formulation: arc_length, tolerance: 1e-9"), "");
+  EXPECT_EQ(mesh_errors("formulation: arc_length, degree: 2"),
+            "p.yaml:2:51: discretisation.degree: not allowed with "
+            "formulation: arc_length, whose pieces are straight" +
+                leave);
+  EXPECT_EQ(mesh_errors("formulation: arc_length, elements: 7"),
+            "p.yaml:2:53: discretisation.elements: 7 is not allowed with "
+            "formulation: arc_length, which needs 8 or more");
+  EXPECT_EQ(mesh_errors("formulation: arc_length, nodes: 8"),
+            "p.yaml:2:50: discretisation.nodes: 8 is not allowed with "
+            "formulation: arc_length, which needs 9 or more");
+  EXPECT_EQ(errors(kBead + "discretisation: {formulation: arc_length}\n"
+                           "solver: {search: global}\n"),
+            "p.yaml:3:18: solver.search: not allowed with formulation: "
+            "arc_length, which follows one branch" +
+                leave);
+}
+
+TEST(Consistency, StraightPiecesSayHowManyATightToleranceWouldTake) {
+  EXPECT_EQ(mesh_errors("formulation: arc_length, tolerance: 1e-12"),
+            "p.yaml:2:54: discretisation.tolerance: 1e-12 is not allowed with "
+            "formulation: arc_length, whose error falls as the square of the "
+            "number of pieces: it would take some 6e+05 of them. Allowed is "
+            "1e-09 or more; or take formulation: rolling_time");
+}
+
 TEST(Consistency, CylindersNeedRadiusAndInertia) {
   EXPECT_EQ(errors(cylinder("eta_m: 1/2")),
             "p.yaml:3:3: scene.body.radius: missing; expected a number in m, "

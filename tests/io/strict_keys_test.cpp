@@ -65,24 +65,5 @@ TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {
   }
 }
 
-TEST(StrictKeys, ReservedWordsAreNotCalledUnknown) {
-  const auto message = [](const std::string& section, const std::string& key,
-                          const std::string& word) {
-    return errors(kBead + section + ": {" + key + ": " + word + "}\n");
-  };
-  const std::string reserved =
-      " is reserved for a later version of brachisto; expected ";
-
-  EXPECT_EQ(message("discretisation", "formulation", "arc_length"),
-            "p.yaml:2:31: discretisation.formulation: \"arc_length\"" +
-                reserved + "rolling_time");
-  EXPECT_EQ(message("solver", "linear_solver", "chain"),
-            "p.yaml:2:25: solver.linear_solver: \"chain\"" + reserved +
-                "auto or mumps");
-  EXPECT_EQ(message("solver", "method", "newton_kkt"),
-            "p.yaml:2:18: solver.method: \"newton_kkt\"" + reserved +
-                "ipopt or extremal or fsolve");
-}
-
 }  // namespace
 }  // namespace brachisto::io

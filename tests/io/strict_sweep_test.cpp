@@ -104,11 +104,6 @@ TEST(StrictSweep, ListsHaveValuesOfOneKind) {
             "or straight or random\n"
             "p.yaml:5:37: sweep.solver.guess: no value was read; expected "
             "cycloid or straight or random");
-  EXPECT_EQ(
-      sweep_errors({"solver.method: [newton_kkt]"}),
-      "p.yaml:5:19: sweep.solver.method: \"newton_kkt\" is reserved for a "
-      "later version of brachisto; expected ipopt or extremal or "
-      "fsolve");
 }
 
 TEST(StrictSweep, KeysHaveAValue) {

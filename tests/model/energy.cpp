@@ -62,6 +62,16 @@ TEST(EnergyHeight, VanishesAtTheStart) {
   EXPECT_EQ(energy_height(body, 0.0, body.theta_m), 0.0);
 }
 
+TEST(EnergyHeight, FollowsFromTheSinesToo) {
+  const Body body = Body::cylinder(0.4, 0.7, -1.3, 0.2);
+  for (const double theta : {-1.3, 0.0, 2.0, 40.0}) {
+    EXPECT_NEAR(energy_height_from_sines(body, 0.25, std::sin(theta),
+                                         std::sin(body.theta_m)),
+                energy_height(body, 0.25, theta), ulps(8.0))
+        << theta;
+  }
+}
+
 TEST(EnergySlope, IsTheSlopeOfTheEnergyHeightAlongThePath) {
   using Jet = math::Jet2<double, 1>;
   const Body body = Body::cylinder(0.4, 0.7, -1.3, 0.2);

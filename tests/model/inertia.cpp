@@ -101,6 +101,16 @@ TEST(InertiaFactor, IsOnePlusKForACentredBody) {
   EXPECT_EQ(axisymmetric_inertia_factor(Body::bead()), 1.0);
 }
 
+TEST(InertiaFactor, FollowsFromTheSineToo) {
+  // A ≥ (1 − η)² + k = 0.36 here: no cancellation to speak of.
+  const Body body = Body::cylinder(0.5, 0.6, 0.0, 0.2);
+  for (const double delta : {-2.0, 0.0, 0.5 * kPi, 3.0}) {
+    EXPECT_NEAR(inertia_factor(body, std::sin(delta)),
+                inertia_factor(body, delta, 0.0), ulps(16.0))
+        << delta;
+  }
+}
+
 TEST(InertiaFactor, CarriesJets) {
   using Jet = math::Jet2<double, 2>;
   const Body body = Body::cylinder(0.5, 0.6, 0.0, 0.4);

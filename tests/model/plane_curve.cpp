@@ -20,19 +20,50 @@ constexpr double kVertical = 0.5 * std::numbers::pi;
 std::vector<std::pair<std::string, PlaneCurvePtr>> all_curves() {
   const Point a{0.5, -0.25}, b{3.0, 1.0};
   const PlaneCurvePtr arc = circular_arc(a, b, 1.2);
-  return {{"straight", straight_line(a, b)},
-          {"parabola, vertical start", parabola(a, b, kVertical)},
-          {"parabola", parabola(a, b, 0.9)},
-          {"arc", arc},
-          {"arc, vertical start", circular_arc(a, b, kVertical)},
-          {"arc that bends down", circular_arc(a, b, 0.1)},
-          {"cycloid", cycloid_curve(a, b)},
-          {"centre over an arc", centre_path_over(arc, 0.3)},
-          {"spline", spline_through({a, {1.0, 0.6}, {2.0, 0.7}, b})}};
+  return {
+      {"straight", straight_line(a, b)},
+      {"parabola, vertical start", parabola(a, b, kVertical)},
+      {"parabola", parabola(a, b, 0.9)},
+      {"arc", arc},
+      {"arc, vertical start", circular_arc(a, b, kVertical)},
+      {"arc that bends down", circular_arc(a, b, 0.1)},
+      {"cycloid", cycloid_curve(a, b)},
+      {"centre over an arc", centre_path_over(arc, 0.3)},
+      {"spline", spline_through({a, {1.0, 0.6}, {2.0, 0.7}, b})},
+      {"through places from rest",
+       curve_from_rest(a, {0.3, 0.5, 0.8, 1.0},
+                       {{0.01, 0.1}, {0.1, 0.3}, {1.1, 0.9}, {2.5, 1.25}})}};
 }
 
 /// Places away from the start, where central differences may be taken.
 const std::vector<double> kPlaces{0.05, 0.3, 0.52, 0.7, 0.95};
+
+TEST(CurveFromRest, IsExactForCubicsOverSquares) {
+  // Cubic splines with the end conditions of cubics reproduce them: offsets q²
+  // (1 + q, 2 − q³), also before the first place.
+  const auto offset = [](double q) {
+    return Point{q * q * (1.0 + q), q * q * (2.0 - q * q * q)};
+  };
+  const std::vector<double> places{0.2, 0.4, 0.5, 0.8, 1.0};
+  std::vector<Point> offsets;
+  for (const double q : places) offsets.push_back(offset(q));
+
+  const PlaneCurvePtr curve = curve_from_rest({3.0, 4.0}, places, offsets);
+
+  constexpr double kRounding = 1e-14;
+  for (const double q : {0.0, 1e-6, 0.1, 0.3, 0.45, 0.7, 0.99, 1.0}) {
+    const CurvePlace at = curve->at(q);
+    EXPECT_NEAR(at.offset.x, offset(q).x, kRounding) << q;
+    EXPECT_NEAR(at.offset.z, offset(q).z, kRounding) << q;
+    // d(offset)/dq = q (2 + 3 q, 4 − 5 q³), and its turning.
+    const double x = 2.0 + 3.0 * q, z = 4.0 - 5.0 * q * q * q;
+    EXPECT_NEAR(at.beta, std::atan2(z, x), 10.0 * kRounding) << q;
+    EXPECT_NEAR(at.speed, q * std::hypot(x, z), 10.0 * kRounding) << q;
+    EXPECT_NEAR(at.turning, (x * (-15.0 * q * q) - z * 3.0) / (x * x + z * z),
+                100.0 * kRounding)
+        << q;
+  }
+}
 
 TEST(PlaneCurve, HasTheTangentOfItsSlopeAngle) {
   constexpr double h = 1e-5;

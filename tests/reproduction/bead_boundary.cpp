@@ -13,6 +13,8 @@
 namespace brachisto::reproduction {
 namespace {
 
+const Interrupt kNoSignal = 0;
+
 Scene paper_scene() {
   Scene scene;
   scene.body = Body::cylinder(1.0 / 3.0, 0.0, -std::numbers::pi / 6.0, 0.5);
@@ -28,18 +30,33 @@ TEST(BeadBoundary, OfAUniformCylinderIsInClosedForm) {
   const double bead = 4.510563136746752;
   const double k = 1.5 * std::pow(bead / uniform, 2) - 1.0;
 
-  const auto boundary = bead_boundary(paper_scene(), {0.0}, false);
+  const auto boundary =
+      bead_boundary(paper_scene(), {0.0, 0.98}, false, kNoSignal);
 
   // Times to 1e-12 relative leave 2 (1 + k) 2e-12 < 5e-12 in k; the iteration
   // stops below 1e-9, which a secant step then has squared.
-  ASSERT_EQ(boundary.size(), 1U);
+  ASSERT_EQ(boundary.size(), 2U);
   EXPECT_NEAR(boundary.front().k, k, 1e-11);
-  EXPECT_FALSE(boundary.front().on_rim);
+}
+
+TEST(BeadBoundary, EndsOnTheRimWithABodyAsFastAsTheBead) {
+  const auto boundary =
+      bead_boundary(paper_scene(), {0.9, 0.95}, false, kNoSignal);
+
+  const BoundaryBody& last = boundary.back();
+  EXPECT_GT(last.eta_m, 0.9);
+  EXPECT_LT(last.eta_m, 0.95);
+  EXPECT_NEAR(last.k, 1.0 - last.eta_m * last.eta_m, 1e-15);
+  Scene scene = paper_scene();
+  scene.body.eta_m = last.eta_m;
+  scene.body.k = last.k;
+  EXPECT_NEAR(verified_tau(scene, kNoSignal), 4.510563136746752, 1e-10);
 }
 
 TEST(BeadBoundary, TheFastestOrientationAdmitsMoreInertia) {
-  const auto fixed = bead_boundary(paper_scene(), {0.4}, false);
-  const auto best = bead_boundary(paper_scene(), {0.4}, true);
+  const auto fixed =
+      bead_boundary(paper_scene(), {0.9, 0.95}, false, kNoSignal);
+  const auto best = bead_boundary(paper_scene(), {0.9, 0.95}, true, kNoSignal);
   EXPECT_GT(best.front().k, fixed.front().k);
 }
 

@@ -15,18 +15,20 @@
 namespace brachisto::reproduction {
 namespace {
 
+const Interrupt kNoSignal = 0;
+
 TEST(FastestOrientation, IsStationaryAndAMinimum) {
   Scene scene;
   scene.body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
   scene.L = 3.0;
   scene.H = 1.0;
 
-  const Orientation found = fastest_orientation(scene, -0.5);
+  const Orientation found = fastest_orientation(scene, -0.5, kNoSignal);
 
   EXPECT_LT(found.theta_m.error, 1e-6);
   const auto tau = [&](double offset) {
     scene.body.theta_m = found.theta_m.value + offset;
-    return verified_tau(scene);
+    return verified_tau(scene, kNoSignal);
   };
   constexpr double h = 0.02;
   const double left = tau(-h);
@@ -48,8 +50,8 @@ TEST(FastestOrientation, DoesNotDependOnTheGuess) {
   scene.body = Body::cylinder(1.0 / 3.0, 0.3, 0.0, 0.5);
   scene.L = 3.0;
   scene.H = 1.0;
-  const Orientation near = fastest_orientation(scene, -0.5);
-  const Orientation far = fastest_orientation(scene, 0.3);
+  const Orientation near = fastest_orientation(scene, -0.5, kNoSignal);
+  const Orientation far = fastest_orientation(scene, 0.3, kNoSignal);
   EXPECT_NEAR(near.theta_m.value, far.theta_m.value,
               near.theta_m.error + far.theta_m.error + 1e-8);
 }

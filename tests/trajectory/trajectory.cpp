@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "brachisto/model/energy.hpp"
@@ -306,6 +307,25 @@ TEST(Diagnostics, SharesOfFrictionFallAsTheThresholdGrows) {
   EXPECT_GT(path.friction_above_0_5, path.friction_above_1);
   EXPECT_GT(path.friction_above_1, 0.0);
   EXPECT_LT(path.friction_above_0_3, 1.0);
+}
+
+TEST(Diagnostics, SharesOfFrictionOfAUniformCylinderAreInClosedForm) {
+  // R_n = (2 + k)/(1 + k) sin ψ/2 and R_t = −k/(1 + k) cos ψ/2 on a cycloid,
+  // whose ψ is proportional to time: |R_t| > μ R_n up to tan ψ/2 = k/((2 + k)
+  // μ) and, with these numbers, not again before the end, ψ = π − 2 β_end.
+  const ReferenceValue& row = reference("uniform_L3");
+  const double k = row.scene().body.k;
+  const double end = std::numbers::pi - 2.0 * row.end_angle;
+  const auto share = [&](double mu) {
+    return 2.0 * std::atan(k / ((2.0 + k) * mu)) / end;
+  };
+
+  const PathDiagnostics path = fine_path(row).diagnose();
+
+  // Forces between nodes are as good as slopes, 1e-7 on this mesh.
+  EXPECT_NEAR(path.friction_above_0_3, share(0.3), 1e-6);
+  EXPECT_NEAR(path.friction_above_0_5, share(0.5), 1e-6);
+  EXPECT_NEAR(path.friction_above_1, share(1.0), 1e-6);
 }
 
 TEST(Diagnostics, TheFoldMarginOfAValleyExceedsOne) {

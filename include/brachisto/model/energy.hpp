@@ -21,16 +21,26 @@ namespace brachisto {
 /// The difference of sines is evaluated as 2 cos((θ + θ_m)/2) sin((θ − θ_m)/2),
 /// so that E keeps its relative accuracy next to the start.
 ///
+/// \param drop    z − z_0 [m]
+/// \param turned  θ − θ_m [rad]
+template <class Scalar>
+[[nodiscard]] Scalar energy_height_after(const Body& body, const Scalar& drop,
+                                         const Scalar& turned) {
+  using std::cos;
+  using std::sin;
+  const Scalar half = turned * 0.5;
+  return drop + cos(half + body.theta_m) * sin(half) *
+                    (2.0 * body.radius * body.eta_m);
+}
+
+/// The same.
+///
 /// \param drop   z − z_0 [m]
 /// \param theta  θ [rad]
 template <class Scalar>
 [[nodiscard]] Scalar energy_height(const Body& body, const Scalar& drop,
                                    const Scalar& theta) {
-  using std::cos;
-  using std::sin;
-  return drop + cos((theta + body.theta_m) * 0.5) *
-                    sin((theta - body.theta_m) * 0.5) *
-                    (2.0 * body.radius * body.eta_m);
+  return energy_height_after(body, drop, Scalar(theta - body.theta_m));
 }
 
 /// The same from the sines, as eq. (1) prints it, for where they are at hand:

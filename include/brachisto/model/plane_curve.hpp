@@ -65,6 +65,17 @@ using PlaneCurvePtr = std::shared_ptr<const PlaneCurve>;
 ///         neighbours
 [[nodiscard]] PlaneCurvePtr spline_through(const std::vector<Point>& points);
 
+/// The curve through points that lie at the places q on a way from rest:
+/// offset/q², which is smooth if the slope is a smooth function of q, and not
+/// zero at the start, by cubic splines. The slope at the start is that of the
+/// first cubic, continued to q = 0.
+///
+/// \param q        ascending from above 0 to 1; two or more
+/// \param offsets  from the start, one for each q
+[[nodiscard]] PlaneCurvePtr curve_from_rest(Point start,
+                                            const std::vector<double>& q,
+                                            const std::vector<Point>& offsets);
+
 /// The path of the centre of a body of radius r on a track; on a hump it is
 /// longer, in a valley shorter. In a valley that is too narrow for the body
 /// ds/dq < 0.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/nlp/chain_structure.hpp"
 #include "brachisto/nlp/sparsity.hpp"
 
 namespace brachisto::nlp {
@@ -53,6 +54,10 @@ class Problem {
   /// For factorisations of the KKT matrix. By default variables, then
   /// multipliers, as they are numbered.
   [[nodiscard]] virtual EliminationOrder elimination_order() const;
+
+  /// For factorisations of the KKT matrix: its structure as a chain. By default
+  /// none. Fixed variables are part of it as if they were free.
+  [[nodiscard]] virtual ChainStructure chain_structure() const { return {}; }
 
   /// Printable name of a variable or constraint, such as "theta[12]".
   [[nodiscard]] virtual std::string variable_name(int index) const = 0;

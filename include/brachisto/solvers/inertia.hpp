@@ -8,6 +8,7 @@
 
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 
 namespace brachisto {
 
@@ -20,8 +21,9 @@ struct Inertia {
 };
 
 /// Inertia of the KKT matrix [H Jᵀ; J 0] of the free variables and the
-/// constraints at (x, λ), without any regularisation, from MUMPS' LDLᵀ with
-/// pivoting.
+/// constraints at (x, λ), without any regularisation, from an LDLᵀ
+/// factorisation with pivoting. With LinearSolver::Chain it is unknown for a
+/// problem that states no chain structure; Auto tries the chain, then MUMPS.
 ///
 /// (n, m, 0) for n free variables and m constraints means that the Hessian of
 /// the Lagrangian is positive definite on the null space of J: at a stationary
@@ -30,6 +32,7 @@ struct Inertia {
 ///
 /// \throws std::domain_error if the problem is not evaluable at x
 [[nodiscard]] Inertia kkt_inertia(nlp::Problem& problem,
-                                  const PrimalDual& point);
+                                  const PrimalDual& point,
+                                  LinearSolver solver = LinearSolver::Auto);
 
 }  // namespace brachisto

@@ -12,6 +12,7 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/result.hpp"
 
 namespace brachisto {
@@ -23,16 +24,24 @@ struct IpoptOptions {
   bool check_derivatives = false;  ///< run Ipopt's own second-order checker at
                                    ///< the start; findings go to the log
   bool verbose = false;            ///< full iteration log instead of a summary
+  LinearSolver linear_solver = LinearSolver::Auto;
   StopCondition stop;
 };
 
-/// Solves a problem with Ipopt and MUMPS from a primal–dual start.
+/// Solves a problem with Ipopt from a primal–dual start.
 ///
 /// With an empty start.lambda the multipliers are estimated by least squares
 /// (a cold start); otherwise start.x and start.lambda are taken as they are (a
 /// warm start).
 ///
-/// One run per process at a time: MUMPS is not safe in threads.
+/// The chain factorisation is used if the problem states a chain structure and
+/// Ipopt is a release with a way in, 3.11.9; else LinearSolver::Auto means
+/// MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
+/// that says why. The result tells which one it was, the verbose log why not
+/// the chain.
+///
+/// One run per process at a time: MUMPS is not safe in threads, and the chain
+/// reaches Ipopt through a variable of the process.
 ///
 /// \return how it ended and the last iterate. An exception that the problem
 ///         throws ends the run and is rethrown from here.

@@ -10,6 +10,7 @@
 #include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/status.hpp"
 
 namespace brachisto {
@@ -22,6 +23,9 @@ struct NewtonOptions {
   int max_iterations = 20;
   /// A step may be halved this often to make the residual fall.
   int max_halvings = 4;
+  /// Mumps stands for the solver of any problem, which is sparse LU here. Chain
+  /// is what Auto is: a step the chain cannot make is made by sparse LU.
+  LinearSolver linear_solver = LinearSolver::Auto;
   StopCondition stop;
 };
 
@@ -33,6 +37,7 @@ struct NewtonResult {
   double residual = 0.0;        ///< largest residual there
   double first_residual = 0.0;  ///< largest residual at the start
   int iterations = 0;
+  int chain_steps = 0;  ///< of these, by the chain factorisation
   /// Sign of the determinant of the system's Jacobian where the last step
   /// started: ±1, or 0 if it was singular or no step was made. It changes where
   /// a branch turns back, and between neighbouring branches.
@@ -44,9 +49,10 @@ struct NewtonResult {
 ///     ∂(f + λᵀg)/∂x_i = 0 (i free),  x_i = value_i(φ) (i fixed),
 ///     g(x) = 0,  F(x, λ, φ) = 0,
 ///
-/// with exact derivatives, sparse LU (KLU) and iterative refinement in long
-/// double. It converges quadratically near a solution and, unlike a minimiser,
-/// to any kind of stationary point: use it where the start is close.
+/// with exact derivatives, the chain factorisation or sparse LU (KLU), and
+/// iterative refinement in long double. It converges quadratically near a
+/// solution and, unlike a minimiser, to any kind of stationary point: use it
+/// where the start is close.
 ///
 /// \param closing  may be null: then there is no φ
 /// \return the point of the smallest residual, the start itself at worst

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "brachisto/nlp/primal_dual.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/status.hpp"
 
 namespace brachisto {
@@ -20,7 +21,9 @@ struct SolverResult {
   PrimalDual point;     ///< the last iterate; empty if there was none
   int iterations = 0;
   int refused_points = 0;  ///< trial points at which the model is undefined
-  std::string log;         ///< the solver's own journal
+  /// Which one was at work; never Auto after a run.
+  LinearSolver linear_solver = LinearSolver::Auto;
+  std::string log;  ///< the solver's own journal
 };
 
 }  // namespace brachisto

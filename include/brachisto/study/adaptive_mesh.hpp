@@ -23,6 +23,8 @@ struct MeshRecord {
   int first_iterations = 0;  ///< of Ipopt, in the first pass
   int iterations = 0;        ///< of Ipopt, in all passes
   int newton_steps = 0;      ///< of polishing and of the check
+  /// Of Ipopt, if it ran: Chain or Mumps.
+  std::optional<LinearSolver> linear_solver;
 };
 
 /// A solution on a mesh and what is known of its error.

@@ -46,4 +46,12 @@ struct ExtremalOpinion {
                                            const StopCondition& stop,
                                            Certificate& certificate);
 
+/// The same of a time T [s] with the given relative error, started from an
+/// extremal nearby that need not be accurate.
+[[nodiscard]] ExtremalOpinion ask_extremal(const Scene& scene,
+                                           const ExtremalCurve& nearby,
+                                           double phi, double T, double error,
+                                           const StopCondition& stop,
+                                           Certificate& certificate);
+
 }  // namespace brachisto

@@ -6,8 +6,11 @@
 
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
+#include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/smooth_contact.hpp"
@@ -38,6 +41,8 @@ struct MeshSolution {
   int first_iterations = 0;  ///< of the first pass
   int iterations = 0;        ///< of all passes
   int refused_points = 0;    ///< in the first pass
+  /// Of Ipopt, if it ran: Chain or Mumps.
+  std::optional<LinearSolver> linear_solver;
   std::string log;
 
   [[nodiscard]] bool solved() const { return status == Status::Solved; }
@@ -48,6 +53,7 @@ struct MeshOptions {
   IpoptOptions ipopt;
   ClosureOptions closure;
   bool polish = true;
+  bool newton_alone = false;  ///< no Ipopt: stay_between() in place of passes
 };
 
 /// A pass that Ipopt breaks off near the solution, because steps drown in
@@ -62,6 +68,35 @@ inline constexpr double kPolishedFrom = 1e-5;
 /// a defect is a sum of some p + 1 unknowns times matrix entries of order p,
 /// and θ runs to thousands on the way of a small body.
 [[nodiscard]] double reachable(double tolerance, const PrimalDual& point);
+
+/// A problem between fixed ends of the centre's path, of any formulation.
+struct FixedEnds {
+  nlp::Problem& problem;
+  nlp::ClosingEquation* contact;  ///< null with Contact::Centre
+  /// β_end of a solution [rad].
+  std::function<double(const PrimalDual& point)> end_slope;
+  /// The larger of a tolerance and what rounding leaves of residuals.
+  std::function<double(double tolerance, const PrimalDual& point)> reachable;
+  double rounding_residual = kRoundingResidual;
+};
+
+/// Solves between fixed end points with Ipopt and closes the contact around it,
+/// as described at solve_on_mesh().
+[[nodiscard]] MeshSolution solve_between(const FixedEnds& ends,
+                                         const MeshStart& start,
+                                         const MeshOptions& options);
+
+/// Newton's method alone on the optimality conditions and the contact together:
+/// it stays at the extremal that the start is close to, also at one that is no
+/// minimum between its end points, which Ipopt would leave.
+[[nodiscard]] MeshSolution stay_between(const FixedEnds& ends,
+                                        const MeshStart& start,
+                                        const MeshOptions& options);
+
+/// The same for a problem in the rolling time.
+[[nodiscard]] MeshSolution stay_on_mesh(RollingTime& problem,
+                                        const MeshStart& start,
+                                        const MeshOptions& options);
 
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With

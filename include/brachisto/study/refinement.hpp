@@ -15,13 +15,17 @@
 
 namespace brachisto {
 
-/// Outcome of refine().
-struct Refinement {
+/// What was done on the way from a coarse extremal to a solution.
+struct RefinementProtocol {
   Status status = Status::NotConverged;  ///< of the last mesh
   std::string message;                   ///< of the last mesh
+  std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
+  std::string log;                 ///< of Ipopt
+};
+
+/// Outcome of refine().
+struct Refinement : RefinementProtocol {
   std::optional<MeshAnswer> answer;  ///< the best one; nothing if none solved
-  std::vector<MeshRecord> meshes;    ///< in the order in which they were tried
-  std::string log;                   ///< of Ipopt
 };
 
 /// Solves on the mesh that `wanted` fixes, or on meshes that follow its

@@ -20,6 +20,7 @@
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/fsolve_answer.hpp"
 #include "brachisto/study/solve_options.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/prescribed_motion.hpp"
 #include "brachisto/trajectory/trajectory.hpp"
@@ -33,7 +34,10 @@ struct Effort {
   int passes = 0;            ///< solves between fixed end points, in all
   int closure_passes = 0;    ///< of these on the final mesh
   int newton_steps = 0;      ///< of continuation, polishing and checks
-  double seconds = 0.0;      ///< wall clock, all of solve()
+  /// Of Ipopt on the final mesh: Chain or Mumps; nothing where Ipopt did not
+  /// run there.
+  std::optional<LinearSolver> linear_solver;
+  double seconds = 0.0;              ///< wall clock, all of solve()
   double certificate_seconds = 0.0;  ///< of these for the certificate
   /// Processor time of solve() without the certificate and second opinions.
   double cpu_seconds = 0.0;
@@ -50,6 +54,8 @@ struct Solution {
   Status status = Status::InternalError;
   std::string message;  ///< what failed, where, and what to try
   std::optional<Trajectory> trajectory;
+  /// In place of a trajectory, if the formulation is arc_length.
+  std::shared_ptr<const ArcLengthMotion> through_nodes;
   /// In place of a trajectory, if the scene states its path.
   std::shared_ptr<const PrescribedMotion> on_given_path;
   /// In place of a trajectory, with Method::Fsolve. Not what is asked for.
@@ -80,8 +86,9 @@ struct Solution {
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   /// The motion, found or given; null if there is none.
   [[nodiscard]] const Motion* motion() const {
-    return trajectory ? &*trajectory
-                      : static_cast<const Motion*>(on_given_path.get());
+    if (trajectory) return &*trajectory;
+    if (through_nodes) return through_nodes.get();
+    return on_given_path.get();
   }
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
   /// Forgets the answer with all that is known of it, not how it was sought.
@@ -102,7 +109,9 @@ struct SolveHooks {
 /// Method::Fsolve solves the paper's discrete system instead, compares its time
 /// with that of the extremal method, and is never verified.
 ///
-/// \throws std::invalid_argument if the scene is not valid
+/// \throws std::invalid_argument if the scene is not valid, or the formulation
+///         arc_length is combined with what it does not have: a degree, another
+///         method or search, a tolerance below kSmallestArcLengthTolerance
 [[nodiscard]] Solution solve(const Scene& scene,
                              const SolveOptions& options = {},
                              const SolveHooks& hooks = {});

@@ -9,15 +9,17 @@
 #include <cstdint>
 
 #include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
 
 /// How the extremal is found.
 enum class Method {
-  Ipopt,     ///< the nonlinear program
-  Extremal,  ///< Pontryagin's conditions by multiple shooting, no program
-  Fsolve,    ///< the paper's discrete system, for comparison; never verified
+  Ipopt,      ///< the nonlinear program
+  NewtonKkt,  ///< the same by Newton's method on its optimality conditions
+  Extremal,   ///< Pontryagin's conditions by multiple shooting, no program
+  Fsolve,     ///< the paper's discrete system, for comparison; never verified
 };
 
 /// Who solves the paper's discrete system.
@@ -34,9 +36,6 @@ struct FsolveOptions {
   /// On the Euclidean norm of the residual: the paper's.
   double tolerance = 1e-6;
 };
-
-/// Who factorises the KKT matrix. Auto takes the fastest that is there.
-enum class LinearSolver { Auto, Mumps };
 
 /// Which of several extremals is the answer.
 enum class Search {

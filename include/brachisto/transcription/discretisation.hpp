@@ -11,26 +11,42 @@
 namespace brachisto {
 
 /// Which discretisation of the optimal-control problem to solve.
-enum class Formulation { RollingTime };
+enum class Formulation {
+  RollingTime,  ///< collocation of degree p in the rolling time; order 2p
+  ArcLength,    ///< the paper's variables, on straight pieces; order 2
+};
 
 inline constexpr int kMinDegree = 1;
 inline constexpr int kMaxDegree = 8;
 inline constexpr double kDefaultTolerance = 1e-10;
+/// An arc_length mesh for a smaller relative error needs some 10⁵ pieces, which
+/// collocation replaces by a hundred nodes.
+inline constexpr double kSmallestArcLengthTolerance = 1e-9;
+inline constexpr double kDefaultArcLengthTolerance = 1e-6;
+/// So few that half as many still show an error.
+inline constexpr int kFewestPieces = 8;
 
 /// The wanted accuracy or a fixed mesh.
 ///
 /// With neither `elements` nor `nodes` the mesh follows from `tolerance`.
 /// `nodes` means N p + 1 for degree p and N elements and excludes `elements`.
+/// An arc_length mesh has no degree; its N pieces have N + 1 nodes.
 struct Discretisation {
   Formulation formulation = Formulation::RollingTime;
   std::optional<double> tolerance;  ///< wanted relative error of T, in
-                                    ///< [1e-13, 1e-1]; default 1e-10 where the
-                                    ///< mesh is not fixed
+                                    ///< [1e-13, 1e-1], or [1e-9, 1e-1] for
+                                    ///< arc_length; see wanted_tolerance()
   std::optional<int> degree;    ///< p, in [kMinDegree, kMaxDegree]; default 5
   std::optional<int> elements;  ///< N ≥ 1
   std::optional<int> nodes;     ///< N p + 1
 
   [[nodiscard]] bool fixed() const { return elements || nodes; }
+  /// The wanted relative error of T, where the mesh follows from it.
+  [[nodiscard]] double wanted_tolerance() const {
+    return tolerance.value_or(formulation == Formulation::ArcLength
+                                  ? kDefaultArcLengthTolerance
+                                  : kDefaultTolerance);
+  }
 };
 
 }  // namespace brachisto

@@ -71,6 +71,11 @@ class RollingTime final : public nlp::Problem {
   /// Along the path: β, node and multipliers of one collocation point after the
   /// other, U last. The pivots are the defects for the node they lead to.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
+  /// A link is an element. Its separators are its end nodes, the right one with
+  /// the multipliers of the last collocation point, which determine that node;
+  /// the interior is the rest: β, inner nodes and the multipliers that
+  /// determine them. U is the border.
+  [[nodiscard]] nlp::ChainStructure chain_structure() const override;
   [[nodiscard]] std::string variable_name(int index) const override {
     return layout_.variable_name(index);
   }

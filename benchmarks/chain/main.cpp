@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The chain solver and what it stands in for, on one mesh. One task to a
+// process, so that the peak memory is that of the task.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/transcription/contact_equation.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+#include "brachisto/transcription/initial_guess.hpp"
+#include "brachisto/transcription/prolongation.hpp"
+#include "solvers/chain_kkt.hpp"
+#include "support/scenes.hpp"
+
+namespace {
+
+using namespace brachisto;
+
+/// User and system time of this process [s].
+double cpu_seconds() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) +
+           1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double peak_gigabytes() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024e-9 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// An extremal on a coarse mesh, and its φ.
+struct Coarse {
+  ExtremalCurve curve;
+  double phi;
+};
+
+Coarse solve_coarse(const Scene& scene) {
+  constexpr double kPhi = -0.1;
+  RollingTime problem(scene, uniform_mesh(5, 20), kPhi);
+  const auto arc =
+      cycloid_between(start_of_centre(scene), end_of_centre(scene, kPhi));
+  const PrimalDual point =
+      solve_with_ipopt(problem, cycloid_guess(problem, *arc), {}).point;
+  ContactEquation contact(problem);
+  const NewtonResult result =
+      solve_with_newton(problem, &contact, point, kPhi, {});
+  return {ExtremalCurve(problem, result.point), result.phi};
+}
+
+/// The KKT matrix at the prolonged solution: analysis, factorisation, solution.
+void factor(RollingTime& problem, const PrimalDual& point) {
+  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
+  std::vector<double> jac(problem.jac_g_pattern().num_entries());
+  if (!problem.set_point(point.x)) return;
+  problem.eval_hess_lag(1.0, point.lambda, hess);
+  problem.eval_jac_g(jac);
+  const std::array<std::span<const double>, 2> values = {hess, jac};
+  double start = cpu_seconds();
+  const auto lap = [&] {
+    const double now = cpu_seconds();
+    return now - std::exchange(start, now);
+  };
+  const auto chain = make_chain_ldlt(problem);
+  const double analysis = lap();
+  bool factorised = chain->factorise(values);
+  const double first = lap();
+  factorised = chain->factorise(values) && factorised;
+  const double again = lap();
+  std::vector<double> x(point.x.size() + point.lambda.size(), 1.0);
+  const std::vector<double> b = x;
+  chain->solve(x);
+  const double solution = lap();
+  chain->solve_refined(b, x, 1);
+  const double refined = lap();
+  fmt::print(
+      "factorised {}, analysis {:.3f} s, first {:.3f} s, again {:.3f} s, "
+      "solution {:.3f} s, refined {:.3f} s, factor {:.3f} GB, dense links {}\n",
+      factorised, analysis, first, again, solution, refined,
+      1e-9 * static_cast<double>(chain->state_bytes()),
+      chain->num_dense_links());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Time and memory of the chain solver on one mesh.");
+  std::string task = "factor";
+  bool general = false;
+  int degree = 5;
+  int elements = 200;
+  app.add_option("task", task, "what to time")
+      ->check(CLI::IsMember({"factor", "newton", "ipopt"}));
+  app.add_flag("--general", general, "sparse LU or MUMPS instead");
+  app.add_option("--degree", degree, "p");
+  app.add_option("--elements", elements, "N");
+  CLI11_PARSE(app, argc, argv);
+
+  const LinearSolver solver =
+      general ? LinearSolver::Mumps : LinearSolver::Chain;
+  const Scene scene = testing::natural(testing::off_centred_scene());
+  const Coarse coarse = solve_coarse(scene);
+  RollingTime problem(scene, uniform_mesh(degree, elements), coarse.phi);
+  const PrimalDual point = prolong(coarse.curve, problem);
+  const double start = cpu_seconds();
+  if (task == "factor") {
+    factor(problem, point);
+  } else if (task == "newton") {
+    ContactEquation contact(problem);
+    NewtonOptions options;
+    options.linear_solver = solver;
+    const NewtonResult result =
+        solve_with_newton(problem, &contact, point, coarse.phi + 1e-3, options);
+    fmt::print("{} steps, residual {:.2e}, φ {:.15f}\n", result.iterations,
+               result.residual, result.phi);
+  } else {
+    const auto arc = cycloid_between(start_of_centre(scene),
+                                     end_of_centre(scene, coarse.phi));
+    IpoptOptions options;
+    options.linear_solver = solver;
+    const SolverResult result =
+        solve_with_ipopt(problem, cycloid_guess(problem, *arc), options);
+    fmt::print("{}\n", result.message);
+  }
+  fmt::print("{} nodes: {:.3f} s, peak {:.3f} GB\n", problem.mesh().num_nodes(),
+             cpu_seconds() - start, peak_gigabytes());
+  return 0;
+}

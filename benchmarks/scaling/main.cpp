@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What a solve costs as the mesh grows: both formulations, the chain
+// factorisation beside MUMPS, Newton's method beside Ipopt. Each solve, from the
+// scene to the certificate, runs in a process of its own.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+#include "report/chart.hpp"
+#include "support/processes.hpp"
+
+namespace {
+
+using namespace brachisto;
+
+/// A way to solve, in words and as options.
+struct Way {
+  const char* name;
+  Formulation formulation;
+  Method method;
+  LinearSolver linear_solver;
+};
+
+constexpr Way kWays[] = {
+    {"rolling_time, Newton, chain", Formulation::RollingTime,
+     Method::NewtonKkt, LinearSolver::Chain},
+    {"rolling_time, Ipopt, chain", Formulation::RollingTime, Method::Ipopt,
+     LinearSolver::Chain},
+    {"rolling_time, Ipopt, MUMPS", Formulation::RollingTime, Method::Ipopt,
+     LinearSolver::Mumps},
+    {"arc_length, Newton, chain", Formulation::ArcLength, Method::NewtonKkt,
+     LinearSolver::Chain},
+    {"arc_length, Ipopt, chain", Formulation::ArcLength, Method::Ipopt,
+     LinearSolver::Chain},
+    {"arc_length, Ipopt, MUMPS", Formulation::ArcLength, Method::Ipopt,
+     LinearSolver::Mumps}};
+
+/// One solve to be measured.
+struct Task {
+  int way;
+  int nodes;
+};
+
+/// What it came to; copied between processes byte by byte.
+struct Record {
+  bool verified;
+  int nodes, iterations, newton_steps;
+  double tau, estimated_error;
+  double cpu_seconds;          ///< user and system, the whole process
+  double certificate_seconds;  ///< of these, wall clock
+  double gigabytes;            ///< peak
+};
+
+Scene reference_case() {
+  Scene scene;
+  scene.body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
+  scene.L = 3.0;
+  scene.H = 1.0;
+  return scene;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) +
+         1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// The nearest number of nodes that the formulation has with degree 5.
+int nodes_of(const Way& way, int wanted) {
+  constexpr int kDegree = 5;
+  return way.formulation == Formulation::ArcLength
+             ? wanted + 1
+             : wanted / kDegree * kDegree + 1;
+}
+
+Record run(const Task& task) {
+  const Way& way = kWays[task.way];
+  SolveOptions options;
+  options.method = way.method;
+  options.linear_solver = way.linear_solver;
+  options.discretisation.formulation = way.formulation;
+  options.discretisation.nodes = nodes_of(way, task.nodes);
+  const Solution solution = solve(reference_case(), options);
+  Record record{};
+  record.verified = solution.verified();
+  record.nodes = solution.nodes;
+  record.iterations = solution.effort.iterations;
+  record.newton_steps = solution.effort.newton_steps;
+  if (solution.motion() != nullptr) record.tau = solution.motion()->tau();
+  record.estimated_error = solution.estimated_error.value_or(NAN);
+  record.certificate_seconds = solution.effort.certificate_seconds;
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  record.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  record.gigabytes = 1024e-9 * static_cast<double>(usage.ru_maxrss);
+  return record;
+}
+
+double exact_tau() {
+  SolveOptions options;
+  options.method = Method::Extremal;
+  return solve(reference_case(), options).motion()->tau();
+}
+
+/// Exponent of b(n) ∝ n^q by least squares of logarithms.
+double exponent(const std::vector<report::Datum>& points) {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const report::Datum& point : points) {
+    const double a = std::log(point.x);
+    const double b = std::log(point.y);
+    n += 1.0;
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+void write(const std::string& name, const std::string& content) {
+  std::ofstream(name) << content;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Cost of a solve against the size of its mesh");
+  std::vector<int> sizes{100, 1'000, 10'000, 100'000};
+  int mumps_up_to = 100'000;
+  unsigned limit = 600;
+  std::string out = "scaling";
+  app.add_option("--sizes", sizes, "Numbers of nodes");
+  app.add_option("--mumps-up-to", mumps_up_to,
+                 "Largest number of nodes with MUMPS");
+  app.add_option("--seconds", limit, "Limit for one solve");
+  app.add_option("--out", out, "Write OUT.csv, OUT.svg and OUT.gp");
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<Task> tasks;
+  for (const int size : sizes) {
+    for (int way = 0; way < static_cast<int>(std::size(kWays)); ++way) {
+      if (kWays[way].linear_solver == LinearSolver::Mumps &&
+          size > mumps_up_to) {
+        continue;
+      }
+      tasks.push_back({way, size});
+    }
+  }
+  const double exact = exact_tau();
+  std::string csv =
+      "way,nodes,verified,cpu_seconds,certificate_seconds,gigabytes,"
+      "ipopt_iterations,newton_steps,tau,error,estimated_error,fate\n";
+  std::vector<std::vector<report::Datum>> curves(std::size(kWays));
+  fmt::print("{:<28} {:>8} {:>9} {:>9} {:>8} {:>6} {:>7} {:>9}\n", "way",
+             "nodes", "CPU s", "cert. s", "GB", "Ipopt", "Newton", "error");
+  benchmarks::run_isolated<Record>(
+      static_cast<int>(tasks.size()), {.jobs = 1, .seconds = limit},
+      [&](int i) { return run(tasks[static_cast<std::size_t>(i)]); },
+      [&](int i, const std::optional<Record>& record, const std::string& fate) {
+        const Task& task = tasks[static_cast<std::size_t>(i)];
+        const Way& way = kWays[task.way];
+        if (!record) {
+          fmt::print("{:<28} {:>8} {}\n", way.name, task.nodes, fate);
+          csv += fmt::format("\"{}\",{},,,,,,,,,,{}\n", way.name, task.nodes,
+                             fate);
+          return;
+        }
+        const double error = record->tau / exact - 1.0;
+        fmt::print(
+            "{:<28} {:>8} {:>9.3f} {:>9.3f} {:>8.3f} {:>6} {:>7} {:>9.1e}{}\n",
+            way.name, record->nodes, record->cpu_seconds,
+            record->certificate_seconds, record->gigabytes, record->iterations,
+            record->newton_steps, error, record->verified ? "" : " NOT VERIFIED");
+        std::fflush(stdout);
+        csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{},{},{:.15g},"
+                           "{:.2e},{:.2e},\n",
+                           way.name, record->nodes, record->verified,
+                           record->cpu_seconds, record->certificate_seconds,
+                           record->gigabytes, record->iterations,
+                           record->newton_steps, record->tau, error,
+                           record->estimated_error);
+        if (record->verified) {
+          curves[static_cast<std::size_t>(task.way)].push_back(
+              {static_cast<double>(record->nodes), record->cpu_seconds});
+        }
+      });
+
+  report::Chart chart;
+  chart.name = out.substr(out.find_last_of('/') + 1);
+  chart.title = "Cost of a solve against the size of its mesh";
+  chart.x.label = "nodes";
+  chart.x.scale = report::Scale::Logarithmic;
+  chart.y.label = "CPU time of the process [s]";
+  chart.y.scale = report::Scale::Logarithmic;
+  constexpr report::Mark kMarks[] = {
+      report::Mark::Disc,   report::Mark::Square,   report::Mark::Triangle,
+      report::Mark::Circle, report::Mark::Diamond, report::Mark::Cross};
+  const std::vector<std::string> colours =
+      report::family_colours(std::size(kWays));
+  for (std::size_t w = 0; w < std::size(kWays); ++w) {
+    std::vector<report::Datum> large;
+    for (const report::Datum& point : curves[w]) {
+      if (point.x > 5e3) large.push_back(point);
+    }
+    report::Curve curve;
+    curve.name = kWays[w].name;
+    if (large.size() > 1) {
+      curve.name += fmt::format(" (n^{{{:.2f}}})", exponent(large));
+      fmt::print("{}: n^{:.2f} from 1e4 on\n", kWays[w].name, exponent(large));
+    }
+    curve.id = kWays[w].name;
+    curve.points = curves[w];
+    curve.colour = colours[w];
+    curve.mark = kMarks[w];
+    curve.stroke = w < 3 ? report::Stroke::Solid : report::Stroke::Dashed;
+    chart.curves.push_back(std::move(curve));
+  }
+  write(out + "_table.csv", csv);
+  write(out + ".csv", report::chart_csv(chart));
+  write(out + ".svg", report::chart_svg(chart));
+  write(out + ".gp", report::chart_gnuplot(chart));
+}

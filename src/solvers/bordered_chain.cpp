@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/bordered_chain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solvers/chain_kkt.hpp"
+
+namespace brachisto {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+std::unique_ptr<BorderedChain> BorderedChain::make(const KktSystem& system) {
+  std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(system.problem());
+  if (!chain) return nullptr;
+  return std::unique_ptr<BorderedChain>(
+      new BorderedChain(system, std::move(chain)));
+}
+
+BorderedChain::BorderedChain(const KktSystem& system,
+                             std::unique_ptr<ChainLdlt> chain)
+    : system_(system),
+      chain_(std::move(chain)),
+      column_(at(system.size()), 0.0),
+      wide_(at(system.size())),
+      correction_(at(system.size())),
+      reduced_(at(system.size())) {
+  const nlp::Problem& problem = system.problem();
+  const int n = problem.num_variables();
+  const auto see = [&](int i, int j, int array, std::size_t e) {
+    if (i < n && system.fixed(i)) return;
+    if (system.fixed(j))
+      couplings_.push_back({i, j, array, static_cast<int>(e)});
+  };
+  const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
+  for (std::size_t e = 0; e < hess.num_entries(); ++e) {
+    see(hess.rows[e], hess.cols[e], 0, e);
+    if (hess.rows[e] != hess.cols[e]) see(hess.cols[e], hess.rows[e], 0, e);
+  }
+  const nlp::SparsityPattern& jac = problem.jac_g_pattern();
+  for (std::size_t e = 0; e < jac.num_entries(); ++e) {
+    see(n + jac.rows[e], jac.cols[e], 1, e);
+  }
+}
+
+/// rhs −= C v, v the fixed variables in x.
+void BorderedChain::couple(std::span<const double> x,
+                           std::span<long double> rhs) const {
+  const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
+                                                         system_.jac_g()};
+  for (const Coupling& c : couplings_) {
+    rhs[at(c.row)] -=
+        static_cast<long double>(values[at(c.array)][at(c.entry)]) *
+        x[at(c.fixed)];
+  }
+}
+
+/// qᵀu + sᵀv of the vector (u, v).
+long double BorderedChain::closing_product(std::span<const double> x) const {
+  const nlp::ClosingEquation::Linearisation& row = system_.closing_row();
+  const int n = system_.problem().num_variables();
+  long double sum = 0.0L;
+  const auto add = [&](const nlp::SparseVector& part, int offset) {
+    for (std::size_t e = 0; e < part.index.size(); ++e) {
+      sum += static_cast<long double>(part.value[e]) *
+             x[at(offset + part.index[e])];
+    }
+  };
+  add(row.by_x, 0);
+  add(row.by_lambda, n);
+  return sum;
+}
+
+bool BorderedChain::factorise() {
+  const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
+                                                         system_.jac_g()};
+  pivot_ = 0.0;
+  if (!chain_->factorise(values) || chain_->inertia().zero > 0) return false;
+  pivot_ = 1.0;
+  if (system_.closing() == nullptr) return true;
+  std::fill(column_.begin(), column_.end(), 0.0);
+  const nlp::SparseVector& rates = system_.closing()->fixed_rates();
+  for (std::size_t e = 0; e < rates.index.size(); ++e) {
+    column_[at(rates.index[e])] = -rates.value[e];
+  }
+  std::fill(wide_.begin(), wide_.end(), 0.0L);
+  couple(column_, wide_);
+  for (std::size_t i = 0; i < wide_.size(); ++i) {
+    reduced_[i] = static_cast<double>(wide_[i]);
+  }
+  chain_->solve(reduced_);
+  const int n = system_.problem().num_variables();
+  for (int i = 0; i < system_.size() - 1; ++i) {
+    if (i >= n || !system_.fixed(i)) column_[at(i)] = reduced_[at(i)];
+  }
+  pivot_ = static_cast<double>(system_.closing_row().by_parameter -
+                               closing_product(column_));
+  return std::isfinite(pivot_) && pivot_ != 0.0;
+}
+
+int BorderedChain::determinant_sign() const {
+  if (pivot_ == 0.0 || !std::isfinite(pivot_)) return 0;
+  const int sign = chain_->inertia().negative % 2 == 0 ? 1 : -1;
+  return pivot_ > 0.0 ? sign : -sign;
+}
+
+void BorderedChain::solve_once(std::span<const double> b,
+                               std::span<double> x) const {
+  const int n = system_.problem().num_variables();
+  std::vector<long double> wide(b.begin(), b.end());
+  couple(b, wide);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = static_cast<double>(wide[i]);
+  }
+  for (int i = 0; i < n; ++i) {
+    if (system_.fixed(i)) x[at(i)] = b[at(i)];
+  }
+  chain_->solve(x);
+  if (system_.closing() == nullptr) return;
+  const double phi =
+      static_cast<double>(b.back() - closing_product(x)) / pivot_;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] -= phi * column_[i];
+  x.back() = phi;
+}
+
+void BorderedChain::residual(std::span<const double> b,
+                             std::span<const double> x,
+                             std::span<long double> out) const {
+  std::copy(b.begin(), b.end(), out.begin());
+  chain_->subtract_product(x, out);
+  couple(x, out);
+  const int n = system_.problem().num_variables();
+  for (int i = 0; i < n; ++i) {
+    if (system_.fixed(i)) out[at(i)] -= x[at(i)];
+  }
+  if (system_.closing() == nullptr) return;
+  const nlp::SparseVector& rates = system_.closing()->fixed_rates();
+  for (std::size_t e = 0; e < rates.index.size(); ++e) {
+    out[at(rates.index[e])] +=
+        static_cast<long double>(rates.value[e]) * x.back();
+  }
+  out.back() -=
+      closing_product(x) +
+      static_cast<long double>(system_.closing_row().by_parameter) * x.back();
+}
+
+bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
+  const auto largest = [](std::span<const double> values) {
+    double max = 0.0;
+    for (const double value : values) {
+      max = std::abs(value) <= max ? max : std::abs(value);
+    }
+    return max;
+  };
+  solve_once(b, x);
+  // Until corrections are rounding; each must be much smaller than the one
+  // before.
+  constexpr int kRefinements = 4;
+  constexpr double kEnough = 4.0 * std::numeric_limits<double>::epsilon();
+  double last = std::numeric_limits<double>::infinity();
+  for (int refinement = 0; refinement < kRefinements; ++refinement) {
+    residual(b, x, wide_);
+    for (std::size_t i = 0; i < wide_.size(); ++i) {
+      reduced_[i] = static_cast<double>(wide_[i]);
+    }
+    solve_once(reduced_, correction_);
+    const double relative = largest(correction_) / largest(x);
+    if (!std::isfinite(relative)) return largest(x) == 0.0;
+    if (relative > 0.5 * last) return relative <= 1e-6;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction_[i];
+    if (relative <= kEnough) return true;
+    last = relative;
+  }
+  return last <= 1e-6;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The Newton system of a problem that is a chain, with its fixed variables and
+// its closing equation around the symmetric chain.
+
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solvers/chain_ldlt.hpp"
+#include "solvers/kkt_system.hpp"
+
+namespace brachisto {
+
+/// With u the free variables and multipliers, v the fixed variables and φ the
+/// parameter, the Jacobian of a KktSystem is
+///
+///     K u + C v        = b_u
+///           v − ρ φ    = b_v
+///     qᵀu + sᵀv + d φ  = b_φ,
+///
+/// K symmetric and a chain. It is solved by block elimination: two solutions
+/// with K, and one pivot σ = d + sᵀρ − qᵀK⁻¹Cρ. Refinement of the whole makes
+/// up for a K that is nearer to singular than the system.
+class BorderedChain {
+ public:
+  /// Null if the problem is no chain. `system` must outlive this.
+  [[nodiscard]] static std::unique_ptr<BorderedChain> make(
+      const KktSystem& system);
+
+  /// At the point of the last KktSystem::evaluate_jacobian(). False if the
+  /// system is singular, or K is although the system is not.
+  [[nodiscard]] bool factorise();
+
+  /// Sign of the determinant of the system.
+  [[nodiscard]] int determinant_sign() const;
+
+  /// Solves with refinement, residuals in long double. False if that does not
+  /// converge: then the factorisation is worthless.
+  [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x);
+
+ private:
+  struct Coupling {  ///< an entry of C
+    int row, fixed, array, entry;
+  };
+  BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
+  void couple(std::span<const double> x, std::span<long double> rhs) const;
+  void solve_once(std::span<const double> b, std::span<double> x) const;
+  void residual(std::span<const double> b, std::span<const double> x,
+                std::span<long double> out) const;
+  [[nodiscard]] long double closing_product(std::span<const double> x) const;
+
+  const KktSystem& system_;
+  std::unique_ptr<ChainLdlt> chain_;
+  std::vector<Coupling> couplings_;
+  std::vector<double> column_;  ///< K⁻¹Cρ, and −ρ for fixed variables
+  double pivot_ = 1.0;          ///< σ
+  std::vector<long double> wide_;
+  std::vector<double> correction_, reduced_;
+};
+
+}  // namespace brachisto

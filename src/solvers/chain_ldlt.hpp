@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// LDLᵀ factorisation of symmetric indefinite matrices that are chains.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/solvers/inertia.hpp"
+#include "solvers/chain_map.hpp"
+#include "solvers/dense_front.hpp"
+#include "solvers/pivot_program.hpp"
+#include "solvers/pivot_replay.hpp"
+
+namespace brachisto {
+
+/// Arrays of values, in the order of the EntryPositions.
+using EntryValues = std::span<const std::span<const double>>;
+
+/// Factorisation in two stages, each with pivoting:
+///
+/// 1. The interiors of the links, independent of each other. Links that look
+///    alike share one sequence of 1×1 and 2×2 pivots, chosen on one of them and
+///    replayed on several at once. A link in which the multipliers of that
+///    sequence grow is factorised on its own as a dense front.
+/// 2. The Schur complement on the separators, a sweep of dense fronts along the
+///    chain. Pivots that are too small for the rows below them are delayed to
+///    the next separator. The border comes last.
+///
+/// The inertia is exact as far as rounding allows: the factorisation is that of
+/// a matrix within a few units of rounding of the given one.
+///
+/// Memory is linear in the length of the chain, state_bytes() tells how much.
+class ChainLdlt {
+ public:
+  /// Null if the positions are no chain of that structure. The positions need
+  /// not outlive the call.
+  [[nodiscard]] static std::unique_ptr<ChainLdlt> make(
+      const nlp::ChainStructure& structure,
+      std::span<const EntryPositions> positions);
+
+  /// False if a value is not finite or the pivots could not be found. The
+  /// values must stay until the next call.
+  [[nodiscard]] bool factorise(EntryValues values);
+
+  /// That of the last factorisation.
+  [[nodiscard]] const Inertia& inertia() const { return inertia_; }
+
+  /// Solves in place; entries of absent unknowns are left alone.
+  /// \pre factorised, no zero eigenvalue
+  void solve(std::span<double> x) const;
+
+  /// residual −= A x, summed in long double.
+  void subtract_product(std::span<const double> x,
+                        std::span<long double> residual) const;
+
+  /// Solves A x = b with steps of refinement, residuals in long double.
+  void solve_refined(std::span<const double> b, std::span<double> x,
+                     int refinements) const;
+
+  /// Links whose interior was factorised as a dense front.
+  [[nodiscard]] int num_dense_links() const { return num_dense_links_; }
+  [[nodiscard]] std::size_t state_bytes() const;
+
+ private:
+  /// Sequences chosen for a run, by the zeros of the matrix they were chosen
+  /// on.
+  struct Known {
+    std::vector<char> pattern;
+    PivotProgram program;
+    bool stale = false;
+  };
+  /// How the links of a run are factorised at the moment.
+  struct Plan {
+    std::vector<std::unique_ptr<Known>> known;
+    Known* chosen = nullptr;  ///< null: dense fronts
+    int sample = 0;           ///< the link on which to choose
+    std::vector<char> also;   ///< entries not zero elsewhere in the run
+    std::vector<int> slots;   ///< of the run's entries
+    std::size_t storage = 0;  ///< where its lanes begin
+    std::size_t failed = 0;   ///< where the flags of its batches begin
+  };
+  using Run = ChainMap::Run;
+
+  ChainLdlt(ChainMap map, std::vector<double> scale);
+
+  /// The value of an entry of a link in the matrix that is factorised.
+  [[nodiscard]] double scaled(const Run& run, const ChainMap::Entry& entry,
+                              int link) const {
+    const double value =
+        values_[static_cast<std::size_t>(entry.array)][entry.source.at(link)];
+    if (scale_.empty()) return value;
+    const auto unknown = [&](int local) {
+      return run.unknowns[static_cast<std::size_t>(local)].at(link);
+    };
+    return value * (scale_[unknown(entry.row)] * scale_[unknown(entry.col)]);
+  }
+  void apply_scale(std::span<double> x) const;
+
+  void choose_programs();
+  void choose_program(const Run& run, Plan& plan);
+  void factorise_links();
+  void extend_pattern(const Run& run, Plan& plan, int first, int count);
+  void link_matrix(const Run& run, int link, std::vector<double>& matrix) const;
+  void factorise_run(std::size_t r);
+  [[nodiscard]] bool fill(const Run& run, const Plan& plan, int first,
+                          int count, Lanes* slots);
+  void dense_link(const Run& run, int link);
+  void separator(const Run& run, int link, const PivotProgram* program,
+                 const Lanes* slots, int lane);
+  void last_front();
+  template <class Visit>
+  void for_each_batch(Visit&& visit) const;
+
+  ChainMap map_;
+  std::vector<double> scale_;  ///< of the structure, by unknown
+  std::vector<Plan> plans_;
+  std::vector<std::span<const double>> values_;
+  std::unique_ptr<Lanes[]> storage_;
+  std::size_t storage_size_ = 0;
+  std::vector<std::uint8_t> failed_;
+  FrontStack fronts_;
+  FrontStack::Front front_, carried_, link_front_;
+  int rejects_ = 0;  ///< interior unknowns of link_front_ left over
+  double largest_ = 0.0, zero_ = 0.0;
+  int negative_ = 0;
+  int num_dense_links_ = 0;
+  bool overflow_ = false;  ///< too many pivots were delayed
+  bool restart_ = false, may_restart_ = false;
+  Inertia inertia_;
+  std::vector<double> matrix_;
+};
+
+}  // namespace brachisto

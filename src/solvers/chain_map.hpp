@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Where the entries and the unknowns of each link of a chain lie in the arrays
+// of the caller.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brachisto/nlp/chain_structure.hpp"
+
+namespace brachisto {
+
+/// Positions of part of the entries of a symmetric matrix, either triangle,
+/// each pair of unknowns from one side only. Repeated positions add up.
+struct EntryPositions {
+  std::span<const int> rows;
+  std::span<const int> cols;
+  int row_offset = 0;  ///< added to each row
+};
+
+/// A chain cut into runs of links that look alike: the same entries at the same
+/// places of the link, with unknowns and values at places of the caller's
+/// arrays that advance by a constant from link to link. A uniform problem has
+/// three runs, first link, last link and the rest, and so needs memory for
+/// three links; the worst case, a run for each link, is linear in the number
+/// of entries.
+class ChainMap {
+ public:
+  /// The place first + stride i for link i of a run.
+  struct Affine {
+    std::ptrdiff_t first = 0;
+    std::ptrdiff_t stride = 0;
+    [[nodiscard]] std::size_t at(int i) const {
+      return static_cast<std::size_t>(first + stride * i);
+    }
+  };
+  /// An entry by local unknowns, row ≥ col, and the place of its value.
+  struct Entry {
+    int row = 0;
+    int col = 0;
+    int array = 0;  ///< which EntryPositions
+    Affine source;
+  };
+  /// Local unknowns are numbered: interior, left separator, right separator,
+  /// border. A separator's own entries belong to the link on its left, those of
+  /// separator 0 to link 0.
+  struct Run {
+    int first_link = 0;
+    int num_links = 0;
+    int interior = 0, left = 0, right = 0;
+    std::vector<Affine> unknowns;  ///< places in vectors of the caller
+    std::vector<Entry> entries;
+    [[nodiscard]] int size() const { return static_cast<int>(unknowns.size()); }
+  };
+
+  /// Nothing if an entry couples unknowns that do not belong to one link.
+  ///
+  /// Links are joined until their interiors have about `join_to` unknowns.
+  [[nodiscard]] static std::optional<ChainMap> make(
+      const nlp::ChainStructure& structure,
+      std::span<const EntryPositions> positions, int join_to);
+
+  [[nodiscard]] int num_links() const { return num_links_; }
+  [[nodiscard]] int num_unknowns() const { return num_unknowns_; }
+  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+  /// Unknowns of the border, and its own entries by number in the border.
+  [[nodiscard]] const std::vector<int>& border() const { return border_; }
+  [[nodiscard]] const std::vector<Entry>& border_entries() const {
+    return border_entries_;
+  }
+
+ private:
+  int num_links_ = 0;
+  int num_unknowns_ = 0;  ///< without absent ones
+  std::vector<Run> runs_;
+  std::vector<int> border_;
+  std::vector<Entry> border_entries_;
+};
+
+}  // namespace brachisto

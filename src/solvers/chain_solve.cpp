@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Solutions by a chain factorisation, their residuals and refinement.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "solvers/chain_ldlt.hpp"
+
+namespace brachisto {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+/// visit(run, program, slots, first link, number of links, flags of failure).
+template <class Visit>
+void ChainLdlt::for_each_batch(Visit&& visit) const {
+  for (std::size_t r = 0; r < plans_.size(); ++r) {
+    const Run& run = map_.runs()[r];
+    const Plan& plan = plans_[r];
+    if (plan.chosen == nullptr) continue;
+    const PivotProgram& program = plan.chosen->program;
+    const Lanes* slots = storage_.get() + plan.storage;
+    for (int first = 0; first < run.num_links; first += kLanes) {
+      const unsigned failed = failed_[plan.failed + at(first / kLanes)];
+      if (failed != 0xffU) {
+        visit(run, program, slots, first,
+              std::min(kLanes, run.num_links - first), failed);
+      }
+      slots += program.num_factor_slots;
+    }
+  }
+}
+
+void ChainLdlt::apply_scale(std::span<double> x) const {
+  for (std::size_t i = 0; i < scale_.size(); ++i) x[i] *= scale_[i];
+}
+
+void ChainLdlt::solve(std::span<double> x) const {
+  apply_scale(x);
+  std::vector<Lanes> local;
+  for_each_batch([&](const Run& run, const PivotProgram& program,
+                     const Lanes* slots, int first, int count,
+                     unsigned failed) {
+    local.assign(run.unknowns.size(), Lanes{});
+    for (int i = 0; i < run.interior; ++i) {
+      for (int b = 0; b < count; ++b) {
+        local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
+      }
+    }
+    replay_forward(program, slots, local.data());
+    for (int b = 0; b < count; ++b) {
+      if (((failed >> b) & 1U) != 0) continue;
+      for (int i = 0; i < run.interior; ++i) {
+        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
+      }
+      for (int i = run.interior; i < run.size(); ++i) {
+        x[run.unknowns[at(i)].at(first + b)] += local[at(i)].lane[b];
+      }
+    }
+  });
+  fronts_.forward(x);
+  fronts_.backward(x);
+  for_each_batch([&](const Run& run, const PivotProgram& program,
+                     const Lanes* slots, int first, int count,
+                     unsigned failed) {
+    local.assign(run.unknowns.size(), Lanes{});
+    for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
+      for (int b = 0; b < count; ++b) {
+        local[i].lane[b] = x[run.unknowns[i].at(first + b)];
+      }
+    }
+    replay_backward(program, slots, local.data());
+    for (int b = 0; b < count; ++b) {
+      if (((failed >> b) & 1U) != 0) continue;
+      for (int i = 0; i < run.interior; ++i) {
+        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
+      }
+    }
+  });
+  apply_scale(x);
+}
+
+void ChainLdlt::subtract_product(std::span<const double> x,
+                                 std::span<long double> residual) const {
+  const auto add = [&](std::size_t i, std::size_t j, double value) {
+    residual[i] -= static_cast<long double>(value) * x[j];
+    if (i != j) residual[j] -= static_cast<long double>(value) * x[i];
+  };
+  for (const Run& run : map_.runs()) {
+    for (int link = 0; link < run.num_links; ++link) {
+      for (const ChainMap::Entry& entry : run.entries) {
+        add(run.unknowns[at(entry.row)].at(link),
+            run.unknowns[at(entry.col)].at(link),
+            values_[at(entry.array)][entry.source.at(link)]);
+      }
+    }
+  }
+  for (const ChainMap::Entry& entry : map_.border_entries()) {
+    add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
+        values_[at(entry.array)][entry.source.at(0)]);
+  }
+}
+
+void ChainLdlt::solve_refined(std::span<const double> b, std::span<double> x,
+                              int refinements) const {
+  std::copy(b.begin(), b.end(), x.begin());
+  solve(x);
+  std::vector<long double> residual(b.size());
+  std::vector<double> correction(b.size());
+  for (int step = 0; step < refinements; ++step) {
+    std::copy(b.begin(), b.end(), residual.begin());
+    subtract_product(x, residual);
+    for (std::size_t i = 0; i < correction.size(); ++i) {
+      correction[i] = static_cast<double>(residual[i]);
+    }
+    solve(correction);
+    for (std::size_t i = 0; i < correction.size(); ++i) x[i] += correction[i];
+  }
+}
+
+}  // namespace brachisto

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/dense_front.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace brachisto {
+
+namespace {
+
+using Front = FrontStack::Front;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Exchanges unknowns i and j.
+void exchange(Front& front, int i, int j) {
+  if (i == j) return;
+  const int n = front.size();
+  std::swap(front.unknowns[at(i)], front.unknowns[at(j)]);
+  for (int c = 0; c < n; ++c) std::swap(front.at(i, c), front.at(j, c));
+  for (int r = 0; r < n; ++r) std::swap(front.at(r, i), front.at(r, j));
+}
+
+/// Largest entry of a column below row `from`, rows `skip` left out, and the
+/// candidate row where the largest among candidates stands.
+struct ColumnMax {
+  double value = 0.0;
+  double among_candidates = 0.0;
+  int row = -1;
+};
+
+ColumnMax column_max(Front& front, int column, int from, int skip) {
+  ColumnMax max;
+  const double* const a = &front.at(0, column);
+  for (int i = from; i < front.size(); ++i) {
+    if (i == column || i == skip) continue;
+    const double entry = std::abs(a[i]);
+    if (entry > max.value) max.value = entry;
+    if (i < front.candidates && entry > max.among_candidates) {
+      max.among_candidates = entry;
+      max.row = i;
+    }
+  }
+  return max;
+}
+
+}  // namespace
+
+void FrontStack::clear() {
+  records_.clear();
+  widths_.clear();
+  rows_.clear();
+  values_.clear();
+  negative_ = zero_ = 0;
+}
+
+/// Moves an acceptable pivot to k (and k + 1).
+bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
+  // The largest of the ratios 1/multiplier that pivots offered.
+  double best = 0.0;
+  int best_row = -1;
+  int best_partner = -1;
+  for (int j = k; j < front.candidates; ++j) {
+    const ColumnMax max = column_max(front, j, k, -1);
+    const double diagonal = std::abs(front.at(j, j));
+    if (diagonal <= rule.zero && max.value <= rule.zero) {
+      // A null vector: a pivot of zero with nothing below.
+      for (int i = k; i < front.size(); ++i) {
+        front.at(i, j) = front.at(j, i) = 0.0;
+      }
+      exchange(front, k, j);
+      width = Width::Single;
+      return true;
+    }
+    const double single = diagonal / max.value;
+    if (diagonal > rule.zero && !(single < rule.threshold)) {
+      exchange(front, k, j);
+      width = Width::Single;
+      return true;
+    }
+    if (single > best) {
+      best = single;
+      best_row = j;
+      best_partner = -1;
+    }
+    if (max.row < 0) continue;
+    const int r = max.row;
+    const double a = front.at(j, j);
+    const double b = front.at(r, j);
+    const double c = front.at(r, r);
+    const double det = std::abs(a * c - b * b);
+    const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
+    const double below_j = column_max(front, j, k, r).value;
+    const double below_r = column_max(front, r, k, j).value;
+    const double growth =
+        std::max(std::abs(c) * below_j + std::abs(b) * below_r,
+                 std::abs(b) * below_j + std::abs(a) * below_r) /
+        det;
+    // A determinant that is all cancellation is no pivot.
+    const double regular = det / (std::abs(a * c) + b * b);
+    const double pair = std::min(1.0 / growth, regular);
+    if (largest > rule.zero && !(pair < rule.threshold)) {
+      exchange(front, k, j);
+      exchange(front, k + 1, r == k ? j : r);
+      width = Width::Pair;
+      return true;
+    }
+    if (pair > best) {
+      best = pair;
+      best_row = j;
+      best_partner = r;
+    }
+  }
+  if (!rule.complete || best_row < 0) return false;
+  exchange(front, k, best_row);
+  width = Width::Single;
+  if (best_partner < 0) return true;
+  exchange(front, k + 1, best_partner == k ? best_row : best_partner);
+  width = Width::Pair;
+  return true;
+}
+
+/// Eliminates the pivot at k (and k + 1). Its columns take the factor: the
+/// inverse of the pivot, below it the multipliers.
+void FrontStack::step(Front& front, int k, Width width) {
+  const int n = front.size();
+  double* const p = &front.at(0, k);
+  if (width == Width::Single) {
+    const double d = p[k];
+    const double inverse = d == 0.0 ? 0.0 : 1.0 / d;
+    if (d < 0.0) ++negative_;
+    if (d == 0.0) ++zero_;
+    for (int i = k + 1; i < n; ++i) local_l_[at(i)] = p[i] * inverse;
+    for (int j = k + 1; j < n; ++j) {
+      const double p_j = p[j];
+      double* const column = &front.at(0, j);
+      for (int i = k + 1; i < n; ++i) column[i] -= local_l_[at(i)] * p_j;
+    }
+    p[k] = inverse;
+    std::copy_n(&local_l_[at(k) + 1], n - k - 1, p + k + 1);
+    return;
+  }
+  double* const q = &front.at(0, k + 1);
+  const double a = p[k];
+  const double b = p[k + 1];
+  const double c = q[k + 1];
+  const double det = a * c - b * b;
+  if (det < 0.0) {
+    ++negative_;
+  } else if (a < 0.0) {
+    negative_ += 2;
+  }
+  const double i_pp = c / det;
+  const double i_pq = -b / det;
+  const double i_qq = a / det;
+  for (int i = k + 2; i < n; ++i) {
+    local_l_[at(i)] = i_pp * p[i] + i_pq * q[i];
+    local_m_[at(i)] = i_pq * p[i] + i_qq * q[i];
+  }
+  for (int j = k + 2; j < n; ++j) {
+    const double p_j = p[j];
+    const double q_j = q[j];
+    double* const column = &front.at(0, j);
+    for (int i = k + 2; i < n; ++i) {
+      column[i] -= local_l_[at(i)] * p_j + local_m_[at(i)] * q_j;
+    }
+  }
+  p[k] = i_pp;
+  p[k + 1] = i_pq;
+  q[k + 1] = i_qq;
+  std::copy_n(&local_l_[at(k) + 2], n - k - 2, p + k + 2);
+  std::copy_n(&local_m_[at(k) + 2], n - k - 2, q + k + 2);
+}
+
+void FrontStack::eliminate(Front& front, const Rule& rule) {
+  const int n = front.size();
+  local_l_.resize(std::max(local_l_.size(), at(n) + 1));
+  local_m_.resize(local_l_.size());
+  Record record;
+  record.values = values_.size();
+  record.rows = rows_.size();
+  record.size = n;
+  Width width = Width::Single;
+  int k = 0;
+  while (k < front.candidates && choose(front, k, rule, width)) {
+    step(front, k, width);
+    widths_.push_back(width);
+    if (width == Width::Pair) widths_.push_back(width);
+    k += width == Width::Pair ? 2 : 1;
+  }
+  record.eliminated = k;
+  if (k > 0) {
+    // Only now: exchanges move the rows of earlier multipliers too. The lower
+    // trapezoid, column by column.
+    for (int j = 0; j < k; ++j) {
+      values_.insert(values_.end(), &front.at(0, j) + j, &front.at(0, j) + n);
+    }
+    rows_.insert(rows_.end(), front.unknowns.begin(), front.unknowns.end());
+    widths_.resize(rows_.size(), Width::Single);
+    records_.push_back(record);
+  }
+  // What is left moves to the front of the matrix.
+  for (int j = k; j < n; ++j) {
+    for (int i = k; i < n; ++i) {
+      front.values[at(i - k) + at(n - k) * at(j - k)] = front.at(i, j);
+    }
+  }
+  front.unknowns.erase(front.unknowns.begin(), front.unknowns.begin() + k);
+  front.values.resize(at(n - k) * at(n - k));
+  front.candidates -= k;
+}
+
+void FrontStack::forward(std::span<double> x) const {
+  for (const Record& record : records_) {
+    const int n = record.size;
+    const int* const rows = rows_.data() + record.rows;
+    const Width* const widths = widths_.data() + record.rows;
+    const double* l = values_.data() + record.values;
+    local_.resize(std::max(local_.size(), at(n)));
+    for (int i = 0; i < n; ++i) local_[at(i)] = x[at(rows[i])];
+    for (int k = 0; k < record.eliminated;) {
+      const double y_p = local_[at(k)];
+      if (widths[k] == Width::Single) {
+        local_[at(k)] = y_p * l[0];
+        for (int i = k + 1; i < n; ++i) local_[at(i)] -= l[i - k] * y_p;
+        l += n - k;
+        k += 1;
+      } else {
+        const double* const m = l + n - k;
+        const double y_q = local_[at(k + 1)];
+        local_[at(k)] = l[0] * y_p + l[1] * y_q;
+        local_[at(k + 1)] = l[1] * y_p + m[0] * y_q;
+        for (int i = k + 2; i < n; ++i) {
+          local_[at(i)] -= l[i - k] * y_p + m[i - k - 1] * y_q;
+        }
+        l = m + n - k - 1;
+        k += 2;
+      }
+    }
+    for (int i = 0; i < n; ++i) x[at(rows[i])] = local_[at(i)];
+  }
+}
+
+void FrontStack::backward(std::span<double> x) const {
+  for (std::size_t f = records_.size(); f-- > 0;) {
+    const Record& record = records_[f];
+    const int n = record.size;
+    const int* const rows = rows_.data() + record.rows;
+    const Width* const widths = widths_.data() + record.rows;
+    // From the end of this front's values backwards.
+    const double* l =
+        values_.data() +
+        (f + 1 < records_.size() ? records_[f + 1].values : values_.size());
+    local_.resize(std::max(local_.size(), at(n)));
+    for (int i = 0; i < n; ++i) local_[at(i)] = x[at(rows[i])];
+    for (int k = record.eliminated; k > 0;) {
+      // The first row past the pivot is k.
+      const bool pair = widths[k - 1] == Width::Pair;
+      l -= n - k + 1;
+      double by_last = 0.0;
+      for (int i = k; i < n; ++i) by_last += l[i - k + 1] * local_[at(i)];
+      local_[at(k - 1)] -= by_last;
+      --k;
+      if (!pair) continue;
+      l -= n - k + 1;
+      double by_first = 0.0;
+      for (int i = k + 1; i < n; ++i) by_first += l[i - k + 1] * local_[at(i)];
+      local_[at(k - 1)] -= by_first;
+      --k;
+    }
+    for (int i = 0; i < record.eliminated; ++i) {
+      x[at(rows[i])] = local_[at(i)];
+    }
+  }
+}
+
+std::size_t FrontStack::bytes() const {
+  return records_.capacity() * sizeof(Record) + widths_.capacity() +
+         rows_.capacity() * sizeof(int) + values_.capacity() * sizeof(double);
+}
+
+}  // namespace brachisto

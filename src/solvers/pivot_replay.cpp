@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The loops over lanes are the hot ones of the chain solver. They are compiled
+// for several instruction sets, without contraction to fused operations, so
+// that every machine gets the same bits.
+
+#include "solvers/pivot_replay.hpp"
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define BRACHISTO_CLONES \
+  __attribute__((target_clones("default", "avx2", "avx512f")))
+#else
+#define BRACHISTO_CLONES
+#endif
+
+namespace brachisto {
+
+namespace {
+
+using Kind = PivotProgram::Kind;
+
+typedef double Pack __attribute__((vector_size(sizeof(Lanes)), may_alias));
+static_assert(sizeof(Pack) == sizeof(Lanes));
+
+}  // namespace
+
+BRACHISTO_CLONES
+void replay_factor(const PivotProgram& program, Lanes* slots,
+                   ReplayOutcome& outcome) {
+  auto* const W = reinterpret_cast<Pack*>(slots);
+  const int* const targets = program.targets.data();
+  Pack growth = {};
+  Pack negative = {};
+  const Pack zero = {};
+  const Pack one = zero + 1.0;
+  for (const PivotProgram::Pivot& pivot : program.pivots) {
+    const PivotProgram::Row* const begin =
+        program.rows.data() + pivot.rows_begin;
+    const int num_rows = pivot.rows_end - pivot.rows_begin;
+    const int* target = targets + pivot.targets_begin;
+    if (pivot.kind == Kind::Saddle) {
+      // [a d; d 0]⁻¹ = [0 1/d; 1/d −a/d²]; a row with entries c_p, c_q takes
+      // part with t c_qᵀ + c_q tᵀ, t = (c_p − (a/2d) c_q)/d.
+      const Pack inverse = 1.0 / W[pivot.d_pq];
+      const Pack twice = W[pivot.d_pp] * inverse;
+      const Pack half = 0.5 * twice;
+      const int num_q = pivot.q_rows_end - pivot.rows_begin;
+      for (int r = 0; r < num_rows; ++r) {
+        const PivotProgram::Row& row = begin[r];
+        if (row.in_p == 0) continue;
+        const Pack c_p = W[row.in_p];
+        const Pack c_q = W[row.in_q];
+        const Pack t = (c_p - half * c_q) * inverse;
+        for (int s = 0; s < num_q; ++s) {
+          W[*target++] -= t * W[begin[s].in_q];
+        }
+        if (row.diagonal != 0) W[row.diagonal] -= t * c_q;
+        const Pack multiplier = (c_p - twice * c_q) * inverse;
+        growth += multiplier * multiplier;
+        W[row.in_p] = multiplier;
+      }
+      for (int s = 0; s < num_q; ++s) {
+        const Pack multiplier = W[begin[s].in_q] * inverse;
+        growth += multiplier * multiplier;
+        W[begin[s].in_q] = multiplier;
+      }
+      W[pivot.d_pq] = inverse;
+      if (pivot.d_pp != 0) W[pivot.d_pp] = -twice * inverse;
+      negative += one;
+      growth += inverse - inverse;
+    } else if (pivot.kind == Kind::Single) {
+      const Pack d = W[pivot.d_pp];
+      const Pack inverse = 1.0 / d;
+      for (int r = num_rows - 1; r >= 0; --r) {
+        const Pack multiplier = W[begin[r].in_p] * inverse;
+        for (int s = 0; s <= r; ++s) {
+          W[*target++] -= multiplier * W[begin[s].in_p];
+        }
+        growth += multiplier * multiplier;
+        W[begin[r].in_p] = multiplier;
+      }
+      W[pivot.d_pp] = inverse;
+      negative += d < 0.0 ? one : zero;
+      growth += inverse - inverse;
+    } else {
+      const Pack a = W[pivot.d_pp];
+      const Pack b = W[pivot.d_pq];
+      const Pack c = W[pivot.d_qq];
+      const Pack det = a * c - b * b;
+      const Pack i_pp = c / det;
+      const Pack i_pq = -b / det;
+      const Pack i_qq = a / det;
+      for (int r = num_rows - 1; r >= 0; --r) {
+        const Pack c_p = W[begin[r].in_p];
+        const Pack c_q = W[begin[r].in_q];
+        const Pack l_p = i_pp * c_p + i_pq * c_q;
+        const Pack l_q = i_pq * c_p + i_qq * c_q;
+        for (int s = 0; s <= r; ++s) {
+          W[*target++] -= l_p * W[begin[s].in_p] + l_q * W[begin[s].in_q];
+        }
+        growth += l_p * l_p + l_q * l_q;
+        W[begin[r].in_p] = l_p;
+        W[begin[r].in_q] = l_q;
+      }
+      W[pivot.d_pp] = i_pp;
+      W[pivot.d_pq] = i_pq;
+      W[pivot.d_qq] = i_qq;
+      const Pack definite = a < 0.0 ? one + one : zero;
+      negative += det < 0.0 ? one : definite;
+      growth += det / det - one;
+    }
+  }
+  *reinterpret_cast<Pack*>(&outcome.negative) = negative;
+  *reinterpret_cast<Pack*>(&outcome.growth) = growth;
+}
+
+BRACHISTO_CLONES
+void replay_forward(const PivotProgram& program, const Lanes* slots,
+                    Lanes* rhs) {
+  const auto* const W = reinterpret_cast<const Pack*>(slots);
+  auto* const y = reinterpret_cast<Pack*>(rhs);
+  for (const PivotProgram::Pivot& pivot : program.pivots) {
+    const PivotProgram::Row* row = program.rows.data() + pivot.rows_begin;
+    const PivotProgram::Row* const end = program.rows.data() + pivot.rows_end;
+    const Pack y_p = y[pivot.p];
+    const Pack y_q = y[pivot.q];
+    switch (pivot.kind) {
+      case Kind::Single:
+        for (; row != end; ++row) y[row->unknown] -= W[row->in_p] * y_p;
+        y[pivot.p] = W[pivot.d_pp] * y_p;
+        break;
+      case Kind::Pair:
+        for (; row != end; ++row) {
+          y[row->unknown] -= W[row->in_p] * y_p + W[row->in_q] * y_q;
+        }
+        y[pivot.p] = W[pivot.d_pp] * y_p + W[pivot.d_pq] * y_q;
+        y[pivot.q] = W[pivot.d_pq] * y_p + W[pivot.d_qq] * y_q;
+        break;
+      case Kind::Saddle:
+        // The multiplier of p stands in the column of q and conversely.
+        for (; row != end; ++row) {
+          y[row->unknown] -= W[row->in_p] * y_q + W[row->in_q] * y_p;
+        }
+        y[pivot.p] = W[pivot.d_pq] * y_q;
+        y[pivot.q] = W[pivot.d_pq] * y_p + W[pivot.d_pp] * y_q;
+        break;
+    }
+  }
+}
+
+BRACHISTO_CLONES
+void replay_backward(const PivotProgram& program, const Lanes* slots,
+                     Lanes* solution) {
+  const auto* const W = reinterpret_cast<const Pack*>(slots);
+  auto* const x = reinterpret_cast<Pack*>(solution);
+  for (std::size_t k = program.pivots.size(); k-- > 0;) {
+    const PivotProgram::Pivot& pivot = program.pivots[k];
+    const PivotProgram::Row* row = program.rows.data() + pivot.rows_begin;
+    const PivotProgram::Row* const end = program.rows.data() + pivot.rows_end;
+    Pack by_p = {};
+    Pack by_q = {};
+    for (; row != end; ++row) {
+      by_p += W[row->in_p] * x[row->unknown];
+      by_q += W[row->in_q] * x[row->unknown];
+    }
+    if (pivot.kind == Kind::Single) {
+      x[pivot.p] -= by_p;
+    } else {
+      const bool saddle = pivot.kind == Kind::Saddle;
+      x[pivot.p] -= saddle ? by_q : by_p;
+      x[pivot.q] -= saddle ? by_p : by_q;
+    }
+  }
+}
+
+}  // namespace brachisto

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/study/arc_length_refinement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/study/certification.hpp"
+#include "brachisto/trajectory/arc_length_certificate.hpp"
+#include "brachisto/trajectory/arc_length_residual.hpp"
+#include "brachisto/transcription/arc_contact.hpp"
+#include "brachisto/transcription/arc_prolongation.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr int kFewestCoarse = 50;
+constexpr double kCoarsePerTurn = 50.0;
+constexpr int kMostPieces = 5'000'000;
+constexpr double kAim = 0.7;  // of the tolerance
+constexpr int kMostTries = 4;
+constexpr int kLargestDoubling = 30;
+
+/// A mesh to start with: all that the continuation's answer is needed for.
+int coarse_pieces(const Scene& scene, double length) {
+  const double turns =
+      scene.body.off_centred()
+          ? length / (2.0 * std::numbers::pi * scene.body.radius)
+          : 0.0;
+  return std::max(kFewestCoarse,
+                  static_cast<int>(std::ceil(kCoarsePerTurn * turns)));
+}
+
+/// n, n/2, n/4, … down to about `coarsest`, in ascending order; n/2 always.
+std::vector<int> halvings(int n, int coarsest) {
+  std::vector<int> pieces{n, (n + 1) / 2};
+  while (pieces.back() >= 2 * coarsest) {
+    pieces.push_back((pieces.back() + 1) / 2);
+  }
+  return {pieces.rbegin(), pieces.rend()};
+}
+
+/// dT/dφ = −r (p_x cos φ + p_z sin φ) at the problem's current point.
+double time_per_radian(const ArcLengthAnswer& answer) {
+  const ArcLength::EndCostates p =
+      answer.problem.end_costates(answer.solution.point.lambda);
+  const double phi = answer.solution.closure.phi;
+  return -answer.problem.scene().body.radius *
+         (p.x.value * std::cos(phi) + p.z.value * std::sin(phi));
+}
+
+/// One run of refine_arc_length().
+class Sequence {
+ public:
+  Sequence(const Scene& scene, const ExtremalCurve& curve, double phi,
+           const MeshOptions& options)
+      : scene_(scene), curve_(curve), phi_(phi), options_(options) {}
+
+  /// Solves on meshes of ascending numbers of pieces, those that are not finer
+  /// than the present one left out. False if the last one fails.
+  bool climb(const std::vector<int>& pieces);
+  [[nodiscard]] ArcLengthRefinement& out() { return out_; }
+
+ private:
+  [[nodiscard]] MeshSolution solve(ArcLength& problem, const MeshStart& start);
+  [[nodiscard]] double estimate(const ArcLengthAnswer& finer) const;
+
+  const Scene& scene_;
+  const ExtremalCurve& curve_;
+  double phi_;
+  MeshOptions options_;
+  ArcLengthRefinement out_;
+};
+
+MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
+  // From so near, many iterations only mean that Ipopt went elsewhere.
+  constexpr int kMostIterations = 60;
+  constexpr double kLargestDeparture = 3e-2;
+  std::optional<ArcContactEquation> contact;
+  if (scene_.contact == Contact::Smooth) contact.emplace(problem);
+  const double rounding = rounding_of_residual(problem);
+  const FixedEnds ends{problem, contact ? &*contact : nullptr,
+                       [&](const PrimalDual& point) {
+                         return end_slope(problem, point.x, point.lambda);
+                       },
+                       [rounding](double tolerance, const PrimalDual&) {
+                         return std::max(tolerance, rounding);
+                       },
+                       std::max(kRoundingResidual, rounding)};
+  MeshOptions near = options_;
+  near.ipopt.max_iterations =
+      std::min(near.ipopt.max_iterations, kMostIterations);
+  MeshSolution solution = solve_between(ends, start, near);
+  if (options_.ipopt.stop.met()) return solution;
+  if (solution.solved() &&
+      std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
+    return solution;
+  }
+  if (options_.newton_alone) return solution;
+  MeshSolution stayed = stay_between(ends, start, options_);
+  if (!stayed.solved() ||
+      std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {
+    if (solution.solved()) {
+      solution.status = Status::NotConverged;
+      solution.message = "no solution near the coarser one";
+    }
+    solution.message = fmt::format("on {} pieces: {}", problem.num_intervals(),
+                                   solution.message);
+    return solution;
+  }
+  stayed.closure.passes = solution.closure.passes;
+  stayed.closure.slope = solution.closure.slope;
+  stayed.first_iterations = solution.first_iterations;
+  stayed.iterations = solution.iterations;
+  stayed.linear_solver = solution.linear_solver;
+  stayed.log = std::move(solution.log);
+  stayed.message +=
+      "; Ipopt left it, so that it is not a minimum, or nearly none";
+  return stayed;
+}
+
+double Sequence::estimate(const ArcLengthAnswer& finer) const {
+  constexpr double kHigherOrders = 1.5;
+  const ArcLengthAnswer& coarser = *out_.answer;
+  const double n = finer.problem.num_intervals();
+  const double ratio = n / coarser.problem.num_intervals();
+  const double q = ratio * ratio;
+  const ContactClosure& closure = finer.solution.closure;
+  const double per_radian =
+      scene_.contact == Contact::Smooth ? time_per_radian(finer) : 0.0;
+  const double T = finer.transit_time;
+  const double of_ends =
+      per_radian * (closure.phi - coarser.solution.closure.phi);
+  const double rest = T - coarser.transit_time - of_ends;
+  const double between =
+      kHigherOrders * (std::abs(of_ends) + std::abs(rest)) / (q - 1.0) / T;
+  const double before = coarser.estimated_error.value_or(0.0) / q;
+  const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
+  // A sum of N terms, each rounded.
+  const double rounding =
+      2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
+  return std::max(between, before) + open / T + rounding;
+}
+
+bool Sequence::climb(const std::vector<int>& pieces) {
+  for (const int n : pieces) {
+    if (out_.answer && n <= out_.answer->problem.num_intervals()) continue;
+    const bool first = !out_.answer;
+    MeshStart start;
+    start.phi = first ? phi_ : out_.answer->solution.closure.phi;
+    start.closure_slope = first ? -1.0 : out_.answer->solution.closure.slope;
+    ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}};
+    start.point = first ? sample(curve_, answer.problem)
+                        : prolong(out_.answer->problem,
+                                  out_.answer->solution.point, answer.problem);
+    answer.solution = solve(answer.problem, start);
+    MeshSolution& solution = answer.solution;
+    out_.status = solution.status;
+    out_.message = solution.message;
+    out_.log += solution.log;
+    options_.ipopt.max_iterations =
+        std::max(0, options_.ipopt.max_iterations - solution.iterations);
+    const bool solved = solution.solved() && !options_.ipopt.stop.met() &&
+                        answer.problem.set_point(solution.point.x);
+    if (solved) {
+      answer.transit_time = answer.problem.eval_f();
+      if (!first) answer.estimated_error = estimate(answer);
+    }
+    constexpr int kStraight = 1;
+    out_.meshes.push_back({kStraight, n, answer.estimated_error,
+                           solution.closure.passes, solution.first_iterations,
+                           solution.iterations, solution.polish.newton_steps,
+                           solution.linear_solver});
+    if (!solved) {
+      // A mesh that is too coarse tells nothing; the next one starts from the
+      // curve again.
+      out_.answer.reset();
+      const bool too_coarse = solution.status == Status::NotConverged ||
+                              solution.status == Status::NotEvaluable;
+      if (!too_coarse || options_.ipopt.stop.met() || n == pieces.back()) {
+        return false;
+      }
+      continue;
+    }
+    out_.answer.emplace(std::move(answer));
+  }
+  return true;
+}
+
+}  // namespace
+
+ArcLengthRefinement refine_arc_length(const Scene& scene,
+                                      const Discretisation& wanted,
+                                      const ExtremalCurve& curve, double phi,
+                                      MeshOptions options) {
+  Sequence sequence(scene, curve, phi, options);
+  ArcLengthRefinement& out = sequence.out();
+  const int coarsest = coarse_pieces(scene, curve.arc_length());
+  if (wanted.fixed()) {
+    const int n = wanted.elements ? *wanted.elements : *wanted.nodes - 1;
+    sequence.climb(halvings(n, coarsest));
+    return std::move(out);
+  }
+  const double tolerance = wanted.wanted_tolerance();
+  int coarse = coarsest;
+  while (!sequence.climb({coarse, 2 * coarse}) ||
+         !out.answer->estimated_error) {
+    if (options.ipopt.stop.met() || coarse > kLargestDoubling * coarsest) {
+      return std::move(out);
+    }
+    coarse *= 2;
+  }
+  for (int i = 0; i < kMostTries; ++i) {
+    const double error = *out.answer->estimated_error;
+    if (error <= tolerance) break;
+    const double n = out.answer->problem.num_intervals() *
+                     std::sqrt(error / (kAim * tolerance));
+    if (!(n <= kMostPieces)) {
+      out.status = Status::NotConverged;
+      out.message = fmt::format(
+          "a relative error of {:.1e} would need {:.1e} straight pieces; take "
+          "formulation: rolling_time",
+          tolerance, n);
+      break;
+    }
+    const auto pieces = static_cast<int>(std::ceil(n));
+    if (!sequence.climb(halvings(pieces, coarse)) ||
+        !out.answer->estimated_error) {
+      break;
+    }
+  }
+  return std::move(out);
+}
+
+Certificate certify_answer(ArcLengthAnswer& answer,
+                           const ArcLengthMotion& motion,
+                           const Discretisation& wanted) {
+  const double estimated =
+      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
+  const bool none_wanted = wanted.fixed() && !wanted.tolerance;
+  const double tolerance = wanted.wanted_tolerance();
+  Certificate certificate =
+      certify(answer.problem, answer.solution.point,
+              answer.solution.closure.phi, motion, estimated);
+  const int n = answer.problem.num_intervals();
+  certificate.add("agreement", estimated,
+                  none_wanted ? kCoarsestAgreement : tolerance,
+                  fmt::format("{} pieces against {}", n, (n + 1) / 2));
+  return certificate;
+}
+
+}  // namespace brachisto

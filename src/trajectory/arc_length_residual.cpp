@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/trajectory/arc_length_residual.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "brachisto/math/jet1.hpp"
+#include "brachisto/model/energy.hpp"
+#include "brachisto/model/inertia.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using Real = long double;
+// x, z and the rotation of the node before and of the own one, and S.
+using Jet = math::Jet1<Real, 7>;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Keeps the largest absolute value and its index; a NaN stays.
+struct Worst {
+  Real value = 0.0L;
+  int index = -1;
+
+  void see(Real candidate, int i) {
+    if (std::isnan(value) || std::abs(candidate) <= value) return;
+    value = std::abs(candidate);
+    index = i;
+  }
+};
+
+/// Place and rotation of a node.
+struct Node {
+  Jet x, z, turned;
+};
+
+Jet speed(const Scene& scene, bool has_theta, const Node& node) {
+  const Jet E =
+      has_theta ? energy_height_after(scene.body, node.z, node.turned) : node.z;
+  return sqrt(E * Jet(static_cast<Real>(2.0 * scene.gravity)));
+}
+
+}  // namespace
+
+double rounding_of_residual(const ArcLength& problem) {
+  // A dozen terms, some with larger numbers.
+  constexpr double kTerms = 20.0;
+  return kTerms * std::numeric_limits<double>::epsilon() *
+         problem.num_intervals();
+}
+
+ExtendedResidual extended_residual(const ArcLength& problem,
+                                   const PrimalDual& point) {
+  const ArcLengthLayout& layout = problem.layout();
+  const Scene& scene = problem.scene();
+  const Body& body = scene.body;
+  const bool has_theta = layout.has_theta();
+  const int stride = layout.variables_per_node();
+  const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
+  const auto node_at = [&](int node, int first) {
+    Node out;
+    if (node == 0) return out;
+    out.x = Jet::variable(x(layout.x(node)), first);
+    out.z = Jet::variable(x(layout.z(node)), first + 1);
+    if (has_theta) {
+      out.turned = Jet::variable(x(layout.theta(node)), first + 2);
+    }
+    return out;
+  };
+  const Jet S = Jet::variable(x(layout.arc_length()), 6);
+  const Real n = problem.num_intervals();
+  std::vector<Real> gradient(point.x.size());
+  Worst defect;
+
+  for (int j = 1; j <= problem.num_intervals(); ++j) {
+    const Node before = node_at(j - 1, 0);
+    const Node own = node_at(j, 3);
+    const Jet dx = own.x - before.x;
+    const Jet dz = own.z - before.z;
+    const Real share = (2.0L * j - 1.0L) / (n * n);
+    Jet length = S * Jet(share);
+    Jet root;
+    if (has_theta) {
+      const Jet turn = own.turned - before.turned;
+      length = turn * Jet(static_cast<Real>(body.radius));
+      const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
+      const Jet theta = Jet(static_cast<Real>(body.theta_m)) + before.turned +
+                        turn * Jet(middle);
+      // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
+      const Real eta = body.eta_m;
+      const Jet A =
+          Jet(1.0L + eta * eta + body.k) -
+          (sin(theta) * dx - cos(theta) * dz) / length * Jet(2.0L * eta);
+      root = sqrt(A);
+    } else {
+      root =
+          Jet(std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
+    }
+    Jet sum = speed(scene, has_theta, own);
+    if (j > 1) sum += speed(scene, has_theta, before);
+    Jet lagrangian = length * root * Jet(2.0L) / sum;
+    const int row = layout.no_slip(j);
+    const Jet slip = (dx * dx + dz * dz - length * length) /
+                     Jet(2.0L * problem.reference_length(j));
+    defect.see(slip.value, row);
+    lagrangian += slip * Jet(static_cast<Real>(point.lambda[at(row)]));
+    if (has_theta) {
+      const int place_row = layout.place(j);
+      const Real sigma = j / n;
+      const Jet place = own.turned * Jet(static_cast<Real>(body.radius)) -
+                        S * Jet(sigma * sigma);
+      defect.see(place.value, place_row);
+      lagrangian += place * Jet(static_cast<Real>(point.lambda[at(place_row)]));
+    }
+    for (int i = 0; i < stride; ++i) {
+      if (j > 1)
+        gradient[at(layout.x(j - 1) + i)] += lagrangian.gradient[at(i)];
+      gradient[at(layout.x(j) + i)] += lagrangian.gradient[at(3 + i)];
+    }
+    gradient[at(layout.arc_length())] += lagrangian.gradient[6];
+  }
+
+  Worst stationarity;
+  Worst fixed_value;
+  for (int i = 0; i < layout.num_variables(); ++i) {
+    const double value = problem.lower()[at(i)];
+    if (value == problem.upper()[at(i)]) {
+      fixed_value.see(x(i) - value, i);
+    } else {
+      stationarity.see(gradient[at(i)], i);
+    }
+  }
+  ExtendedResidual out{static_cast<double>(stationarity.value),
+                       static_cast<double>(defect.value),
+                       static_cast<double>(fixed_value.value),
+                       {},
+                       {}};
+  if (stationarity.index >= 0) {
+    out.worst_variable = layout.variable_name(stationarity.index);
+  }
+  if (defect.index >= 0) {
+    out.worst_constraint = layout.constraint_name(defect.index);
+  }
+  return out;
+}
+
+}  // namespace brachisto

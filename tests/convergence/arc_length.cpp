@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Straight pieces converge with order 2, for every start angle and, because the
+// end angle comes from transversality, in β_end too; the estimated error holds.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "brachisto/study/solve.hpp"
+#include "support/observed_order.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::observed_order;
+using testing::reference;
+using testing::ReferenceValue;
+
+Solution solve_on_pieces(const ReferenceValue& row, int pieces) {
+  SolveOptions options;
+  options.discretisation.formulation = Formulation::ArcLength;
+  options.discretisation.elements = pieces;
+  return solve(row.scene(), options);
+}
+
+class ArcLengthOrder : public ::testing::TestWithParam<ReferenceValue> {};
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ArcLengthOrder,
+    ::testing::Values(reference("bead_L3"), reference("uniform_L3"),
+                      reference("reference_case"), reference("theta_-30"),
+                      reference("theta_-90"), reference("theta_60"),
+                      reference("r_0.2"), reference("fast")));
+
+TEST_P(ArcLengthOrder, IsTwoInTheTimeAndInTheEndAngle) {
+  // An error C h² (1 + D h²) with |D| h² below a quarter on the coarsest mesh:
+  // the slope over a factor of eight is off by less than log(5/4)/log 8 = 0.11.
+  // A share of order one of a fiftieth would bend it by as much.
+  constexpr double kSlopeTolerance = 0.12;
+  constexpr std::array kPieces{100, 200, 400, 800};
+  const ReferenceValue& row = GetParam();
+  std::array<double, 4> h{}, tau{}, end_angle{};
+
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    const Solution solution = solve_on_pieces(row, kPieces[i]);
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    h[i] = 1.0 / kPieces[i];
+    tau[i] = std::abs(solution.motion()->tau() / row.tau - 1.0);
+    end_angle[i] = std::abs(solution.motion()->end_angle() - row.end_angle);
+    // Honest, and no wild guess: half as much again as its two parts, the one
+    // that the end point is off by and the rest, if they had one sign. With
+    // |D| h² below a quarter that is less than twice as much.
+    const TrajectoryPoint end = solution.motion()->at(1.0);
+    const double of_end = row.r / end.motion.v_c * end_angle[i] /
+                          solution.motion()->transit_time();
+    EXPECT_LE(tau[i], *solution.estimated_error) << kPieces[i];
+    EXPECT_LE(*solution.estimated_error, 2.0 * (2.0 * of_end + tau[i]))
+        << kPieces[i];
+  }
+
+  EXPECT_NEAR(observed_order(h, tau), 2.0, kSlopeTolerance)
+      << tau[0] << ", " << tau[1] << ", " << tau[2] << ", " << tau[3];
+  EXPECT_NEAR(observed_order(h, end_angle), 2.0, kSlopeTolerance)
+      << end_angle[0] << ", " << end_angle[1] << ", " << end_angle[2] << ", "
+      << end_angle[3];
+}
+
+TEST(ArcLength, MeetsItsTolerance) {
+  for (const char* name : {"reference_case", "theta_60", "uniform_L3"}) {
+    for (const ReferenceValue& row : testing::kReferenceValues) {
+      if (std::string_view(row.name) != name) continue;
+      constexpr double kTolerance = 1e-7;
+      SolveOptions options;
+      options.discretisation.formulation = Formulation::ArcLength;
+      options.discretisation.tolerance = kTolerance;
+
+      const Solution solution = solve(row.scene(), options);
+
+      ASSERT_TRUE(solution.verified()) << row.name << ": " << solution.message;
+      EXPECT_LE(*solution.estimated_error, kTolerance) << row.name;
+      EXPECT_NEAR(solution.motion()->tau() / row.tau, 1.0,
+                  *solution.estimated_error)
+          << row.name;
+    }
+  }
+}
+
+TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
+  // The motion on the curve exceeds the least time by the square of the curve's
+  // error, so that it tells the error of T: what is left are the ends, which
+  // are off by T_φ Δφ, a tenth of it.
+  const ReferenceValue& row = reference("theta_-30");
+
+  const Solution solution = solve_on_pieces(row, 400);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const double error = std::abs(solution.motion()->tau() / row.tau - 1.0);
+  EXPECT_NEAR(solution.through_nodes->on_curve().tau() / row.tau, 1.0,
+              0.1 * error);
+  // κ_b and R_n are second derivatives of the curve: compared to collocation.
+  const Solution smooth = solve(row.scene());
+  ASSERT_TRUE(smooth.verified());
+  EXPECT_NEAR(solution.diagnostics->max_normal_force.value,
+              smooth.diagnostics->max_normal_force.value, 1e-2);
+  EXPECT_NEAR(solution.diagnostics->max_curvature.value,
+              smooth.diagnostics->max_curvature.value, 1e-2);
+}
+
+TEST(ArcLength, IsTheSameByMumpsAndByNewtonsMethod) {
+  // Ipopt with MUMPS alone against Newton's method with another factorisation
+  // on the conditions and the contact together: both reach the KKT tolerance of
+  // 1e-12 and an open contact of 1e-12 rad.
+  constexpr double kDifference = 1e-10;
+  const ReferenceValue& row = reference("theta_-30");
+  SolveOptions options;
+  options.discretisation.formulation = Formulation::ArcLength;
+  options.discretisation.elements = 200;
+  const Solution polished = solve(row.scene(), options);
+  options.polish = false;
+
+  const Solution plain = solve(row.scene(), options);
+
+  ASSERT_TRUE(polished.verified()) << polished.message;
+  ASSERT_TRUE(plain.verified()) << plain.message;
+  EXPECT_EQ(plain.effort.meshes.back().newton_steps, 0);
+  EXPECT_NEAR(plain.motion()->tau(), polished.motion()->tau(), kDifference);
+  EXPECT_NEAR(plain.motion()->end_angle(), polished.motion()->end_angle(),
+              kDifference);
+}
+
+TEST(ArcLength, EndsAtGivenPointsOfTheCentreToo) {
+  // Free of A and B being points of a track: the bead's cycloid, whatever the
+  // body, if its centre of mass lies on the axis.
+  Scene scene = reference("uniform_L3").scene();
+  scene.contact = Contact::Centre;
+  SolveOptions options;
+  options.discretisation.formulation = Formulation::ArcLength;
+  options.discretisation.elements = 200;
+  const double expected =
+      std::sqrt(1.0 + scene.body.k) * reference("bead_L3").tau;
+
+  const Solution solution = solve(scene, options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_NEAR(solution.motion()->tau() / expected, 1.0,
+              *solution.estimated_error);
+}
+
+TEST(ArcLength, RefusesWhatItDoesNotHave) {
+  SolveOptions options;
+  options.discretisation.formulation = Formulation::ArcLength;
+  options.discretisation.degree = 2;
+
+  EXPECT_THROW(static_cast<void>(solve(reference("bead_L3").scene(), options)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The chain factorisation on matrices made for it, against dense
+// factorisations and eigenvalues.
+
+#include "solvers/chain_ldlt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "solvers/chain_matrix.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+using Eigen::VectorXd;
+
+// After refinement with residuals in long double, x is the exact solution of
+// its last system rounded to double, and so b − A x is at most u ‖A‖ ‖x‖, u the
+// unit roundoff, but for the error of the last correction, which is smaller
+// than u by the rate of refinement. Twice u leaves room for that.
+constexpr double kBackward = 2.0 * kRoundoff;
+constexpr int kRefinements = 3;
+
+// A random matrix of n unknowns has eigenvalues down to about 1/n; the
+// reference itself, an eigenvalue solver, is exact to n u ‖A‖.
+double reference_accuracy(const Eigen::MatrixXd& A) {
+  const auto n = static_cast<double>(A.rows());
+  return n * kRoundoff * A.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+void expect_solves(const ChainMatrix& matrix, ChainLdlt& ldlt,
+                   const std::string& what) {
+  Random random(99);
+  const int n = matrix.size();
+  const std::vector<double> b = random.vector(n, -1.0, 1.0);
+  std::vector<double> x(b.size());
+
+  ldlt.solve_refined(b, x, kRefinements);
+
+  const auto as_vector = [](const std::vector<double>& v) {
+    return Eigen::Map<const VectorXd>(v.data(),
+                                      static_cast<Eigen::Index>(v.size()));
+  };
+  EXPECT_LE(backward_error(matrix.dense, as_vector(x), as_vector(b)), kBackward)
+      << what;
+  // The forward error follows from it: condition times backward error of both.
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix.dense);
+  const VectorXd expected = lu.solve(as_vector(b));
+  const double condition = 1.0 / lu.rcond();
+  EXPECT_LE((as_vector(x) - expected).cwiseAbs().maxCoeff(),
+            condition * 64.0 * n * kRoundoff * expected.cwiseAbs().maxCoeff())
+      << what;
+}
+
+void expect_inertia(const ChainMatrix& matrix, const ChainLdlt& ldlt,
+                    const std::string& what) {
+  const double zero = reference_accuracy(matrix.dense);
+  const Inertia expected = by_eigenvalues(matrix.dense, zero);
+  EXPECT_TRUE(ldlt.inertia().known) << what;
+  EXPECT_EQ(ldlt.inertia().positive, expected.positive) << what;
+  EXPECT_EQ(ldlt.inertia().negative, expected.negative) << what;
+  EXPECT_EQ(ldlt.inertia().zero, expected.zero) << what;
+}
+
+void expect_factorises(const ChainMatrix& matrix, const std::string& what) {
+  const auto ldlt = matrix.analysed();
+  ASSERT_NE(ldlt, nullptr) << what;
+  ASSERT_TRUE(matrix.factorise(*ldlt)) << what;
+  expect_inertia(matrix, *ldlt, what);
+  expect_solves(matrix, *ldlt, what);
+}
+
+/// All entries the structure allows, random.
+ChainMatrix random_chain(std::uint32_t seed, int links, int interior,
+                         int separator, int border) {
+  Random random(seed);
+  ChainMatrix matrix = empty_chain(links, interior, separator, border);
+  for_each_coupled(matrix, [&](int i, int j) {
+    matrix.add(i, j, random.uniform(-1.0, 1.0));
+  });
+  return matrix;
+}
+
+struct Shape {
+  int links, interior, separator, border;
+};
+
+constexpr Shape kShapes[] = {{1, 0, 3, 0},  {1, 4, 0, 0},   {1, 5, 2, 1},
+                             {2, 60, 3, 0}, {3, 50, 4, 1},  {8, 50, 2, 1},
+                             {9, 50, 3, 2}, {25, 48, 5, 1}, {40, 1, 3, 1},
+                             {40, 3, 2, 3}, {7, 0, 4, 1}};
+
+TEST(ChainLdlt, FactorisesLikeDenseMethods) {
+  std::uint32_t seed = 1;
+  for (const Shape& s : kShapes) {
+    for (int repetition = 0; repetition < 3; ++repetition, ++seed) {
+      expect_factorises(
+          random_chain(seed, s.links, s.interior, s.separator, s.border),
+          "seed " + std::to_string(seed));
+    }
+  }
+}
+
+/// [H Jᵀ; J −δ] within each link: half of each block are multipliers.
+ChainMatrix random_saddle(std::uint32_t seed, int links, int interior,
+                          int separator, int border, double delta = 0.0) {
+  Random random(seed);
+  ChainMatrix matrix = empty_chain(links, interior, separator, border);
+  const int last = matrix.size() - border;
+  for_each_coupled(matrix, [&](int i, int j) {
+    const bool multipliers = i < last && i % 2 == 1 && j % 2 == 1;
+    if (!multipliers) matrix.add(i, j, random.uniform(-1.0, 1.0));
+    if (multipliers && i == j) matrix.add(i, j, -delta);
+  });
+  return matrix;
+}
+
+TEST(ChainLdlt, FactorisesSaddlePoints) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const Shape& s = kShapes[seed % std::size(kShapes)];
+    if (s.interior < 2) continue;
+    expect_factorises(
+        random_saddle(seed, s.links, s.interior, s.separator, s.border),
+        "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, DelaysThePivotsOfSeparatorsThatHaveNone) {
+  // Without entries of its own a separator has no pivot until its neighbour is
+  // assembled.
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    ChainMatrix matrix = empty_chain(12, 0, 4, 1);
+    for_each_coupled(matrix, [&](int i, int j) {
+      const auto block = [&](int k) {
+        return matrix.structure.block[static_cast<std::size_t>(k)];
+      };
+      if (block(i) == block(j) && block(i) >= 0 && block(i) < 20) return;
+      matrix.add(i, j, random.uniform(-1.0, 1.0));
+    });
+    expect_factorises(matrix, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, HandsInteriorsThatAreSingularToTheSeparators) {
+  // Some links have an interior without entries of its own, the others not.
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    ChainMatrix matrix = empty_chain(9, 24, 24, 1);
+    for_each_coupled(matrix, [&](int i, int j) {
+      const int a = matrix.structure.block[static_cast<std::size_t>(i)];
+      const int b = matrix.structure.block[static_cast<std::size_t>(j)];
+      const bool singular = a == b && (a == 15 || a == 17);
+      if (!singular) matrix.add(i, j, random.uniform(-1.0, 1.0));
+    });
+    const auto ldlt = matrix.analysed();
+    ASSERT_TRUE(matrix.factorise(*ldlt));
+    EXPECT_GE(ldlt->num_dense_links(), 2) << "seed " << seed;
+    expect_inertia(matrix, *ldlt, "seed " + std::to_string(seed));
+    expect_solves(matrix, *ldlt, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, CopesWithTinyPivots) {
+  // The diagonal carries next to nothing: pivots on it would magnify rounding
+  // by up to 1e15.
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    ChainMatrix matrix = empty_chain(10, 48, 4, 1);
+    for_each_coupled(matrix, [&](int i, int j) {
+      const double size =
+          i == j ? std::pow(10.0, random.uniform(-15, -6)) : 1.0;
+      matrix.add(i, j, size * random.uniform(-1.0, 1.0));
+    });
+    expect_factorises(matrix, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, CountsZeroEigenvalues) {
+  // Rows of the Jacobian that repeat others: in one interior, in a separator,
+  // and across the last separator and the border.
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    ChainMatrix matrix = random_saddle(seed, 6, 50, 4, 1);
+    const int copies = 1 + static_cast<int>(seed % 3);
+    const int stride = 54;
+    std::vector<std::pair<int, int>> pairs = {
+        {4 + 1, 4 + 3},
+        {2 * stride + 1, 2 * stride + 3},
+        {4 * stride + 4 + 7, 4 * stride + 4 + 9}};
+    pairs.resize(static_cast<std::size_t>(copies));
+    // Rebuilds the matrix with row and column `to` as those of `from`.
+    ChainMatrix singular = empty_chain(6, 50, 4, 1);
+    const auto source = [&](int i) {
+      for (const auto& [from, to] : pairs) {
+        if (i == to) return from;
+      }
+      return i;
+    };
+    for_each_coupled(matrix, [&](int i, int j) {
+      const double value = matrix.dense(source(i), source(j));
+      if (value != 0.0) singular.add(i, j, value);
+    });
+    const auto ldlt = singular.analysed();
+
+    ASSERT_TRUE(singular.factorise(*ldlt)) << "seed " << seed;
+
+    EXPECT_EQ(ldlt->inertia().zero, copies) << "seed " << seed;
+    expect_inertia(singular, *ldlt, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, TakesEntriesInAnyOrderAndAddsRepeatedOnes) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    ChainMatrix matrix = random_saddle(seed, 10, 48, 3, 1);
+    Random random(seed);
+    const std::size_t count = matrix.values.size();
+    for (std::size_t e = 0; e < count; e += 7) {
+      const double part = random.uniform(-1.0, 1.0);
+      matrix.values[e] -= part;
+      matrix.rows.push_back(matrix.cols[e]);
+      matrix.cols.push_back(matrix.rows[e]);
+      matrix.values.push_back(part);
+    }
+    for (std::size_t e = matrix.values.size(); e-- > 1;) {
+      const auto other = static_cast<std::size_t>(
+          random.uniform(0.0, static_cast<double>(e + 1)));
+      std::swap(matrix.rows[e], matrix.rows[other]);
+      std::swap(matrix.cols[e], matrix.cols[other]);
+      std::swap(matrix.values[e], matrix.values[other]);
+    }
+    expect_factorises(matrix, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(ChainLdlt, ForgetsTheMatrixBefore) {
+  // Zeros come and go between factorisations, and so does regularity.
+  ChainMatrix matrix = random_saddle(3, 20, 50, 4, 1, 0.5);
+  const auto ldlt = matrix.analysed();
+  const std::vector<double> values = matrix.values;
+  for (const double delta : {0.5, 0.0, 1e-9, 0.0, 0.5}) {
+    for (std::size_t e = 0; e < values.size(); ++e) {
+      const bool regularised = values[e] == -0.5;
+      if (!regularised) continue;
+      matrix.values[e] = -delta;
+      matrix.dense(matrix.rows[e], matrix.rows[e]) = -delta;
+    }
+    ASSERT_TRUE(matrix.factorise(*ldlt));
+    expect_inertia(matrix, *ldlt, "δ = " + std::to_string(delta));
+    expect_solves(matrix, *ldlt, "δ = " + std::to_string(delta));
+  }
+}
+
+TEST(ChainLdlt, NoticesEntriesThatAreZeroInTheSampleOnly) {
+  // The link on which the pivots are chosen lacks entries the others have.
+  ChainMatrix matrix = random_chain(5, 31, 48, 3, 1);
+  for (std::size_t e = 0; e < matrix.values.size(); ++e) {
+    const int i = matrix.rows[e];
+    const int j = matrix.cols[e];
+    const int block = matrix.structure.block[static_cast<std::size_t>(j)];
+    if (block != 31 || (i + j) % 3 != 0) continue;
+    matrix.values[e] = 0.0;
+    matrix.dense(i, j) = matrix.dense(j, i) = 0.0;
+  }
+  expect_factorises(matrix, "sparse sample");
+}
+
+TEST(ChainLdlt, LeavesAbsentUnknownsAlone) {
+  ChainMatrix matrix = random_chain(7, 10, 48, 3, 1);
+  constexpr double kUntouched = 17.0;
+  std::vector<int> present;
+  for (int i = 0; i < matrix.size(); ++i) {
+    if (i % 11 == 3) {
+      matrix.structure.block[static_cast<std::size_t>(i)] =
+          nlp::ChainStructure::kAbsent;
+    } else {
+      present.push_back(i);
+    }
+  }
+  const auto ldlt = matrix.analysed();
+  ASSERT_TRUE(matrix.factorise(*ldlt));
+  const Eigen::MatrixXd reduced = matrix.dense(present, present);
+  VectorXd x = VectorXd::Constant(matrix.size(), kUntouched);
+  const VectorXd b =
+      VectorXd::LinSpaced(static_cast<Eigen::Index>(present.size()), -1.0, 1.0);
+  Eigen::Index next = 0;
+  for (const int i : present) x(i) = b(next++);
+
+  ldlt->solve({x.data(), static_cast<std::size_t>(x.size())});
+
+  const Inertia expected = by_eigenvalues(reduced, reference_accuracy(reduced));
+  EXPECT_EQ(ldlt->inertia().negative, expected.negative);
+  EXPECT_EQ(ldlt->inertia().positive, expected.positive);
+  for (int i = 3; i < matrix.size(); i += 11) EXPECT_EQ(x(i), kUntouched);
+  // Unrefined: the growth of multipliers, at most 10³ in a link, squared, is
+  // the worst that may happen; in practice it is far from it.
+  VectorXd found(b.size());
+  next = 0;
+  for (const int i : present) found(next++) = x(i);
+  EXPECT_LE(backward_error(reduced, found, b), 1e6 * kRoundoff);
+}
+
+TEST(ChainLdlt, RefusesWhatIsNoChain) {
+  ChainMatrix matrix = random_chain(1, 6, 50, 3, 1);
+  matrix.add(matrix.size() - 3, 0, 1.0);
+
+  EXPECT_EQ(matrix.analysed(), nullptr);
+}
+
+TEST(ChainLdlt, ReportsValuesThatAreNotFinite) {
+  ChainMatrix matrix = random_chain(1, 12, 48, 3, 1);
+  const auto ldlt = matrix.analysed();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity()}) {
+    for (std::size_t e = 0; e < matrix.values.size(); e += 997) {
+      const double good = std::exchange(matrix.values[e], bad);
+      EXPECT_FALSE(matrix.factorise(*ldlt)) << "entry " << e;
+      EXPECT_FALSE(ldlt->inertia().known);
+      matrix.values[e] = good;
+    }
+  }
+  ASSERT_TRUE(matrix.factorise(*ldlt));
+  expect_inertia(matrix, *ldlt, "after the bad ones");
+}
+
+TEST(ChainLdlt, OfAZeroMatrixCountsZeros) {
+  ChainMatrix matrix = random_chain(1, 5, 48, 3, 1);
+  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  const auto ldlt = matrix.analysed();
+
+  ASSERT_TRUE(matrix.factorise(*ldlt));
+
+  EXPECT_EQ(ldlt->inertia().zero, matrix.size());
+  EXPECT_EQ(ldlt->inertia().positive, 0);
+}
+
+TEST(ChainLdlt, NeedsMemoryInProportionToTheLength) {
+  const auto bytes = [](int links) {
+    const ChainMatrix matrix = random_saddle(1, links, 50, 4, 1);
+    const auto ldlt = matrix.analysed();
+    EXPECT_TRUE(matrix.factorise(*ldlt));
+    return static_cast<double>(ldlt->state_bytes());
+  };
+
+  // Up to the rounding of batches and of growing arrays.
+  EXPECT_LE(bytes(32), 2.5 * bytes(16));
+}
+
+}  // namespace
+}  // namespace brachisto::testing

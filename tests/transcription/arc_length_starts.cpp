@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Starts of arc_length problems: what a rolling_time solution, or one with
+// fewer pieces, is worth on a mesh.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/solvers/inertia.hpp"
+#include "brachisto/transcription/arc_prolongation.hpp"
+#include "support/rounding.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_problem.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+constexpr double kPhi = -0.15;
+
+/// Solution of `problem`, started from an extremal.
+PrimalDual solve_arc(ArcLength& problem) {
+  const SolvedProblem smooth =
+      solved(problem.scene(), uniform_mesh(5, 16), kPhi);
+  const ExtremalCurve curve(smooth.problem, smooth.point);
+  SolverResult result = solve_with_ipopt(problem, sample(curve, problem), {});
+  if (result.status != Status::Solved) throw std::runtime_error(result.message);
+  return std::move(result.point);
+}
+
+class ArcStartOf : public ::testing::TestWithParam<Scene> {};
+INSTANTIATE_TEST_SUITE_P(Bodies, ArcStartOf,
+                         ::testing::Values(natural(bead_scene()),
+                                           natural(uniform_scene()),
+                                           natural(off_centred_scene(-0.5))));
+
+TEST_P(ArcStartOf, MultipliersOfTheCostatesAreThoseOfTheSolver) {
+  // Both solve the stationarity conditions, to 1e-12 and exactly; the sums that
+  // carry the momentum from the end to the start have 60 terms.
+  constexpr double kDifference = 60 * 1e-12;
+  ArcLength problem(GetParam(), 60, kPhi);
+  const PrimalDual solution = solve_arc(problem);
+  ASSERT_TRUE(problem.set_point(solution.x));
+  const ArcLength::EndCostates p = problem.end_costates(solution.lambda);
+
+  const std::vector<double> lambda = problem.multipliers(p.x.value, p.z.value);
+
+  const double largest = std::abs(*std::ranges::max_element(
+      solution.lambda, {}, [](double l) { return std::abs(l); }));
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
+    EXPECT_NEAR(lambda[i], solution.lambda[i], kDifference * largest)
+        << problem.constraint_name(static_cast<int>(i));
+  }
+}
+
+TEST_P(ArcStartOf, CostatesAreTheGradientOfTheTime) {
+  // dT/dφ of optimal times between fixed ends, by central differences, whose
+  // error is h²/6 T''' with T''' of the order of T.
+  if (!GetParam().body.rolls()) return;
+  constexpr double kStep = 1e-3;
+  const auto time = [&](double phi) {
+    ArcLength problem(GetParam(), 60, phi);
+    const PrimalDual solution = solve_arc(problem);
+    EXPECT_TRUE(problem.set_point(solution.x));
+    return problem.eval_f();
+  };
+  ArcLength problem(GetParam(), 60, kPhi);
+  const PrimalDual solution = solve_arc(problem);
+  ASSERT_TRUE(problem.set_point(solution.x));
+  const ArcLength::EndCostates p = problem.end_costates(solution.lambda);
+
+  const double slope =
+      (time(kPhi + kStep) - time(kPhi - kStep)) / (2.0 * kStep);
+
+  EXPECT_NEAR(-GetParam().body.radius *
+                  (p.x.value * std::cos(kPhi) + p.z.value * std::sin(kPhi)),
+              slope, 10.0 * kStep * kStep);
+}
+
+TEST_P(ArcStartOf, ProlongationToTheSameMeshChangesNothing) {
+  ArcLength coarse(GetParam(), 60, kPhi);
+  const PrimalDual solution = solve_arc(coarse);
+  ArcLength same(GetParam(), 60, kPhi);
+
+  const PrimalDual start = prolong(coarse, solution, same);
+
+  for (std::size_t i = 0; i < start.x.size(); ++i) {
+    EXPECT_NEAR(start.x[i], solution.x[i], 1e-11)
+        << same.variable_name(static_cast<int>(i));
+  }
+}
+
+TEST_P(ArcStartOf, AFinerMeshNeedsFewIterationsFromACoarserOne) {
+  ArcLength coarse(GetParam(), 200, kPhi);
+  const PrimalDual solution = solve_arc(coarse);
+  ArcLength fine(GetParam(), 400, kPhi);
+
+  const SolverResult result =
+      solve_with_ipopt(fine, prolong(coarse, solution, fine), {});
+
+  ASSERT_EQ(result.status, Status::Solved) << result.message;
+  // Newton's method from an error of some 1e-5: three steps, one to spare for
+  // the first pieces, where the start is worse.
+  EXPECT_LE(result.iterations, 5);
+}
+
+TEST_P(ArcStartOf, TheSolutionIsAStrictMinimumOnFineMeshesToo) {
+  for (const int pieces : {60, 1000}) {
+    ArcLength problem(GetParam(), pieces, kPhi);
+    const PrimalDual solution = solve_arc(problem);
+
+    const Inertia inertia = kkt_inertia(problem, solution);
+
+    ASSERT_TRUE(inertia.known);
+    EXPECT_EQ(inertia.positive, problem.num_variables() - 2) << pieces;
+    EXPECT_EQ(inertia.negative, problem.num_constraints()) << pieces;
+    EXPECT_EQ(inertia.zero, 0) << pieces;
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::testing

@@ -20,6 +20,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "comparison/work_precision.hpp"
 #include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
 
@@ -104,7 +105,10 @@ int run(int argc, char** argv) {
   add_report(app, code);
   add_paper(app, code);
   add_body(app, code);
+  add_compare(app, code);
+  add_work_precision(app, code);
   add_worker(app, code);
+  add_measure(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a) == "--json";
@@ -130,9 +134,16 @@ int run(int argc, char** argv) {
     return fail(kIoError, "io_error", error.what(), json);
   } catch (const sweep::StoreError& error) {
     return fail(kIoError, "io_error", error.what(), json);
+  } catch (const comparison::NoReference& error) {
+    return fail(kNotSolved, "no_reference",
+                fmt::format("brachisto: {}", error.what()), json);
   } catch (const reproduction::NotVerified& error) {
     return fail(kNotSolved, "not_verified",
                 fmt::format("brachisto: {}", error.what()), json);
+  } catch (const comparison::Interrupted& error) {
+    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
+                "interrupted", fmt::format("brachisto: {}", error.what()),
+                json);
   } catch (const reproduction::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
                 "interrupted", fmt::format("brachisto: {}", error.what()),

@@ -32,5 +32,8 @@ void add_paper(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_body(CLI::App& app, int& exit_code);
 void add_worker(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
+void add_work_precision(CLI::App& app, int& exit_code);
+void add_measure(CLI::App& app, int& exit_code);
 
 }  // namespace brachisto::app

@@ -26,6 +26,8 @@ std::string_view type_name(KeyType type) {
       return "word";
     case KeyType::Text:
       return "text";
+    case KeyType::List:
+      return "list";
     case KeyType::Reserved:
       break;
   }

@@ -16,5 +16,6 @@ namespace brachisto::io {
 [[nodiscard]] std::vector<KeySpec> discretisation_keys();
 [[nodiscard]] std::vector<KeySpec> solver_keys();
 [[nodiscard]] std::vector<KeySpec> fsolve_keys();
+[[nodiscard]] std::vector<KeySpec> work_precision_keys();
 
 }  // namespace brachisto::io

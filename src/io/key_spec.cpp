@@ -32,6 +32,7 @@ bool is_value_key(std::string_view path) {
   const KeySpec* spec = find_key(path);
   return spec != nullptr && path != "version" && spec->type != KeyType::Map &&
          spec->type != KeyType::Sweep && spec->type != KeyType::Text &&
+         spec->type != KeyType::List && spec->parent() != "work_precision" &&
          spec->type != KeyType::Reserved;
 }
 
@@ -75,6 +76,7 @@ std::string expected(const KeySpec& spec) {
     case KeyType::Choice:
       return fmt::format("{}", fmt::join(choices_of(spec), " or "));
     case KeyType::Text:
+    case KeyType::List:
       return fmt::format("{}", spec.bounds);
     case KeyType::Sweep:
       return "a map of the keys that vary, as in {scene.body.eta_m: [0, 1/3]}";

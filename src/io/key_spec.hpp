@@ -25,6 +25,7 @@ enum class KeyType {
   Integer,   ///< number with an integral value
   Choice,    ///< one of some words
   Text,      ///< any text
+  List,      ///< of what its reader accepts
   Sweep,     ///< map of swept keys
   Reserved,  ///< known, but of a later version of the program
 };
@@ -55,6 +56,13 @@ struct Interval {
   }
 };
 
+struct KeySpec;
+struct YamlValue;
+class Findings;
+/// Stores a list, or reports what is wrong with it.
+using ListReading = void(ProblemFile&, const KeySpec&, const YamlValue&,
+                         Findings&);
+
 /// One key.
 struct KeySpec {
   std::string_view path;  ///< dotted
@@ -68,6 +76,7 @@ struct KeySpec {
   void (*set)(ProblemFile&, double) = nullptr;  ///< stores a number
   void (*set_text)(ProblemFile&, const std::string&) = nullptr;
   std::vector<Choice> choices = {};
+  ListReading* read_list = nullptr;
 
   [[nodiscard]] std::string_view name() const;    ///< last part of the path
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""

@@ -4,6 +4,8 @@
 /// \file
 /// key_table(): every key of a problem file.
 
+#include <utility>
+
 #include "io/key_sections.hpp"
 
 namespace brachisto::io {
@@ -26,9 +28,8 @@ std::vector<KeySpec> all_keys() {
                   .type = KeyType::Sweep,
                   .description = "keys that vary, which makes one scene into "
                                  "many; see [Sweeps](#sweeps)"});
-  for (const std::string_view path : {"work_precision", "constraints"}) {
-    keys.push_back({.path = path});
-  }
+  for (KeySpec& key : work_precision_keys()) keys.push_back(std::move(key));
+  keys.push_back({.path = "constraints"});
   return keys;
 }
 

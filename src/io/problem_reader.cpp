@@ -105,6 +105,9 @@ void ProblemReader::refuse_unknown(const Entry& entry, std::string_view map) {
 void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   const YamlValue& node = entry.value;
   if (node.kind == YamlValue::Kind::Refused) return;
+  if (spec.type == KeyType::List) {
+    return spec.read_list(problem_, spec, node, findings_);
+  }
   const bool is_map = spec.type == KeyType::Map;
   if (is_map && (node.kind == YamlValue::Kind::Map ||
                  node.kind == YamlValue::Kind::Null)) {

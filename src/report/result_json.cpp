@@ -305,7 +305,8 @@ std::string result_json(const Solution& solution) {
   json["discrete_system"] = fsolve_json(solution);
   json["seconds"] = {{"total", effort.seconds},
                      {"solve", effort.seconds - effort.certificate_seconds},
-                     {"certificate", effort.certificate_seconds}};
+                     {"certificate", effort.certificate_seconds},
+                     {"cpu", effort.cpu_seconds}};
   json["certificate"] = certificate_json(solution);
   json["provenance"] = provenance_json(solution);
   json["scene"] = scene_json(solution.scene);

@@ -52,7 +52,10 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   std::optional<ContactEquation> contact;
   if (smooth) contact.emplace(finer);
   NewtonOptions newton;
-  newton.tolerance = reachable(options.ipopt.tolerance, answer.solution.point);
+  // A looser one may hold at the start already, and nothing would be learnt.
+  newton.tolerance =
+      reachable(std::min(options.ipopt.tolerance, kRoundingResidual),
+                answer.solution.point);
   newton.max_iterations = 10;
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;

@@ -9,6 +9,7 @@
 
 #include "brachisto/model/centre_curve.hpp"
 #include "brachisto/trajectory/path_certificate.hpp"
+#include "math/cpu_clock.hpp"
 
 namespace brachisto {
 
@@ -36,6 +37,7 @@ void fill(Solution& out, PlaneCurvePtr centre) {
 
 Solution evaluate_path(const Scene& scene, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  const double start_cpu = process_cpu_seconds();
   Solution out;
   out.scene = scene;
   out.options = options;
@@ -48,6 +50,7 @@ Solution evaluate_path(const Scene& scene, const SolveOptions& options) {
   out.effort.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
           .count();
+  out.effort.cpu_seconds = process_cpu_seconds() - start_cpu;
   return out;
 }
 

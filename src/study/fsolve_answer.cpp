@@ -4,7 +4,6 @@
 #include "brachisto/study/fsolve_answer.hpp"
 
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <new>
@@ -13,15 +12,12 @@
 #include "brachisto/paper/discrete_variations.hpp"
 #include "brachisto/solvers/damped_newton.hpp"
 #include "brachisto/solvers/hybrid.hpp"
+#include "math/cpu_clock.hpp"
 #include "paper/newton_steps.hpp"
 
 namespace brachisto {
 
 namespace {
-
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 DiscreteReading reading_of(const FsolveOptions& options) {
   DiscreteReading reading = options.reading;
@@ -92,7 +88,7 @@ FsolveAnswer fsolve_answer(const Scene& scene, int num_nodes,
     out.message = "there is no cycloid of a uniform cylinder to start from";
     return out;
   }
-  const double begin = cpu_seconds();
+  const double begin = process_cpu_seconds();
   try {
     const SquareResult result =
         run(system, options.variant, std::move(*start),
@@ -114,7 +110,7 @@ FsolveAnswer fsolve_answer(const Scene& scene, int num_nodes,
     out.status = Status::OutOfMemory;
     out.message = "a matrix of this size does not fit into memory";
   }
-  out.cpu_seconds = cpu_seconds() - begin;
+  out.cpu_seconds = process_cpu_seconds() - begin;
   return out;
 }
 

@@ -17,6 +17,8 @@
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/study/global_search.hpp"
 #include "brachisto/transcription/arc_contact.hpp"
+#include "math/cpu_clock.hpp"
+#include "study/certificate_timer.hpp"
 #include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
@@ -86,7 +88,8 @@ class Run {
         natural_(in_natural_units(scene_)),
         units_(natural_units(scene)),
         options_(options),
-        start_time_(StopCondition::Clock::now()) {
+        start_time_(StopCondition::Clock::now()),
+        start_cpu_(process_cpu_seconds()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
     mesh_options_.ipopt.linear_solver = options.linear_solver;
     mesh_options_.ipopt.verbose = hooks.verbose;
@@ -115,6 +118,8 @@ class Run {
       out_.discard_answer();
     }
     out_.effort.seconds = seconds_since(start_time_);
+    out_.effort.cpu_seconds = process_cpu_seconds() - start_cpu_ -
+                              out_.effort.certificate_cpu_seconds;
     return std::move(out_);
   }
 
@@ -148,6 +153,7 @@ class Run {
   Units units_;
   SolveOptions options_;
   StopCondition::Clock::time_point start_time_;
+  double start_cpu_;
   MeshOptions mesh_options_;
   Solution out_;
 };
@@ -199,12 +205,13 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
     out_.as_neighbour = {scene_, answer.problem.mesh(), answer.solution.point,
                          answer.solution.closure.phi};
   }
-  const auto begin = StopCondition::Clock::now();
-  out_.certificate = certify_answer(answer, options_.discretisation);
-  if (options_.certify == Certify::Extremal) {
-    out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
+  {
+    const CertificateTimer timer(out_.effort);
+    out_.certificate = certify_answer(answer, options_.discretisation);
+    if (options_.certify == Certify::Extremal) {
+      out_.extremal = ask_extremal(scene_, answer, stop(), out_.certificate);
+    }
   }
-  out_.effort.certificate_seconds += seconds_since(begin);
   set_verdict(answer.solution.message);
 }
 
@@ -226,7 +233,7 @@ void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
   out_.nodes = answer.problem.layout().num_nodes();
   out_.variables = answer.problem.num_variables();
   out_.constraints = answer.problem.num_constraints();
-  const auto begin = StopCondition::Clock::now();
+  std::optional<CertificateTimer> timer(std::in_place, out_.effort);
   const double end_angle =
       end_slope(answer.problem, solution.point.x, solution.point.lambda);
   auto motion = std::make_shared<const ArcLengthMotion>(
@@ -238,7 +245,7 @@ void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
         scene_, *start.curve, start.phi, motion->transit_time(),
         answer.estimated_error.value_or(0.0), stop(), out_.certificate);
   }
-  out_.effort.certificate_seconds += seconds_since(begin);
+  timer.reset();
   // Without a motion there is nothing to diagnose, and the certificate says so.
   if (!motion->on_curve().stall()) {
     out_.diagnostics = motion->diagnose();
@@ -327,7 +334,10 @@ void Run::find_by_shooting() {
     out_.message = extremal.message;
     return;
   }
-  MeshAnswer answer = answer_from_extremal(natural_, units_, extremal, stop());
+  MeshAnswer answer = [&] {
+    const CertificateTimer timer(out_.effort);
+    return answer_from_extremal(natural_, units_, extremal, stop());
+  }();
   out_.status = answer.solution.status;
   report(answer, extremal.transit_time);
 }
@@ -340,14 +350,13 @@ void Run::find_by_fsolve() {
   out_.message = out_.discrete->message;
   out_.effort.iterations = out_.discrete->iterations;
   if (!out_.discrete->solved()) return;
-  const auto begin = StopCondition::Clock::now();
+  const CertificateTimer timer(out_.effort);
   const ExtremalSolution extremal = shoot(ExtremalOptions{}.tolerance);
   out_.extremal = opinion_on(*out_.discrete, extremal);
   out_.certificate = certify_discrete(*out_.discrete, *out_.extremal);
   out_.message = fmt::format(
       "the discrete equations hold, but: {}",
       fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
-  out_.effort.certificate_seconds = seconds_since(begin);
 }
 
 void Run::find() {

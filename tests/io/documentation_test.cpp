@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -80,6 +81,30 @@ TEST(Documentation, SweepsAreRead) {
   EXPECT_EQ(scenes, (std::vector<std::size_t>{41 * 61, 10, 2 * 3, 100}));
 }
 
+TEST(Documentation, ComparisonsAreRead) {
+  const std::string section =
+      between(documentation(), "## Work and precision\n", "\n## ");
+  const std::string example = between(section, "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  const ProblemFile stated = read(kCylinder + example);
+  const ProblemFile silent = read(kCylinder);
+  EXPECT_EQ(stated.work_precision.methods, silent.work_precision.methods);
+  EXPECT_EQ(stated.work_precision.meshes, silent.work_precision.meshes);
+}
+
+TEST(Documentation, ScenesOfComparisonsAreReady) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(
+           BRACHISTO_SOURCE_DIR "/problems/work_precision")) {
+    const ProblemFile problem = read_problem_file(file.path());
+    EXPECT_EQ(problem.work_precision.methods.size(), 12U) << file.path();
+    EXPECT_GE(problem.work_precision.meshes.size(), 5U) << file.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 6);
+}
+
 TEST(Documentation, ErrorsAreThoseOfTheProgram) {
   const std::string text = documentation();
   const std::size_t section = text.find("## Errors");
@@ -127,6 +152,13 @@ std::string effective(const ProblemFile& p) {
        << static_cast<int>(fsolve.reading.datum) << ' '
        << static_cast<int>(fsolve.reading.slopes) << ' '
        << fsolve.reading.epsilon;
+  for (const ComparedMethod& method : p.work_precision.methods) {
+    text << ' ' << static_cast<int>(method.kind) << ' ' << method.degree << ' '
+         << static_cast<int>(method.arm);
+  }
+  for (const int size : p.work_precision.meshes) text << ' ' << size;
+  text << ' ' << p.work_precision.repetitions << ' '
+       << p.work_precision.seconds_per_point;
   return text.str();
 }
 
@@ -173,6 +205,8 @@ TEST(KeyTable, IsComplete) {
                         spec.type == KeyType::Integer;
     EXPECT_FALSE(spec.description.empty()) << spec.path;
     EXPECT_EQ(spec.set != nullptr, number) << spec.path;
+    EXPECT_EQ(spec.read_list != nullptr, spec.type == KeyType::List)
+        << spec.path;
     EXPECT_EQ(choices_of(spec).empty(), spec.type != KeyType::Choice)
         << spec.path;
     EXPECT_TRUE(spec.parent().empty() || find_key(spec.parent()) != nullptr)

@@ -19,13 +19,14 @@ TEST(StrictKeys, UnknownOnesAreRefusedWithTheNearestKnown) {
             "radius?");
   EXPECT_EQ(errors(kBead + "friction: 0.3\n"),
             "p.yaml:2:1: friction: unknown key; allowed at the top level: "
-            "version, scene, discretisation, solver, sweep");
+            "version, scene, discretisation, solver, sweep, work_precision");
 }
 
 TEST(StrictKeys, MisplacedOnesAreSentHome) {
   EXPECT_EQ(errors(kBead + "k: 1/2\n"),
             "p.yaml:2:1: k: misplaced key; it belongs in scene.body; allowed "
-            "at the top level: version, scene, discretisation, solver, sweep");
+            "at the top level: version, scene, discretisation, solver, sweep, "
+            "work_precision");
   EXPECT_EQ(errors("scene: {eta_m: 0, body: {shape: bead}, "
                    "finish: {L: 3, H: 1}}\n"),
             "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body; "
@@ -33,14 +34,14 @@ TEST(StrictKeys, MisplacedOnesAreSentHome) {
   EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
             "p.yaml:2:1: tolerance: misplaced key; it belongs in "
             "discretisation or solver; allowed at the top level: version, "
-            "scene, discretisation, solver, sweep");
+            "scene, discretisation, solver, sweep, work_precision");
 }
 
 TEST(StrictKeys, DottedOnesAreForOverridesOnly) {
   EXPECT_EQ(errors(kBead + "solver.guess: straight\n"),
             "p.yaml:2:1: solver.guess: a key with dots; in a file it is "
             "written as nested maps; allowed at the top level: version, "
-            "scene, discretisation, solver, sweep");
+            "scene, discretisation, solver, sweep, work_precision");
 }
 
 TEST(StrictKeys, RequiredOnesAreMissed) {
@@ -55,11 +56,12 @@ TEST(StrictKeys, RequiredOnesAreMissed) {
 }
 
 TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {
-  for (const std::string key : {"work_precision", "constraints"}) {
+  for (const std::string key : {"constraints"}) {
     EXPECT_EQ(errors(kBead + key + ": {}\n"),
               "p.yaml:2:1: " + key +
                   ": reserved for a later version of brachisto; allowed at the "
-                  "top level: version, scene, discretisation, solver, sweep");
+                  "top level: version, scene, discretisation, solver, sweep, "
+                  "work_precision");
   }
 }
 

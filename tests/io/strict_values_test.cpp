@@ -39,10 +39,10 @@ TEST(StrictValues, MapsAreMaps) {
             "the keys body, finish, gravity, contact, path");
   EXPECT_EQ(errors("- scene\n"),
             "p.yaml:1:1: a list was read; expected a map with the keys "
-            "version, scene, discretisation, solver, sweep");
+            "version, scene, discretisation, solver, sweep, work_precision");
   EXPECT_EQ(errors("scene\n"),
             "p.yaml:1:1: a single value was read; expected a map with the keys "
-            "version, scene, discretisation, solver, sweep");
+            "version, scene, discretisation, solver, sweep, work_precision");
 }
 
 TEST(StrictValues, SectionsMayBeEmpty) {

@@ -65,6 +65,19 @@ TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
   EXPECT_EQ(other.trajectory->tau(), one.trajectory->tau());
 }
 
+TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
+  SolveOptions options;
+  options.tolerance = 1e-6;
+  options.discretisation.degree = 5;
+  options.discretisation.elements = 20;
+
+  const Solution solution = solve(kScene, options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_LE(std::abs(solution.trajectory->tau() / kTau - 1.0),
+            solution.estimated_error.value());
+}
+
 TEST(EveryDegree, FindsTheSameAnswer) {
   // Of p = 1 with N = 200 the tests of convergence foretell 2.4e-6, of p = 2
   // 1.6e-10; from p = 3 on rounding and the KKT tolerance count.

@@ -20,6 +20,7 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/study/solve_options.hpp"
+#include "brachisto/study/work_precision_plan.hpp"
 
 namespace brachisto::io {
 
@@ -28,6 +29,7 @@ struct ProblemFile {
   Scene scene;
   SolveOptions options;
   std::string points_file;  ///< of scene.path, as the file names it, or empty
+  WorkPrecisionPlan work_precision;  ///< for comparisons alone
 };
 
 /// Longest problem file that is read [bytes].

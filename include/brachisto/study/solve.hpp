@@ -39,6 +39,9 @@ struct Effort {
   std::optional<LinearSolver> linear_solver;
   double seconds = 0.0;              ///< wall clock, all of solve()
   double certificate_seconds = 0.0;  ///< of these for the certificate
+  /// Processor time of solve() without the certificate and second opinions.
+  double cpu_seconds = 0.0;
+  double certificate_cpu_seconds = 0.0;  ///< processor time of these two
   std::vector<ContinuationStep> continuation;
   std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
 };

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto measure FILE: solves a problem several times and prints processor
+// times and the result in one line. For compare and work-precision, which run
+// it as a process of its own; not for people.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/exit_code.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/result_json.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+struct MeasureFlags : CommonFlags {
+  int repetitions = 1;
+  double seconds = 60.0;
+  double residual = FsolveOptions{}.tolerance;  ///< of the discrete system
+};
+
+/// A run that takes longer is not thrown away as a warm-up: caches and page
+/// faults do not show in it.
+constexpr double kSlow = 2.0;  // [s]
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Processor times of up to so many solves, each the same. Of slow ones there
+/// are as many as fit into half the time.
+std::vector<double> repeat(const io::ProblemFile& problem,
+                           const MeasureFlags& flags, const Solution& first,
+                           Clock::time_point begin) {
+  constexpr double kShare = 0.5;
+  const double cpu = first.effort.cpu_seconds;
+  std::vector<double> times;
+  if (first.status != Status::Solved) return {cpu};
+  if (cpu > kSlow) times.push_back(cpu);
+  const double each = seconds_since(begin);
+  const auto wanted = static_cast<std::size_t>(flags.repetitions);
+  while (
+      times.size() < wanted &&
+      (times.empty() || seconds_since(begin) + each < kShare * flags.seconds)) {
+    times.push_back(solve(problem.scene, problem.options).effort.cpu_seconds);
+  }
+  return times;
+}
+
+/// τ, verified or not.
+Json tau_of(const Solution& solution) {
+  if (solution.status != Status::Solved) return nullptr;
+  if (solution.discrete) return solution.discrete->tau;
+  return solution.motion() ? Json(solution.motion()->tau()) : Json(nullptr);
+}
+
+/// Those that the method itself solves for.
+Json unknowns_of(const Solution& solution) {
+  if (solution.discrete) return solution.discrete->unknowns;
+  if (solution.options.method == Method::Extremal) return nullptr;
+  return solution.variables > 0 ? Json(solution.variables) : Json(nullptr);
+}
+
+int run(const MeasureFlags& flags) {
+  io::ProblemFile problem = io::read_problem_file(flags.file, flags.overrides);
+  problem.options.fsolve.tolerance = flags.residual;
+  const Clock::time_point begin = Clock::now();
+  const Solution solution = solve(problem.scene, problem.options);
+  const Json line = {{"cpu", repeat(problem, flags, solution, begin)},
+                     {"tau", tau_of(solution)},
+                     {"unknowns", unknowns_of(solution)},
+                     {"result", Json::parse(report::result_json(solution))}};
+  fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<MeasureFlags>();
+  CLI::App* verb = app.add_subcommand("measure", "");
+  verb->group("");  // not in the help
+  flags->add_to(*verb);
+  verb->add_option("--repetitions", flags->repetitions)
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--seconds", flags->seconds)->check(CLI::PositiveNumber);
+  verb->add_option("--residual", flags->residual)->check(CLI::PositiveNumber);
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace brachisto::app

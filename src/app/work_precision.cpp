@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto work-precision FILE: what accuracy costs, method by method.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "comparison/work_precision.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct WorkPrecisionFlags : CommonFlags {
+  std::string out;
+  bool force = false;
+  bool quick = false;
+};
+
+/// A first look: the coarsest meshes, once.
+WorkPrecisionPlan quick(WorkPrecisionPlan plan) {
+  constexpr std::size_t kMeshes = 3;
+  plan.meshes.resize(std::min(plan.meshes.size(), kMeshes));
+  plan.repetitions = 1;
+  return plan;
+}
+
+int run(const WorkPrecisionFlags& flags) {
+  const comparison::Subject subject =
+      comparison::read_subject(flags.file, flags.overrides);
+  const WorkPrecisionPlan& stated = subject.problem.work_precision;
+  const std::vector<std::string> names =
+      comparison::work_precision_file_names();
+  if (!flags.out.empty()) {
+    report::check_writable(flags.out, names, flags.force);
+  }
+  const std::atomic<int>& signal = catch_signals();
+  comparison::Hooks hooks;
+  hooks.interrupt = &signal;
+  hooks.announce = [&](const std::string& what) {
+    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+  };
+  const comparison::WorkPrecision found = comparison::run_work_precision(
+      subject, flags.quick ? quick(stated) : stated, hooks);
+  if (!flags.out.empty()) {
+    report::write_files(flags.out, comparison::files(found), flags.force);
+  }
+  if (flags.json) {
+    fmt::print("{}", comparison::to_json(found));
+  } else if (!flags.quiet) {
+    fmt::print("{}", comparison::summary(found));
+    if (!flags.out.empty()) {
+      fmt::print("{}\n",
+                 (std::filesystem::path(flags.out) / names.front()).string());
+    }
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_work_precision(CLI::App& app, int& exit_code) {
+  auto flags = std::make_shared<WorkPrecisionFlags>();
+  CLI::App* verb = app.add_subcommand(
+      "work-precision", "Processor time against true error, method by method");
+  flags->add_to(*verb);
+  verb->add_option("--out", flags->out,
+                   "Write work_precision.svg, .csv, .gp and .json there")
+      ->type_name("DIR");
+  verb->add_flag("--force", flags->force, "Replace existing files in DIR");
+  verb->add_flag("--quick", flags->quick,
+                 "The first three meshes, one repetition");
+  verb->footer(
+      "The section work_precision of the file says which methods run on which\n"
+      "meshes; it has defaults.\n"
+      "Examples:\n"
+      "  brachisto work-precision problems/work_precision/base.yaml --out wp\n"
+      "  brachisto work-precision case.yaml --quick\n"
+      "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
+      "extremal method to take errors against, 6 I/O, 130/143 after\n"
+      "SIGINT/SIGTERM.");
+  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+}
+
+}  // namespace brachisto::app

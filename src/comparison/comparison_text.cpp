@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include "brachisto/report/provenance.hpp"
+#include "brachisto/report/result_json.hpp"
+#include "comparison/documents.hpp"
+#include "comparison/machine.hpp"
+#include "comparison/statistics.hpp"
+#include "comparison/text_table.hpp"
+#include "report/letters.hpp"
+
+namespace brachisto::comparison {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+Json to_json(const Measurement& run) {
+  Json json = {{"outcome", name(run.outcome)},
+               {"cause", run.cause.empty() ? Json() : Json(run.cause)},
+               {"tau", run.solved() ? Json(run.tau) : Json()},
+               {"verified", run.solved() && run.verified},
+               {"estimated_error", or_null(run.estimated_error)}};
+  if (run.cpu.empty()) {
+    json["cpu_seconds"] = nullptr;
+  } else {
+    const Spread spread = spread_of(run.cpu);
+    json["cpu_seconds"] = {{"median", spread.median},
+                           {"least", spread.least},
+                           {"greatest", spread.greatest},
+                           {"all", run.cpu}};
+  }
+  json["unknowns"] = or_null(run.unknowns);
+  json["iterations"] = or_null(run.iterations);
+  json["newton_steps"] = or_null(run.newton_steps);
+  json["evaluations"] = or_null(run.evaluations);
+  json["peak_memory_bytes"] = run.peak_memory;
+  json["process_seconds"] = run.seconds;
+  return json;
+}
+
+Json to_json(const std::optional<Reference>& reference) {
+  if (!reference) return nullptr;
+  return {{"method", "extremal"},
+          {"tau", reference->tau},
+          {"error", reference->error}};
+}
+
+void add_origin(Json& document, const Subject& subject) {
+  const Machine machine = this_machine();
+  document["machine"] = {{"cpu", machine.cpu},
+                         {"kernel", machine.kernel},
+                         {"cores", machine.cores}};
+  document["provenance"] = Json::parse(report::provenance_json());
+  document["scene"] = Json::parse(report::input_json(subject.problem.scene,
+                                                     subject.problem.options))
+                          .at("scene");
+}
+
+std::string reference_text(const Reference& reference) {
+  return fmt::format("τ = {:.12f}, by the extremal method, ± {:.1e}",
+                     reference.tau, reference.error * reference.tau);
+}
+
+std::string error_text(double error, const Reference& reference) {
+  return error < reference.error ? fmt::format("< {:.1e}", reference.error)
+                                 : fmt::format("{:.1e}", error);
+}
+
+std::string iterations_text(const Measurement& run) {
+  const int steps = run.newton_steps.value_or(0);
+  if (steps == 0) return or_dash(run.iterations);
+  if (run.iterations.value_or(0) == 0) return fmt::format("+ {}", steps);
+  return fmt::format("{} + {}", *run.iterations, steps);
+}
+
+std::string summary(const MethodComparison& comparison) {
+  constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
+  std::vector<std::vector<std::string>> rows{
+      {"method", "unknowns", "CPU [s]", "iterations", "evaluations", "memory",
+       "τ", "error", "verdict"}};
+  for (const ComparisonRow& row : comparison.rows) {
+    const Measurement& run = row.run;
+    rows.push_back(
+        {row.label, or_dash(run.unknowns),
+         run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
+         iterations_text(run), or_dash(run.evaluations),
+         memory_text(run.peak_memory),
+         run.solved() ? fmt::format("{:.10f}", run.tau) : "—",
+         row.error ? error_text(*row.error, *comparison.reference) : "—",
+         report::shortened(verdict(row), kVerdict)});
+  }
+  return fmt::format(
+      "{}\nerror: relative, against {}\n"
+      "CPU: median of up to {} solves without their certificates, from the "
+      "cycloid to residuals of {:.0e};\niterations: of the solver + Newton "
+      "steps; memory: peak of the process, program and libraries included\n",
+      text_table(rows),
+      comparison.reference ? reference_text(*comparison.reference)
+                           : "nothing: the extremal method has no verified "
+                             "answer",
+      comparison.options.repetitions, comparison.options.residual);
+}
+
+std::string to_json(const MethodComparison& comparison) {
+  Json rows = Json::array();
+  for (const ComparisonRow& row : comparison.rows) {
+    Json json = {{"method", row.label}};
+    json.update(to_json(row.run));
+    json["error"] = or_null(row.error);
+    json["verdict"] = verdict(row);
+    rows.push_back(std::move(json));
+  }
+  Json document = {{"schema_version", report::kSchemaVersion},
+                   {"verified", comparison.reference.has_value()},
+                   {"reference", to_json(comparison.reference)},
+                   {"options",
+                    {{"nodes", comparison.options.nodes},
+                     {"repetitions", comparison.options.repetitions},
+                     {"seconds", comparison.options.seconds},
+                     {"residual", comparison.options.residual}}},
+                   {"methods", rows}};
+  add_origin(document, comparison.subject);
+  return document.dump(2) + "\n";
+}
+
+}  // namespace brachisto::comparison

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What the documents of comparisons share.
+
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "comparison/comparison.hpp"
+
+namespace brachisto::comparison {
+
+/// Outcome, cause, times and effort of a run; what there is not is null.
+[[nodiscard]] nlohmann::ordered_json to_json(const Measurement& run);
+
+[[nodiscard]] nlohmann::ordered_json to_json(
+    const std::optional<Reference>& reference);
+
+/// The keys `machine`, `provenance` and `scene`.
+void add_origin(nlohmann::ordered_json& document, const Subject& subject);
+
+/// "τ = 5.093444466618 ± 2e-14 by the extremal method".
+[[nodiscard]] std::string reference_text(const Reference& reference);
+
+/// "1.6e-06", or that it is less than the reference can tell.
+[[nodiscard]] std::string error_text(double error, const Reference& reference);
+
+/// "17 + 12": iterations of the solver and Newton steps, where there are any.
+[[nodiscard]] std::string iterations_text(const Measurement& run);
+
+}  // namespace brachisto::comparison

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "comparison/measurement.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "comparison/child_process.hpp"
+
+namespace brachisto::comparison {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kBadInput = 3;  // exit code of a problem that is refused
+
+template <class Value>
+std::optional<Value> value_at(const Json& json, const char* key) {
+  if (!json.contains(key) || json[key].is_null()) return std::nullopt;
+  return json[key].get<Value>();
+}
+
+/// The reasons of a list, one after the other.
+std::string joined(const Json& json, const char* key) {
+  std::string text;
+  if (!json.contains(key) || !json[key].is_array()) return text;
+  for (const Json& reason : json[key]) {
+    text += (text.empty() ? "" : "; ") + reason.get<std::string>();
+  }
+  return text;
+}
+
+Measurement from_document(const Json& json) {
+  const Json& result = json.at("result");
+  Measurement out;
+  out.cpu = json.at("cpu").get<std::vector<double>>();
+  out.unknowns = value_at<int>(json, "unknowns");
+  out.iterations = value_at<int>(result, "iterations");
+  out.newton_steps = value_at<int>(result, "newton_steps");
+  const Json& discrete = result.at("discrete_system");
+  if (!discrete.is_null()) {
+    out.evaluations = value_at<int>(discrete, "evaluations");
+    out.newton_steps.reset();  // those of the extremal beside it
+  }
+  if (const auto tau = value_at<double>(json, "tau"); tau && !out.cpu.empty()) {
+    out.outcome = Measurement::Outcome::Solved;
+    out.tau = *tau;
+    out.verified = result.at("verified").get<bool>();
+    out.estimated_error = value_at<double>(result, "estimated_error");
+    if (!out.verified) out.cause = joined(result, "not_verified_because");
+    return out;
+  }
+  const auto status = result.at("status").get<std::string>();
+  const bool limit = status == "time_limit";
+  out.outcome =
+      limit ? Measurement::Outcome::Limit : Measurement::Outcome::Failed;
+  out.cause = result.at("message").get<std::string>();
+  if (out.cause.empty()) out.cause = status;
+  return out;
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+const char* name(Measurement::Outcome outcome) {
+  switch (outcome) {
+    case Measurement::Outcome::Solved:
+      return "solved";
+    case Measurement::Outcome::Failed:
+      return "failed";
+    case Measurement::Outcome::Limit:
+      return "limit";
+    case Measurement::Outcome::Crashed:
+      return "crashed";
+    case Measurement::Outcome::Refused:
+      return "refused";
+  }
+  return "";
+}
+
+Measurement parse_measurement(const std::string& line) {
+  try {
+    return from_document(Json::parse(line));
+  } catch (const Json::exception&) {
+    Measurement out;
+    out.cause = "its output is not a complete result";
+    return out;
+  }
+}
+
+Measurement measure(const Experiment& experiment,
+                    const std::atomic<int>* interrupt) {
+  std::vector<std::string> arguments{"measure", experiment.file};
+  for (const std::string& change : experiment.overrides) {
+    arguments.insert(arguments.end(), {"--set", change});
+  }
+  arguments.insert(
+      arguments.end(),
+      {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
+       fmt::format("{}", experiment.seconds), "--residual",
+       fmt::format("{}", experiment.discrete_residual)});
+  const ChildRun run =
+      run_child("/proc/self/exe", arguments, experiment.seconds, interrupt);
+  Measurement out;
+  switch (run.end) {
+    case ChildRun::End::Interrupted:
+      throw Interrupted{};
+    case ChildRun::End::OutOfTime:
+      out.outcome = Measurement::Outcome::Limit;
+      out.cause = fmt::format("killed after {:g} s", experiment.seconds);
+      break;
+    case ChildRun::End::Signalled:
+      out.cause = fmt::format("ended by signal {} ({})", run.code,
+                              ::strsignal(run.code));
+      break;
+    case ChildRun::End::Exited:
+      if (run.code == 0) {
+        out = parse_measurement(run.out);
+      } else {
+        out.outcome = run.code == kBadInput ? Measurement::Outcome::Refused
+                                            : Measurement::Outcome::Crashed;
+        out.cause = run.err.empty()
+                        ? fmt::format("ended with exit code {}", run.code)
+                        : first_line(run.err);
+      }
+  }
+  out.peak_memory = run.peak_memory;
+  out.seconds = run.seconds;
+  return out;
+}
+
+}  // namespace brachisto::comparison

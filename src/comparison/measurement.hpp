@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// One method on one mesh, run in a process of its own: what came out, and what
+/// it cost.
+
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/solve_options.hpp"
+
+namespace brachisto::comparison {
+
+/// Stopped by a signal.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("stopped by a signal") {}
+};
+
+/// What to run.
+struct Experiment {
+  std::string file;                    ///< problem file
+  std::vector<std::string> overrides;  ///< KEY=VALUE, the last one wins
+  int repetitions = 1;                 ///< timed runs, at most
+  double seconds = 60.0;               ///< wall clock, all repetitions together
+  /// Of the discrete system, at which its iterations stop.
+  double discrete_residual = FsolveOptions{}.tolerance;
+};
+
+/// What came of it.
+struct Measurement {
+  enum class Outcome {
+    Solved,   ///< there is a transit time
+    Failed,   ///< the solver gave up
+    Limit,    ///< the time was up
+    Crashed,  ///< the process ended without a result
+    Refused,  ///< the method does not take such a problem
+  };
+
+  Outcome outcome = Outcome::Crashed;
+  std::string cause;  ///< why there is no transit time, or no certificate
+
+  // Of what was solved:
+  double tau = 0.0;                       ///< T √(2 g/H) [-]
+  bool verified = false;                  ///< by the certificate
+  std::optional<double> estimated_error;  ///< relative, the method's own
+  std::vector<double> cpu;  ///< processor time of each repetition [s]
+
+  // Of what ran to its end:
+  std::optional<int> unknowns, iterations, newton_steps, evaluations;
+  double peak_memory = 0.0;  ///< of the process [bytes]
+  double seconds = 0.0;      ///< wall clock of the process
+
+  [[nodiscard]] bool solved() const { return outcome == Outcome::Solved; }
+};
+
+/// "solved", "failed", "limit", "crashed", "refused".
+[[nodiscard]] const char* name(Measurement::Outcome outcome);
+
+/// Runs `PROGRAM measure`, which is this program.
+/// \throws Interrupted, std::system_error
+[[nodiscard]] Measurement measure(const Experiment& experiment,
+                                  const std::atomic<int>* interrupt);
+
+/// Reads what `measure` printed in one line; an outcome Crashed if it is not
+/// that.
+[[nodiscard]] Measurement parse_measurement(const std::string& line);
+
+}  // namespace brachisto::comparison

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "comparison/work_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "comparison/methods.hpp"
+
+namespace brachisto::comparison {
+
+namespace {
+
+class Campaign {
+ public:
+  Campaign(const Subject& subject, const WorkPrecisionPlan& plan,
+           const Hooks& hooks)
+      : subject_(subject), plan_(plan), hooks_(hooks) {}
+
+  [[nodiscard]] Reference reference() const {
+    const Measurement extremal =
+        run({.kind = ComparedMethod::Kind::Extremal}, 0, 1);
+    if (const auto found = reference_in(extremal)) return *found;
+    throw NoReference(fmt::format(
+        "there is no reference to take errors against; the "
+        "extremal method {}: {}",
+        extremal.solved() ? "is not verified" : name(extremal.outcome),
+        extremal.cause));
+  }
+
+  [[nodiscard]] PrecisionLine line(const ComparedMethod& method,
+                                   const Reference& reference) const {
+    PrecisionLine out{method, {}, {}};
+    const std::vector<int> meshes =
+        has_meshes(method) ? plan_.meshes : std::vector<int>{0};
+    for (const int mesh : meshes) {
+      PrecisionPoint point{mesh, run(method, mesh, plan_.repetitions), {}};
+      if (point.run.solved()) point.error = error_of(point.run, reference);
+      out.points.push_back(std::move(point));
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Measurement run(const ComparedMethod& method, int mesh,
+                                int repetitions) const {
+    if (hooks_.announce) {
+      hooks_.announce(mesh > 0 ? fmt::format("{}, {}", label(method), mesh)
+                               : label(method));
+    }
+    Experiment experiment{subject_.file, subject_.overrides, repetitions,
+                          plan_.seconds_per_point};
+    for (std::string& change : overrides(method, mesh, subject_.problem)) {
+      experiment.overrides.push_back(std::move(change));
+    }
+    return measure(experiment, hooks_.interrupt);
+  }
+
+  const Subject& subject_;
+  const WorkPrecisionPlan& plan_;
+  const Hooks& hooks_;
+};
+
+std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
+  std::vector<SizeError> errors;
+  for (const PrecisionPoint& point : line.points) {
+    if (point.mesh > 0 && point.error) {
+      errors.push_back({static_cast<double>(point.mesh), *point.error});
+    }
+  }
+  return observed_order(errors, floor);
+}
+
+}  // namespace
+
+double WorkPrecision::floor() const {
+  constexpr double kAbove = 10.0;
+  return kAbove * std::max(tolerance(), reference.error);
+}
+
+WorkPrecision run_work_precision(const Subject& subject,
+                                 const WorkPrecisionPlan& plan,
+                                 const Hooks& hooks) {
+  const Campaign campaign(subject, plan, hooks);
+  WorkPrecision out{subject, plan, campaign.reference(), {}};
+  for (const ComparedMethod& method : plan.methods) {
+    if (!available(method)) continue;
+    out.lines.push_back(campaign.line(method, out.reference));
+    out.lines.back().order = order_of(out.lines.back(), out.floor());
+  }
+  return out;
+}
+
+}  // namespace brachisto::comparison

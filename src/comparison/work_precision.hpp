@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What accuracy costs: every method on a sequence of meshes.
+
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "brachisto/report/output_files.hpp"
+#include "comparison/comparison.hpp"
+#include "comparison/statistics.hpp"
+
+namespace brachisto::comparison {
+
+/// The extremal method has no answer that errors could be taken against.
+class NoReference : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A method on one mesh.
+struct PrecisionPoint {
+  int mesh = 0;  ///< as in the plan; 0: it has none
+  Measurement run;
+  std::optional<double> error;  ///< relative, of τ; nothing unless solved
+};
+
+/// A method on all meshes.
+struct PrecisionLine {
+  ComparedMethod method;
+  std::vector<PrecisionPoint> points;
+  std::optional<ObservedOrder> order;  ///< in the size of the mesh
+};
+
+struct WorkPrecision {
+  Subject subject;
+  WorkPrecisionPlan plan;
+  Reference reference;
+  std::vector<PrecisionLine> lines;
+
+  /// Relative error below which there is no order to be seen: ten times what
+  /// the KKT tolerance and the reference leave open, so that a tenth of the
+  /// error at most is not of the discretisation.
+  [[nodiscard]] double floor() const;
+  /// The KKT tolerance of the problem.
+  [[nodiscard]] double tolerance() const {
+    return subject.problem.options.tolerance;
+  }
+};
+
+/// Runs the plan, each point in a process of its own, one after the other.
+/// Methods that this program does not have are left out.
+/// \throws NoReference, Interrupted, std::system_error
+[[nodiscard]] WorkPrecision run_work_precision(const Subject& subject,
+                                               const WorkPrecisionPlan& plan,
+                                               const Hooks& hooks);
+
+/// Names of the files, of which the last one is written last.
+[[nodiscard]] std::vector<std::string> work_precision_file_names();
+/// The diagram, its numbers and script, and a document with all there is.
+[[nodiscard]] std::vector<report::OutputFile> files(const WorkPrecision& found);
+[[nodiscard]] std::string summary(const WorkPrecision& found);
+[[nodiscard]] std::string to_json(const WorkPrecision& found);
+
+}  // namespace brachisto::comparison

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "comparison/methods.hpp"
+#include "comparison/work_precision.hpp"
+#include "report/chart.hpp"
+
+namespace brachisto::comparison {
+
+namespace {
+
+using report::Curve;
+using report::Datum;
+using report::Mark;
+using report::Stroke;
+using Kind = ComparedMethod::Kind;
+
+constexpr const char* kName = "work_precision";
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kThin = 0.9;  // [px]
+constexpr const char* kGrey = "#666666";
+
+/// How a line looks, different in grey too.
+struct Look {
+  std::string colour;
+  Stroke stroke;
+  Mark mark;
+};
+
+/// \param degrees  number of lines of collocation, and which of them this is
+Look look_of(const ComparedMethod& method, std::size_t degrees,
+             std::size_t index) {
+  constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
+                              Mark::Diamond, Mark::Triangle};
+  switch (method.kind) {
+    case Kind::RollingTime:
+      return {report::family_colours(degrees)[index], Stroke::Solid,
+              kMarks[index % kMarks.size()]};
+    case Kind::ArcLength:
+      return {"#000000", Stroke::Dashed, Mark::Square};
+    case Kind::Extremal:
+      return {"#000000", Stroke::Solid, Mark::Triangle};
+    case Kind::Fsolve:
+      break;
+  }
+  switch (method.arm) {
+    case FsolveArm::Rest:
+      return {"#a50026", Stroke::DashDotted, Mark::Triangle};
+    case FsolveArm::Release:
+      return {"#d95f02", Stroke::DashDotted, Mark::Circle};
+    case FsolveArm::Newton:
+      return {"#8c510a", Stroke::Dotted, Mark::Diamond};
+    case FsolveArm::Lifted:
+      return {"#666666", Stroke::Dashed, Mark::Disc};
+  }
+  return {"#000000", Stroke::Solid, Mark::Disc};
+}
+
+/// Without what rich text would lower.
+std::string words(const ComparedMethod& method) {
+  std::string text = label(method);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+class Diagram {
+ public:
+  explicit Diagram(const WorkPrecision& found) : found_(found) {
+    chart_.name = kName;
+    chart_.title = "Processor time against error of the transit time";
+    chart_.x.label = "relative error of τ";
+    chart_.x.scale = report::Scale::Logarithmic;
+    chart_.y.label = "processor time [s]";
+    chart_.y.scale = report::Scale::Logarithmic;
+  }
+
+  [[nodiscard]] report::Chart draw() {
+    const auto degrees = static_cast<std::size_t>(
+        std::ranges::count(found_.lines, Kind::RollingTime,
+                           [](const auto& l) { return l.method.kind; }));
+    std::size_t index = 0;
+    for (const PrecisionLine& line : found_.lines) {
+      const Look look = look_of(line.method, degrees, index);
+      if (line.method.kind == Kind::RollingTime) ++index;
+      add_line(line, look);
+    }
+    set_ranges();
+    if (failures_ > 0) add_failures();
+    add_floor();
+    return std::move(chart_);
+  }
+
+ private:
+  /// An error that cannot be told from that of the reference is drawn there.
+  [[nodiscard]] double shown(double error) const {
+    return std::max({error, found_.reference.error,
+                     std::numeric_limits<double>::epsilon()});
+  }
+
+  void add_line(const PrecisionLine& line, const Look& look) {
+    Curve curve{.name = words(line.method),
+                .points = {},
+                .stroke = look.stroke,
+                .colour = look.colour,
+                .mark = look.mark,
+                .id = identifier(line.method)};
+    Curve spread = curve;
+    spread.name.clear();
+    spread.id += "_spread";
+    spread.stroke = Stroke::Solid;
+    spread.mark = Mark::None;
+    spread.width = kThin;
+    for (const PrecisionPoint& point : line.points) {
+      if (!point.error) continue;
+      const double x = shown(*point.error);
+      const Spread times = spread_of(point.run.cpu);
+      curve.points.push_back({x, times.median});
+      spread.points.insert(
+          spread.points.end(),
+          {{x, times.least}, {x, times.greatest}, {kNone, kNone}});
+      xs_.include(x);
+      ys_.include(times.least);
+      ys_.include(times.greatest);
+    }
+    looks_.push_back(look);
+    if (curve.points.empty()) return;
+    if (line.method.kind == Kind::RollingTime) {
+      chart_.notes.push_back({.at = curve.points.front(),
+                              .text = fmt::format("{}", line.method.degree),
+                              .mark = Mark::None,
+                              .dx = -4.0,
+                              .dy = 17.0});
+    }
+    chart_.curves.push_back(std::move(spread));
+    chart_.curves.push_back(std::move(curve));
+  }
+
+  [[nodiscard]] static bool at_limit(const PrecisionPoint& point) {
+    return point.run.outcome == Measurement::Outcome::Limit;
+  }
+  [[nodiscard]] double time_of_failure(const PrecisionPoint& point) const {
+    if (at_limit(point)) return found_.plan.seconds_per_point;
+    return point.run.cpu.empty() ? point.run.seconds
+                                 : spread_of(point.run.cpu).median;
+  }
+
+  /// With room for marks and words at the edges.
+  void set_ranges() {
+    for (const PrecisionLine& line : found_.lines) {
+      for (const PrecisionPoint& point : line.points) {
+        if (point.run.solved()) continue;
+        ys_.include(time_of_failure(point));
+        ++failures_;
+      }
+    }
+    xs_.include(found_.tolerance());
+    constexpr double kRoom = 2.5;
+    const auto widen = [](report::Side& side, const report::Extent& extent) {
+      side.low = extent.low / kRoom;
+      side.high = extent.high * kRoom;
+    };
+    widen(chart_.x, xs_);
+    widen(chart_.y, ys_);
+  }
+
+  /// Runs without a result have no error: they stand in a field of their own,
+  /// at the time that they took or, at most, were given.
+  void add_failures() {
+    constexpr double kWidth = 1.6;  // decades
+    const double left = *chart_.x.high;
+    chart_.x.high = left * std::pow(10.0, kWidth);
+    chart_.areas.push_back({.name = "no result",
+                            .outline = {{left, *chart_.y.low},
+                                        {*chart_.x.high, *chart_.y.low},
+                                        {*chart_.x.high, *chart_.y.high},
+                                        {left, *chart_.y.high}}});
+    bool limited = false;
+    int place = 0;
+    for (std::size_t i = 0; i < found_.lines.size(); ++i) {
+      const PrecisionLine& line = found_.lines[i];
+      Curve crosses{.name = words(line.method) + ": no result",
+                    .points = {},
+                    .colour = looks_[i].colour,
+                    .width = 0.0,
+                    .mark = Mark::Cross,
+                    .id = identifier(line.method) + "_without_result"};
+      const char* separator = " on ";
+      for (const PrecisionPoint& point : line.points) {
+        if (point.run.solved()) continue;
+        limited = limited || at_limit(point);
+        const double share = (place++ + 0.5) / failures_;
+        crosses.points.push_back(
+            {left * std::pow(10.0, kWidth * share), time_of_failure(point)});
+        if (point.mesh > 0) {
+          crosses.name += fmt::format("{}{}", separator, point.mesh);
+          separator = ", ";
+        }
+      }
+      if (crosses.points.empty()) continue;
+      chart_.curves.push_back(std::move(crosses));
+    }
+    if (limited) add_limit();
+  }
+
+  void add_limit() {
+    const double cap = found_.plan.seconds_per_point;
+    chart_.curves.push_back(
+        {.name = fmt::format("limit of {:g} s", cap),
+         .points = {{*chart_.x.low, cap}, {*chart_.x.high, cap}},
+         .stroke = Stroke::Dashed,
+         .colour = kGrey,
+         .width = kThin,
+         .id = "limit"});
+  }
+
+  void add_floor() {
+    const double x = found_.tolerance();
+    chart_.curves.push_back(
+        {.name = "tolerance of the KKT residual",
+         .points = {{x, *chart_.y.low}, {x, *chart_.y.high}},
+         .stroke = Stroke::Dotted,
+         .colour = kGrey,
+         .width = 1.2,
+         .id = "kkt_tolerance"});
+  }
+
+  const WorkPrecision& found_;
+  report::Chart chart_;
+  report::Extent xs_, ys_;
+  std::vector<Look> looks_;  ///< of each line
+  int failures_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> work_precision_file_names() {
+  const std::string name = kName;
+  return {name + ".svg", name + ".csv", name + ".gp", name + ".json"};
+}
+
+std::vector<report::OutputFile> files(const WorkPrecision& found) {
+  const report::Chart chart = Diagram(found).draw();
+  const std::vector<std::string> names = work_precision_file_names();
+  return {{names[0], report::chart_svg(chart)},
+          {names[1], report::chart_csv(chart)},
+          {names[2], report::chart_gnuplot(chart)},
+          {names[3], to_json(found)}};
+}
+
+}  // namespace brachisto::comparison

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "brachisto/report/result_json.hpp"
+#include "comparison/documents.hpp"
+#include "comparison/methods.hpp"
+#include "comparison/text_table.hpp"
+#include "comparison/work_precision.hpp"
+#include "report/letters.hpp"
+
+namespace brachisto::comparison {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string remark(const PrecisionPoint& point) {
+  if (point.run.solved()) return "";
+  constexpr std::size_t kLetters = 72;  // the document has it in full
+  return report::shortened(
+      fmt::format("{}: {}", name(point.run.outcome), point.run.cause),
+      kLetters);
+}
+
+std::string order_text(const std::optional<ObservedOrder>& order) {
+  if (!order) return "—";
+  return order->uncertainty
+             ? fmt::format("{:.2f} ± {:.2f}", order->order, *order->uncertainty)
+             : fmt::format("{:.2f}", order->order);
+}
+
+Rows point_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "mesh", "unknowns", "CPU [s]", "least – greatest",
+             "iterations", "memory", "error", "remark"}};
+  for (const PrecisionLine& line : found.lines) {
+    for (const PrecisionPoint& point : line.points) {
+      const Measurement& run = point.run;
+      std::vector<std::string> times{"—", "—"};
+      if (!run.cpu.empty()) {
+        const Spread spread = spread_of(run.cpu);
+        times = {seconds_text(spread.median),
+                 fmt::format("{} – {}", seconds_text(spread.least),
+                             seconds_text(spread.greatest))};
+      }
+      rows.push_back(
+          {label(line.method),
+           point.mesh > 0 ? fmt::format("{}", point.mesh) : "—",
+           or_dash(run.unknowns), times[0], times[1], iterations_text(run),
+           memory_text(run.peak_memory),
+           point.error ? error_text(*point.error, found.reference) : "—",
+           remark(point)});
+    }
+  }
+  return rows;
+}
+
+Rows order_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "observed order", "finest two", "points"}};
+  for (const PrecisionLine& line : found.lines) {
+    if (!has_meshes(line.method)) continue;
+    rows.push_back(
+        {label(line.method), order_text(line.order),
+         line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
+         fmt::format("{} of {}", line.order ? line.order->points : 0,
+                     line.points.size())});
+  }
+  return rows;
+}
+
+Json order_json(const std::optional<ObservedOrder>& order) {
+  if (!order) return nullptr;
+  return {{"order", order->order},
+          {"uncertainty",
+           order->uncertainty ? Json(*order->uncertainty) : Json(nullptr)},
+          {"finest_two", order->finest},
+          {"points", order->points}};
+}
+
+Json line_json(const PrecisionLine& line) {
+  Json points = Json::array();
+  for (const PrecisionPoint& point : line.points) {
+    Json json = {{"mesh", point.mesh > 0 ? Json(point.mesh) : Json(nullptr)},
+                 {"error", point.error ? Json(*point.error) : Json(nullptr)}};
+    json.update(to_json(point.run));
+    points.push_back(std::move(json));
+  }
+  return {{"method", label(line.method)},
+          {"id", identifier(line.method)},
+          {"observed_order", order_json(line.order)},
+          {"points", points}};
+}
+
+}  // namespace
+
+std::string summary(const WorkPrecision& found) {
+  return fmt::format(
+      "{}\n{}\nerror: relative, of τ, against {}\n"
+      "orders: from errors above {:.1e}, ten times what the KKT tolerance "
+      "{:.0e} and the reference leave open\n",
+      text_table(point_rows(found)), text_table(order_rows(found)),
+      reference_text(found.reference), found.floor(), found.tolerance());
+}
+
+std::string to_json(const WorkPrecision& found) {
+  Json methods = Json::array(), lines = Json::array();
+  for (const ComparedMethod& method : found.plan.methods) {
+    methods.push_back(identifier(method));
+  }
+  for (const PrecisionLine& line : found.lines) {
+    lines.push_back(line_json(line));
+  }
+  Json document = {{"schema_version", report::kSchemaVersion},
+                   {"verified", true},
+                   {"reference", to_json(std::optional(found.reference))},
+                   {"options",
+                    {{"methods", methods},
+                     {"meshes", found.plan.meshes},
+                     {"repetitions", found.plan.repetitions},
+                     {"seconds_per_point", found.plan.seconds_per_point},
+                     {"kkt_tolerance", found.tolerance()}}},
+                   {"floor", found.floor()},
+                   {"lines", lines}};
+  add_origin(document, found.subject);
+  return document.dump(2) + "\n";
+}
+
+}  // namespace brachisto::comparison

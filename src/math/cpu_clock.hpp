@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Processor time, which a busy machine does not stretch as it does a wall
+/// clock.
+
+#pragma once
+
+#include <ctime>
+
+namespace brachisto {
+
+/// Processor time that this process has used, all its threads together [s].
+[[nodiscard]] inline double process_cpu_seconds() {
+  constexpr double kNano = 1e-9;
+  std::timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) +
+         kNano * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace brachisto

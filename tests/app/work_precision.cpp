@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto compare and work-precision: every method in a process of its own.
+// Nothing here depends on how fast the machine is.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+
+namespace brachisto {
+namespace {
+
+using nlohmann::json;
+using testing::Output;
+using testing::run;
+using testing::ScratchDirectory;
+
+std::string scene(const std::string& name) {
+  return std::string(BRACHISTO_PROBLEMS_DIR) + "/work_precision/" + name +
+         ".yaml";
+}
+
+/// The entry of a list whose key has that value; null if there is none.
+json find(const json& list, const char* key, const std::string& value) {
+  for (const json& entry : list) {
+    if (entry.at(key) == value) return entry;
+  }
+  return nullptr;
+}
+
+TEST(Measure, PrintsOneLineWithTimesAndTheResult) {
+  const Output output = run({"measure", scene("bead"), "--repetitions", "2"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_EQ(output.out.find('\n'), output.out.size() - 1);
+  const json line = json::parse(output.out);
+  EXPECT_EQ(line["cpu"].size(), 2U);
+  EXPECT_EQ(line["tau"], line["result"]["tau"]);
+  EXPECT_EQ(line["unknowns"], line["result"]["variables"]);
+  EXPECT_GT(line["result"]["seconds"]["cpu"], 0.0);
+}
+
+TEST(Measure, IsNotInTheHelp) {
+  EXPECT_EQ(run({"--help"}).out.find("measure "), std::string::npos);
+}
+
+TEST(Compare, PutsAllMethodsBesideEachOther) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+
+  const Output output =
+      run({"compare", scene("uniform"), "--nodes", "31", "--repetitions", "1",
+           "--json", "--quiet", "--out", out});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json document = json::parse(output.out);
+  // The closed form, to the digits that are known of it.
+  EXPECT_NEAR(document["reference"]["tau"], 5.115100653580, 5e-13);
+  const json& rows = document["methods"];
+  const json collocation = find(rows, "method", "rolling_time");
+  EXPECT_EQ(collocation["verdict"], "verified");
+  // The default tolerance, and the digits of the reference.
+  EXPECT_LT(collocation["error"], 1e-10 + 1e-12);
+  for (const std::string arm : {"rest", "release", "newton", "lifted"}) {
+    const json row = find(rows, "method", "fsolve " + arm);
+    ASSERT_FALSE(row.is_null()) << arm;
+    // First order at best: solved, but nothing to rely on.
+    EXPECT_NE(row["verdict"], "verified") << arm;
+    EXPECT_TRUE(row["outcome"] == "solved" || !row["cause"].is_null()) << arm;
+  }
+  EXPECT_TRUE(std::filesystem::exists(out + "/compare.txt"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/compare.json"));
+}
+
+TEST(Compare, AGivenPathLeavesNothingToCompare) {
+  const Output output =
+      run({"compare", testing::paper_problem("fig04_parabola"), "--json"});
+
+  EXPECT_EQ(output.code, 3);
+  EXPECT_NE(output.err.find("scene.path"), std::string::npos) << output.err;
+}
+
+TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+
+  const Output output =
+      run({"work-precision", scene("base"), "--json", "--quiet", "--out", out,
+           "--set",
+           "work_precision={methods: [{rolling_time: [1, 2]}, "
+           "extremal], meshes: [10, 20, 40], repetitions: 1}"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json document = json::parse(output.out);
+  EXPECT_NEAR(document["reference"]["tau"], 5.093444466618, 5e-12);
+  for (const int p : {1, 2}) {
+    const json line =
+        find(document["lines"], "id", "rolling_time_" + std::to_string(p));
+    ASSERT_FALSE(line.is_null());
+    ASSERT_EQ(line["points"].size(), 3U);
+    // Gauss collocation has order 2p. Over two halvings the terms of higher
+    // order that the coarsest mesh still has move the slope by less than half.
+    EXPECT_NEAR(line["observed_order"]["order"], 2.0 * p, 0.5);
+    EXPECT_EQ(line["observed_order"]["points"], 3);
+  }
+  for (const char* name : {"work_precision.svg", "work_precision.csv",
+                           "work_precision.gp", "work_precision.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+  }
+  EXPECT_EQ(run({"work-precision", scene("base"), "--out", out}).code, 6)
+      << "existing files are kept";
+}
+
+TEST(WorkPrecision, WhatHasNoResultIsAPointWithACause) {
+  const Output output =
+      run({"work-precision", scene("base"), "--json", "--quiet", "--set",
+           "work_precision={methods: [{rolling_time: [1]}, {fsolve: [rest]}], "
+           "meshes: [2], repetitions: 1}"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json point = json::parse(output.out)["lines"][1]["points"][0];
+  EXPECT_EQ(point["outcome"], "refused") << "n ≥ 3";
+  EXPECT_NE(point["cause"].get<std::string>().find("needs 3"),
+            std::string::npos);
+  EXPECT_TRUE(point["error"].is_null());
+}
+
+TEST(WorkPrecision, WithoutAReferenceThereIsNothing) {
+  const Output output =
+      run({"work-precision", scene("base"), "--json", "--set",
+           "scene.body.radius=2", "--set", "scene.finish.L=0.5"});
+
+  EXPECT_EQ(output.code, 4);
+  EXPECT_EQ(json::parse(output.out)["status"], "no_reference");
+  EXPECT_NE(output.err.find("no reference"), std::string::npos) << output.err;
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// How a process ended is told apart, and what it wrote is kept.
+
+#include "comparison/child_process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <string>
+
+namespace brachisto::comparison {
+namespace {
+
+using End = ChildRun::End;
+
+constexpr double kPatience = 60.0;  // [s], which nothing here needs
+
+ChildRun shell(const std::string& script, double seconds = kPatience,
+               const std::atomic<int>* interrupt = nullptr) {
+  return run_child("/bin/sh", {"-c", script}, seconds, interrupt);
+}
+
+TEST(ChildProcess, KeepsBothStreamsAndTheExitCode) {
+  const ChildRun run = shell("echo out; echo err >&2; exit 3");
+
+  EXPECT_EQ(run.end, End::Exited);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.out, "out\n");
+  EXPECT_EQ(run.err, "err\n");
+  EXPECT_GT(run.peak_memory, 0.0);
+}
+
+TEST(ChildProcess, ReadsMoreThanAPipeHolds) {
+  const ChildRun run = shell(
+      "head -c 300000 /dev/zero; head -c 200000 "
+      "/dev/zero >&2");
+
+  EXPECT_EQ(run.out.size(), 300000U);
+  EXPECT_EQ(run.err.size(), 200000U);
+}
+
+TEST(ChildProcess, TellsASignal) {
+  const ChildRun run = shell("kill -SEGV $$");
+
+  EXPECT_EQ(run.end, End::Signalled);
+  EXPECT_EQ(run.code, SIGSEGV);
+}
+
+TEST(ChildProcess, IsKilledAtTheLimit) {
+  EXPECT_EQ(shell("echo begun; exec sleep 600", 0.2).end, End::OutOfTime);
+}
+
+TEST(ChildProcess, IsKilledWhenItsCallerIsToStop) {
+  const std::atomic<int> signal{SIGINT};
+
+  EXPECT_EQ(shell("exec sleep 600", kPatience, &signal).end, End::Interrupted);
+}
+
+TEST(ChildProcess, AProgramThatIsNotThereExits) {
+  const ChildRun run = run_child("/no/such/program", {}, kPatience, nullptr);
+
+  EXPECT_EQ(run.end, End::Exited);
+  EXPECT_NE(run.code, 0);
+}
+
+}  // namespace
+}  // namespace brachisto::comparison

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What a run says of itself, read from its line.
+
+#include "comparison/measurement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "comparison/comparison.hpp"
+
+namespace brachisto::comparison {
+namespace {
+
+using Outcome = Measurement::Outcome;
+
+/// A line of `measure` with the parts that differ between tests.
+std::string line(const std::string& tau, const std::string& more,
+                 const std::string& discrete = "null") {
+  return R"({"cpu": [0.02, 0.01, 0.04], "tau": )" + tau +
+         R"(, "unknowns": 127, "result": {"iterations": 17, "newton_steps": 9,
+            "estimated_error": 1e-11, "discrete_system": )" +
+         discrete + ", " + more + "}}";
+}
+
+const std::string kVerified =
+    R"("status": "solved", "verified": true, "message": "")";
+
+TEST(Measurement, OfASolution) {
+  const Measurement run = parse_measurement(line("5.09", kVerified));
+
+  EXPECT_EQ(run.outcome, Outcome::Solved);
+  EXPECT_TRUE(run.verified);
+  EXPECT_EQ(run.tau, 5.09);
+  EXPECT_EQ(run.cpu, (std::vector<double>{0.02, 0.01, 0.04}));
+  EXPECT_EQ(run.unknowns, 127);
+  EXPECT_EQ(run.iterations, 17);
+  EXPECT_EQ(run.newton_steps, 9);
+  EXPECT_FALSE(run.evaluations);
+  EXPECT_EQ(run.estimated_error, 1e-11);
+  EXPECT_EQ(run.cause, "");
+}
+
+TEST(Measurement, OfTheDiscreteSystemCountsItsEvaluations) {
+  const Measurement run = parse_measurement(
+      line("5.2",
+           R"("status": "solved", "verified": false, "message": "",
+              "not_verified_because": ["one", "two"])",
+           R"({"evaluations": 4321})"));
+
+  EXPECT_EQ(run.outcome, Outcome::Solved);
+  EXPECT_FALSE(run.verified);
+  EXPECT_EQ(run.evaluations, 4321);
+  EXPECT_FALSE(run.newton_steps) << "they are the extremal's beside it";
+  EXPECT_EQ(run.cause, "one; two");
+}
+
+TEST(Measurement, KeepsTheReasonOfAFailure) {
+  const Measurement failed =
+      parse_measurement(line("null",
+                             R"("status": "not_converged", "verified": false,
+              "message": "lost its way")"));
+  const Measurement late = parse_measurement(line(
+      "null",
+      R"("status": "time_limit", "verified": false, "message": "too long")"));
+
+  EXPECT_EQ(failed.outcome, Outcome::Failed);
+  EXPECT_EQ(failed.cause, "lost its way");
+  EXPECT_EQ(late.outcome, Outcome::Limit);
+}
+
+TEST(Measurement, BelievesNothingButACompleteResult) {
+  const std::string whole = line("5.09", kVerified);
+
+  for (const std::string& text :
+       {std::string(), std::string("{}"), whole.substr(0, whole.size() / 2)}) {
+    EXPECT_EQ(parse_measurement(text).outcome, Outcome::Crashed) << text;
+  }
+}
+
+TEST(Reference, IsAVerifiedAnswerWithAnErrorBar) {
+  Measurement extremal = parse_measurement(line("5.0", kVerified));
+  ASSERT_TRUE(reference_in(extremal));
+  EXPECT_EQ(reference_in(extremal)->error, 1e-11);
+
+  extremal.verified = false;
+  EXPECT_FALSE(reference_in(extremal));
+  EXPECT_FALSE(reference_in(Measurement{}));
+}
+
+TEST(Reference, ErrorsAreRelativeAndWithoutSign) {
+  Measurement run;
+  run.tau = 4.5;
+  EXPECT_EQ(error_of(run, {4.0, 0.0}), 0.125);
+  run.tau = 3.5;
+  EXPECT_EQ(error_of(run, {4.0, 0.0}), 0.125);
+}
+
+TEST(Verdict, TellsFailuresWithTheirCause) {
+  ComparisonRow row;
+  row.run.outcome = Outcome::Limit;
+  row.run.cause = "killed after 60 s";
+  EXPECT_EQ(verdict(row), "limit: killed after 60 s");
+
+  row.run.outcome = Outcome::Solved;
+  row.run.cause = "agreement";
+  EXPECT_EQ(verdict(row), "solved, not verified: agreement");
+  row.discrete_system = true;
+  EXPECT_EQ(verdict(row), "solved, first-order conditions");
+  row.run.verified = true;
+  EXPECT_EQ(verdict(row), "verified");
+}
+
+}  // namespace
+}  // namespace brachisto::comparison

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Medians and observed orders of numbers that are known.
+
+#include "comparison/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace brachisto::comparison {
+namespace {
+
+/// Some roundings of logarithms, which are at most some tens.
+constexpr double kRounding = 1e-13;
+
+TEST(Percentile, IsTheMedianInTheMiddle) {
+  EXPECT_EQ(percentile({3.0, 1.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(percentile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+  EXPECT_EQ(percentile({7.0}, 0.5), 7.0);
+}
+
+TEST(Percentile, IsLinearBetweenValues) {
+  EXPECT_EQ(percentile({0.0, 10.0, 20.0, 30.0, 40.0}, 0.25), 10.0);
+  EXPECT_EQ(percentile({0.0, 10.0}, 0.25), 2.5);
+}
+
+TEST(Percentile, EndsWithTheExtremes) {
+  const Spread spread = spread_of({5.0, 9.0, 1.0, 4.0});
+
+  EXPECT_EQ(spread.least, 1.0);
+  EXPECT_EQ(spread.median, 4.5);
+  EXPECT_EQ(spread.greatest, 9.0);
+}
+
+/// C n^(−order) on halved meshes.
+std::vector<SizeError> power_law(double order, int points) {
+  constexpr double kFirst = 10.0, kConstant = 3.7;
+  std::vector<SizeError> out;
+  for (int i = 0; i < points; ++i) {
+    const double n = kFirst * std::exp2(i);
+    out.push_back({n, kConstant * std::pow(n, -order)});
+  }
+  return out;
+}
+
+TEST(ObservedOrder, IsThatOfAPowerLaw) {
+  for (const double order : {0.5, 1.0, 2.0, 4.0, 12.0}) {
+    const auto fit = observed_order(power_law(order, 5), 0.0);
+
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->order, order, kRounding * order);
+    EXPECT_EQ(fit->points, 5);
+    ASSERT_TRUE(fit->uncertainty);
+    EXPECT_LT(*fit->uncertainty, kRounding * order);
+    EXPECT_NEAR(fit->finest, order, kRounding * order);
+  }
+}
+
+TEST(ObservedOrder, LeavesOutWhatIsBelowTheFloor) {
+  std::vector<SizeError> points = power_law(4.0, 4);
+  // Two meshes on which rounding is all that is left.
+  points.push_back({160.0, 2e-16});
+  points.push_back({320.0, 0.0});
+
+  const auto fit = observed_order(points, 1e-14);
+
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->order, 4.0, 4.0 * kRounding);
+  EXPECT_EQ(fit->points, 4);
+}
+
+TEST(ObservedOrder, OfTwoPointsHasNoUncertainty) {
+  const auto fit = observed_order(power_law(2.0, 2), 0.0);
+
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->order, 2.0, 2.0 * kRounding);
+  EXPECT_FALSE(fit->uncertainty);
+}
+
+TEST(ObservedOrder, TellsHowWellItFits) {
+  // log₂ of the errors: 0, −1, −3, over log₂ n: 0, 1, 2. By hand: slope −3/2,
+  // what is left 1/6, −1/3, 1/6, its squares 1/6, over one degree of freedom
+  // and Σ(x − x̄)² = 2: √(1/12).
+  const std::vector<SizeError> points{{1.0, 1.0}, {2.0, 0.5}, {4.0, 0.125}};
+
+  const auto fit = observed_order(points, 0.0);
+
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->order, 1.5, kRounding);
+  EXPECT_NEAR(fit->finest, 2.0, kRounding);
+  EXPECT_NEAR(fit->uncertainty.value(), std::sqrt(1.0 / 12.0), kRounding);
+}
+
+TEST(ObservedOrder, NeedsTwoMeshesWithAnError) {
+  EXPECT_FALSE(observed_order({}, 0.0));
+  EXPECT_FALSE(observed_order(power_law(2.0, 1), 0.0));
+  EXPECT_FALSE(observed_order(power_law(2.0, 4), 1.0));
+  const std::vector<SizeError> same{{10.0, 1e-3}, {10.0, 2e-3}};
+  EXPECT_FALSE(observed_order(same, 0.0));
+  const std::vector<SizeError> unknown{
+      {10.0, 1e-3}, {20.0, std::numeric_limits<double>::quiet_NaN()}};
+  EXPECT_FALSE(observed_order(unknown, 0.0));
+}
+
+}  // namespace
+}  // namespace brachisto::comparison

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "comparison/text_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace brachisto::comparison {
+namespace {
+
+TEST(TextTable, AlignsByLetters) {
+  EXPECT_EQ(text_table({{"method", "τ", "verdict"},
+                        {"a", "—", "no"},
+                        {"long name", "1.25", ""}}),
+            "method        τ  verdict\n"
+            "a             —  no\n"
+            "long name  1.25\n");
+}
+
+TEST(TextTable, SaysWhatIsNotThere) {
+  EXPECT_EQ(or_dash(std::nullopt), "—");
+  EXPECT_EQ(or_dash(7), "7");
+  EXPECT_EQ(memory_text(0.0), "—");
+  EXPECT_EQ(memory_text(3.8e7), "38 MB");
+}
+
+}  // namespace
+}  // namespace brachisto::comparison

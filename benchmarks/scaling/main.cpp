@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // What a solve costs as the mesh grows: both formulations, the chain
-// factorisation beside MUMPS, Newton's method beside Ipopt. Each solve, from the
-// scene to the certificate, runs in a process of its own.
+// factorisation beside MUMPS, Newton's method beside Ipopt. Each solve, from
+// the scene to the certificate, runs in a process of its own.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -32,8 +32,8 @@ struct Way {
 };
 
 constexpr Way kWays[] = {
-    {"rolling_time, Newton, chain", Formulation::RollingTime,
-     Method::NewtonKkt, LinearSolver::Chain},
+    {"rolling_time, Newton, chain", Formulation::RollingTime, Method::NewtonKkt,
+     LinearSolver::Chain},
     {"rolling_time, Ipopt, chain", Formulation::RollingTime, Method::Ipopt,
      LinearSolver::Chain},
     {"rolling_time, Ipopt, MUMPS", Formulation::RollingTime, Method::Ipopt,
@@ -179,15 +179,15 @@ int main(int argc, char** argv) {
             "{:<28} {:>8} {:>9.3f} {:>9.3f} {:>8.3f} {:>6} {:>7} {:>9.1e}{}\n",
             way.name, record->nodes, record->cpu_seconds,
             record->certificate_seconds, record->gigabytes, record->iterations,
-            record->newton_steps, error, record->verified ? "" : " NOT VERIFIED");
+            record->newton_steps, error,
+            record->verified ? "" : " NOT VERIFIED");
         std::fflush(stdout);
-        csv += fmt::format("\"{}\",{},{},{:.4g},{:.4g},{:.4g},{},{},{:.15g},"
-                           "{:.2e},{:.2e},\n",
-                           way.name, record->nodes, record->verified,
-                           record->cpu_seconds, record->certificate_seconds,
-                           record->gigabytes, record->iterations,
-                           record->newton_steps, record->tau, error,
-                           record->estimated_error);
+        csv += fmt::format(
+            "\"{}\",{},{},{:.4g},{:.4g},{:.4g},{},{},{:.15g},"
+            "{:.2e},{:.2e},\n",
+            way.name, record->nodes, record->verified, record->cpu_seconds,
+            record->certificate_seconds, record->gigabytes, record->iterations,
+            record->newton_steps, record->tau, error, record->estimated_error);
         if (record->verified) {
           curves[static_cast<std::size_t>(task.way)].push_back(
               {static_cast<double>(record->nodes), record->cpu_seconds});
@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
   chart.y.label = "CPU time of the process [s]";
   chart.y.scale = report::Scale::Logarithmic;
   constexpr report::Mark kMarks[] = {
-      report::Mark::Disc,   report::Mark::Square,   report::Mark::Triangle,
+      report::Mark::Disc,   report::Mark::Square,  report::Mark::Triangle,
       report::Mark::Circle, report::Mark::Diamond, report::Mark::Cross};
   const std::vector<std::string> colours =
       report::family_colours(std::size(kWays));

@@ -7,9 +7,9 @@
 
 #include "brachisto/version.hpp"
 #include "report/key_label.hpp"
+#include "report/page_style.hpp"
 #include "report/svg.hpp"
 #include "report/sweep_csv.hpp"
-#include "report/page_style.hpp"
 #include "report/sweep_html.hpp"
 
 namespace brachisto::report {

@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(PaperProblems, CoverTheFiguresOfThePaper) {
   const std::vector<std::string> names =
       testing::problem_files(BRACHISTO_PAPER_DIR);
-  for (const std::string figure : {"fig03", "fig04", "fig06", "fig08", "fig09", "fig10",
-                                   "fig11", "fig12", "fig13"}) {
+  for (const std::string figure : {"fig03", "fig04", "fig06", "fig08", "fig09",
+                                   "fig10", "fig11", "fig12", "fig13"}) {
     EXPECT_TRUE(std::ranges::any_of(names, [&](const std::string& name) {
       return name.starts_with(figure);
     })) << figure;

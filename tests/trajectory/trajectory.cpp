@@ -313,7 +313,7 @@ TEST(Diagnostics, SharesOfFrictionOfAUniformCylinderAreInClosedForm) {
   // R_n = (2 + k)/(1 + k) sin ψ/2 and R_t = −k/(1 + k) cos ψ/2 on a cycloid,
   // whose ψ is proportional to time: |R_t| > μ R_n up to tan ψ/2 = k/((2 + k)
   // μ) and, with these numbers, not again before the end, ψ = π − 2 β_end.
-  const ReferenceValue& row = reference("uniform_L3");
+  const testing::ReferenceValue& row = reference("uniform_L3");
   const double k = row.scene().body.k;
   const double end = std::numbers::pi - 2.0 * row.end_angle;
   const auto share = [&](double mu) {

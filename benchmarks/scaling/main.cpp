@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -213,6 +214,7 @@ int main(int argc, char** argv) {
     }
     report::Curve curve;
     curve.name = kWays[w].name;
+    std::replace(curve.name.begin(), curve.name.end(), '_', ' ');
     if (large.size() > 1) {
       curve.name += fmt::format(" (n^{{{:.2f}}})", exponent(large));
       fmt::print("{}: n^{:.2f} from 1e4 on\n", kWays[w].name, exponent(large));

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -109,7 +110,11 @@ Record run(const Task& task) {
 double exact_tau() {
   SolveOptions options;
   options.method = Method::Extremal;
-  return solve(reference_case(), options).motion()->tau();
+  const Solution solution = solve(reference_case(), options);
+  if (!solution.verified()) {
+    throw std::runtime_error("no verified reference: " + solution.message);
+  }
+  return solution.motion()->tau();
 }
 
 /// Exponent of b(n) ∝ n^q by least squares of logarithms.
@@ -128,7 +133,9 @@ double exponent(const std::vector<report::Datum>& points) {
 }
 
 void write(const std::string& name, const std::string& content) {
-  std::ofstream(name) << content;
+  std::ofstream out(name);
+  out << content;
+  if (!out.flush()) throw std::runtime_error(name + ": cannot be written");
 }
 
 }  // namespace

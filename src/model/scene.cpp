@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/model/mass_distribution.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -72,12 +74,11 @@ void check_cylinder(const Body& body, Checker& check) {
                     "not negative",
                     body.k));
   }
-  const double largest_k = (1.0 - eta) * (1.0 + eta);
-  if (eta >= 0.0 && eta < 1.0 && body.k > largest_k + kBoundSlack) {
+  if (eta >= 0.0 && eta < 1.0 && body.k > largest_k(eta) + kBoundSlack) {
     check.add("scene.body.k",
               fmt::format("{} is not allowed: k ≤ 1 − η_m² = {} for η_m = {}, "
                           "reached when all mass sits on the rim",
-                          body.k, largest_k, eta));
+                          body.k, largest_k(eta), eta));
   }
 }
 

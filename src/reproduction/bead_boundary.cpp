@@ -9,15 +9,12 @@
 #include <cmath>
 
 #include "brachisto/math/roots.hpp"
+#include "brachisto/model/mass_distribution.hpp"
 #include "reproduction/orientation.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
-
-double largest_k(double eta_m) {
-  return (1.0 - eta_m) * (1.0 + eta_m);
-}
 
 /// Follows the boundary from body to body.
 class Boundary {

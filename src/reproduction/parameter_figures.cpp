@@ -166,11 +166,6 @@ Figure fastest_orientation_figure(const Findings& found) {
                   error * kDegrees));
 }
 
-/// k = 1 − η_m², above which no body exists.
-double largest_k(double eta_m) {
-  return 1.0 - eta_m * eta_m;
-}
-
 std::vector<Datum> boundary_points(const std::vector<BoundaryBody>& bodies) {
   std::vector<Datum> points;
   for (const BoundaryBody& body : bodies) {

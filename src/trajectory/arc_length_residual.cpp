@@ -11,6 +11,7 @@
 #include "brachisto/math/jet1.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
+#include "trajectory/residual_summary.hpp"
 
 namespace brachisto {
 
@@ -23,18 +24,6 @@ using Jet = math::Jet1<Real, 7>;
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
-
-/// Keeps the largest absolute value and its index; a NaN stays.
-struct Worst {
-  Real value = 0.0L;
-  int index = -1;
-
-  void see(Real candidate, int i) {
-    if (std::isnan(value) || std::abs(candidate) <= value) return;
-    value = std::abs(candidate);
-    index = i;
-  }
-};
 
 /// Place and rotation of a node.
 struct Node {
@@ -127,28 +116,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
     gradient[at(layout.arc_length())] += lagrangian.gradient[6];
   }
 
-  Worst stationarity;
-  Worst fixed_value;
-  for (int i = 0; i < layout.num_variables(); ++i) {
-    const double value = problem.lower()[at(i)];
-    if (value == problem.upper()[at(i)]) {
-      fixed_value.see(x(i) - value, i);
-    } else {
-      stationarity.see(gradient[at(i)], i);
-    }
-  }
-  ExtendedResidual out{static_cast<double>(stationarity.value),
-                       static_cast<double>(defect.value),
-                       static_cast<double>(fixed_value.value),
-                       {},
-                       {}};
-  if (stationarity.index >= 0) {
-    out.worst_variable = layout.variable_name(stationarity.index);
-  }
-  if (defect.index >= 0) {
-    out.worst_constraint = layout.constraint_name(defect.index);
-  }
-  return out;
+  return summarise(problem, point, gradient, defect);
 }
 
 }  // namespace brachisto

@@ -36,6 +36,12 @@ struct MassPart {
   [[nodiscard]] static MassPart rod(double mass, Point from, Point to);
 };
 
+/// 1 − η_m², the largest k that a body with this offset can have: that of one
+/// whose mass all sits on the rim.
+[[nodiscard]] inline double largest_k(double eta_m) {
+  return (1.0 - eta_m) * (1.0 + eta_m);
+}
+
 /// What the motion of a body depends on, in the symbols of Body.
 struct MassProperties {
   double mass = 0.0;
@@ -44,10 +50,7 @@ struct MassProperties {
   double theta_m = 0.0;  ///< from +x towards +z (down) [rad]; 0 if η_m = 0
   double k = 0.0;        ///< I_cm / (m r²)
 
-  /// 1 − η_m², which k reaches iff all mass sits on the rim.
-  [[nodiscard]] double largest_k() const {
-    return (1.0 - eta_m) * (1.0 + eta_m);
-  }
+  [[nodiscard]] double largest_k() const { return brachisto::largest_k(eta_m); }
 };
 
 /// Properties of a cylinder that consists of these parts.

@@ -56,6 +56,15 @@ class CurveFromRest final : public PlaneCurve {
             q * std::hypot(t_x, t_z),
             (t_x * bend_z - t_z * bend_x) / (t_x * t_x + t_z * t_z)};
   }
+  [[nodiscard]] double speed(double q) const override {
+    const int piece = x_.piece_of(q);
+    const CubicSpline::Value x = x_.at(piece, q);
+    const CubicSpline::Value z = z_.at(piece, q);
+    // std::hypot guards against squares that overflow, at ten times the cost.
+    const double t_x = 2.0 * x.f + q * x.d1;
+    const double t_z = 2.0 * z.f + q * z.d1;
+    return q * std::sqrt(t_x * t_x + t_z * t_z);
+  }
   [[nodiscard]] std::vector<double> joints() const override {
     // The first piece reaches back to the start.
     return {q_.begin() + 1, q_.end() - 1};

@@ -4,9 +4,62 @@
 #include "brachisto/model/hamiltonian.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <numbers>
 
 namespace brachisto {
+
+namespace {
+
+constexpr int kDirections = 64;
+using PerDirection = std::array<double, kDirections>;
+
+/// Sines and cosines of a full turn in equal steps.
+struct Directions {
+  PerDirection cosine, sine;
+
+  Directions() {
+    for (std::size_t i = 0; i < kDirections; ++i) {
+      const double beta =
+          2.0 * std::numbers::pi * static_cast<double>(i) / kDirections;
+      cosine[i] = std::cos(beta);
+      sine[i] = std::sin(beta);
+    }
+  }
+};
+
+}  // namespace
+
+double gain_of_other_directions(const Body& body, double gravity,
+                                const RollingState& state, const Costates& p,
+                                double beta) {
+  static const Directions directions;
+  const double own_root =
+      std::sqrt(inertia_factor(body, state.theta, beta));
+  const double pull_x = state.w * p.p_x;
+  const double pull_z = state.w * p.p_z + p.p_w * gravity;
+  const double own =
+      own_root + pull_x * std::cos(beta) + pull_z * std::sin(beta);
+  // sin(θ − β) = sin θ cos β − cos θ sin β
+  const double sin_theta = std::sin(state.theta);
+  const double cos_theta = std::cos(state.theta);
+  PerDirection h;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double cosine = directions.cosine[i];
+    const double sine = directions.sine[i];
+    const double A =
+        inertia_factor(body, sin_theta * cosine - cos_theta * sine);
+    h[i] = std::sqrt(A) + pull_x * cosine + pull_z * sine;
+  }
+  double gain = 0.0;
+  for (const double value : h) {
+    // Written so that a NaN stays.
+    gain = own - value <= gain ? gain : own - value;
+    if (std::isnan(gain)) break;
+  }
+  return gain / own_root;
+}
 
 double slope_rate(const Body& body, double gravity, const RollingState& state,
                   const Costates& p, double beta) {

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "brachisto/math/phase_clock.hpp"
+
 namespace brachisto::nlp {
 
 namespace {
@@ -39,30 +41,35 @@ EliminationOrder Problem::elimination_order() const {
 
 bool Problem::set_point(std::span<const double> x) {
   check_size("x", x.size(), size(num_variables()));
+  const PhaseTimer timer(Phase::Evaluation);
   evaluable_ = do_set_point(x);
   return evaluable_;
 }
 
 double Problem::eval_f() const {
   check_point(evaluable_);
+  const PhaseTimer timer(Phase::Evaluation);
   return do_eval_f();
 }
 
 void Problem::eval_grad_f(std::span<double> grad_f) const {
   check_point(evaluable_);
   check_size("grad_f", grad_f.size(), size(num_variables()));
+  const PhaseTimer timer(Phase::Evaluation);
   do_eval_grad_f(grad_f);
 }
 
 void Problem::eval_g(std::span<double> g) const {
   check_point(evaluable_);
   check_size("g", g.size(), size(num_constraints()));
+  const PhaseTimer timer(Phase::Evaluation);
   do_eval_g(g);
 }
 
 void Problem::eval_jac_g(std::span<double> values) const {
   check_point(evaluable_);
   check_size("jac_g", values.size(), jac_g_pattern().num_entries());
+  const PhaseTimer timer(Phase::Evaluation);
   do_eval_jac_g(values);
 }
 
@@ -72,6 +79,7 @@ void Problem::eval_hess_lag(double objective_factor,
   check_point(evaluable_);
   check_size("lambda", lambda.size(), size(num_constraints()));
   check_size("hess_lag", values.size(), hess_lag_pattern().num_entries());
+  const PhaseTimer timer(Phase::Evaluation);
   do_eval_hess_lag(objective_factor, lambda, values);
 }
 

@@ -132,6 +132,14 @@ Json provenance_json(const Solution& solution) {
   return json;
 }
 
+Json phases_json(const PhaseSeconds& phases) {
+  Json json;
+  for (std::size_t i = 0; i < kNumPhases; ++i) {
+    json[name(static_cast<Phase>(i))] = phases.seconds[i];
+  }
+  return json;
+}
+
 Json check_json(const Check& check) {
   Json json = {{"name", check.name},
                {"value", check.value},
@@ -306,7 +314,8 @@ std::string result_json(const Solution& solution) {
   json["seconds"] = {{"total", effort.seconds},
                      {"solve", effort.seconds - effort.certificate_seconds},
                      {"certificate", effort.certificate_seconds},
-                     {"cpu", effort.cpu_seconds}};
+                     {"cpu", effort.cpu_seconds},
+                     {"phases", phases_json(effort.phases)}};
   json["certificate"] = certificate_json(solution);
   json["provenance"] = provenance_json(solution);
   json["scene"] = scene_json(solution.scene);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "solvers/chain_kkt.hpp"
 
 namespace brachisto {
@@ -83,6 +84,7 @@ long double BorderedChain::closing_product(std::span<const double> x) const {
 }
 
 bool BorderedChain::factorise() {
+  const PhaseTimer timer(Phase::Factorisation);
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
                                                          system_.jac_g()};
   pivot_ = 0.0;
@@ -156,6 +158,7 @@ void BorderedChain::residual(std::span<const double> b,
 }
 
 bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
+  const PhaseTimer timer(Phase::Solution);
   const auto largest = [](std::span<const double> values) {
     double max = 0.0;
     for (const double value : values) {
@@ -163,26 +166,29 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
     }
     return max;
   };
-  solve_once(b, x);
-  // Until corrections are rounding; each must be much smaller than the one
-  // before.
+  // A step of Newton's method need not be more exact than this: what it leaves
+  // of the residual is seen, and taken on, by the next.
+  constexpr double kEnough = 1e-6;
+  constexpr double kOfUse = 1e-2;
   constexpr int kRefinements = 4;
-  constexpr double kEnough = 4.0 * std::numeric_limits<double>::epsilon();
+  solve_once(b, x);
+  const double size = largest(b);
   double last = std::numeric_limits<double>::infinity();
-  for (int refinement = 0; refinement < kRefinements; ++refinement) {
+  for (int refinement = 0;; ++refinement) {
     residual(b, x, wide_);
     for (std::size_t i = 0; i < wide_.size(); ++i) {
       reduced_[i] = static_cast<double>(wide_[i]);
     }
+    const double left = largest(reduced_);
+    if (!std::isfinite(left)) return false;
+    if (left <= kEnough * size) return true;
+    if (left > 0.5 * last || refinement == kRefinements) {
+      return left <= kOfUse * size;
+    }
     solve_once(reduced_, correction_);
-    const double relative = largest(correction_) / largest(x);
-    if (!std::isfinite(relative)) return largest(x) == 0.0;
-    if (relative > 0.5 * last) return relative <= 1e-6;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction_[i];
-    if (relative <= kEnough) return true;
-    last = relative;
+    last = left;
   }
-  return last <= 1e-6;
 }
 
 }  // namespace brachisto

@@ -38,8 +38,9 @@ class BorderedChain {
   /// Sign of the determinant of the system.
   [[nodiscard]] int determinant_sign() const;
 
-  /// Solves with refinement, residuals in long double. False if that does not
-  /// converge: then the factorisation is worthless.
+  /// Solves for a step of Newton's method, with refinement where it is needed,
+  /// residuals in long double. False if that does not help: then the
+  /// factorisation is worthless.
   [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x);
 
  private:

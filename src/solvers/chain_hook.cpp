@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "solvers/chain_kkt.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
@@ -92,6 +93,7 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
   *info = {};
   info->flag = kGivenUp;
   *akeep = nullptr;
+  const PhaseTimer timer(Phase::SetUp);
   if (current == nullptr) return;
   try {
     if (static_cast<std::size_t>(n) != current->structure().block.size()) {
@@ -130,6 +132,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
                          void** akeep, void**, const ma97_control_d*,
                          ma97_info_d* info, const double[]) {
   *info = {};
+  const PhaseTimer timer(Phase::Factorisation);
   Matrix& matrix = matrix_of(akeep);
   try {
     const std::array<std::span<const double>, 1> values = {
@@ -149,6 +152,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
 
 static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,
                         void**, const ma97_control_d*, ma97_info_d*) {
+  const PhaseTimer timer(Phase::Solution);
   // What Ipopt read from the info struct before must stay.
   Matrix& matrix = matrix_of(akeep);
   for (int k = 0; k < nrhs; ++k) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "brachisto/math/phase_clock.hpp"
+
 namespace brachisto {
 
 nlp::ChainStructure chain_of_free_unknowns(const nlp::Problem& problem) {
@@ -22,6 +24,7 @@ nlp::ChainStructure chain_of_free_unknowns(const nlp::Problem& problem) {
 }
 
 std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem) {
+  const PhaseTimer timer(Phase::SetUp);
   const nlp::ChainStructure chain = chain_of_free_unknowns(problem);
   if (chain.empty()) return nullptr;
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solvers/chain_entries.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -67,28 +69,6 @@ struct Members {
   }
 };
 
-/// The link an entry belongs to: −1 for the border's own, −2 where the entry
-/// is absent, −3 where the structure does not allow it.
-int link_of(int block_a, int block_b, int num_links) {
-  constexpr int kBorderEntry = -1;
-  constexpr int kAbsentEntry = -2;
-  constexpr int kNoChain = -3;
-  if (block_a == ChainStructure::kAbsent ||
-      block_b == ChainStructure::kAbsent) {
-    return kAbsentEntry;
-  }
-  const int low = std::min(block_a, block_b);
-  const int high = std::max(block_a, block_b);
-  if (high < 0) return kBorderEntry;
-  // Of one block alone: its own interior, or as the right separator.
-  if (low < 0 || low == high) {
-    return high % 2 != 0 ? high / 2 : std::max(0, high / 2 - 1);
-  }
-  const int link = low / 2;
-  const bool neighbours = high <= 2 * link + 2 && link < num_links;
-  return neighbours ? link : kNoChain;
-}
-
 }  // namespace
 
 std::optional<ChainMap> ChainMap::make(
@@ -107,50 +87,54 @@ std::optional<ChainMap> ChainMap::make(
     map.border_.push_back(static_cast<int>(i));
   }
 
-  // Entries sorted by link, in their order within a link. Numbers of entries
-  // run through all arrays.
-  std::vector<std::size_t> first_of_array;
-  std::size_t num_entries = 0;
-  for (const EntryPositions& array : positions) {
-    first_of_array.push_back(num_entries);
-    num_entries += array.rows.size();
-  }
+  const std::optional<EntriesByLink> by_link =
+      EntriesByLink::make(chain, positions);
+  if (!by_link) return std::nullopt;
   const auto row_of = [&](std::size_t array, std::size_t e) {
     return at(positions[array].rows[e] + positions[array].row_offset);
   };
-  std::vector<std::size_t> starts(at(chain.num_links) + 1, 0);
-  for (std::size_t a = 0; a < positions.size(); ++a) {
-    for (std::size_t e = 0; e < positions[a].rows.size(); ++e) {
-      const int row_block = chain.block[row_of(a, e)];
-      const int col_block = chain.block[at(positions[a].cols[e])];
-      const int link = link_of(row_block, col_block, chain.num_links);
-      if (link < -2) return std::nullopt;
-      if (link >= 0) ++starts[at(link) + 1];
-      if (link != -1) continue;
-      Entry entry;
-      entry.row = place[row_of(a, e)];
-      entry.col = place[at(positions[a].cols[e])];
-      entry.array = static_cast<int>(a);
-      entry.source = {static_cast<std::ptrdiff_t>(e), 0};
-      map.border_entries_.push_back(entry);
-    }
-  }
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<unsigned> order(starts.back());
-  {
-    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-    for (std::size_t a = 0; a < positions.size(); ++a) {
-      for (std::size_t e = 0; e < positions[a].rows.size(); ++e) {
-        const int row_block = chain.block[row_of(a, e)];
-        const int col_block = chain.block[at(positions[a].cols[e])];
-        const int link = link_of(row_block, col_block, chain.num_links);
-        if (link < 0) continue;
-        order[next[at(link)]++] = static_cast<unsigned>(first_of_array[a] + e);
-      }
-    }
+  for (const auto& [a, e] : by_link->of_border()) {
+    map.border_entries_.push_back({place[row_of(a, e)],
+                                   place[at(positions[a].cols[e])],
+                                   static_cast<int>(a),
+                                   {static_cast<std::ptrdiff_t>(e), 0}});
   }
 
+  const auto fits = [](const Run& run, const Affine& old, const Affine& here) {
+    return run.num_links == 1 ||
+           old.at(run.num_links) == static_cast<std::size_t>(here.first);
+  };
+  // Whether the entries of `link` lie where those of the run would go on to,
+  // all of an array by the same stride, so that none is met twice.
+  const auto goes_on = [&](const Run& run, int link) {
+    const int i = run.num_links;
+    if (!by_link->in_order() || i < 2) return false;
+    std::vector<std::size_t> count(positions.size(), 0);
+    std::vector<std::ptrdiff_t> stride(positions.size(), 0);
+    for (const Entry& entry : run.entries) {
+      const std::size_t a = at(entry.array);
+      const EntriesByLink::Range range = by_link->range(a, link);
+      const std::size_t e = entry.source.at(i);
+      if (e < range.begin || e >= range.end) return false;
+      if (count[a]++ == 0) stride[a] = entry.source.stride;
+      if (entry.source.stride != stride[a]) return false;
+      const std::size_t row = row_of(a, e);
+      const std::size_t col = at(positions[a].cols[e]);
+      const std::size_t high = run.unknowns[at(entry.row)].at(i);
+      const std::size_t low = run.unknowns[at(entry.col)].at(i);
+      const bool same =
+          (row == high && col == low) || (row == low && col == high);
+      if (!same) return false;
+    }
+    for (std::size_t a = 0; a < positions.size(); ++a) {
+      const EntriesByLink::Range range = by_link->range(a, link);
+      if (count[a] != range.end - range.begin) return false;
+    }
+    return true;
+  };
+
   Run now;
+  std::vector<EntriesByLink::Place> places;
   for (int link = 0; link < chain.num_links; ++link) {
     now.first_link = link;
     now.num_links = 1;
@@ -166,6 +150,24 @@ std::optional<ChainMap> ChainMap::make(
     }
     for (const int unknown : map.border_) now.unknowns.push_back({unknown, 0});
 
+    // The second link of a run sets the strides of its unknowns.
+    const auto same_unknowns = [&](const Run& run) {
+      if (run.interior != now.interior || run.left != now.left ||
+          run.right != now.right ||
+          run.unknowns.size() != now.unknowns.size()) {
+        return false;
+      }
+      for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
+        if (!fits(run, run.unknowns[k], now.unknowns[k])) return false;
+      }
+      return true;
+    };
+    const bool alike = !map.runs_.empty() && same_unknowns(map.runs_.back());
+    if (alike && goes_on(map.runs_.back(), link)) {
+      ++map.runs_.back().num_links;
+      continue;
+    }
+
     const auto local = [&](std::size_t unknown) {
       const int block = chain.block[unknown];
       int offset = 0;
@@ -175,14 +177,8 @@ std::optional<ChainMap> ChainMap::make(
       return offset + place[unknown];
     };
     now.entries.clear();
-    for (std::size_t k = starts[at(link)]; k < starts[at(link) + 1]; ++k) {
-      const std::size_t number = order[k];
-      const std::size_t a = static_cast<std::size_t>(
-                                std::upper_bound(first_of_array.begin(),
-                                                 first_of_array.end(), number) -
-                                first_of_array.begin()) -
-                            1;
-      const std::size_t e = number - first_of_array[a];
+    by_link->collect(link, places);
+    for (const auto& [a, e] : places) {
       const int i = local(row_of(a, e));
       const int j = local(at(positions[a].cols[e]));
       now.entries.push_back({std::max(i, j),
@@ -191,30 +187,18 @@ std::optional<ChainMap> ChainMap::make(
                              {static_cast<std::ptrdiff_t>(e), 0}});
     }
 
-    // Does it continue the run? The second link of a run sets the strides.
     const auto continues = [&](Run& run) {
-      if (run.interior != now.interior || run.left != now.left ||
-          run.right != now.right ||
-          run.unknowns.size() != now.unknowns.size() ||
-          run.entries.size() != now.entries.size()) {
-        return false;
-      }
-      const int i = run.num_links;
-      const auto fits = [&](const Affine& old, const Affine& here) {
-        return i == 1 || old.at(i) == static_cast<std::size_t>(here.first);
-      };
-      for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
-        if (!fits(run.unknowns[k], now.unknowns[k])) return false;
-      }
+      if (run.entries.size() != now.entries.size()) return false;
       for (std::size_t k = 0; k < now.entries.size(); ++k) {
         const Entry& old = run.entries[k];
         const Entry& here = now.entries[k];
         if (old.row != here.row || old.col != here.col ||
-            old.array != here.array || !fits(old.source, here.source)) {
+            old.array != here.array ||
+            !fits(run, old.source, here.source)) {
           return false;
         }
       }
-      if (i > 1) return true;
+      if (run.num_links > 1) return true;
       for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
         run.unknowns[k].stride = now.unknowns[k].first - run.unknowns[k].first;
       }
@@ -224,7 +208,7 @@ std::optional<ChainMap> ChainMap::make(
       }
       return true;
     };
-    if (!map.runs_.empty() && continues(map.runs_.back())) {
+    if (alike && continues(map.runs_.back())) {
       ++map.runs_.back().num_links;
     } else {
       map.runs_.push_back(now);

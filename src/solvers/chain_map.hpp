@@ -47,8 +47,7 @@ class ChainMap {
     Affine source;
   };
   /// Local unknowns are numbered: interior, left separator, right separator,
-  /// border. A separator's own entries belong to the link on its left, those of
-  /// separator 0 to link 0.
+  /// border. A separator's own entries belong to one of the links beside it.
   struct Run {
     int first_link = 0;
     int num_links = 0;

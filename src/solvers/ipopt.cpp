@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 #include <mumps_compat.h>
 #include <IpIpoptApplication.hpp>
+#include <IpIpoptData.hpp>
+#include <IpTimingStatistics.hpp>
 
 #include <optional>
 #include <sstream>
 #include <string_view>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "solvers/blas_threads.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
@@ -157,6 +160,19 @@ bool memory_failure(std::string_view log) {
          log.find("not enough memory") != std::string_view::npos;
 }
 
+/// What MUMPS took, which only Ipopt has timed.
+void book_linear_solver(Ipopt::IpoptApplication& application) {
+  if (!Ipopt::IsValid(application.IpoptDataObject())) return;
+  Ipopt::TimingStatistics& times =
+      application.IpoptDataObject()->TimingStats();
+  const auto book = [](Phase phase, const Ipopt::TimedTask& task) {
+    move_phase_seconds(Phase::Ipopt, phase, task.TotalCpuTime());
+  };
+  book(Phase::SetUp, times.LinearSystemSymbolicFactorization());
+  book(Phase::Factorisation, times.LinearSystemFactorization());
+  book(Phase::Solution, times.LinearSystemBackSolve());
+}
+
 /// One run with the given linear solver: Chain, with a ChainHook in force, or
 /// Mumps.
 SolverResult run(nlp::Problem& problem, const PrimalDual& start,
@@ -185,8 +201,11 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
     result.log = log.str();
     return result;
   }
-  const Ipopt::ApplicationReturnStatus status =
-      application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
+  const Ipopt::ApplicationReturnStatus status = [&] {
+    const PhaseTimer timer(Phase::Ipopt);
+    return application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
+  }();
+  if (solver == LinearSolver::Mumps) book_linear_solver(*application);
   if (adapter->exception()) std::rethrow_exception(adapter->exception());
 
   result.log = log.str();

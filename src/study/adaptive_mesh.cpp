@@ -42,7 +42,28 @@ double time_per_radian(const ExtremalCurve& curve) {
          end.w;
 }
 
-void estimate(MeshAnswer& answer, const MeshOptions& options) {
+/// What a better or an independent solution says of the error of `answer`,
+/// given a bound on that solution's own, relative.
+double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
+                const ExtremalCurve& other, double other_phi,
+                double error_of_other, double weight) {
+  const double T = curve.transit_time();
+  const bool smooth = curve.scene().contact == Contact::Smooth;
+  const ContactClosure& closure = answer.solution.closure;
+  const double per_radian = smooth ? time_per_radian(curve) : 0.0;
+  // Two parts of the error, that of the end point and that between fixed ends,
+  // may have opposite signs; the estimate must not profit from it.
+  const double difference = other.transit_time() - T;
+  const double of_ends = per_radian * (other_phi - closure.phi);
+  const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
+  const double open_contact =
+      smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
+  return (std::max(weight * std::abs(difference), apart) + open_contact) / T +
+         error_of_other + kRoundingError;
+}
+
+/// By the same elements with degree p + 1.
+void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   const ExtremalCurve coarse = answer.curve();
   Mesh mesh = coarse.mesh();
   mesh.degree += 1;
@@ -65,21 +86,11 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   if (result.residual > kRoundingResidual) return;
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
-  const double T = coarse.transit_time();
-  const ContactClosure& closure = answer.solution.closure;
-  const double per_radian = smooth ? time_per_radian(coarse) : 0.0;
-  // Two parts of the error, that of the end point and that between fixed ends,
-  // may have opposite signs; the estimate must not profit from it.
-  const double difference = answer.finer->transit_time() - T;
-  const double of_ends = per_radian * (answer.finer_phi - closure.phi);
-  const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
+  constexpr double kSameSide = 2.0;
   const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
-  const double open_contact =
-      smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
   answer.estimated_error =
-      (std::max(2.0 * std::abs(difference), apart) + of_finer + open_contact) /
-          T +
-      kRoundingError;
+      estimate(answer, coarse, *answer.finer, result.phi,
+               of_finer / coarse.transit_time(), kSameSide);
 }
 
 /// How far a solution lies from the curve it started from: in T, relative, or
@@ -95,7 +106,8 @@ double departure(const RollingTime& problem, const MeshSolution& solution,
 
 MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                           const ExtremalCurve& curve, double phi,
-                          const MeshOptions& options) {
+                          const MeshOptions& options,
+                          const MeshAnswer* coarser) {
   // Far less than branches lie apart, far more than meshes differ that follow
   // a tolerance.
   constexpr double kLargestDeparture = 3e-3;
@@ -137,7 +149,16 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
       }
     }
   }
-  if (solution.solved()) estimate(answer, options);
+  if (!solution.solved()) return answer;
+  if (coarser == nullptr) {
+    estimate_by_degree(answer, options);
+  } else {
+    answer.coarser_elements = coarser->problem.mesh().num_elements();
+    answer.estimated_error =
+        estimate(answer, answer.curve(), coarser->curve(),
+                 coarser->solution.closure.phi,
+                 coarser->estimated_error.value(), 1.0);
+  }
   return answer;
 }
 

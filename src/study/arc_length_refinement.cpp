@@ -39,12 +39,16 @@ int coarse_pieces(const Scene& scene, double length) {
                   static_cast<int>(std::ceil(kCoarsePerTurn * turns)));
 }
 
-/// n, n/2, n/4, … down to about `coarsest`, in ascending order; n/2 always.
-std::vector<int> halvings(int n, int coarsest) {
-  std::vector<int> pieces{n, (n + 1) / 2};
-  while (pieces.back() >= 2 * coarsest) {
-    pieces.push_back((pieces.back() + 1) / 2);
-  }
+/// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
+/// pieces, n/2 always.
+std::vector<int> divisions(int n, int coarsest) {
+  constexpr int kStep = 4;
+  std::vector<int> pieces{n};
+  do {
+    const int before = pieces.back();
+    pieces.push_back(before >= kStep * coarsest ? (before + kStep - 1) / kStep
+                                                : (before + 1) / 2);
+  } while (pieces.back() >= 2 * coarsest);
   return {pieces.rbegin(), pieces.rend()};
 }
 
@@ -157,7 +161,7 @@ bool Sequence::climb(const std::vector<int>& pieces) {
     MeshStart start;
     start.phi = first ? phi_ : out_.answer->solution.closure.phi;
     start.closure_slope = first ? -1.0 : out_.answer->solution.closure.slope;
-    ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}};
+    ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}, 0};
     start.point = first ? sample(curve_, answer.problem)
                         : prolong(out_.answer->problem,
                                   out_.answer->solution.point, answer.problem);
@@ -172,7 +176,10 @@ bool Sequence::climb(const std::vector<int>& pieces) {
                         answer.problem.set_point(solution.point.x);
     if (solved) {
       answer.transit_time = answer.problem.eval_f();
-      if (!first) answer.estimated_error = estimate(answer);
+      if (!first) {
+        answer.estimated_error = estimate(answer);
+        answer.coarser_pieces = out_.answer->problem.num_intervals();
+      }
     }
     constexpr int kStraight = 1;
     out_.meshes.push_back({kStraight, n, answer.estimated_error,
@@ -206,7 +213,7 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
   const int coarsest = coarse_pieces(scene, curve.arc_length());
   if (wanted.fixed()) {
     const int n = wanted.elements ? *wanted.elements : *wanted.nodes - 1;
-    sequence.climb(halvings(n, coarsest));
+    sequence.climb(divisions(n, coarsest));
     return std::move(out);
   }
   const double tolerance = wanted.wanted_tolerance();
@@ -232,7 +239,7 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
       break;
     }
     const auto pieces = static_cast<int>(std::ceil(n));
-    if (!sequence.climb(halvings(pieces, coarse)) ||
+    if (!sequence.climb(divisions(pieces, coarse)) ||
         !out.answer->estimated_error) {
       break;
     }
@@ -253,7 +260,7 @@ Certificate certify_answer(ArcLengthAnswer& answer,
   const int n = answer.problem.num_intervals();
   certificate.add("agreement", estimated,
                   none_wanted ? kCoarsestAgreement : tolerance,
-                  fmt::format("{} pieces against {}", n, (n + 1) / 2));
+                  fmt::format("{} pieces against {}", n, answer.coarser_pieces));
   return certificate;
 }
 

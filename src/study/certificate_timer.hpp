@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/study/solve.hpp"
 #include "math/cpu_clock.hpp"
@@ -30,6 +31,7 @@ class CertificateTimer {
   Effort& effort_;
   StopCondition::Clock::time_point begin_ = StopCondition::Clock::now();
   double cpu_begin_ = process_cpu_seconds();
+  PhaseTimer phase_{Phase::Certificate};
 };
 
 }  // namespace brachisto

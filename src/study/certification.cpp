@@ -51,8 +51,12 @@ Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
   const Mesh& mesh = answer.problem.mesh();
   certificate.add(
       "agreement", estimated, none_wanted ? kCoarsestAgreement : tolerance,
-      fmt::format("degree {} against {} on {} elements", mesh.degree,
-                  mesh.degree + 1, mesh.num_elements()));
+      answer.coarser_elements > 0
+          ? fmt::format("{} elements against {}, degree {}",
+                        mesh.num_elements(), answer.coarser_elements,
+                        mesh.degree)
+          : fmt::format("degree {} against {} on {} elements", mesh.degree,
+                        mesh.degree + 1, mesh.num_elements()));
   return certificate;
 }
 

@@ -37,6 +37,45 @@ Mesh fixed_mesh(const Discretisation& wanted) {
                                               : (*wanted.nodes - 1) / degree);
 }
 
+MeshRecord record_of(const MeshAnswer& answer) {
+  const Mesh& mesh = answer.problem.mesh();
+  const MeshSolution& solution = answer.solution;
+  return {mesh.degree,
+          mesh.num_elements(),
+          answer.estimated_error,
+          solution.closure.passes,
+          solution.first_iterations,
+          solution.iterations,
+          solution.polish.newton_steps,
+          solution.linear_solver};
+}
+
+/// The answer of a much coarser mesh to start from and to judge the error by, if
+/// that is exact already but for rounding: then degree p + 1 on `mesh` would
+/// only cost time and memory.
+std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
+                                         const ExtremalCurve& curve, double phi,
+                                         MeshOptions& options,
+                                         Refinement& out) {
+  constexpr int kManyElements = 4000;
+  constexpr int kTimesCoarser = 8;
+  constexpr int kEnoughElements = 5000;
+  constexpr double kExact = 1e-11;
+  if (mesh.num_elements() < kManyElements) return std::nullopt;
+  const int elements =
+      std::min(mesh.num_elements() / kTimesCoarser, kEnoughElements);
+  MeshAnswer answer = answer_on_mesh(
+      scene, uniform_mesh(mesh.degree, elements), curve, phi, options);
+  out.meshes.push_back(record_of(answer));
+  out.log += answer.solution.log;
+  options.ipopt.max_iterations -= answer.solution.iterations;
+  if (!answer.solution.solved() || !answer.estimated_error ||
+      *answer.estimated_error > kExact) {
+    return std::nullopt;
+  }
+  return answer;
+}
+
 }  // namespace
 
 Refinement refine(const Scene& scene, const Discretisation& wanted,
@@ -48,14 +87,19 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
                              : first_mesh(wanted, tolerance, curve);
   ExtremalCurve from = curve;
   double from_phi = phi;
+  std::optional<MeshAnswer> coarser;
+  if (wanted.fixed()) {
+    coarser = coarser_answer(scene, mesh, curve, phi, options, out);
+    if (coarser) {
+      from = coarser->curve();
+      from_phi = coarser->solution.closure.phi;
+    }
+  }
   for (int i = 0; i < max_meshes; ++i) {
-    MeshAnswer answer = answer_on_mesh(scene, mesh, from, from_phi, options);
+    MeshAnswer answer = answer_on_mesh(scene, mesh, from, from_phi, options,
+                                       coarser ? &*coarser : nullptr);
     const MeshSolution& solution = answer.solution;
-    out.meshes.push_back({mesh.degree, mesh.num_elements(),
-                          answer.estimated_error, solution.closure.passes,
-                          solution.first_iterations, solution.iterations,
-                          solution.polish.newton_steps,
-                          solution.linear_solver});
+    out.meshes.push_back(record_of(answer));
     out.log += solution.log;
     out.status = solution.status;
     out.message = solution.message;

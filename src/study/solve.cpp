@@ -89,7 +89,8 @@ class Run {
         units_(natural_units(scene)),
         options_(options),
         start_time_(StopCondition::Clock::now()),
-        start_cpu_(process_cpu_seconds()) {
+        start_cpu_(process_cpu_seconds()),
+        start_phases_(phase_seconds()) {
     mesh_options_.ipopt.tolerance = options.tolerance;
     mesh_options_.ipopt.linear_solver = options.linear_solver;
     mesh_options_.ipopt.verbose = hooks.verbose;
@@ -120,6 +121,8 @@ class Run {
     out_.effort.seconds = seconds_since(start_time_);
     out_.effort.cpu_seconds = process_cpu_seconds() - start_cpu_ -
                               out_.effort.certificate_cpu_seconds;
+    out_.effort.phases = phase_seconds();
+    out_.effort.phases -= start_phases_;
     return std::move(out_);
   }
 
@@ -154,6 +157,7 @@ class Run {
   SolveOptions options_;
   StopCondition::Clock::time_point start_time_;
   double start_cpu_;
+  PhaseSeconds start_phases_;
   MeshOptions mesh_options_;
   Solution out_;
 };
@@ -198,8 +202,11 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
   out_.nodes = answer.problem.mesh().num_nodes();
   out_.variables = answer.problem.num_variables();
   out_.constraints = answer.problem.num_constraints();
-  out_.trajectory.emplace(answer.curve(), out_.scene, units_, transit_time);
-  out_.diagnostics = out_.trajectory->diagnose();
+  {
+    const PhaseTimer timer(Phase::Diagnosis);
+    out_.trajectory.emplace(answer.curve(), out_.scene, units_, transit_time);
+    out_.diagnostics = out_.trajectory->diagnose();
+  }
   // What lies beyond a fold is not what neighbours continue from the cycloid.
   if (out_.folds.empty() && follows_the_branch(options_)) {
     out_.as_neighbour = {scene_, answer.problem.mesh(), answer.solution.point,
@@ -248,6 +255,7 @@ void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
   timer.reset();
   // Without a motion there is nothing to diagnose, and the certificate says so.
   if (!motion->on_curve().stall()) {
+    const PhaseTimer diagnosis(Phase::Diagnosis);
     out_.diagnostics = motion->diagnose();
     out_.through_nodes = std::move(motion);
   }
@@ -368,8 +376,11 @@ void Run::find() {
     out_.message = no_cycloid(scene_);
     return;
   }
-  Continuation principal = continue_from_cycloid(
-      natural_, *arc, coarse_mesh(natural_, *arc), stop());
+  Continuation principal = [&] {
+    const PhaseTimer timer(Phase::Start);
+    return continue_from_cycloid(natural_, *arc, coarse_mesh(natural_, *arc),
+                                 stop());
+  }();
   out_.effort.newton_steps += principal.newton_steps;
   out_.effort.continuation = principal.steps;
   out_.status = principal.status;

@@ -42,23 +42,17 @@ struct Largest {
 /// 𝓗 on the pieces, at the current point of `problem`.
 void check_directions(const ArcLength& problem, std::span<const double> lambda,
                       double threshold, Certificate& certificate) {
-  // Minima of 𝓗 over β can hardly hide between so many directions.
-  constexpr int kDirections = 64;
-  constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
   const Scene& scene = problem.scene();
   Largest flattest, better;
   for (const ArcLength::PieceState& at : problem.piece_states(lambda)) {
     const RollingState state{at.theta, at.w};
-    const auto h = [&](double beta) {
-      return slope_hamiltonian(scene.body, scene.gravity, state, at.p, beta);
-    };
-    const SlopeHamiltonian own = h(at.beta);
-    const double root =
-        std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
-    flattest.see(-own.d2_beta, at.node);
-    for (int i = 0; i < kDirections; ++i) {
-      better.see((own.value - h(at.beta + i * kStep).value) / root, at.node);
-    }
+    flattest.see(
+        -slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta)
+             .d2_beta,
+        at.node);
+    better.see(gain_of_other_directions(scene.body, scene.gravity, state, at.p,
+                                        at.beta),
+               at.node);
   }
   certificate.add("legendre", flattest.value,
                   -std::numeric_limits<double>::min(), flattest.where(problem));

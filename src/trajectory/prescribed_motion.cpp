@@ -61,7 +61,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
   // s = ½ s'' q² and E = a s at the start, so that w = q √(g a s'').
   const double a = energy_slope(body, body.theta_m, start_.beta);
   constexpr double kSmall = 1e-8;
-  const double s_bend = curve_->at(kSmall).speed / kSmall;
+  const double s_bend = curve_->speed(kSmall) / kSmall;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
   } else if (!(a > 0.0)) {
@@ -103,7 +103,7 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const double at_q = from.q + width * rule().points[i];
     const CurvePlace place = curve_->at(at_q);
     const double s = from.s + integral(from.q, at_q, [&](double p) {
-                       return curve_->at(p).speed;
+                       return curve_->speed(p);
                      });
     const double E = energy(place, s);
     const bool fits = place.speed > 0.0;
@@ -165,10 +165,10 @@ double PrescribedMotion::place_at_length(double s) const {
   double q = std::sqrt(std::lerp(from.q * from.q, to.q * to.q, share));
   constexpr int kMostSteps = 20;
   for (int i = 0; i < kMostSteps; ++i) {
-    const double speed = curve_->at(q).speed;
+    const double speed = curve_->speed(q);
     if (!(speed > 0.0)) break;
     const double length = from.s + integral(from.q, q, [&](double p) {
-                            return curve_->at(p).speed;
+                            return curve_->speed(p);
                           });
     const double step = (s - length) / speed;
     q = std::clamp(q + step, from.q, to.q);

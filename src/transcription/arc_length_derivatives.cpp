@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
@@ -267,6 +268,7 @@ void ArcLength::visit_axisymmetric_hess_lag(double objective_factor,
 }
 
 void ArcLength::build_patterns() {
+  const PhaseTimer timer(Phase::SetUp);
   const auto record = [](nlp::SparsityPattern& pattern) {
     return [&pattern](int row, int col, double) {
       pattern.rows.push_back(row);

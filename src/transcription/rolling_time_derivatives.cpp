@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
 
 namespace brachisto {
@@ -187,6 +188,7 @@ void RollingTime::visit_hess_lag(double objective_factor,
 }
 
 void RollingTime::build_patterns() {
+  const PhaseTimer timer(Phase::SetUp);
   const auto record = [](nlp::SparsityPattern& pattern) {
     return [&pattern](int row, int col, double) {
       pattern.rows.push_back(row);

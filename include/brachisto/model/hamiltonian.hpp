@@ -59,6 +59,14 @@ struct SlopeHamiltonian {
   return h;
 }
 
+/// By how much 𝓗 falls at most if β is replaced by another direction, over the
+/// √A of the former, or 0: Weierstrass's condition wants it so. 64 directions
+/// are tried. Minima of h are as wide as the extremes of sine and cosine of
+/// single angles make them; two per turn can hardly hide between so many.
+[[nodiscard]] double gain_of_other_directions(const Body& body, double gravity,
+                                              const RollingState& state,
+                                              const Costates& p, double beta);
+
 /// dβ/du along an extremal [rad/s], from ∂𝓗/∂β = 0 differentiated along it:
 ///
 ///     h_ββ β' = −h_βθ θ' − h_βw w' − h_βp_w p_w',  h_βθ = −∂²√A/∂β²,

@@ -30,6 +30,8 @@ class PlaneCurve {
 
   [[nodiscard]] virtual Point start() const = 0;
   [[nodiscard]] virtual CurvePlace at(double q) const = 0;
+  /// ds/dq alone, which some curves have for less.
+  [[nodiscard]] virtual double speed(double q) const { return at(q).speed; }
   /// Where the curvature has kinks; ascending, without the ends.
   [[nodiscard]] virtual std::vector<double> joints() const { return {}; }
 };

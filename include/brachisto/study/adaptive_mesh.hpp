@@ -34,6 +34,8 @@ struct MeshAnswer {
   std::optional<double> estimated_error;  ///< relative, of T
   std::optional<ExtremalCurve> finer;     ///< the same with degree p + 1
   double finer_phi = 0.0;
+  /// Of the mesh that the error was estimated by; 0 if that was degree p + 1.
+  int coarser_elements = 0;
 
   [[nodiscard]] ExtremalCurve curve() const {
     return ExtremalCurve(problem, solution.point);
@@ -53,11 +55,16 @@ struct MeshAnswer {
 /// side, the split where the errors of the end point and between fixed ends
 /// cancel by accident. What an open contact and rounding add comes on top.
 ///
+/// If the answer of a coarser mesh is given, it takes the place of degree p + 1,
+/// and its own estimate that of the sum: the triangle inequality, for the price
+/// of the coarser mesh.
+///
 /// Where Ipopt leaves the extremal that `curve` shows, because between its ends
 /// it is no minimum, Newton's method finds it alone.
 [[nodiscard]] MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                                         const ExtremalCurve& curve, double phi,
-                                        const MeshOptions& options);
+                                        const MeshOptions& options,
+                                        const MeshAnswer* coarser = nullptr);
 
 /// Degree to start with for a wanted relative error.
 [[nodiscard]] int starting_degree(double tolerance);

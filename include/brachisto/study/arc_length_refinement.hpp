@@ -21,6 +21,7 @@ struct ArcLengthAnswer {
   MeshSolution solution;
   double transit_time = 0.0;              ///< T_h, in units of the scene
   std::optional<double> estimated_error;  ///< relative, of T
+  int coarser_pieces = 0;                 ///< of the mesh it was estimated by
 };
 
 /// Outcome of refine_arc_length().
@@ -30,7 +31,7 @@ struct ArcLengthRefinement : RefinementProtocol {
 
 /// Solves on the mesh that `wanted` fixes, or on one that follows from its
 /// tolerance. The first mesh, of some dozen pieces per turn, starts from
-/// `curve`; each further one has twice as many and starts from the one before,
+/// `curve`; each further one has up to four times as many and starts from the one before,
 /// multipliers included.
 ///
 /// The error of N pieces is estimated from those of M < N. With ΔT and Δφ the

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/study/branches.hpp"
@@ -42,6 +43,7 @@ struct Effort {
   /// Processor time of solve() without the certificate and second opinions.
   double cpu_seconds = 0.0;
   double certificate_cpu_seconds = 0.0;  ///< processor time of these two
+  PhaseSeconds phases;                   ///< processor time of solve()
   std::vector<ContinuationStep> continuation;
   std::vector<MeshRecord> meshes;  ///< in the order in which they were tried
 };

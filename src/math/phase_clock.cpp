@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/math/phase_clock.hpp"
+
+#include "math/cpu_clock.hpp"
+
+namespace brachisto {
+
+namespace {
+
+struct State {
+  PhaseSeconds sums;
+  Phase now = Phase::Other;
+  double since = process_cpu_seconds();
+
+  double& sum(Phase phase) {
+    return sums.seconds[static_cast<std::size_t>(phase)];
+  }
+  void change_to(Phase phase) {
+    const double time = process_cpu_seconds();
+    sum(now) += time - since;
+    since = time;
+    now = phase;
+  }
+};
+
+thread_local State state;
+
+bool takes_all(Phase phase) {
+  return phase == Phase::Start || phase == Phase::Certificate ||
+         phase == Phase::Diagnosis;
+}
+
+}  // namespace
+
+std::string_view name(Phase phase) {
+  switch (phase) {
+    case Phase::Start:
+      return "start";
+    case Phase::SetUp:
+      return "set_up";
+    case Phase::Evaluation:
+      return "evaluation";
+    case Phase::Factorisation:
+      return "factorisation";
+    case Phase::Solution:
+      return "solution";
+    case Phase::Ipopt:
+      return "ipopt";
+    case Phase::Certificate:
+      return "certificate";
+    case Phase::Diagnosis:
+      return "diagnosis";
+    case Phase::Other:
+      return "other";
+  }
+  return "";
+}
+
+PhaseSeconds& PhaseSeconds::operator-=(const PhaseSeconds& other) {
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    seconds[i] -= other.seconds[i];
+  }
+  return *this;
+}
+
+PhaseSeconds phase_seconds() {
+  state.change_to(state.now);
+  return state.sums;
+}
+
+void move_phase_seconds(Phase from, Phase to, double seconds) {
+  if (takes_all(state.now)) return;
+  state.sum(from) -= seconds;
+  state.sum(to) += seconds;
+}
+
+PhaseTimer::PhaseTimer(Phase phase) : before_(state.now) {
+  // Clocks cost time too.
+  if (!takes_all(before_) && phase != before_) state.change_to(phase);
+}
+
+PhaseTimer::~PhaseTimer() {
+  if (state.now != before_) state.change_to(before_);
+}
+
+}  // namespace brachisto

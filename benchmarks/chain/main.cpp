@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -64,6 +65,24 @@ Coarse solve_coarse(const Scene& scene) {
   return {ExtremalCurve(problem, result.point), result.phi};
 }
 
+/// Bytes that one core moves between memory and itself in a second: the best
+/// of a few copies of an array that no cache holds, read and written counted.
+double bytes_per_second() {
+  constexpr std::size_t kNumbers = 32'000'000;
+  constexpr int kCopies = 5;
+  const std::vector<double> from(kNumbers, 1.0);
+  std::vector<double> to(kNumbers);
+  double best = 0.0;
+  double last = cpu_seconds();
+  for (int i = 0; i < kCopies; ++i) {
+    std::copy(from.begin(), from.end(), to.begin());
+    const double now = cpu_seconds();
+    best = std::max(best, 2.0 * sizeof(double) * kNumbers / (now - last));
+    last = now;
+  }
+  return to.back() == 1.0 ? best : 0.0;
+}
+
 /// The KKT matrix at the prolonged solution: analysis, factorisation, solution.
 void factor(RollingTime& problem, const PrimalDual& point) {
   std::vector<double> hess(problem.hess_lag_pattern().num_entries());
@@ -77,6 +96,9 @@ void factor(RollingTime& problem, const PrimalDual& point) {
     const double now = cpu_seconds();
     return now - std::exchange(start, now);
   };
+  problem.eval_hess_lag(1.0, point.lambda, hess);
+  problem.eval_jac_g(jac);
+  const double evaluation = lap();
   const auto chain = make_chain_ldlt(problem);
   const double analysis = lap();
   bool factorised = chain->factorise(values);
@@ -95,6 +117,16 @@ void factor(RollingTime& problem, const PrimalDual& point) {
       factorised, analysis, first, again, solution, refined,
       1e-9 * static_cast<double>(chain->state_bytes()),
       chain->num_dense_links());
+  const double entries =
+      static_cast<double>(sizeof(double) * (hess.size() + jac.size()));
+  const auto state = static_cast<double>(chain->state_bytes());
+  const double speed = bytes_per_second();
+  fmt::print(
+      "derivatives {:.3f} s, entries {:.3f} GB; memory {:.1f} GB/s, so that no "
+      "less than {:.3f} s for the derivatives, {:.3f} s for a factorisation, "
+      "{:.3f} s for a solution can do\n",
+      evaluation, 1e-9 * entries, 1e-9 * speed, entries / speed,
+      (entries + state) / speed, 2.0 * state / speed);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/chart.hpp"
 #include "support/processes.hpp"
@@ -47,6 +48,11 @@ constexpr Way kWays[] = {
     {"arc_length, Ipopt, MUMPS", Formulation::ArcLength, Method::Ipopt,
      LinearSolver::Mumps}};
 
+/// The phases that the table shows; the CSV has all.
+constexpr Phase kShown[] = {Phase::SetUp,    Phase::Evaluation,
+                            Phase::Factorisation, Phase::Solution,
+                            Phase::Ipopt,    Phase::Certificate};
+
 /// One solve to be measured.
 struct Task {
   int way;
@@ -58,9 +64,9 @@ struct Record {
   bool verified;
   int nodes, iterations, newton_steps;
   double tau, estimated_error;
-  double cpu_seconds;          ///< user and system, the whole process
-  double certificate_seconds;  ///< of these, wall clock
-  double gigabytes;            ///< peak
+  double user_seconds, system_seconds;  ///< the whole process
+  PhaseSeconds phases;                  ///< user and system, of solve()
+  double gigabytes;                     ///< peak
 };
 
 Scene reference_case() {
@@ -99,10 +105,11 @@ Record run(const Task& task) {
   record.newton_steps = solution.effort.newton_steps;
   if (solution.motion() != nullptr) record.tau = solution.motion()->tau();
   record.estimated_error = solution.estimated_error.value_or(NAN);
-  record.certificate_seconds = solution.effort.certificate_seconds;
+  record.phases = solution.effort.phases;
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
-  record.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  record.user_seconds = seconds(usage.ru_utime);
+  record.system_seconds = seconds(usage.ru_stime);
   record.gigabytes = 1024e-9 * static_cast<double>(usage.ru_maxrss);
   return record;
 }
@@ -165,11 +172,17 @@ int main(int argc, char** argv) {
   }
   const double exact = exact_tau();
   std::string csv =
-      "way,nodes,verified,cpu_seconds,certificate_seconds,gigabytes,"
-      "ipopt_iterations,newton_steps,tau,error,estimated_error,fate\n";
+      "way,nodes,verified,user_seconds,system_seconds,gigabytes,"
+      "ipopt_iterations,newton_steps,tau,error,estimated_error,";
+  for (std::size_t i = 0; i < kNumPhases; ++i) {
+    csv += fmt::format("{},", name(static_cast<Phase>(i)));
+  }
+  csv += "fate\n";
   std::vector<std::vector<report::Datum>> curves(std::size(kWays));
-  fmt::print("{:<28} {:>8} {:>9} {:>9} {:>8} {:>6} {:>7} {:>9}\n", "way",
-             "nodes", "CPU s", "cert. s", "GB", "Ipopt", "Newton", "error");
+  fmt::print("{:<28} {:>8} {:>8} {:>7} {:>6} {:>5} {:>6} {:>8}", "way", "nodes",
+             "user s", "sys. s", "GB", "Ipopt", "Newton", "error");
+  for (const Phase phase : kShown) fmt::print(" {:>13}", name(phase));
+  fmt::print("\n");
   benchmarks::run_isolated<Record>(
       static_cast<int>(tasks.size()), {.jobs = 1, .seconds = limit},
       [&](int i) { return run(tasks[static_cast<std::size_t>(i)]); },
@@ -178,27 +191,34 @@ int main(int argc, char** argv) {
         const Way& way = kWays[task.way];
         if (!record) {
           fmt::print("{:<28} {:>8} {}\n", way.name, task.nodes, fate);
-          csv += fmt::format("\"{}\",{},,,,,,,,,,{}\n", way.name, task.nodes,
-                             fate);
+          csv += fmt::format("\"{}\",{}{}{}\n", way.name, task.nodes,
+                             std::string(10 + kNumPhases, ','), fate);
           return;
         }
         const double error = record->tau / exact - 1.0;
         fmt::print(
-            "{:<28} {:>8} {:>9.3f} {:>9.3f} {:>8.3f} {:>6} {:>7} {:>9.1e}{}\n",
-            way.name, record->nodes, record->cpu_seconds,
-            record->certificate_seconds, record->gigabytes, record->iterations,
-            record->newton_steps, error,
-            record->verified ? "" : " NOT VERIFIED");
+            "{:<28} {:>8} {:>8.3f} {:>7.3f} {:>6.3f} {:>5} {:>6} {:>8.1e}",
+            way.name, record->nodes, record->user_seconds,
+            record->system_seconds, record->gigabytes, record->iterations,
+            record->newton_steps, error);
+        for (const Phase phase : kShown) {
+          fmt::print(" {:>13.3f}", record->phases.of(phase));
+        }
+        fmt::print("{}\n", record->verified ? "" : " NOT VERIFIED");
         std::fflush(stdout);
         csv += fmt::format(
             "\"{}\",{},{},{:.4g},{:.4g},{:.4g},{},{},{:.15g},"
-            "{:.2e},{:.2e},\n",
-            way.name, record->nodes, record->verified, record->cpu_seconds,
-            record->certificate_seconds, record->gigabytes, record->iterations,
+            "{:.2e},{:.2e},",
+            way.name, record->nodes, record->verified, record->user_seconds,
+            record->system_seconds, record->gigabytes, record->iterations,
             record->newton_steps, record->tau, error, record->estimated_error);
+        for (const double phase : record->phases.seconds) {
+          csv += fmt::format("{:.3g},", phase);
+        }
+        csv += "\n";
         if (record->verified) {
           curves[static_cast<std::size_t>(task.way)].push_back(
-              {static_cast<double>(record->nodes), record->cpu_seconds});
+              {static_cast<double>(record->nodes), record->user_seconds});
         }
       });
 
@@ -207,7 +227,7 @@ int main(int argc, char** argv) {
   chart.title = "Cost of a solve against the size of its mesh";
   chart.x.label = "nodes";
   chart.x.scale = report::Scale::Logarithmic;
-  chart.y.label = "CPU time of the process [s]";
+  chart.y.label = "user CPU time of the process [s]";
   chart.y.scale = report::Scale::Logarithmic;
   constexpr report::Mark kMarks[] = {
       report::Mark::Disc,   report::Mark::Square,  report::Mark::Triangle,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -42,6 +43,7 @@ EliminationOrder Problem::elimination_order() const {
 bool Problem::set_point(std::span<const double> x) {
   check_size("x", x.size(), size(num_variables()));
   const PhaseTimer timer(Phase::Evaluation);
+  if (evaluable_ && std::ranges::equal(x, current_point())) return true;
   evaluable_ = do_set_point(x);
   return evaluable_;
 }

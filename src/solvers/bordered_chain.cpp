@@ -118,12 +118,12 @@ int BorderedChain::determinant_sign() const {
 }
 
 void BorderedChain::solve_once(std::span<const double> b,
-                               std::span<double> x) const {
+                               std::span<double> x) {
   const int n = system_.problem().num_variables();
-  std::vector<long double> wide(b.begin(), b.end());
-  couple(b, wide);
+  std::copy(b.begin(), b.end(), wide_.begin());
+  couple(b, wide_);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = static_cast<double>(wide[i]);
+    x[i] = static_cast<double>(wide_[i]);
   }
   for (int i = 0; i < n; ++i) {
     if (system_.fixed(i)) x[at(i)] = b[at(i)];

@@ -49,7 +49,7 @@ class BorderedChain {
   };
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
   void couple(std::span<const double> x, std::span<long double> rhs) const;
-  void solve_once(std::span<const double> b, std::span<double> x) const;
+  void solve_once(std::span<const double> b, std::span<double> x);
   void residual(std::span<const double> b, std::span<const double> x,
                 std::span<long double> out) const;
   [[nodiscard]] long double closing_product(std::span<const double> x) const;
@@ -59,7 +59,7 @@ class BorderedChain {
   std::vector<Coupling> couplings_;
   std::vector<double> column_;  ///< K⁻¹Cρ, and −ρ for fixed variables
   double pivot_ = 1.0;          ///< σ
-  std::vector<long double> wide_;
+  std::vector<long double> wide_;  ///< scratch
   std::vector<double> correction_, reduced_;
 };
 

@@ -57,15 +57,15 @@ bool KktSystem::evaluate(std::span<const double> x,
 
   // The sums of the stationarity conditions cancel at a solution; in long
   // double that leaves only the rounding of their terms.
-  std::vector<long double> grad(grad_f_.begin(), grad_f_.end());
+  wide_.assign(grad_f_.begin(), grad_f_.end());
   const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
   for (std::size_t e = 0; e < jac_g_.size(); ++e) {
-    grad[at(jac.cols[e])] +=
+    wide_[at(jac.cols[e])] +=
         static_cast<long double>(jac_g_[e]) * lambda_[at(jac.rows[e])];
   }
   for (int i = 0; i < n_; ++i) {
     residual_[at(i)] = fixed(i) ? x_[at(i)] - problem_.lower()[at(i)]
-                                : static_cast<double>(grad[at(i)]);
+                                : static_cast<double>(wide_[at(i)]);
   }
   std::copy(g_.begin(), g_.end(), residual_.begin() + n_);
   if (closing_ != nullptr) {

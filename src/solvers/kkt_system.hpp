@@ -62,6 +62,7 @@ class KktSystem {
   std::vector<char> fixed_;
   std::vector<double> x_, lambda_;
   std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_;
+  std::vector<long double> wide_;  ///< scratch
   nlp::ClosingEquation::Linearisation closing_at_;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
 #include "solvers/sparse_lu.hpp"
@@ -53,13 +54,20 @@ class StepSolver {
     // What the chain cannot do may still be regular: the block of the problem
     // may be singular where the system with its closing equation is not.
     if (!lu_) {
+      const PhaseTimer timer(Phase::SetUp);
       lu_ = std::make_unique<SparseLu>(system_.pattern(),
                                        system_.elimination_order());
     }
     system_.jacobian(jacobian_);
-    const bool regular = lu_->factorise(jacobian_);
+    const bool regular = [&] {
+      const PhaseTimer timer(Phase::Factorisation);
+      return lu_->factorise(jacobian_);
+    }();
     determinant_sign_ = lu_->determinant_sign();
-    if (regular) step_ = lu_->solve(rhs);
+    if (regular) {
+      const PhaseTimer timer(Phase::Solution);
+      step_ = lu_->solve(rhs);
+    }
     by_chain_ = false;
     return regular;
   }
@@ -99,8 +107,11 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
   StepSolver solver(system, options.linear_solver);
 
   while (result.iterations < options.max_iterations) {
-    if (residual <= options.tolerance && !options.to_rounding) break;
-    if (residual == 0.0 || !std::isfinite(residual)) break;
+    if (residual <= options.tolerance &&
+        (!options.to_rounding || residual <= options.rounding)) {
+      break;
+    }
+    if (!std::isfinite(residual)) break;
     if (options.stop.met()) {
       result.status =
           options.stop.interrupted() ? Status::Interrupted : Status::TimeLimit;

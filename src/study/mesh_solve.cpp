@@ -35,6 +35,7 @@ void polish(const FixedEnds& ends, const MeshOptions& options,
   NewtonOptions newton;
   newton.tolerance = options.ipopt.tolerance;
   newton.to_rounding = true;
+  newton.rounding = ends.reachable(0.0, solution.point);
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   NewtonResult result = solve_with_newton(
@@ -95,6 +96,7 @@ MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
   NewtonOptions newton;
   newton.tolerance = ends.reachable(options.ipopt.tolerance, start.point);
   newton.to_rounding = true;
+  newton.rounding = ends.reachable(0.0, start.point);
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   if (ends.contact != nullptr) ends.contact->set_parameter(start.phi);

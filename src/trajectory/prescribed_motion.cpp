@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 
@@ -26,6 +28,27 @@ constexpr int kFineSamplesPerCell = 8;
 const math::QuadratureRule& rule() {
   static const math::QuadratureRule gauss = math::gauss_legendre(kGaussPoints);
   return gauss;
+}
+
+/// Row i integrates a polynomial given at the points, from 0 to point i.
+const math::SmallMatrix& integration_to_points() {
+  static const math::SmallMatrix matrix = [] {
+    const math::LagrangeBasis basis(rule().points);
+    math::SmallMatrix sums(kGaussPoints, kGaussPoints);
+    std::vector<double> values(kGaussPoints);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const double end = rule().points[static_cast<std::size_t>(i)];
+      for (std::size_t k = 0; k < kGaussPoints; ++k) {
+        basis.evaluate(end * rule().points[k], values);
+        for (int j = 0; j < kGaussPoints; ++j) {
+          sums(i, j) += end * rule().weights[k] *
+                        values[static_cast<std::size_t>(j)];
+        }
+      }
+    }
+    return sums;
+  }();
+  return matrix;
 }
 
 /// ∫ f dq from `from` to `to`.
@@ -96,20 +119,28 @@ double PrescribedMotion::energy(const CurvePlace& place, double s) const {
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const Sums& from, double q) const {
   const Body& body = scene_.body;
+  const math::SmallMatrix& to_point = integration_to_points();
+  const double width = q - from.q;
+  std::array<CurvePlace, kGaussPoints> places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = curve_->at(from.q + width * rule().points[i]);
+  }
   Sums to = from;
   to.q = q;
-  for (std::size_t i = 0; i < rule().points.size(); ++i) {
-    const double width = q - from.q;
-    const double at_q = from.q + width * rule().points[i];
-    const CurvePlace place = curve_->at(at_q);
-    const double s = from.s + integral(from.q, at_q, [&](double p) {
-                       return curve_->speed(p);
-                     });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const CurvePlace& place = places[i];
+    double length = 0.0;
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      length += to_point(static_cast<int>(i), static_cast<int>(j)) *
+                places[j].speed;
+    }
+    const double s = from.s + width * length;
     const double E = energy(place, s);
     const bool fits = place.speed > 0.0;
     if (!fits || !(E > 0.0)) {
       return Stall{fits ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
-                   at_q, point_of(*curve_, place)};
+                   from.q + width * rule().points[i],
+                   point_of(*curve_, place)};
     }
     const double theta =
         body.rolls() ? body.theta_m + s / body.radius : body.theta_m;

@@ -92,6 +92,11 @@ class Problem {
 
  private:
   virtual bool do_set_point(std::span<const double> x) = 0;
+  /// The x of the last do_set_point(), if what that computes follows from x
+  /// alone: then it is not called for the same x again. Else empty.
+  [[nodiscard]] virtual std::span<const double> current_point() const {
+    return {};
+  }
   [[nodiscard]] virtual double do_eval_f() const = 0;
   virtual void do_eval_grad_f(std::span<double> grad_f) const = 0;
   virtual void do_eval_g(std::span<double> g) const = 0;

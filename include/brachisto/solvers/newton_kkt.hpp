@@ -20,6 +20,8 @@ struct NewtonOptions {
   double tolerance = 1e-12;  ///< on the largest residual
   /// Go on below the tolerance as long as a step at least halves the residual.
   bool to_rounding = false;
+  /// A residual that is all rounding; no step is made from there.
+  double rounding = 0.0;
   int max_iterations = 20;
   /// A step may be halved this often to make the residual fall.
   int max_halvings = 4;

@@ -169,6 +169,9 @@ class ArcLength final : public nlp::Problem {
   };
 
   bool do_set_point(std::span<const double> x) override;
+  [[nodiscard]] std::span<const double> current_point() const override {
+    return x_;
+  }
   [[nodiscard]] double do_eval_f() const override;
   void do_eval_grad_f(std::span<double> grad_f) const override;
   void do_eval_g(std::span<double> g) const override;

@@ -108,10 +108,11 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
 
   while (result.iterations < options.max_iterations) {
     if (residual <= options.tolerance &&
-        (!options.to_rounding || residual <= options.rounding)) {
+        (!options.to_rounding ||
+         (result.iterations > 0 && residual <= options.rounding))) {
       break;
     }
-    if (!std::isfinite(residual)) break;
+    if (residual == 0.0 || !std::isfinite(residual)) break;
     if (options.stop.met()) {
       result.status =
           options.stop.interrupted() ? Status::Interrupted : Status::TimeLimit;

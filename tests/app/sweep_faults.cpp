@@ -38,10 +38,8 @@ std::string bad_worker(const ScratchDirectory& scratch,
                        const std::string& mischief, int times) {
   const std::string counter = (scratch.path() / "runs").string();
   std::string path = scratch.file(
-      "worker.sh", "#!/bin/sh\nn=$(cat " + counter +
-                       " 2>/dev/null || echo 0)\n"
-                       "echo $((n + 1)) > " +
-                       counter + "\nif [ $n -lt " + std::to_string(times) +
+      "worker.sh", "#!/bin/sh\necho >> " + counter + "\nn=$(wc -l < " +
+                       counter + ")\nif [ $n -le " + std::to_string(times) +
                        " ]; then\n" + mischief +
                        "\nfi\nexec " BRACHISTO_APP " worker\n");
   fs::permissions(path, fs::perms::owner_all);

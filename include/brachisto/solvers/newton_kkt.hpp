@@ -20,7 +20,7 @@ struct NewtonOptions {
   double tolerance = 1e-12;  ///< on the largest residual
   /// Go on below the tolerance as long as a step at least halves the residual.
   bool to_rounding = false;
-  /// A residual that is all rounding; no step is made from there.
+  /// A residual that is all rounding: one step is made, but no second one.
   double rounding = 0.0;
   int max_iterations = 20;
   /// A step may be halved this often to make the residual fall.

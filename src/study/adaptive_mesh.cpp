@@ -62,7 +62,7 @@ void estimate(MeshAnswer& answer, const MeshOptions& options) {
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
   answer.solution.polish.newton_steps += result.iterations;
-  if (result.residual > kRoundingResidual) return;
+  if (result.residual > reachable(kRoundingResidual, result.point)) return;
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
   const double T = coarse.transit_time();
@@ -137,7 +137,13 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
       }
     }
   }
-  if (solution.solved()) estimate(answer, options);
+  if (solution.solved()) {
+    if (options.progress) {
+      options.progress("check", fmt::format("degree {} on the same elements",
+                                            mesh.degree + 1));
+    }
+    estimate(answer, options);
+  }
   return answer;
 }
 

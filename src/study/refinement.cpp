@@ -3,6 +3,8 @@
 
 #include "brachisto/study/refinement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -37,6 +39,16 @@ Mesh fixed_mesh(const Discretisation& wanted) {
                                               : (*wanted.nodes - 1) / degree);
 }
 
+std::string progress_text(const MeshSolution& solution,
+                          const std::optional<double>& error) {
+  if (!solution.solved()) return solution.message;
+  return fmt::format(
+      "{} iterations in {} passes, {} Newton steps, error of T {}",
+      solution.iterations, solution.closure.passes,
+      solution.polish.newton_steps,
+      error ? fmt::format("{:.1e}", *error) : "unknown");
+}
+
 }  // namespace
 
 Refinement refine(const Scene& scene, const Discretisation& wanted,
@@ -49,6 +61,9 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
   ExtremalCurve from = curve;
   double from_phi = phi;
   for (int i = 0; i < max_meshes; ++i) {
+    const std::string name =
+        fmt::format("mesh {} × {}", mesh.degree, mesh.num_elements());
+    if (options.progress) options.progress(name, "solving");
     MeshAnswer answer = answer_on_mesh(scene, mesh, from, from_phi, options);
     const MeshSolution& solution = answer.solution;
     out.meshes.push_back({mesh.degree, mesh.num_elements(),
@@ -59,6 +74,9 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     out.log += solution.log;
     out.status = solution.status;
     out.message = solution.message;
+    if (options.progress) {
+      options.progress(name, progress_text(solution, answer.estimated_error));
+    }
     options.ipopt.max_iterations -= solution.iterations;
     if (options.ipopt.stop.met()) break;
     if (!solution.solved()) {

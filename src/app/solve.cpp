@@ -7,9 +7,11 @@
 
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/solve_progress.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -75,9 +77,19 @@ int run(const SolveFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  const Solution solution =
-      solve(problem.scene, problem.options,
-            {.interrupt = &signal, .verbose = flags.verbose});
+  SolveProgress progress(
+      [](const std::string& line) { fmt::print(stderr, "{}", line); },
+      SolveProgress::Clock::now());
+  ProgressHook hook;
+  if (!flags.quiet) {
+    hook = [&progress](std::string_view phase, const std::string& text) {
+      progress.note(SolveProgress::Clock::now(), phase, text);
+    };
+  }
+  const Solution solution = solve(problem.scene, problem.options,
+                                  {.interrupt = &signal,
+                                   .verbose = flags.verbose,
+                                   .progress = std::move(hook)});
 
   const std::string json = report::result_json(solution);
   if (flags.verbose) fmt::print(stderr, "{}", solution.log);

@@ -83,7 +83,7 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
   answer.solution.polish.newton_steps += result.iterations;
-  if (result.residual > kRoundingResidual) return;
+  if (result.residual > reachable(kRoundingResidual, result.point)) return;
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
   constexpr double kSameSide = 2.0;
@@ -151,6 +151,10 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   }
   if (!solution.solved()) return answer;
   if (coarser == nullptr) {
+    if (options.progress) {
+      options.progress("check", fmt::format("degree {} on the same elements",
+                                            mesh.degree + 1));
+    }
     estimate_by_degree(answer, options);
   } else {
     answer.coarser_elements = coarser->problem.mesh().num_elements();

@@ -186,6 +186,9 @@ bool Sequence::climb(const std::vector<int>& pieces) {
                            solution.closure.passes, solution.first_iterations,
                            solution.iterations, solution.polish.newton_steps,
                            solution.linear_solver});
+    if (options_.progress) {
+      options_.progress(fmt::format("{} pieces", n), solution.message);
+    }
     if (!solved) {
       // A mesh that is too coarse tells nothing; the next one starts from the
       // curve again.

@@ -27,7 +27,7 @@ bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
     return false;
   }
   return nlp::kkt_residual(ends.problem, result.point.x, result.point.lambda)
-             .max() <= ends.rounding_residual;
+             .max() <= ends.reachable(ends.rounding_residual, result.point);
 }
 
 void polish(const FixedEnds& ends, const MeshOptions& options,
@@ -111,10 +111,11 @@ MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
   }
   solution.closure.closed =
       std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
-  solution.status =
-      result.residual <= ends.rounding_residual && solution.closure.closed
-          ? Status::Solved
-          : Status::NotConverged;
+  solution.status = result.residual <= ends.reachable(ends.rounding_residual,
+                                                      solution.point) &&
+                            solution.closure.closed
+                        ? Status::Solved
+                        : Status::NotConverged;
   solution.message =
       solution.solved()
           ? "Newton's method: extremal found"

@@ -3,6 +3,8 @@
 
 #include "brachisto/study/refinement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -50,6 +52,37 @@ MeshRecord record_of(const MeshAnswer& answer) {
           solution.linear_solver};
 }
 
+std::string progress_text(const MeshSolution& solution,
+                          const std::optional<double>& error) {
+  if (!solution.solved()) return solution.message;
+  return fmt::format(
+      "{} iterations in {} passes, {} Newton steps, error of T {}",
+      solution.iterations, solution.closure.passes,
+      solution.polish.newton_steps,
+      error ? fmt::format("{:.1e}", *error) : "unknown");
+}
+
+/// answer_on_mesh(), booked in `out` and in the budget.
+MeshAnswer booked_answer(const Scene& scene, const Mesh& mesh,
+                         const ExtremalCurve& curve, double phi,
+                         MeshOptions& options, const MeshAnswer* coarser,
+                         Refinement& out) {
+  const std::string name =
+      fmt::format("mesh {} × {}", mesh.degree, mesh.num_elements());
+  if (options.progress) options.progress(name, "solving");
+  MeshAnswer answer = answer_on_mesh(scene, mesh, curve, phi, options, coarser);
+  const MeshSolution& solution = answer.solution;
+  out.meshes.push_back(record_of(answer));
+  out.log += solution.log;
+  out.status = solution.status;
+  out.message = solution.message;
+  if (options.progress) {
+    options.progress(name, progress_text(solution, answer.estimated_error));
+  }
+  options.ipopt.max_iterations -= solution.iterations;
+  return answer;
+}
+
 /// The answer of a much coarser mesh to start from and to judge the error by, if
 /// that is exact already but for rounding: then degree p + 1 on `mesh` would
 /// only cost time and memory.
@@ -64,11 +97,9 @@ std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
   if (mesh.num_elements() < kManyElements) return std::nullopt;
   const int elements =
       std::min(mesh.num_elements() / kTimesCoarser, kEnoughElements);
-  MeshAnswer answer = answer_on_mesh(
-      scene, uniform_mesh(mesh.degree, elements), curve, phi, options);
-  out.meshes.push_back(record_of(answer));
-  out.log += answer.solution.log;
-  options.ipopt.max_iterations -= answer.solution.iterations;
+  MeshAnswer answer =
+      booked_answer(scene, uniform_mesh(mesh.degree, elements), curve, phi,
+                    options, nullptr, out);
   if (!answer.solution.solved() || !answer.estimated_error ||
       *answer.estimated_error > kExact) {
     return std::nullopt;
@@ -96,14 +127,10 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     }
   }
   for (int i = 0; i < max_meshes; ++i) {
-    MeshAnswer answer = answer_on_mesh(scene, mesh, from, from_phi, options,
-                                       coarser ? &*coarser : nullptr);
+    MeshAnswer answer =
+        booked_answer(scene, mesh, from, from_phi, options,
+                      coarser ? &*coarser : nullptr, out);
     const MeshSolution& solution = answer.solution;
-    out.meshes.push_back(record_of(answer));
-    out.log += solution.log;
-    out.status = solution.status;
-    out.message = solution.message;
-    options.ipopt.max_iterations -= solution.iterations;
     if (options.ipopt.stop.met()) break;
     if (!solution.solved()) {
       const bool too_coarse = solution.status == Status::NotConverged ||

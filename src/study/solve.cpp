@@ -97,6 +97,7 @@ class Run {
     mesh_options_.ipopt.stop =
         StopCondition(options.limits.seconds, hooks.interrupt);
     mesh_options_.polish = options.polish;
+    mesh_options_.progress = hooks.progress;
     mesh_options_.newton_alone = options.method == Method::NewtonKkt;
     out_.scene = scene;
     out_.options = options;
@@ -139,6 +140,7 @@ class Run {
               std::optional<double> transit_time = std::nullopt);
   void answer_on_pieces(const Continuation& start);
   void report(ArcLengthAnswer& answer, const Continuation& start);
+  void tell_of_certificate(int nodes) const;
   void set_verdict(const std::string& message);
   /// Adds up the work on meshes, whether or not the answer comes from there.
   void count(const std::vector<MeshRecord>& meshes);
@@ -212,6 +214,7 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
     out_.as_neighbour = {scene_, answer.problem.mesh(), answer.solution.point,
                          answer.solution.closure.phi};
   }
+  tell_of_certificate(answer.problem.mesh().num_nodes());
   {
     const CertificateTimer timer(out_.effort);
     out_.certificate = certify_answer(answer, options_.discretisation);
@@ -220,6 +223,11 @@ void Run::report(MeshAnswer& answer, std::optional<double> transit_time) {
     }
   }
   set_verdict(answer.solution.message);
+}
+
+void Run::tell_of_certificate(int nodes) const {
+  if (!mesh_options_.progress) return;
+  mesh_options_.progress("certificate", fmt::format("of {} nodes", nodes));
 }
 
 void Run::set_verdict(const std::string& message) {
@@ -240,6 +248,7 @@ void Run::report(ArcLengthAnswer& answer, const Continuation& start) {
   out_.nodes = answer.problem.layout().num_nodes();
   out_.variables = answer.problem.num_variables();
   out_.constraints = answer.problem.num_constraints();
+  tell_of_certificate(answer.problem.layout().num_nodes());
   std::optional<CertificateTimer> timer(std::in_place, out_.effort);
   const double end_angle =
       end_slope(answer.problem, solution.point.x, solution.point.lambda);
@@ -379,7 +388,7 @@ void Run::find() {
   Continuation principal = [&] {
     const PhaseTimer timer(Phase::Start);
     return continue_from_cycloid(natural_, *arc, coarse_mesh(natural_, *arc),
-                                 stop());
+                                 stop(), mesh_options_.progress);
   }();
   out_.effort.newton_steps += principal.newton_steps;
   out_.effort.continuation = principal.steps;

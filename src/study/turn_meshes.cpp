@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "brachisto/math/roots.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
@@ -18,16 +20,14 @@ namespace {
 constexpr int kCoarseDegree = 5;
 constexpr double kCoarseElementsPerTurn = 7.0;
 constexpr int kFewestCoarseElements = 8;
+// On equal parts of turns fewer do: equal parts of the rolling time are longest
+// where the body is fastest.
+constexpr double kMany = 20.0;
+constexpr double kEqualElementsPerTurn = 5.0;
 // Where an extremal is sampled instead of solved for, there have to be enough
 // elements to represent it.
 constexpr double kSampledElementsPerTurn = 12.0;
 constexpr double kFineElementsPerTurn = 16.0;
-
-/// Turns of the body along a path of its centre of length s. None matter to a
-/// body that is not off-centred.
-double turns(const Body& body, double s) {
-  return body.off_centred() ? s / (2.0 * std::numbers::pi * body.radius) : 0.0;
-}
 
 /// Elements for so many turns, the half turn for the stretch at the start.
 int elements_for(double turns, double per_turn) {
@@ -37,11 +37,50 @@ int elements_for(double turns, double per_turn) {
 
 }  // namespace
 
+double turns(const Body& body, double s) {
+  return body.off_centred() ? s / (2.0 * std::numbers::pi * body.radius) : 0.0;
+}
+
+bool are_many(double turns) {
+  return turns > kMany;
+}
+
 Mesh coarse_mesh(const Scene& scene, const CycloidArc& arc) {
+  const double number = turns(scene.body, arc.arc_length(arc.psi_end));
   return uniform_mesh(
       kCoarseDegree,
-      elements_for(turns(scene.body, arc.arc_length(arc.psi_end)),
-                   kCoarseElementsPerTurn));
+      elements_for(number, are_many(number) ? kEqualElementsPerTurn
+                                            : kCoarseElementsPerTurn));
+}
+
+Mesh mesh_of_equal_turns(const RollingTime& problem,
+                         std::span<const double> x) {
+  const Mesh& mesh = problem.mesh();
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const auto theta = [&](int node) {
+    return x[at(problem.layout().state(node, StateComponent::Theta))];
+  };
+  const int p = mesh.degree;
+  const int count = mesh.num_elements();
+  const double first = theta(0);
+  const double whole = theta(count * p) - first;
+  Mesh out{p, {0.0}};
+  std::vector<double> basis(at(p + 1));
+  int e = 0;
+  for (int i = 1; i < count; ++i) {
+    const double goal = first + whole * i / count;
+    while (e + 1 < count && theta((e + 1) * p) < goal) ++e;
+    const auto short_of_goal = [&](double t) {
+      problem.scheme().nodes.evaluate(t, basis);
+      double value = -goal;
+      for (int n = 0; n <= p; ++n) value += basis[at(n)] * theta(e * p + n);
+      return value;
+    };
+    const double t = math::find_root(short_of_goal, 0.0, 1.0);
+    out.boundaries.push_back(mesh.boundaries[at(e)] + t * mesh.length(e));
+  }
+  out.boundaries.push_back(1.0);
+  return out;
 }
 
 Mesh sampled_mesh(const Body& body, double length) {

@@ -2,15 +2,32 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Uniform meshes for the number of turns that a body makes: each turn makes
-/// the track go up and down once.
+/// Meshes for the number of turns that a body makes: each turn makes the track
+/// go up and down once.
 
 #pragma once
 
+#include <span>
+
 #include "brachisto/model/cycloid.hpp"
 #include "brachisto/transcription/mesh.hpp"
+#include "brachisto/transcription/rolling_time.hpp"
 
 namespace brachisto {
+
+/// Turns of the body along a path of its centre of length s. None matter to a
+/// body that is not off-centred.
+[[nodiscard]] double turns(const Body& body, double s);
+
+/// True of so many turns that a branch is better followed turn by turn than at
+/// fixed shares of the rolling time.
+[[nodiscard]] bool are_many(double turns);
+
+/// The mesh of as many elements on which the body turns by the same angle in
+/// each, along the path given by the unknowns of `problem`, whose body turns.
+/// \param x  with θ growing from node to node
+[[nodiscard]] Mesh mesh_of_equal_turns(const RollingTime& problem,
+                                       std::span<const double> x);
 
 /// Good enough to tell branches apart: τ is right to six digits or so.
 /// \param arc  the path of the uniform cylinder

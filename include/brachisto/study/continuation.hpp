@@ -16,6 +16,7 @@
 #include "brachisto/model/cycloid.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/solvers/status.hpp"
+#include "brachisto/study/progress.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/mesh.hpp"
 
@@ -48,20 +49,27 @@ struct Neighbour {
 };
 
 /// Follows the extremal of `scene` from η_m = 0, where it is the given cycloid,
-/// to the scene's η_m on a fixed mesh.
+/// to the scene's η_m.
 ///
-/// Every step predicts states, multipliers and φ along the secant of the last
-/// two solutions and corrects them by Newton's method on all of them together.
-/// A step is accepted if few iterations suffice, no slope angle ends far from
-/// its prediction, and the determinant of the Jacobian keeps its sign, which
-/// neighbouring branches have opposite; otherwise it is halved. That keeps the
-/// path on one branch, or ends it with the η_m that could not be passed.
+/// Every step predicts states, multipliers and φ from the last solutions and
+/// corrects them by Newton's method on all of them together. A step is accepted
+/// if few iterations suffice, no slope angle ends far from its prediction, and
+/// the determinant of the Jacobian keeps its sign, which neighbouring branches
+/// have opposite; otherwise it is halved. That keeps the path on one branch, or
+/// ends it with the η_m that could not be passed.
+///
+/// A body that makes a few turns is followed on the given mesh, along the
+/// secant of the last two solutions. One that makes many is followed on meshes
+/// of equal turns, of as many elements, by a polynomial through the last five
+/// solutions as functions of the rotation; then θ may not end far from its
+/// prediction either.
 ///
 /// \param scene  in natural units
 [[nodiscard]] Continuation continue_from_cycloid(const Scene& scene,
                                                  const CycloidArc& arc,
                                                  const Mesh& mesh,
-                                                 const StopCondition& stop);
+                                                 const StopCondition& stop,
+                                                 const ProgressHook& = {});
 
 /// True if the extremals of both scenes have the same unknowns.
 [[nodiscard]] bool comparable(const Scene& a, const Scene& b);

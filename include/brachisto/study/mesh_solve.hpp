@@ -12,6 +12,7 @@
 
 #include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/study/progress.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/smooth_contact.hpp"
 
@@ -53,11 +54,13 @@ struct MeshOptions {
   IpoptOptions ipopt;
   ClosureOptions closure;
   bool polish = true;
-  bool newton_alone = false;  ///< no Ipopt: stay_between() in place of passes
+  bool newton_alone = false;   ///< no Ipopt: stay_between() in place of passes
+  ProgressHook progress = {};  ///< may be empty
 };
 
 /// A pass that Ipopt breaks off near the solution, because steps drown in
-/// rounding, counts as solved if its KKT residual is below this.
+/// rounding, counts as solved if its KKT residual is below this, or below what
+/// is reachable() if that is more.
 inline constexpr double kRoundingResidual = 1e-10;
 
 /// With polishing, the mismatch at which Newton's method takes over [rad]: its

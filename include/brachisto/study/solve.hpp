@@ -20,6 +20,7 @@
 #include "brachisto/study/cold_start.hpp"
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/progress.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/certificate.hpp"
@@ -101,6 +102,7 @@ struct Solution {
 struct SolveHooks {
   const std::atomic<int>* interrupt = nullptr;  ///< nonzero: stop
   bool verbose = false;                         ///< keep the solver's log
+  ProgressHook progress = {};                   ///< may be empty
   /// A solved scene not far away. If its extremal can be followed to this scene
   /// the continuation from the cycloid is spared; if not, or if the result is
   /// not verified, it is not used.

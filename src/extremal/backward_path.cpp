@@ -105,6 +105,7 @@ std::optional<Release> BackwardShooting::shoot(const Arrival& arrival,
   if (path != nullptr) path->knots.push_back(knot_at(u, now, rates.beta));
   for (int i = 0; now[kW] > 0.0; ++i) {
     const double before = rates.beta;
+    ++steps_;
     stepper.do_step(rates, now, slope, u, trial, step, error);
     const double ratio = rates.failed
                              ? std::numeric_limits<double>::infinity()

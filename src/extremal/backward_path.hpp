@@ -59,11 +59,14 @@ class BackwardShooting {
                                              BackwardPath* path) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// Steps of the integrator in all.
+  [[nodiscard]] long steps() const { return steps_; }
 
  private:
   Scene scene_;
   double longest_;
   Start start_;
+  mutable long steps_ = 0;
 };
 
 }  // namespace brachisto::shooting

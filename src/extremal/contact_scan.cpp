@@ -44,19 +44,50 @@ struct Root {
   double transit_time;
 };
 
+/// Where Newton's method for such a root may begin.
+struct Start {
+  Arrival arrival;
+  double target;
+  double outside;  ///< of its triangle, in its own size
+};
+
 class Scan {
  public:
-  Scan(const Scene& natural, double longest, const std::function<bool()>& stop)
-      : shooting_(natural, longest), stop_(stop) {}
+  Scan(const Scene& natural, double longest, const std::function<bool()>& stop,
+       long most_steps)
+      : shooting_(natural, longest), stop_(stop), most_steps_(most_steps) {}
 
-  void run(const Grid& grid) {
+  ContactScan run(const Grid& grid) {
+    collect(grid);
+    ContactScan out;
+    out.whole_grid = !over();
+    out.starts = static_cast<long>(starts_.size());
+    // The likelier ones first, for the work is bounded.
+    std::stable_sort(
+        starts_.begin(), starts_.end(),
+        [](const Start& a, const Start& b) { return a.outside < b.outside; });
+    for (const Start& start : starts_) {
+      if (over()) break;
+      polish(start.arrival, start.target);
+      ++out.tried;
+    }
+    out.contacts = contacts();
+    return out;
+  }
+
+ private:
+  [[nodiscard]] bool over() const {
+    return stop_() || shooting_.steps() >= most_steps_;
+  }
+
+  void collect(const Grid& grid) {
     using Row = std::vector<std::optional<Release>>;
     const auto row = [&](int i) {
       Row releases;
       for (int j = 0; j <= grid.phis; ++j) {
         releases.push_back(
-            stop_() ? std::nullopt
-                    : shooting_.shoot(grid.at(i, j), kScanTolerance, nullptr));
+            over() ? std::nullopt
+                   : shooting_.shoot(grid.at(i, j), kScanTolerance, nullptr));
       }
       return releases;
     };
@@ -64,7 +95,7 @@ class Scan {
       return Corner{grid.at(i, j), at};
     };
     Row low = row(0);
-    for (int i = 0; i < grid.thetas && !stop_(); ++i) {
+    for (int i = 0; i < grid.thetas && !over(); ++i) {
       const Row high = row(i + 1);
       for (int j = 0; j < grid.phis; ++j) {
         const auto a = static_cast<std::size_t>(j);
@@ -103,7 +134,6 @@ class Scan {
     return found;
   }
 
- private:
   struct Corner {
     Arrival arrival;
     std::optional<Release> release;
@@ -139,7 +169,7 @@ class Scan {
     }
   }
 
-  /// Starts Newton's method from the roots of the map that is linear in a
+  /// Newton's method is to start from the roots of the map that is linear in a
   /// triangle.
   void look_into(const Corner& a, const Corner& b, const Corner& c) {
     const double x_b = b.release->x - a.release->x;
@@ -152,19 +182,22 @@ class Scan {
     const double margin = kSlack * (high - low);
     const double first = a.release->theta - shooting_.scene().body.theta_m;
     const double last = std::floor((first + high + margin) / kTurn);
-    for (double n = std::ceil((first + low - margin) / kTurn);
-         n <= last && !stop_(); ++n) {
+    for (double n = std::ceil((first + low - margin) / kTurn); n <= last; ++n) {
       const double by_x = -a.release->x;
       const double by_theta = kTurn * n - first;
       const double at_b = (by_x * theta_c - x_c * by_theta) / determinant;
       const double at_c = (x_b * by_theta - theta_b * by_x) / determinant;
-      if (std::min({at_b, at_c, 1.0 - at_b - at_c}) < -kSlack) continue;
+      const double outside =
+          std::max(0.0, -std::min({at_b, at_c, 1.0 - at_b - at_c}));
+      if (!(outside <= kSlack)) continue;
       const auto mix = [&](double of_a, double of_b, double of_c) {
         return of_a + at_b * (of_b - of_a) + at_c * (of_c - of_a);
       };
-      polish({mix(a.arrival.theta, b.arrival.theta, c.arrival.theta),
-              mix(a.arrival.phi, b.arrival.phi, c.arrival.phi)},
-             shooting_.scene().body.theta_m + kTurn * n);
+      starts_.push_back(
+          {{mix(a.arrival.theta, b.arrival.theta, c.arrival.theta),
+            mix(a.arrival.phi, b.arrival.phi, c.arrival.phi)},
+           shooting_.scene().body.theta_m + kTurn * n,
+           outside});
     }
   }
 
@@ -221,17 +254,17 @@ class Scan {
 
   BackwardShooting shooting_;
   const std::function<bool()>& stop_;
+  long most_steps_;
+  std::vector<Start> starts_;
   std::vector<Root> roots_;
 };
 
 }  // namespace
 
-std::vector<ScannedContact> scan_contacts(const Scene& natural, double longest,
-                                          const std::function<bool()>& stop) {
+ContactScan scan_contacts(const Scene& natural, double longest,
+                          const std::function<bool()>& stop, long most_steps) {
   constexpr Grid kGrid{64, 128};
-  Scan scan(natural, longest, stop);
-  scan.run(kGrid);
-  return scan.contacts();
+  return Scan(natural, longest, stop, most_steps).run(kGrid);
 }
 
 }  // namespace brachisto

@@ -309,6 +309,9 @@ std::string result_json(const Solution& solution) {
   json["folds"] = solution.folds;
   json["cold_start"] = cold_start_json(solution.cold_start);
   json["branches"] = branches_json(solution.branches);
+  json["search_remark"] = solution.search_remark.empty()
+                              ? Json(nullptr)
+                              : Json(solution.search_remark);
   json["extremal"] = extremal_json(solution.extremal);
   json["discrete_system"] = fsolve_json(solution);
   json["seconds"] = {{"total", effort.seconds},

@@ -105,6 +105,9 @@ void add_branches(std::string& out, const Solution& solution) {
     line(out, label, text);
     label = "";
   }
+  if (!solution.search_remark.empty()) {
+    line(out, label, solution.search_remark);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "brachisto/study/branches.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,10 +54,16 @@ JudgedBranches judge_branches(const Scene& scene, const Discretisation& wanted,
                               const MeshOptions& options) {
   const Scene natural = in_natural_units(scene);
   JudgedBranches out;
+  MeshOptions quietly = options;  // a line for each branch is enough
+  quietly.progress = {};
   for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
        ++i) {
+    if (options.progress) {
+      options.progress("branches",
+                       fmt::format("{} of {}", i + 1, candidates.size()));
+    }
     Refinement refinement = refine(natural, wanted, candidates[i].curve,
-                                   candidates[i].phi, options);
+                                   candidates[i].phi, quietly);
     out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
                       refinement.meshes.end());
     if (!refinement.answer) {

@@ -3,6 +3,9 @@
 
 #include "brachisto/study/global_search.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -35,21 +38,51 @@ PrimalDual sample(const ScannedContact& contact, const RollingTime& problem) {
   });
 }
 
+std::string remark(const ContactScan& scan, std::size_t left) {
+  std::vector<std::string> parts;
+  if (!scan.whole_grid) {
+    parts.emplace_back("not all arrivals at B were shot from");
+  } else if (!scan.complete()) {
+    parts.push_back(
+        fmt::format("of {} likely places of contacts it looked at {}",
+                    scan.starts, scan.tried));
+  }
+  if (left > 0) {
+    parts.push_back(fmt::format(
+        "of {} contacts that it found the {} slowest were not solved for",
+        scan.contacts.size(), left));
+  }
+  if (parts.empty()) return {};
+  return fmt::format("the work of the search is bounded: {}",
+                     fmt::join(parts, "; "));
+}
+
 }  // namespace
 
 ContactSearch find_contacts(const Scene& scene, double longest,
                             const std::function<Mesh(double length)>& mesh_for,
                             std::vector<ContactCandidate> known,
-                            const StopCondition& stop) {
+                            const StopCondition& stop,
+                            const ProgressHook& progress) {
   // Two contacts are one and the same below the first; above the second,
   // Newton's method has left the one that it started from.
   constexpr double kSame = 1e-5;
   constexpr double kElsewhere = 1e-3;
-  ContactSearch out{std::move(known), 0};
+  const std::size_t num_known = known.size();
+  ContactSearch out{std::move(known), 0, {}};
   if (!scene.body.off_centred()) return out;
-  for (const ScannedContact& scanned :
-       scan_contacts(scene, longest, [&stop] { return stop.met(); })) {
-    if (stop.met()) break;
+  const ContactScan scan = scan_contacts(scene, longest, [&] {
+    if (progress) progress("search", "shooting backwards from B");
+    return stop.met();
+  });
+  std::size_t left = scan.contacts.size();
+  for (const ScannedContact& scanned : scan.contacts) {
+    if (stop.met() || out.contacts.size() >= num_known + kMostContacts) break;
+    if (progress) {
+      progress("search", fmt::format("{} smooth contacts, {} left to solve for",
+                                     scan.contacts.size(), left));
+    }
+    --left;
     RollingTime problem(scene, mesh_for(scanned.centre_path_length),
                         scanned.phi);
     ContactEquation contact(problem);
@@ -71,6 +104,7 @@ ContactSearch find_contacts(const Scene& scene, double longest,
       out.contacts.push_back(std::move(found));
     }
   }
+  out.remark = remark(scan, left);
   return out;
 }
 

@@ -19,6 +19,7 @@
 #include "brachisto/transcription/arc_contact.hpp"
 #include "math/cpu_clock.hpp"
 #include "study/certificate_timer.hpp"
+#include "study/descent.hpp"
 #include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
@@ -131,6 +132,7 @@ class Run {
   void find();
   void find_beside(const Neighbour& neighbour);
   void find_fastest(const CycloidArc& arc, const Continuation& principal);
+  void add_minima_below(std::vector<ContactCandidate>& known);
   void find_by_shooting();
   void find_by_fsolve();
   void follow_folds(Continuation& principal);
@@ -239,6 +241,11 @@ void Run::set_verdict(const std::string& message) {
     out_.message = fmt::format(
         "solved, but not verified: {}",
         fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
+    const Check* second_order = out_.certificate.find("second_order");
+    if (follows_the_branch(options_) && second_order != nullptr &&
+        !second_order->passed) {
+      out_.message += ". search: global looks for minima";
+    }
   }
 }
 
@@ -283,20 +290,35 @@ void Run::try_other_start(const CycloidArc& arc,
   out_.cold_start = other.cold;
 }
 
+/// A search starts from what is cheap to know: where the principal extremal is
+/// a saddle, the minima beside it.
+void Run::add_minima_below(std::vector<ContactCandidate>& known) {
+  Descent descent = descend(natural_, known.front(), budget());
+  out_.effort.iterations += descent.iterations;
+  out_.effort.passes += descent.passes;
+  out_.log += descent.log;
+  for (ContactCandidate& minimum : descent.minima) {
+    known.push_back(std::move(minimum));
+  }
+}
+
 void Run::find_fastest(const CycloidArc& arc, const Continuation& principal) {
   // As a multiple of the path of the uniform cylinder.
   constexpr double kLongest = 3.0;
   std::vector<ContactCandidate> known;
   if (principal.curve) known.push_back({*principal.curve, principal.phi});
   const bool has_principal = !known.empty();
+  // Each of the extremals may take what the limit allows.
+  const MeshOptions each = budget();
+  if (has_principal) add_minima_below(known);
   const ContactSearch search = find_contacts(
       natural_, kLongest * arc.arc_length(arc.psi_end),
       [this](double length) { return sampled_mesh(natural_.body, length); },
-      std::move(known), stop());
+      std::move(known), stop(), mesh_options_.progress);
+  out_.search_remark = search.remark;
   out_.effort.newton_steps += search.newton_steps;
-  JudgedBranches judged =
-      judge_branches(scene_, options_.discretisation, search.contacts,
-                     has_principal, budget());
+  JudgedBranches judged = judge_branches(scene_, options_.discretisation,
+                                         search.contacts, has_principal, each);
   for (const JudgedBranch& one : judged.branches) {
     out_.branches.push_back(one.branch);
   }

@@ -53,6 +53,7 @@ const std::vector<std::string> kOtherKeys{"schema_version",
                                           "folds",
                                           "cold_start",
                                           "branches",
+                                          "search_remark",
                                           "extremal",
                                           "discrete_system"};
 

@@ -133,9 +133,10 @@ TEST(GlobalSearch, StopsWhenItsTimeIsOver) {
 TEST(ContactScan, IsConfirmedByMultipleShooting) {
   const Scene natural = in_natural_units(base(0.15));
   const auto never = [] { return false; };
-  const std::vector<ScannedContact> contacts =
-      scan_contacts(natural, 5.0, never);
+  const ContactScan scan = scan_contacts(natural, 5.0, never);
+  const std::vector<ScannedContact>& contacts = scan.contacts;
 
+  EXPECT_TRUE(scan.complete());
   ASSERT_EQ(contacts.size(), 3u);
   for (const ScannedContact& contact : contacts) {
     const ExtremalSolution solution = solve_extremal(
@@ -151,6 +152,19 @@ TEST(ContactScan, IsConfirmedByMultipleShooting) {
     EXPECT_NEAR(start.w, 0.0, 1e-9);
     EXPECT_NEAR(start.theta, natural.body.theta_m, 1e-6);
   }
+}
+
+TEST(ContactScan, SaysWhatItLeavesUndone) {
+  const Scene natural = in_natural_units(base(0.15));
+  const auto never = [] { return false; };
+  constexpr long kAFewOfTheGrid = 20'000;
+
+  const ContactScan part = scan_contacts(natural, 5.0, never, kAFewOfTheGrid);
+
+  EXPECT_FALSE(part.complete());
+  EXPECT_FALSE(part.whole_grid);
+  EXPECT_EQ(part.tried, 0);
+  EXPECT_TRUE(part.contacts.empty());
 }
 
 JudgedBranch judged(double tau, bool verified, bool feasible) {

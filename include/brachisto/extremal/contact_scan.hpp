@@ -24,6 +24,17 @@ struct ScannedContact {
   ExtremalPath path;
 };
 
+/// What a scan found.
+struct ContactScan {
+  std::vector<ScannedContact> contacts;  ///< fastest first
+  /// Starts of Newton's method that the grid gave, and how many were tried.
+  long starts = 0, tried = 0;
+  bool whole_grid = false;  ///< all of it was shot from
+
+  /// False if the scan was stopped, or reached the bound of its work.
+  [[nodiscard]] bool complete() const { return whole_grid && tried == starts; }
+};
+
 /// Looks for extremals with smooth contact by shooting backwards.
 ///
 /// The orientation θ and the slope angle φ with which a body arrives at B
@@ -34,14 +45,17 @@ struct ScannedContact {
 /// triangles, tell where to start Newton's method. No contact is missed but
 /// those that the grid is too coarse for: pairs next to a fold.
 ///
-/// Cost: some ten thousand integrations, each linear in the turns of the body.
+/// Cost: some ten thousand integrations, each linear in the turns of the body,
+/// as is the number of starts. The work is bounded; starts inside of their
+/// triangles come first, the others as they lie ever further outside.
 ///
 /// \param natural  the scene, off-centred, with Contact::Smooth, in natural
 ///                 units; so is the result
 /// \param longest  paths of the centre longer than this are left out
 /// \param stop     asked now and then; true ends the search with what is found
-/// \return fastest first
-[[nodiscard]] std::vector<ScannedContact> scan_contacts(
-    const Scene& natural, double longest, const std::function<bool()>& stop);
+/// \param most_steps  bound on the steps of all integrations
+[[nodiscard]] ContactScan scan_contacts(const Scene& natural, double longest,
+                                        const std::function<bool()>& stop,
+                                        long most_steps = 10'000'000);
 
 }  // namespace brachisto

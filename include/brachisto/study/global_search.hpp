@@ -7,9 +7,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "brachisto/study/progress.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 
 namespace brachisto {
@@ -20,10 +22,15 @@ struct ContactCandidate {
   double phi = 0.0;
 };
 
+/// More are not solved for on a mesh.
+inline constexpr int kMostContacts = 24;
+
 /// Outcome of find_contacts().
 struct ContactSearch {
   std::vector<ContactCandidate> contacts;
   int newton_steps = 0;
+  /// What the search left undone because its work is bounded; empty if nothing.
+  std::string remark;
 };
 
 /// Looks for roots of β_end(φ) − φ.
@@ -31,7 +38,8 @@ struct ContactSearch {
 /// scan_contacts() finds them by shooting backwards from B; Newton's method
 /// then solves for each on a mesh. A body that is not off-centred has but one
 /// smooth contact, and nothing is searched. What is found is not guaranteed to
-/// be all there is.
+/// be all there is. There are about as many contacts as turns: beyond
+/// kMostContacts the slower ones are left out.
 ///
 /// \param scene     in natural units, with Contact::Smooth
 /// \param longest   paths of the centre longer than this are left out
@@ -41,6 +49,7 @@ struct ContactSearch {
 [[nodiscard]] ContactSearch find_contacts(
     const Scene& scene, double longest,
     const std::function<Mesh(double length)>& mesh_for,
-    std::vector<ContactCandidate> known, const StopCondition& stop);
+    std::vector<ContactCandidate> known, const StopCondition& stop,
+    const ProgressHook& progress = {});
 
 }  // namespace brachisto

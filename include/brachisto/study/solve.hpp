@@ -74,6 +74,8 @@ struct Solution {
   std::vector<double> folds;
   std::optional<ColdStart> cold_start;
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
+  /// What Search::Global left undone, its work being bounded; empty if nothing.
+  std::string search_remark;
   std::optional<ExtremalOpinion> extremal;
   std::optional<Neighbour> as_neighbour;  ///< for scenes not far from this one
   std::string log;                        ///< of Ipopt, if asked for

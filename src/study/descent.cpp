@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "brachisto/solvers/inertia.hpp"
+#include "brachisto/transcription/prolongation.hpp"
+
+namespace brachisto {
+
+namespace {
+
+bool is_minimum(RollingTime& problem, const PrimalDual& point) {
+  const Inertia inertia = kkt_inertia(problem, point);
+  return inertia.known && inertia.zero == 0 &&
+         inertia.negative == problem.num_constraints();
+}
+
+}  // namespace
+
+Descent descend(const Scene& scene, const ContactCandidate& saddle,
+                MeshOptions options) {
+  // Next to nothing, but far more than what Ipopt takes for solved [rad].
+  constexpr double kPush = 1e-3;
+  constexpr double kSame = 1e-6;  // [rad]
+  Descent out;
+  RollingTime problem(scene, saddle.curve.mesh(), saddle.phi);
+  const MeshSolution there = stay_on_mesh(
+      problem, {prolong(saddle.curve, problem), saddle.phi, -1.0}, options);
+  if (!there.solved() || is_minimum(problem, there.point)) return out;
+  options.newton_alone = false;
+  for (const double push : {kPush, -kPush}) {
+    PrimalDual start = there.point;
+    for (int c = 0; c < problem.layout().num_points(); ++c) {
+      start.x[static_cast<std::size_t>(problem.layout().beta(c))] += push;
+    }
+    const MeshSolution found = solve_on_mesh(
+        problem, {std::move(start), there.closure.phi, -1.0}, options);
+    out.iterations += found.iterations;
+    out.passes += found.closure.passes;
+    out.log += found.log;
+    if (options.ipopt.stop.met()) return out;
+    if (!found.solved() || !is_minimum(problem, found.point)) continue;
+    // Both ways may lead to the same one.
+    const ExtremalCurve curve(problem, found.point);
+    if (std::none_of(out.minima.begin(), out.minima.end(),
+                     [&](const ContactCandidate& other) {
+                       return std::abs(other.phi - found.closure.phi) <= kSame;
+                     })) {
+      out.minima.push_back({curve, found.closure.phi});
+    }
+  }
+  return out;
+}
+
+}  // namespace brachisto

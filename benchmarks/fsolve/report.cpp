@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "fsolve/findings.hpp"
+#include "fsolve/power_law.hpp"
+#include "support/table.hpp"
+
+namespace brachisto::benchmarks {
+
+namespace {
+
+using Datum = DiscreteReading::Datum;
+using Outcome = DiscreteRun::Outcome;
+
+constexpr std::array kArms{Arm::Octave, Arm::SciPy, Arm::Hybrid, Arm::Newton,
+                           Arm::Lifted};
+
+std::string significant(double value) {
+  return fmt::format("{:.2g}", value);
+}
+
+/// Without the power of ten that other formats fall into.
+std::string seconds(double value) {
+  if (value >= 10.0) return fmt::format("{:.0f}", value);
+  if (value >= 1.0) return fmt::format("{:.1f}", value);
+  const int digits = 1 - static_cast<int>(std::floor(std::log10(value)));
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+std::string time_text(const DiscreteRun* run) {
+  if (run == nullptr) return "";
+  switch (run->outcome) {
+    case Outcome::Solved:
+      return seconds(run->cpu_seconds);
+    case Outcome::Capped:
+      return fmt::format("> {:g}, capped", run->cpu_seconds);
+    case Outcome::Absent:
+      return "not installed";
+    case Outcome::Failed:
+      break;
+  }
+  return "failed";
+}
+
+std::string mesh_text(const RollingRun& run) {
+  return fmt::format("p = {}, {} element{}, {}", run.degree, run.elements,
+                     run.elements == 1 ? "" : "s",
+                     run.method == Method::Ipopt ? "Ipopt" : "Newton");
+}
+
+/// The n of all arms, ascending.
+std::vector<int> sizes(const FsolveFindings& found) {
+  std::vector<int> out;
+  for (const DiscretePoint& point : found.arms) {
+    if (out.empty() || point.task.nodes > out.back()) {
+      out.push_back(point.task.nodes);
+    }
+  }
+  return out;
+}
+
+/// The equations with ε = 1e-3, whoever solved them; null if nobody did.
+const DiscreteRun* with_differences(const FsolveFindings& found, Datum datum,
+                                    int nodes) {
+  for (const Arm arm : {Arm::Hybrid, Arm::SciPy, Arm::Octave}) {
+    const DiscreteRun* run = found.find(arm, datum, nodes);
+    if (run != nullptr && run->solved()) return run;
+  }
+  return nullptr;
+}
+
+std::string times(const FsolveFindings& found, Datum datum) {
+  Table table({"n", "τ", "error", "τ, ε → 0", "error", "Octave [s]",
+               "SciPy [s]", "hybrid [s]", "newton [s]", "lifted [s]"});
+  const auto tau = [](const DiscreteRun* run) {
+    return run != nullptr && run->solved() ? fmt::format("{:.4f}", run->tau)
+                                           : "";
+  };
+  const auto error = [](const DiscreteRun* run) {
+    return run != nullptr && run->solved() ? significant(run->error) : "";
+  };
+  for (const int nodes : sizes(found)) {
+    const DiscreteRun* differences = with_differences(found, datum, nodes);
+    const DiscreteRun* exact = found.find(Arm::Lifted, datum, nodes);
+    std::vector<std::string> row{fmt::format("{}", nodes), tau(differences),
+                                 error(differences), tau(exact), error(exact)};
+    for (const Arm arm : kArms) {
+      row.push_back(time_text(found.find(arm, datum, nodes)));
+    }
+    table.add(std::move(row));
+  }
+  return table.markdown();
+}
+
+/// Of datum rest: what an arm takes, against the cheapest rolling_time that is
+/// at least as accurate.
+std::string ratios(const FsolveFindings& found) {
+  Table table({"n", "arm", "error", "CPU [s]", "rolling_time", "error",
+               "CPU [ms]", "ratio"});
+  constexpr int kFrom = 200;
+  for (const int nodes : sizes(found)) {
+    if (nodes < kFrom) continue;
+    for (const Arm arm : kArms) {
+      const DiscreteRun* run = found.find(arm, Datum::Rest, nodes);
+      if (run == nullptr || !run->timed()) continue;
+      // The same equations have the same solution, whoever is capped.
+      const DiscreteRun* accuracy =
+          run->solved() ? run : with_differences(found, Datum::Rest, nodes);
+      if (accuracy == nullptr) continue;
+      const auto ours = cheapest(found.menu, accuracy->error);
+      if (!ours) continue;
+      constexpr double kMilli = 1e3;
+      table.add({fmt::format("{}", nodes), name(arm),
+                 significant(accuracy->error), time_text(run), mesh_text(*ours),
+                 significant(ours->error),
+                 fmt::format("{:.2f}", kMilli * ours->cpu_seconds),
+                 fmt::format("{}{:.0f}", run->solved() ? "" : "> ",
+                             run->cpu_seconds / ours->cpu_seconds)});
+    }
+  }
+  return table.markdown();
+}
+
+std::string exponents(const FsolveFindings& found) {
+  constexpr int kFrom = 100, kTo = 400;
+  Table table({"arm", "datum", "nodes", "CPU [s]", "exponent"});
+  for (const Datum datum : {Datum::Rest, Datum::Release}) {
+    for (const Arm arm : kArms) {
+      const DiscreteRun* from = found.find(arm, datum, kFrom);
+      const DiscreteRun* to = found.find(arm, datum, kTo);
+      if (from == nullptr || to == nullptr || !from->solved() || !to->timed()) {
+        continue;
+      }
+      table.add({name(arm), name(datum), fmt::format("{} – {}", kFrom, kTo),
+                 fmt::format("{} – {}", time_text(from), time_text(to)),
+                 fmt::format("{}{:.2f}", to->solved() ? "" : "> ",
+                             std::log(to->cpu_seconds / from->cpu_seconds) /
+                                 std::log(double{kTo} / kFrom))});
+    }
+  }
+  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
+    const RollingRun* previous = nullptr;
+    for (const RollingRun& run : found.growth) {
+      if (run.method != method || !run.solved) continue;
+      if (previous != nullptr) {
+        table.add(
+            {fmt::format("rolling_time, {}",
+                         method == Method::Ipopt ? "Ipopt" : "Newton"),
+             "", fmt::format("{} – {}", previous->nodes, run.nodes),
+             fmt::format("{} – {}", seconds(previous->cpu_seconds),
+                         seconds(run.cpu_seconds)),
+             fmt::format("{:.2f}",
+                         std::log(run.cpu_seconds / previous->cpu_seconds) /
+                             std::log(static_cast<double>(run.nodes) /
+                                      previous->nodes))});
+      }
+      previous = &run;
+    }
+  }
+  return table.markdown();
+}
+
+std::string floor_over_steps(const FsolveFindings& found) {
+  Table table({"n", "ε", "τ", "error", "hybrid [s]"});
+  int nodes = 0;
+  const auto row = [&](const std::string& step, const DiscreteRun* run) {
+    if (run == nullptr) return;
+    table.add({fmt::format("{}", nodes), step,
+               run->solved() ? fmt::format("{:.6f}", run->tau) : "",
+               run->solved() ? significant(run->error) : run->cause.str(),
+               time_text(run)});
+  };
+  for (const DiscretePoint& point : found.steps) {
+    nodes = point.task.nodes;
+    row(fmt::format("{:g}", point.task.epsilon), &point.run);
+  }
+  if (table.empty()) return "";
+  row("0, exact", found.find(Arm::Newton, Datum::Rest, nodes));
+  return table.markdown();
+}
+
+std::string floor_over_nodes(const FsolveFindings& found) {
+  Table table({"n", "τ, ε = 1e-3", "error", "hybrid [s]", "τ, ε → 0", "error",
+               "newton [s]", "lifted [s]"});
+  std::vector<int> all = sizes(found);
+  for (const DiscretePoint& point : found.large) {
+    if (point.task.nodes > all.back()) all.push_back(point.task.nodes);
+  }
+  for (const int nodes : all) {
+    const DiscreteRun* hybrid = found.find(Arm::Hybrid, Datum::Rest, nodes);
+    const DiscreteRun* lifted = found.find(Arm::Lifted, Datum::Rest, nodes);
+    const bool solved = hybrid != nullptr && hybrid->solved();
+    const bool exact = lifted != nullptr && lifted->solved();
+    table.add({fmt::format("{}", nodes),
+               solved ? fmt::format("{:.6f}", hybrid->tau) : "",
+               solved ? significant(hybrid->error) : "", time_text(hybrid),
+               exact ? fmt::format("{:.6f}", lifted->tau) : "",
+               exact ? significant(lifted->error) : "",
+               time_text(found.find(Arm::Newton, Datum::Rest, nodes)),
+               time_text(lifted)});
+  }
+  return table.markdown();
+}
+
+/// Of an arm with exact derivatives, datum rest, from n = 400 on.
+std::vector<report::Datum> over_nodes(const FsolveFindings& found, Arm arm,
+                                      double DiscreteRun::*what) {
+  constexpr int kFrom = 400;
+  std::vector<report::Datum> out;
+  for (const auto* points : {&found.arms, &found.large}) {
+    for (const DiscretePoint& point : *points) {
+      if (point.task.arm == arm && point.task.datum == Datum::Rest &&
+          point.task.nodes >= kFrom && point.run.solved()) {
+        out.push_back({static_cast<double>(point.task.nodes), point.run.*what});
+      }
+    }
+  }
+  return out;
+}
+
+std::string extrapolation(const FsolveFindings& found) {
+  const auto error =
+      fit_power(over_nodes(found, Arm::Lifted, &DiscreteRun::error));
+  const auto dense =
+      fit_power(over_nodes(found, Arm::Newton, &DiscreteRun::cpu_seconds));
+  const auto sparse =
+      fit_power(over_nodes(found, Arm::Lifted, &DiscreteRun::cpu_seconds));
+  if (!error || !sparse) return "";
+  Table table({"error", "n", "newton [s]", "lifted [s]", "rolling_time [s]"});
+  for (const double wanted : {1e-4, 1e-5, 1e-6, 1e-8}) {
+    const double n = error->inverse(wanted);
+    const auto ours = cheapest(found.menu, wanted);
+    table.add({fmt::format("{:.0e}", wanted), fmt::format("{:.1e}", n),
+               dense ? fmt::format("{:.1e}", dense->at(n)) : "",
+               fmt::format("{:.1e}", sparse->at(n)),
+               ours ? seconds(ours->cpu_seconds) + " (measured)" : ""});
+  }
+  return fmt::format(
+      "{}\nFitted from n = 400 on: error ∝ n^{:.2f}, lifted ∝ n^{:.2f}{}.\n",
+      table.markdown(), error->exponent, sparse->exponent,
+      dense ? fmt::format(", newton ∝ n^{:.2f}", dense->exponent) : "");
+}
+
+std::string accuracy(const FsolveFindings& found) {
+  constexpr double kMilli = 1e3;
+  Table table({"wanted", "how", "mesh", "nodes", "error", "CPU [ms]"});
+  const auto row = [&](double wanted, const char* how, const RollingRun& run) {
+    table.add({fmt::format("{:.0e}", wanted), how, mesh_text(run),
+               fmt::format("{}", run.nodes),
+               run.error < found.exact_error
+                   ? fmt::format("< {:.0e}", found.exact_error)
+                   : significant(run.error),
+               fmt::format("{:.2f}", kMilli * run.cpu_seconds)});
+  };
+  for (std::size_t i = 0; i < found.wanted.size(); ++i) {
+    const double wanted = found.tolerances[i];
+    row(wanted, "by tolerance", found.wanted[i]);
+    if (const auto ours = cheapest(found.menu, wanted)) {
+      row(wanted, "cheapest uniform mesh", *ours);
+    }
+  }
+  return table.markdown();
+}
+
+}  // namespace
+
+const DiscreteRun* FsolveFindings::find(Arm arm, Datum datum, int nodes) const {
+  for (const auto* points : {&arms, &large}) {
+    for (const DiscretePoint& point : *points) {
+      if (point.task.arm == arm && point.task.datum == datum &&
+          point.task.nodes == nodes) {
+        return &point.run;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::string report(const FsolveFindings& found) {
+  return fmt::format(
+      "# The approach of the paper beside rolling_time\n\n"
+      "The reference case, τ = {:.12f} ± {:.0e}; errors are relative, of τ, "
+      "against it.\nProcessor seconds of the solve alone, from the cycloid; a "
+      "solve is capped at {:g} s.\n\n{}; {}.\n{}.\n\n"
+      "## Datum rest\n\n{}\n## Datum release\n\n{}\n"
+      "## Equal accuracy, datum rest\n\nThe cheapest uniform mesh of "
+      "rolling_time, of all degrees and both methods,\nthat is at least as "
+      "accurate. Its time is that from the scene to τ with its\nestimated "
+      "error.\n\n{}\n"
+      "## Growth\n\n{}\n"
+      "## What ε leaves\n\nDatum rest.\n\n{}\n{}\n"
+      "## The arms with exact derivatives, extrapolated\n\nDatum rest. Not "
+      "measured but for the last column.\n\n{}\n"
+      "## Accuracy with rolling_time\n\n{}",
+      found.exact_tau, found.exact_error * found.exact_tau, found.cap,
+      found.others.at(0), found.others.at(1), machine(),
+      times(found, Datum::Rest), times(found, Datum::Release), ratios(found),
+      exponents(found), floor_over_steps(found), floor_over_nodes(found),
+      extrapolation(found), accuracy(found));
+}
+
+}  // namespace brachisto::benchmarks

@@ -129,7 +129,7 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
                .mark = ipopt ? Mark::Disc : Mark::Circle,
                .id = ipopt ? "rolling_time_ipopt" : "rolling_time_newton"};
     for (const RollingRun& run : found.growth) {
-      if (run.method != method || !run.solved) continue;
+      if (run.way.method != method || !run.solved) continue;
       include(run.nodes);
       ours.points.push_back({static_cast<double>(run.nodes), run.cpu_seconds});
     }
@@ -140,17 +140,20 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
 }
 
 /// The cheapest rolling_time for every error.
-Curve frontier(const FsolveFindings& found) {
-  Curve ours{.name = "rolling time, cheapest mesh",
-             .points = {},
-             .colour = kOurs,
-             .mark = Mark::Disc,
-             .id = "rolling_time"};
+Curve frontier(const FsolveFindings& found, Work work) {
+  const bool whole = work == Work::Whole;
+  Curve ours{
+      .name = whole ? "rolling time, whole solve" : "rolling time, on the mesh",
+      .points = {},
+      .stroke = whole ? Stroke::Dotted : Stroke::Solid,
+      .colour = kOurs,
+      .mark = whole ? Mark::Circle : Mark::Disc,
+      .id = whole ? "rolling_time_whole" : "rolling_time_on_mesh"};
   constexpr int kPerDecade = 2;
   constexpr int kDecades = 13;
   for (int i = kPerDecade; i <= kPerDecade * kDecades; ++i) {
     const double wanted = std::pow(10.0, -static_cast<double>(i) / kPerDecade);
-    const auto run = cheapest(found.menu, wanted);
+    const auto run = cheapest(found.menu, work, wanted);
     if (!run) break;
     const double error = std::max(run->error, found.exact_error);
     if (!ours.points.empty() && ours.points.back().x == error) continue;
@@ -170,7 +173,9 @@ Chart speed(const FsolveFindings& found, const std::string& name) {
     }
     if (!curve.points.empty()) chart.curves.push_back(std::move(curve));
   }
-  chart.curves.push_back(frontier(found));
+  for (const Work work : {Work::Whole, Work::OnMesh}) {
+    chart.curves.push_back(frontier(found, work));
+  }
   return chart;
 }
 

@@ -44,10 +44,9 @@ std::string row(const DiscretePoint& point) {
 std::string row(const char* set, const RollingRun& run) {
   return fmt::format(
       "\"rolling_time, {}\",{},{},\"p = {}, N = {}\",,{},{:.4g},{},,,{},\n",
-      run.method == Method::Ipopt ? "Ipopt" : "Newton", set,
-      run.solved ? run.nodes : run.degree * run.elements + 1, run.degree,
-      run.elements, run.solved ? "solved" : "failed", run.cpu_seconds,
-      run.repetitions, run.solved ? fmt::format("{:.4g}", run.error) : "");
+      name(run.way), set, run.solved ? run.nodes : 0, run.degree, run.elements,
+      run.solved ? "solved" : "failed", run.cpu_seconds, run.repetitions,
+      run.solved ? fmt::format("{:.4g}", run.error) : "");
 }
 
 }  // namespace

@@ -145,14 +145,14 @@ void run_rolling(const Scene& scene, const Flags& flags,
   constexpr int kDegree = 5;
   for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
     for (const int nodes : flags.rolling) {
-      found.growth.push_back(time_rolling(
+      found.growth.push_back(time_whole(
           scene, on_mesh(method, kDegree, nodes / kDegree), found.exact_tau));
     }
   }
   for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12}) {
     SolveOptions options;
     options.discretisation.tolerance = tolerance;
-    found.wanted.push_back(time_rolling(scene, options, found.exact_tau));
+    found.wanted.push_back(time_whole(scene, options, found.exact_tau));
     found.tolerances.push_back(tolerance);
   }
 }

@@ -94,6 +94,7 @@ class Diagram {
     }
     set_ranges();
     if (failures_ > 0) add_failures();
+    add_reference();
     add_floor();
     return std::move(chart_);
   }
@@ -105,8 +106,15 @@ class Diagram {
                      std::numeric_limits<double>::epsilon()});
   }
 
+  /// With the order that was observed, where there is one.
+  [[nodiscard]] static std::string key_of(const PrecisionLine& line) {
+    return line.order ? fmt::format("{}, order {:.1f}", words(line.method),
+                                    line.order->order)
+                      : words(line.method);
+  }
+
   void add_line(const PrecisionLine& line, const Look& look) {
-    Curve curve{.name = words(line.method),
+    Curve curve{.name = key_of(line),
                 .points = {},
                 .stroke = look.stroke,
                 .colour = look.colour,
@@ -133,11 +141,13 @@ class Diagram {
     looks_.push_back(look);
     if (curve.points.empty()) return;
     if (line.method.kind == Kind::RollingTime) {
+      // Lines of neighbouring degrees begin close to each other.
+      const bool above = line.method.degree % 2 != 0;
       chart_.notes.push_back({.at = curve.points.front(),
                               .text = fmt::format("{}", line.method.degree),
                               .mark = Mark::None,
                               .dx = -4.0,
-                              .dy = 17.0});
+                              .dy = above ? -9.0 : 17.0});
     }
     chart_.curves.push_back(std::move(spread));
     chart_.curves.push_back(std::move(curve));
@@ -221,10 +231,23 @@ class Diagram {
          .id = "limit"});
   }
 
+  /// Where errors cannot be told from that of the reference.
+  void add_reference() {
+    const double error = found_.reference.error;
+    if (!(error > *chart_.x.low)) return;
+    chart_.areas.push_back({.name = "error of the reference",
+                            .outline = {{*chart_.x.low, *chart_.y.low},
+                                        {error, *chart_.y.low},
+                                        {error, *chart_.y.high},
+                                        {*chart_.x.low, *chart_.y.high}},
+                            .fill = "#d9e6f2"});
+  }
+
   void add_floor() {
     const double x = found_.tolerance();
     chart_.curves.push_back(
-        {.name = "tolerance of the KKT residual",
+        {.name = found_.polished() ? "KKT tolerance, before the polish"
+                                   : "KKT tolerance",
          .points = {{x, *chart_.y.low}, {x, *chart_.y.high}},
          .stroke = Stroke::Dotted,
          .colour = kGrey,

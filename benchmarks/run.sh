@@ -75,8 +75,8 @@ usual() {
 long() {
   step scaling_million "${program}scaling" --sizes 1000000 --mumps-up-to 0 \
     --out "$results/scaling_million"
-  step fsolve_long "${program}fsolve" --seconds 900 --large 800 1600 3200 \
-    6400 12800 25600 --out "$results/fsolve_long"
+  step fsolve_long "${program}fsolve" --seconds 900 --largest-dense 3200 \
+    --out "$results/fsolve_long"
 }
 
 case $suite in

@@ -80,30 +80,23 @@ std::vector<DiscretePoint> points_of(const FsolveFindings& found, Arm arm,
   return out;
 }
 
-/// A line at the cap across the chart, and crosses on it where it was reached.
-void add_cap(Chart& chart, const FsolveFindings& found,
-             const std::vector<report::Datum>& reached, double low,
+/// A line at the cap across the chart.
+void add_cap(Chart& chart, const FsolveFindings& found, double low,
              double high) {
-  if (reached.empty()) return;
-  chart.curves.push_back({.name = fmt::format("cap of {:g} s", found.cap),
-                          .points = {{low, found.cap}, {high, found.cap}},
-                          .stroke = Stroke::Dashed,
-                          .colour = kGrey,
-                          .width = kThin,
-                          .id = "cap"});
-  chart.curves.push_back({.name = "not done at the cap",
-                          .points = reached,
-                          .colour = "#000000",
-                          .width = 0.0,
-                          .mark = Mark::Cross,
-                          .id = "capped"});
+  chart.curves.push_back(
+      {.name = fmt::format("cap of {:g} s, crosses: not done", found.cap),
+       .points = {{low, found.cap}, {high, found.cap}},
+       .stroke = Stroke::Dashed,
+       .colour = kGrey,
+       .width = kThin,
+       .id = "cap"});
 }
 
 /// Processor time over n.
 Chart growth(const FsolveFindings& found, const std::string& name) {
   Chart chart = logarithmic(name, "Processor time against the number of nodes",
                             "nodes", "processor time [s]");
-  std::vector<report::Datum> capped;
+  bool any_capped = false;
   double low = 1e300, high = 0.0;
   const auto include = [&](double nodes) {
     low = std::min(low, nodes);
@@ -111,13 +104,21 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
   };
   for (const Look& look : kLooks) {
     Curve curve = curve_of(look);
+    Curve capped = curve;
+    capped.name.clear();
+    capped.id += "_capped";
+    capped.width = 0.0;
+    capped.mark = Mark::Cross;
     for (const auto& [task, run] : points_of(found, look.arm, Datum::Rest)) {
       if (!run.timed()) continue;
       include(task.nodes);
-      (run.solved() ? curve.points : capped)
-          .push_back({static_cast<double>(task.nodes), run.cpu_seconds});
+      (run.solved() ? curve : capped)
+          .points.push_back({static_cast<double>(task.nodes), run.cpu_seconds});
     }
-    if (!curve.points.empty()) chart.curves.push_back(std::move(curve));
+    any_capped = any_capped || !capped.points.empty();
+    for (Curve* one : {&curve, &capped}) {
+      if (!one->points.empty()) chart.curves.push_back(std::move(*one));
+    }
   }
   for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
     const bool ipopt = method == Method::Ipopt;
@@ -135,7 +136,7 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
     }
     if (!ours.points.empty()) chart.curves.push_back(std::move(ours));
   }
-  add_cap(chart, found, capped, low, high);
+  if (any_capped) add_cap(chart, found, low, high);
   return chart;
 }
 
@@ -156,7 +157,7 @@ Curve frontier(const FsolveFindings& found, Work work) {
     const auto run = cheapest(found.menu, work, wanted);
     if (!run) break;
     const double error = std::max(run->error, found.exact_error);
-    if (!ours.points.empty() && ours.points.back().x == error) continue;
+    if (!ours.points.empty() && error >= ours.points.back().x) continue;
     ours.points.push_back({error, run->cpu_seconds});
   }
   return ours;

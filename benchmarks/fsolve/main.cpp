@@ -28,8 +28,9 @@ using Datum = DiscreteReading::Datum;
 struct Flags {
   std::vector<int> nodes{25, 50, 100, 200, 400};
   int step_nodes = 400;
-  std::vector<double> steps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5};
+  std::vector<double> steps{1e-2, 1e-3, 1e-4, 1e-5};
   std::vector<int> large{800, 1'600, 3'200, 6'400, 12'800};
+  int largest_dense = 1'600;
   std::vector<int> rolling{100, 1'000, 10'000, 100'000};
   unsigned cap = 60;
   std::string out = "fsolve";
@@ -131,6 +132,7 @@ void run_discrete(const Runner& runner, const Flags& flags,
   }
   for (const Arm arm : {Arm::Hybrid, Arm::Newton, Arm::Lifted}) {
     for (const int nodes : flags.large) {
+      if (arm != Arm::Lifted && nodes > flags.largest_dense) break;
       found.large.push_back(runner.point({arm, Datum::Rest, nodes}));
       // A larger one takes longer still.
       if (!found.large.back().run.solved()) break;
@@ -191,6 +193,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--steps", flags.steps, "These ε")->capture_default_str();
   app.add_option("--large", flags.large, "Further n, datum rest")
+      ->capture_default_str();
+  app.add_option("--largest-dense", flags.largest_dense,
+                 "Of these, for arms with dense matrices")
       ->capture_default_str();
   app.add_option("--rolling", flags.rolling, "Nodes of rolling_time, degree 5")
       ->capture_default_str();

@@ -108,9 +108,13 @@ class Diagram {
 
   /// With the order that was observed, where there is one.
   [[nodiscard]] static std::string key_of(const PrecisionLine& line) {
-    return line.order ? fmt::format("{}, order {:.1f}", words(line.method),
-                                    line.order->order)
-                      : words(line.method);
+    std::string key = words(line.method);
+    if (!line.order) return key;
+    key += fmt::format(", order {:.1f}", line.order->order);
+    if (line.order->uncertainty) {
+      key += fmt::format(" ± {:.1f}", *line.order->uncertainty);
+    }
+    return key;
   }
 
   void add_line(const PrecisionLine& line, const Look& look) {
@@ -140,15 +144,6 @@ class Diagram {
     }
     looks_.push_back(look);
     if (curve.points.empty()) return;
-    if (line.method.kind == Kind::RollingTime) {
-      // Lines of neighbouring degrees begin close to each other.
-      const bool above = line.method.degree % 2 != 0;
-      chart_.notes.push_back({.at = curve.points.front(),
-                              .text = fmt::format("{}", line.method.degree),
-                              .mark = Mark::None,
-                              .dx = -4.0,
-                              .dy = above ? -9.0 : 17.0});
-    }
     chart_.curves.push_back(std::move(spread));
     chart_.curves.push_back(std::move(curve));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -197,17 +198,21 @@ class Diagram {
                     .width = 0.0,
                     .mark = Mark::Cross,
                     .id = identifier(line.method) + "_without_result"};
-      const char* separator = " on ";
+      std::vector<int> meshes;
       for (const PrecisionPoint& point : line.points) {
         if (point.run.solved()) continue;
         limited = limited || at_limit(point);
         const double share = (place++ + 0.5) / failures_;
         crosses.points.push_back(
             {left * std::pow(10.0, kWidth * share), time_of_failure(point)});
-        if (point.mesh > 0) {
-          crosses.name += fmt::format("{}{}", separator, point.mesh);
-          separator = ", ";
-        }
+        if (point.mesh > 0) meshes.push_back(point.mesh);
+      }
+      // More would make the key wider than it should be.
+      constexpr std::size_t kNamed = 2;
+      if (meshes.size() > kNamed) {
+        crosses.name += fmt::format(" on {} meshes", meshes.size());
+      } else if (!meshes.empty()) {
+        crosses.name += fmt::format(" on {}", fmt::join(meshes, ", "));
       }
       if (crosses.points.empty()) continue;
       chart_.curves.push_back(std::move(crosses));

@@ -57,8 +57,6 @@ usual() {
   step micro "${program}micro" --benchmark_out="$results/micro.json" \
     --benchmark_out_format=json
   step chain chain
-  step scaling "${program}scaling" --out "$results/scaling"
-  step million_nodes "$brachisto" solve problems/large/million_nodes.yaml
   step fsolve "${program}fsolve" --out "$results/fsolve"
   step compare "$brachisto" compare problems/paper/fig04_reference_case.yaml \
     --out "$results/compare" --force
@@ -67,6 +65,8 @@ usual() {
     step "work_precision_$name" "$brachisto" work-precision "$file" \
       --out "$results/work_precision/$name" --force
   done
+  step scaling "${program}scaling" --out "$results/scaling"
+  step million_nodes "$brachisto" solve problems/large/million_nodes.yaml
   step gallery "${program}gallery" --jobs 2 --out "$results/gallery.csv"
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"
   step campaign "${program}campaign" --jobs 2 --out "$results/campaign.csv"

@@ -19,6 +19,9 @@ enum class Arm {
   Hybrid,  ///< the method of SciPy's fsolve, in this library
   Newton,  ///< exact derivatives, ε → 0, dense matrices
   Lifted,  ///< the same with θ_j as unknowns and sparse matrices
+  /// The equations with ε, by steps of Lifted: where those of Hybrid take too
+  /// long. It converges as long as ε is well below the length of a chord.
+  Simplified,
 };
 
 [[nodiscard]] const char* name(Arm arm);
@@ -55,7 +58,7 @@ struct DiscretePoint {
   DiscreteRun run;
 };
 
-/// Solves by Hybrid, Newton or Lifted, again and again after a warm-up until
+/// Solves by an arm of this library, again and again after a warm-up until
 /// 0.2 s have passed; cpu_seconds is the mean. A solve of more than that is
 /// timed once.
 [[nodiscard]] DiscreteRun run_here(const Scene& scene,

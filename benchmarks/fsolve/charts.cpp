@@ -202,6 +202,8 @@ Chart floor(const FsolveFindings& found, const std::string& name) {
     if (!curve.points.empty()) chart.curves.push_back(std::move(curve));
   };
   add(Arm::Hybrid, Datum::Rest, "ε = 1e-3", "#d95f02", Mark::Triangle);
+  add(Arm::Simplified, Datum::Rest, "ε = 1e-3, simplified Newton", "#7b3294",
+      Mark::Disc);
   add(Arm::Lifted, Datum::Rest, "exact gradient", "#d95f02", Mark::Circle);
   add(Arm::Hybrid, Datum::Release, "ε = 1e-3", "#08519c", Mark::Square);
   add(Arm::Lifted, Datum::Release, "exact gradient", "#08519c", Mark::Diamond);

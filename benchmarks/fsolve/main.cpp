@@ -130,9 +130,11 @@ void run_discrete(const Runner& runner, const Flags& flags,
     found.steps.push_back(
         runner.point({Arm::Hybrid, Datum::Rest, flags.step_nodes, step}));
   }
-  for (const Arm arm : {Arm::Hybrid, Arm::Newton, Arm::Lifted}) {
+  for (const Arm arm :
+       {Arm::Hybrid, Arm::Newton, Arm::Lifted, Arm::Simplified}) {
+    const bool sparse = arm == Arm::Lifted || arm == Arm::Simplified;
     for (const int nodes : flags.large) {
-      if (arm != Arm::Lifted && nodes > flags.largest_dense) break;
+      if (!sparse && nodes > flags.largest_dense) break;
       found.large.push_back(runner.point({arm, Datum::Rest, nodes}));
       // A larger one takes longer still.
       if (!found.large.back().run.solved()) break;

@@ -26,6 +26,7 @@ std::string significant(double value) {
 
 /// Without the power of ten that other formats fall into.
 std::string seconds(double value) {
+  if (!(value > 0.0)) return "0";
   if (value >= 10.0) return fmt::format("{:.0f}", value);
   if (value >= 1.0) return fmt::format("{:.1f}", value);
   const int digits = 1 - static_cast<int>(std::floor(std::log10(value)));
@@ -44,12 +45,24 @@ std::string time_text(const DiscreteRun* run) {
     case Outcome::Failed:
       break;
   }
-  return "failed";
+  return fmt::format("failed after {}", seconds(run->cpu_seconds));
 }
 
 std::string mesh_text(const RollingRun& run) {
   return fmt::format("p = {}, {} element{}", run.degree, run.elements,
                      run.elements == 1 ? "" : "s");
+}
+
+/// To two digits, with blanks between thousands.
+std::string whole(double value) {
+  if (value < 10.0) return fmt::format("{:.1f}", value);
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  std::string text = fmt::format("{:.0f}", std::round(value / unit) * unit);
+  constexpr int kGroup = 3;
+  for (int at = static_cast<int>(text.size()) - kGroup; at > 0; at -= kGroup) {
+    text.insert(static_cast<std::size_t>(at), " ");
+  }
+  return text;
 }
 
 std::string milliseconds(double value) {
@@ -71,7 +84,8 @@ std::vector<int> sizes(const FsolveFindings& found) {
 /// The equations with ε = 1e-3, whoever solved them; null if nobody did.
 const DiscreteRun* with_differences(const FsolveFindings& found, Datum datum,
                                     int nodes) {
-  for (const Arm arm : {Arm::Hybrid, Arm::SciPy, Arm::Octave}) {
+  for (const Arm arm :
+       {Arm::Hybrid, Arm::SciPy, Arm::Octave, Arm::Simplified}) {
     const DiscreteRun* run = found.find(arm, datum, nodes);
     if (run != nullptr && run->solved()) return run;
   }
@@ -111,8 +125,8 @@ std::string ratios(const FsolveFindings& found, Work work) {
     if (nodes < kFrom) continue;
     for (const Arm arm : kArms) {
       const DiscreteRun* run = found.find(arm, Datum::Rest, nodes);
-      if (run == nullptr || !run->timed()) continue;
-      // The same equations have the same solution, whoever is capped.
+      if (run == nullptr || run->outcome == Outcome::Absent) continue;
+      // The same equations have the same solution, whoever does not find it.
       const DiscreteRun* accuracy =
           run->solved() ? run : with_differences(found, Datum::Rest, nodes);
       if (accuracy == nullptr) continue;
@@ -188,24 +202,23 @@ std::string floor_over_steps(const FsolveFindings& found) {
 }
 
 std::string floor_over_nodes(const FsolveFindings& found) {
-  Table table({"n", "τ, ε = 1e-3", "error", "hybrid [s]", "τ, ε → 0", "error",
-               "newton [s]", "lifted [s]"});
+  Table table(
+      {"n", "τ, ε = 1e-3", "error", "τ, ε → 0", "error", "ε moves τ by"});
   std::vector<int> all = sizes(found);
   for (const DiscretePoint& point : found.large) {
     if (point.task.nodes > all.back()) all.push_back(point.task.nodes);
   }
   for (const int nodes : all) {
-    const DiscreteRun* hybrid = found.find(Arm::Hybrid, Datum::Rest, nodes);
-    const DiscreteRun* lifted = found.find(Arm::Lifted, Datum::Rest, nodes);
-    const bool solved = hybrid != nullptr && hybrid->solved();
-    const bool exact = lifted != nullptr && lifted->solved();
+    const DiscreteRun* with = with_differences(found, Datum::Rest, nodes);
+    const DiscreteRun* without = found.find(Arm::Lifted, Datum::Rest, nodes);
+    if (without == nullptr || !without->solved()) continue;
     table.add({fmt::format("{}", nodes),
-               solved ? fmt::format("{:.6f}", hybrid->tau) : "",
-               solved ? significant(hybrid->error) : "", time_text(hybrid),
-               exact ? fmt::format("{:.6f}", lifted->tau) : "",
-               exact ? significant(lifted->error) : "",
-               time_text(found.find(Arm::Newton, Datum::Rest, nodes)),
-               time_text(lifted)});
+               with != nullptr ? fmt::format("{:.6f}", with->tau) : "—",
+               with != nullptr ? significant(with->error) : "",
+               fmt::format("{:.6f}", without->tau), significant(without->error),
+               with != nullptr
+                   ? fmt::format("{:.1e}", with->tau / without->tau - 1.0)
+                   : ""});
   }
   return table.markdown();
 }

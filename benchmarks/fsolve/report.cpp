@@ -136,8 +136,10 @@ std::string ratios(const FsolveFindings& found, Work work) {
                  significant(accuracy->error), time_text(run), mesh_text(*ours),
                  ours->way.method == Method::Ipopt ? "Ipopt" : "Newton",
                  significant(ours->error), milliseconds(ours->cpu_seconds),
-                 fmt::format("{}{:.2g}", run->solved() ? "" : "> ",
-                             run->cpu_seconds / ours->cpu_seconds)});
+                 run->timed()
+                     ? fmt::format("{}{}", run->solved() ? "" : "> ",
+                                   whole(run->cpu_seconds / ours->cpu_seconds))
+                     : "no answer"});
     }
   }
   return table.markdown();

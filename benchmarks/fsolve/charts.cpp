@@ -80,11 +80,11 @@ std::vector<DiscretePoint> points_of(const FsolveFindings& found, Arm arm,
   return out;
 }
 
-/// A line at the cap across the chart.
+/// A line at the cap across the chart, and what the crosses are.
 void add_cap(Chart& chart, const FsolveFindings& found, double low,
              double high) {
   chart.curves.push_back(
-      {.name = fmt::format("cap of {:g} s, crosses: not done", found.cap),
+      {.name = fmt::format("cap of {:g} s, crosses: no answer", found.cap),
        .points = {{low, found.cap}, {high, found.cap}},
        .stroke = Stroke::Dashed,
        .colour = kGrey,
@@ -96,7 +96,7 @@ void add_cap(Chart& chart, const FsolveFindings& found, double low,
 Chart growth(const FsolveFindings& found, const std::string& name) {
   Chart chart = logarithmic(name, "Processor time against the number of nodes",
                             "nodes", "processor time [s]");
-  bool any_capped = false;
+  bool any_crosses = false;
   double low = 1e300, high = 0.0;
   const auto include = [&](double nodes) {
     low = std::min(low, nodes);
@@ -104,19 +104,19 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
   };
   for (const Look& look : kLooks) {
     Curve curve = curve_of(look);
-    Curve capped = curve;
-    capped.name.clear();
-    capped.id += "_capped";
-    capped.width = 0.0;
-    capped.mark = Mark::Cross;
+    Curve crosses = curve;
+    crosses.name.clear();
+    crosses.id += "_without_answer";
+    crosses.width = 0.0;
+    crosses.mark = Mark::Cross;
     for (const auto& [task, run] : points_of(found, look.arm, Datum::Rest)) {
-      if (!run.timed()) continue;
+      if (!(run.cpu_seconds > 0.0)) continue;
       include(task.nodes);
-      (run.solved() ? curve : capped)
+      (run.solved() ? curve : crosses)
           .points.push_back({static_cast<double>(task.nodes), run.cpu_seconds});
     }
-    any_capped = any_capped || !capped.points.empty();
-    for (Curve* one : {&curve, &capped}) {
+    any_crosses = any_crosses || !crosses.points.empty();
+    for (Curve* one : {&curve, &crosses}) {
       if (!one->points.empty()) chart.curves.push_back(std::move(*one));
     }
   }
@@ -136,7 +136,7 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
     }
     if (!ours.points.empty()) chart.curves.push_back(std::move(ours));
   }
-  if (any_capped) add_cap(chart, found, low, high);
+  if (any_crosses) add_cap(chart, found, low, high);
   return chart;
 }
 

@@ -30,15 +30,15 @@ const char* word(DiscreteRun::Outcome outcome) {
 std::string row(const DiscretePoint& point) {
   const auto& [task, run] = point;
   const bool differences = task.arm != Arm::Newton && task.arm != Arm::Lifted;
-  return fmt::format("{},{},{},,{},{},{},{},{},{},{},{}\n", name(task.arm),
-                     name(task.datum), task.nodes,
-                     differences ? fmt::format("{:g}", task.epsilon) : "0",
-                     word(run.outcome),
-                     run.timed() ? fmt::format("{:.4g}", run.cpu_seconds) : "",
-                     run.repetitions, run.evaluations,
-                     run.solved() ? fmt::format("{:.12f}", run.tau) : "",
-                     run.solved() ? fmt::format("{:.4g}", run.error) : "",
-                     csv_field(run.cause.str()));
+  return fmt::format(
+      "{},{},{},,{},{},{},{},{},{},{},{}\n", name(task.arm), name(task.datum),
+      task.nodes, differences ? fmt::format("{:g}", task.epsilon) : "0",
+      word(run.outcome),
+      run.cpu_seconds > 0.0 ? fmt::format("{:.4g}", run.cpu_seconds) : "",
+      run.repetitions, run.evaluations,
+      run.solved() ? fmt::format("{:.12f}", run.tau) : "",
+      run.solved() ? fmt::format("{:.4g}", run.error) : "",
+      csv_field(run.cause.str()));
 }
 
 std::string row(const char* set, const RollingRun& run) {

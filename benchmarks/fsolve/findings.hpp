@@ -24,7 +24,7 @@ struct FsolveFindings {
   std::vector<DiscretePoint> arms;
   /// Hybrid, datum rest, on one n with smaller and larger ε.
   std::vector<DiscretePoint> steps;
-  /// Hybrid with ε = 1e-3 and Lifted, datum rest, on n beyond those of `arms`.
+  /// On n beyond those of `arms`, and Simplified on all n.
   std::vector<DiscretePoint> large;
 
   std::vector<RollingRun> menu;    ///< uniform meshes of every degree

@@ -130,15 +130,25 @@ void run_discrete(const Runner& runner, const Flags& flags,
     found.steps.push_back(
         runner.point({Arm::Hybrid, Datum::Rest, flags.step_nodes, step}));
   }
-  for (const Arm arm :
-       {Arm::Hybrid, Arm::Newton, Arm::Lifted, Arm::Simplified}) {
-    const bool sparse = arm == Arm::Lifted || arm == Arm::Simplified;
+  for (const Arm arm : {Arm::Hybrid, Arm::Newton}) {
     for (const int nodes : flags.large) {
-      if (!sparse && nodes > flags.largest_dense) break;
+      if (nodes > flags.largest_dense) break;
       found.large.push_back(runner.point({arm, Datum::Rest, nodes}));
       // A larger one takes longer still.
       if (!found.large.back().run.solved()) break;
     }
+  }
+  for (const int nodes : flags.large) {
+    for (const Datum datum : {Datum::Rest, Datum::Release}) {
+      found.large.push_back(runner.point({Arm::Lifted, datum, nodes}));
+    }
+  }
+  std::vector<int> all = flags.nodes;
+  all.insert(all.end(), flags.large.begin(), flags.large.end());
+  for (const int nodes : all) {
+    found.large.push_back(runner.point({Arm::Simplified, Datum::Rest, nodes}));
+    // On larger ones ε is longer still beside a chord.
+    if (!found.large.back().run.solved()) break;
   }
 }
 

@@ -192,7 +192,7 @@ class Diagram {
     int place = 0;
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
       const PrecisionLine& line = found_.lines[i];
-      Curve crosses{.name = words(line.method) + ": no result",
+      Curve crosses{.name = words(line.method) + ": none",
                     .points = {},
                     .colour = looks_[i].colour,
                     .width = 0.0,

@@ -10,8 +10,12 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-build=${1:?the build folder}
+build=${1:-}
 suite=${2:-usual}
+if [ ! -d "$build" ] || { [ "$suite" != usual ] && [ "$suite" != long ]; }; then
+  sed -n '4,5s/^# \{0,1\}//p' benchmarks/run.sh >&2
+  exit 2
+fi
 results=$build/benchmarks/results
 brachisto=$build/src/app/brachisto
 program=$build/benchmarks/benchmark_
@@ -79,13 +83,7 @@ long() {
     --out "$results/fsolve_long"
 }
 
-case $suite in
-  usual | long) "$suite" ;;
-  *)
-    sed -n '4,5s/^# \{0,1\}//p' "$0" >&2
-    exit 2
-    ;;
-esac
+"$suite"
 {
   printf '%-32s %10s %10s\n' step wall CPU
   printf '%s\n' "${summary[@]}"

@@ -4,6 +4,8 @@
 #   ./bootstrap.sh demo   install what is missing, build, solve the reference
 #                         case of the paper
 #   ./bootstrap.sh test   install what is missing, build, run all tests
+#   ./bootstrap.sh bench  the same for the benchmarks, half an hour; results in
+#                         build/release/benchmarks/results
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what
@@ -17,6 +19,8 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev
 )
+# Of the benchmarks alone, the programs of others that they run among them.
+bench_packages=(libbenchmark-dev octave python3-scipy)
 
 say() { printf '== %s\n' "$*"; }
 
@@ -65,8 +69,14 @@ case "${1:-}" in
     say "testing"
     ctest --preset release
     ;;
+  bench)
+    packages+=("${bench_packages[@]}")
+    install_packages
+    build -DBRACHISTO_BUILD_TESTS=OFF -DBRACHISTO_BUILD_BENCHMARKS=ON
+    cmake --build --preset release --target run_benchmarks
+    ;;
   *)
-    sed -n '2,10s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

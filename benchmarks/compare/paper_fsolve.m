@@ -8,7 +8,7 @@
 %
 % Options (defaults in brackets): --n [100], --datum release|rest|printed,
 % --slopes literal|smooth, --epsilon [1e-3], --updating on|off (off: a Jacobian in
-% every iteration), --tol [1e-10] on steps and F, --seconds [600],
+% every iteration), --tol [1e-10] on steps and F, --seconds [600] of processor time,
 % --L [3] --H [1] --r [1/3] --eta [2/3] --theta [0] --k [1/2].
 %
 % Quadrature: the time of a chord of length l is 2 l / (v + v') with the speeds at
@@ -65,7 +65,7 @@ end
 function F = equations (u, o)
   global calls deadline
   calls++;
-  if (now () > deadline), error ('time limit'); end
+  if (cputime () > deadline), error ('time limit'); end
   n = o.n;
   x = u(1:n);
   z = u(n+1:2*n);
@@ -110,13 +110,13 @@ o = options (argv ());
 settings = optimset ('TolX', o.tol, 'TolFun', o.tol, 'MaxIter', 400, ...
                      'MaxFunEvals', Inf, 'Updating', o.updating);
 calls = 0;
-deadline = now () + o.seconds / 86400;
 result = struct ('program', 'octave', 'version', version (), 'n', o.n, 'datum', o.datum, ...
                  'slopes', o.slopes, 'epsilon', o.epsilon, 'updating', o.updating, 'tol', o.tol);
 begin = cputime ();
 try
   u = cycloid (o);
   begin = cputime ();
+  deadline = begin + o.seconds;
   [u, F, info, out] = fsolve (@(w) equations (w, o), u, settings);
   result.seconds_cpu = cputime () - begin;
   result.info = info;

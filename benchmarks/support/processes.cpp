@@ -4,10 +4,12 @@
 #include "support/processes.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -26,9 +28,14 @@ struct Running {
   int pipe = -1;
 };
 
-[[noreturn]] void be_the_child(int index, int pipe, unsigned seconds,
+[[noreturn]] void be_the_child(int index, int pipe,
+                               const ProcessLimits& limits,
                                const std::function<std::string(int)>& work) {
-  alarm(seconds);  // SIGALRM ends the process
+  alarm(limits.seconds);  // SIGALRM ends the process
+  if (limits.cpu_seconds > 0) {
+    const rlimit processor = {limits.cpu_seconds, RLIM_INFINITY};
+    setrlimit(RLIMIT_CPU, &processor);  // SIGXCPU does
+  }
   int code = EXIT_SUCCESS;
   try {
     const std::string bytes = work(index);
@@ -46,7 +53,7 @@ struct Running {
   _exit(code);
 }
 
-Running start(int index, unsigned seconds,
+Running start(int index, const ProcessLimits& limits,
               const std::function<std::string(int)>& work, pid_t& child) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::runtime_error("pipe() failed");
@@ -55,7 +62,7 @@ Running start(int index, unsigned seconds,
   if (child < 0) throw std::runtime_error("fork() failed");
   if (child == 0) {
     close(ends[0]);
-    be_the_child(index, ends[1], seconds, work);
+    be_the_child(index, ends[1], limits, work);
   }
   close(ends[1]);
   return {index, ends[0]};
@@ -72,11 +79,17 @@ std::string read_all(int pipe) {
   return bytes;
 }
 
-std::string fate_of(int status, unsigned seconds) {
+std::string fate_of(int status, const ProcessLimits& limits) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
-    return signal == SIGALRM ? fmt::format("not done after {} s", seconds)
-                             : fmt::format("crashed with signal {}", signal);
+    if (signal == SIGALRM) {
+      return fmt::format("not done after {} s", limits.seconds);
+    }
+    if (signal == SIGXCPU) {
+      return fmt::format("not done after {} s of processor time",
+                         limits.cpu_seconds);
+    }
+    return fmt::format("crashed with signal {}", signal);
   }
   if (WEXITSTATUS(status) == kThrew) return "threw an exception";
   if (WEXITSTATUS(status) != 0) {
@@ -97,7 +110,7 @@ void run_in_processes(
   while (next < count || !running.empty()) {
     while (next < count && static_cast<int>(running.size()) < limits.jobs) {
       pid_t child = 0;
-      const Running process = start(next++, limits.seconds, work, child);
+      const Running process = start(next++, limits, work, child);
       running[child] = process;
     }
     int status = 0;
@@ -106,7 +119,7 @@ void run_in_processes(
     const Running process = ended->second;
     running.erase(ended);
     const std::string bytes = read_all(process.pipe);
-    done(process.index, bytes, fate_of(status, limits.seconds));
+    done(process.index, bytes, fate_of(status, limits));
   }
 }
 

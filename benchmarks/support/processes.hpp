@@ -19,7 +19,9 @@ namespace brachisto::benchmarks {
 /// How many processes at a time, and for how long each.
 struct ProcessLimits {
   int jobs = 1;
-  unsigned seconds = 600;  ///< then it is killed
+  unsigned seconds = 600;  ///< wall clock; then it is killed
+  /// The same for processor time, which other work does not stretch; 0: none.
+  unsigned cpu_seconds = 0;
 };
 
 /// Runs work(0) … work(count − 1), each in a fork of this process, and hands

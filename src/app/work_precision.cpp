@@ -14,6 +14,7 @@
 #include "app/signals.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
+#include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
 
 namespace brachisto::app {
@@ -26,9 +27,14 @@ struct WorkPrecisionFlags : CommonFlags {
   bool quick = false;
 };
 
-/// A first look: the coarsest meshes, once.
+/// A first look: the coarsest meshes that all methods take, once.
 WorkPrecisionPlan quick(WorkPrecisionPlan plan) {
   constexpr std::size_t kMeshes = 3;
+  int smallest = 1;
+  for (const ComparedMethod& method : plan.methods) {
+    smallest = std::max(smallest, comparison::smallest_mesh(method));
+  }
+  std::erase_if(plan.meshes, [&](int mesh) { return mesh < smallest; });
   plan.meshes.resize(std::min(plan.meshes.size(), kMeshes));
   plan.repetitions = 1;
   return plan;
@@ -77,8 +83,9 @@ void add_work_precision(CLI::App& app, int& exit_code) {
                    "Write work_precision.svg, .csv, .gp and .json there")
       ->type_name("DIR");
   verb->add_flag("--force", flags->force, "Replace existing files in DIR");
-  verb->add_flag("--quick", flags->quick,
-                 "The first three meshes, one repetition");
+  verb->add_flag(
+      "--quick", flags->quick,
+      "The three coarsest meshes that all methods take, one repetition");
   verb->footer(
       "The section work_precision of the file says which methods run on which\n"
       "meshes; it has defaults.\n"

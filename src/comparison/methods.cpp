@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result_json.hpp"
+#include "brachisto/transcription/discretisation.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::comparison {
@@ -118,6 +119,31 @@ bool available(const ComparedMethod& method) {
 
 bool has_meshes(const ComparedMethod& method) {
   return method.kind != Kind::Extremal;
+}
+
+int smallest_mesh(const ComparedMethod& method) {
+  switch (method.kind) {
+    case Kind::ArcLength:
+    case Kind::Fsolve:  // with fewer, too: chords that make no path
+      return kFewestPieces;
+    case Kind::RollingTime:
+    case Kind::Extremal:
+      break;
+  }
+  return 1;
+}
+
+std::optional<int> promised_order(const ComparedMethod& method) {
+  switch (method.kind) {
+    case Kind::RollingTime:
+      return 2 * method.degree;
+    case Kind::ArcLength:
+      return 2;
+    case Kind::Extremal:
+    case Kind::Fsolve:
+      break;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> overrides(const ComparedMethod& method, int mesh,

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,13 @@ namespace brachisto::comparison {
 
 /// Whether a mesh makes a difference to it.
 [[nodiscard]] bool has_meshes(const ComparedMethod& method);
+
+/// The smallest mesh on which there is something to compare.
+[[nodiscard]] int smallest_mesh(const ComparedMethod& method);
+
+/// The order of τ that theory promises in the size of the mesh; nothing where
+/// it promises none.
+[[nodiscard]] std::optional<int> promised_order(const ComparedMethod& method);
 
 /// What makes the problem one of this method on that mesh, in the place of all
 /// that it says of discretisation and solver but for its tolerance, linear

@@ -27,7 +27,8 @@ std::optional<ObservedOrder> observed_order(std::span<const SizeError> points,
                                             double floor) {
   std::vector<std::pair<double, double>> logs;
   for (const SizeError& point : points) {
-    if (point.error > floor && std::isfinite(point.error)) {
+    if (point.error <= floor) break;
+    if (std::isfinite(point.error)) {
       logs.emplace_back(std::log(point.n), std::log(point.error));
     }
   }

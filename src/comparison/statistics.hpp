@@ -41,9 +41,10 @@ struct ObservedOrder {
   double finest = 0.0;
 };
 
-/// Fits log(error) over log(n) by least squares to the points whose error is
-/// above `floor`; below it rounding and tolerances speak. Nothing if fewer than
-/// two different n are left.
+/// Fits log(error) over log(n) by least squares to the points before the first
+/// whose error is not above `floor`; from there on rounding and tolerances
+/// speak, and rounding grows with n. Nothing if fewer than two different n are
+/// left.
 ///
 /// \param points  ascending in n
 [[nodiscard]] std::optional<ObservedOrder> observed_order(

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "comparison/methods.hpp"
 
@@ -36,6 +37,7 @@ class Campaign {
     const std::vector<int> meshes =
         has_meshes(method) ? plan_.meshes : std::vector<int>{0};
     for (const int mesh : meshes) {
+      if (has_meshes(method) && mesh < smallest_mesh(method)) continue;
       PrecisionPoint point{mesh, run(method, mesh, plan_.repetitions), {}};
       if (point.run.solved()) point.error = error_of(point.run, reference);
       out.points.push_back(std::move(point));
@@ -77,7 +79,11 @@ std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
 
 double WorkPrecision::floor() const {
   constexpr double kAbove = 10.0;
-  return kAbove * std::max(tolerance(), reference.error);
+  // Polishing goes on below the tolerance as far as rounding lets it; that of
+  // the sums of a time is some of its last digits.
+  constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+  const double solver = polished() ? kRounding : tolerance();
+  return kAbove * std::max(solver, reference.error);
 }
 
 WorkPrecision run_work_precision(const Subject& subject,

@@ -44,9 +44,11 @@ struct WorkPrecision {
   std::vector<PrecisionLine> lines;
 
   /// Relative error below which there is no order to be seen: ten times what
-  /// the KKT tolerance and the reference leave open, so that a tenth of the
-  /// error at most is not of the discretisation.
+  /// the solver and the reference leave open, so that a tenth of the error at
+  /// most is not of the discretisation. The solver leaves the KKT tolerance or,
+  /// if the last digits are polished, rounding.
   [[nodiscard]] double floor() const;
+  [[nodiscard]] bool polished() const { return subject.problem.options.polish; }
   /// The KKT tolerance of the problem.
   [[nodiscard]] double tolerance() const {
     return subject.problem.options.tolerance;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,7 @@ class Diagram {
     }
     set_ranges();
     if (failures_ > 0) add_failures();
+    add_reference();
     add_floor();
     return std::move(chart_);
   }
@@ -105,8 +107,19 @@ class Diagram {
                      std::numeric_limits<double>::epsilon()});
   }
 
+  /// With the order that was observed, where there is one.
+  [[nodiscard]] static std::string key_of(const PrecisionLine& line) {
+    std::string key = words(line.method);
+    if (!line.order) return key;
+    key += fmt::format(", order {:.1f}", line.order->order);
+    if (line.order->uncertainty) {
+      key += fmt::format(" ± {:.1f}", *line.order->uncertainty);
+    }
+    return key;
+  }
+
   void add_line(const PrecisionLine& line, const Look& look) {
-    Curve curve{.name = words(line.method),
+    Curve curve{.name = key_of(line),
                 .points = {},
                 .stroke = look.stroke,
                 .colour = look.colour,
@@ -132,13 +145,6 @@ class Diagram {
     }
     looks_.push_back(look);
     if (curve.points.empty()) return;
-    if (line.method.kind == Kind::RollingTime) {
-      chart_.notes.push_back({.at = curve.points.front(),
-                              .text = fmt::format("{}", line.method.degree),
-                              .mark = Mark::None,
-                              .dx = -4.0,
-                              .dy = 17.0});
-    }
     chart_.curves.push_back(std::move(spread));
     chart_.curves.push_back(std::move(curve));
   }
@@ -186,23 +192,27 @@ class Diagram {
     int place = 0;
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
       const PrecisionLine& line = found_.lines[i];
-      Curve crosses{.name = words(line.method) + ": no result",
+      Curve crosses{.name = words(line.method) + ": none",
                     .points = {},
                     .colour = looks_[i].colour,
                     .width = 0.0,
                     .mark = Mark::Cross,
                     .id = identifier(line.method) + "_without_result"};
-      const char* separator = " on ";
+      std::vector<int> meshes;
       for (const PrecisionPoint& point : line.points) {
         if (point.run.solved()) continue;
         limited = limited || at_limit(point);
         const double share = (place++ + 0.5) / failures_;
         crosses.points.push_back(
             {left * std::pow(10.0, kWidth * share), time_of_failure(point)});
-        if (point.mesh > 0) {
-          crosses.name += fmt::format("{}{}", separator, point.mesh);
-          separator = ", ";
-        }
+        if (point.mesh > 0) meshes.push_back(point.mesh);
+      }
+      // More would make the key wider than it should be.
+      constexpr std::size_t kNamed = 2;
+      if (meshes.size() > kNamed) {
+        crosses.name += fmt::format(" on {} meshes", meshes.size());
+      } else if (!meshes.empty()) {
+        crosses.name += fmt::format(" on {}", fmt::join(meshes, ", "));
       }
       if (crosses.points.empty()) continue;
       chart_.curves.push_back(std::move(crosses));
@@ -221,10 +231,23 @@ class Diagram {
          .id = "limit"});
   }
 
+  /// Where errors cannot be told from that of the reference.
+  void add_reference() {
+    const double error = found_.reference.error;
+    if (!(error > *chart_.x.low)) return;
+    chart_.areas.push_back({.name = "error of the reference",
+                            .outline = {{*chart_.x.low, *chart_.y.low},
+                                        {error, *chart_.y.low},
+                                        {error, *chart_.y.high},
+                                        {*chart_.x.low, *chart_.y.high}},
+                            .fill = "#d9e6f2"});
+  }
+
   void add_floor() {
     const double x = found_.tolerance();
     chart_.curves.push_back(
-        {.name = "tolerance of the KKT residual",
+        {.name = found_.polished() ? "KKT tolerance, before the polish"
+                                   : "KKT tolerance",
          .points = {{x, *chart_.y.low}, {x, *chart_.y.high}},
          .stroke = Stroke::Dotted,
          .colour = kGrey,

@@ -60,11 +60,12 @@ Rows point_rows(const WorkPrecision& found) {
 }
 
 Rows order_rows(const WorkPrecision& found) {
-  Rows rows{{"method", "observed order", "finest two", "points"}};
+  Rows rows{{"method", "promised", "observed order", "finest two", "points"}};
   for (const PrecisionLine& line : found.lines) {
     if (!has_meshes(line.method)) continue;
     rows.push_back(
-        {label(line.method), order_text(line.order),
+        {label(line.method), or_dash(promised_order(line.method)),
+         order_text(line.order),
          line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
          fmt::format("{} of {}", line.order ? line.order->points : 0,
                      line.points.size())});
@@ -100,10 +101,13 @@ Json line_json(const PrecisionLine& line) {
 std::string summary(const WorkPrecision& found) {
   return fmt::format(
       "{}\n{}\nerror: relative, of τ, against {}\n"
-      "orders: from errors above {:.1e}, ten times what the KKT tolerance "
-      "{:.0e} and the reference leave open\n",
+      "orders: from errors above {:.1e}, ten times what {} and the reference "
+      "leave open\n",
       text_table(point_rows(found)), text_table(order_rows(found)),
-      reference_text(found.reference), found.floor(), found.tolerance());
+      reference_text(found.reference), found.floor(),
+      found.polished()
+          ? "rounding, down to which solutions are polished,"
+          : fmt::format("the KKT tolerance {:.0e}", found.tolerance()));
 }
 
 std::string to_json(const WorkPrecision& found) {
@@ -122,7 +126,8 @@ std::string to_json(const WorkPrecision& found) {
                      {"meshes", found.plan.meshes},
                      {"repetitions", found.plan.repetitions},
                      {"seconds_per_point", found.plan.seconds_per_point},
-                     {"kkt_tolerance", found.tolerance()}}},
+                     {"kkt_tolerance", found.tolerance()},
+                     {"polish", found.polished()}}},
                    {"floor", found.floor()},
                    {"lines", lines}};
   add_origin(document, found.subject);

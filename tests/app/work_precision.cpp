@@ -119,16 +119,30 @@ TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
 
 TEST(WorkPrecision, WhatHasNoResultIsAPointWithACause) {
   const Output output =
-      run({"work-precision", scene("base"), "--json", "--quiet", "--set",
+      run({"work-precision", scene("faster_than_bead"), "--json", "--quiet",
+           "--set",
            "work_precision={methods: [{rolling_time: [1]}, {fsolve: [rest]}], "
-           "meshes: [2], repetitions: 1}"});
+           "meshes: [8], repetitions: 1}"});
 
   ASSERT_EQ(output.code, 0) << output.err;
   const json point = json::parse(output.out)["lines"][1]["points"][0];
-  EXPECT_EQ(point["outcome"], "refused") << "n ≥ 3";
-  EXPECT_NE(point["cause"].get<std::string>().find("needs 3"),
+  EXPECT_EQ(point["outcome"], "failed");
+  EXPECT_NE(point["cause"].get<std::string>().find("no good progress"),
             std::string::npos);
   EXPECT_TRUE(point["error"].is_null());
+}
+
+TEST(WorkPrecision, LeavesMeshesThatAreTooSmallToCollocation) {
+  const Output output =
+      run({"work-precision", scene("base"), "--json", "--quiet", "--set",
+           "work_precision={methods: [{rolling_time: [3]}, {fsolve: [rest]}], "
+           "meshes: [4, 8], repetitions: 1}"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json lines = json::parse(output.out)["lines"];
+  EXPECT_EQ(lines[0]["points"].size(), 2U);
+  ASSERT_EQ(lines[1]["points"].size(), 1U);
+  EXPECT_EQ(lines[1]["points"][0]["mesh"], 8);
 }
 
 TEST(WorkPrecision, WithoutAReferenceThereIsNothing) {

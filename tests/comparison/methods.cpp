@@ -66,6 +66,22 @@ TEST(Methods, HaveTheMeshTheyAreGiven) {
   EXPECT_EQ(read({.kind = Kind::Extremal}).method, Method::Extremal);
 }
 
+TEST(Methods, TakeTheirSmallestMesh) {
+  for (const ComparedMethod& method : kAll) {
+    if (!available(method) || !has_meshes(method)) continue;
+    const int mesh = smallest_mesh(method);
+    EXPECT_EQ(
+        io::errors(kFiles[0], overrides(method, mesh, io::read(kFiles[0]))), "")
+        << label(method);
+  }
+}
+
+TEST(Methods, OfCollocationPromiseTwiceTheirDegree) {
+  EXPECT_EQ(promised_order(rolling_time(3)), 6);
+  EXPECT_EQ(promised_order({.kind = Kind::ArcLength}), 2);
+  EXPECT_FALSE(promised_order(fsolve(FsolveArm::Rest)));
+}
+
 TEST(Methods, KeepWhatIsNotTheirs) {
   const io::ProblemFile read = io::read(kFiles[2]);
   const io::ProblemFile limits = io::read(kFiles[3]);

@@ -62,9 +62,11 @@ TEST(ObservedOrder, IsThatOfAPowerLaw) {
 
 TEST(ObservedOrder, LeavesOutWhatIsBelowTheFloor) {
   std::vector<SizeError> points = power_law(4.0, 4);
-  // Two meshes on which rounding is all that is left.
+  // Meshes on which rounding is all that is left.
   points.push_back({160.0, 2e-16});
   points.push_back({320.0, 0.0});
+  // And one with so many unknowns that rounding is above the floor again.
+  points.push_back({10'000.0, 3e-14});
 
   const auto fit = observed_order(points, 1e-14);
 

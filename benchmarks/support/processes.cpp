@@ -28,8 +28,7 @@ struct Running {
   int pipe = -1;
 };
 
-[[noreturn]] void be_the_child(int index, int pipe,
-                               const ProcessLimits& limits,
+[[noreturn]] void be_the_child(int index, int pipe, const ProcessLimits& limits,
                                const std::function<std::string(int)>& work) {
   alarm(limits.seconds);  // SIGALRM ends the process
   if (limits.cpu_seconds > 0) {

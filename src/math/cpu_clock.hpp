@@ -20,4 +20,13 @@ namespace brachisto {
          kNano * static_cast<double>(now.tv_nsec);
 }
 
+/// Processor time that this thread has used [s].
+[[nodiscard]] inline double thread_cpu_seconds() {
+  constexpr double kNano = 1e-9;
+  std::timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) +
+         kNano * static_cast<double>(now.tv_nsec);
+}
+
 }  // namespace brachisto

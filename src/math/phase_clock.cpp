@@ -3,6 +3,8 @@
 
 #include "brachisto/math/phase_clock.hpp"
 
+#include <algorithm>
+
 #include "math/cpu_clock.hpp"
 
 namespace brachisto {
@@ -12,13 +14,13 @@ namespace {
 struct State {
   PhaseSeconds sums;
   Phase now = Phase::Other;
-  double since = process_cpu_seconds();
+  double since = thread_cpu_seconds();
 
   double& sum(Phase phase) {
     return sums.seconds[static_cast<std::size_t>(phase)];
   }
   void change_to(Phase phase) {
-    const double time = process_cpu_seconds();
+    const double time = thread_cpu_seconds();
     sum(now) += time - since;
     since = time;
     now = phase;
@@ -72,6 +74,7 @@ PhaseSeconds phase_seconds() {
 
 void move_phase_seconds(Phase from, Phase to, double seconds) {
   if (takes_all(state.now)) return;
+  seconds = std::clamp(seconds, 0.0, std::max(0.0, state.sum(from)));
   state.sum(from) -= seconds;
   state.sum(to) += seconds;
 }

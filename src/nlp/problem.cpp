@@ -44,6 +44,7 @@ bool Problem::set_point(std::span<const double> x) {
   check_size("x", x.size(), size(num_variables()));
   const PhaseTimer timer(Phase::Evaluation);
   if (evaluable_ && std::ranges::equal(x, current_point())) return true;
+  evaluable_ = false;
   evaluable_ = do_set_point(x);
   return evaluable_;
 }

@@ -54,7 +54,8 @@ class EntriesByLink {
       : chain_(&chain), positions_(positions) {}
   bool find_ranges();
   bool sort();
-  /// First and last link that an entry may belong to, and what else it may be.
+  /// First and last link that an entry may belong to; both negative if it
+  /// belongs to none.
   struct Links {
     int first, last;
   };

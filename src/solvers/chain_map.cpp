@@ -106,11 +106,13 @@ std::optional<ChainMap> ChainMap::make(
   };
   // Whether the entries of `link` lie where those of the run would go on to,
   // all of an array by the same stride, so that none is met twice.
+  std::vector<std::size_t> count;
+  std::vector<std::ptrdiff_t> stride;
   const auto goes_on = [&](const Run& run, int link) {
     const int i = run.num_links;
     if (!by_link->in_order() || i < 2) return false;
-    std::vector<std::size_t> count(positions.size(), 0);
-    std::vector<std::ptrdiff_t> stride(positions.size(), 0);
+    count.assign(positions.size(), 0);
+    stride.assign(positions.size(), 0);
     for (const Entry& entry : run.entries) {
       const std::size_t a = at(entry.array);
       const EntriesByLink::Range range = by_link->range(a, link);

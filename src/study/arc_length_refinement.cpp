@@ -132,7 +132,9 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
 }
 
 double Sequence::estimate(const ArcLengthAnswer& finer) const {
-  constexpr double kHigherOrders = 1.5;
+  // Of terms of higher order in the change from mesh to mesh: as if the order
+  // was only this.
+  constexpr double kLeastOrder = 1.58;
   const ArcLengthAnswer& coarser = *out_.answer;
   const double n = finer.problem.num_intervals();
   const double ratio = n / coarser.problem.num_intervals();
@@ -145,7 +147,8 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
       per_radian * (closure.phi - coarser.solution.closure.phi);
   const double rest = T - coarser.transit_time - of_ends;
   const double between =
-      kHigherOrders * (std::abs(of_ends) + std::abs(rest)) / (q - 1.0) / T;
+      (std::abs(of_ends) + std::abs(rest)) /
+      (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
   // A sum of N terms, each rounded.

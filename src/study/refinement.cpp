@@ -83,9 +83,17 @@ MeshAnswer booked_answer(const Scene& scene, const Mesh& mesh,
   return answer;
 }
 
-/// The answer of a much coarser mesh to start from and to judge the error by, if
-/// that is exact already but for rounding: then degree p + 1 on `mesh` would
+/// Whether the error of a large mesh can be judged by this answer of a coarser
+/// one, because it is exact already but for rounding: then degree p + 1 would
 /// only cost time and memory.
+bool judges(const MeshAnswer& coarser, double tolerance) {
+  constexpr double kExact = 1e-11;
+  constexpr double kShare = 0.1;
+  return coarser.estimated_error &&
+         *coarser.estimated_error <= std::min(kExact, kShare * tolerance);
+}
+
+/// The answer of a much coarser mesh for a large one to start from.
 std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
                                          const ExtremalCurve& curve, double phi,
                                          MeshOptions& options,
@@ -93,17 +101,13 @@ std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
   constexpr int kManyElements = 4000;
   constexpr int kTimesCoarser = 8;
   constexpr int kEnoughElements = 5000;
-  constexpr double kExact = 1e-11;
   if (mesh.num_elements() < kManyElements) return std::nullopt;
   const int elements =
       std::min(mesh.num_elements() / kTimesCoarser, kEnoughElements);
   MeshAnswer answer =
       booked_answer(scene, uniform_mesh(mesh.degree, elements), curve, phi,
                     options, nullptr, out);
-  if (!answer.solution.solved() || !answer.estimated_error ||
-      *answer.estimated_error > kExact) {
-    return std::nullopt;
-  }
+  if (!answer.solution.solved()) return std::nullopt;
   return answer;
 }
 
@@ -129,7 +133,9 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
   for (int i = 0; i < max_meshes; ++i) {
     MeshAnswer answer =
         booked_answer(scene, mesh, from, from_phi, options,
-                      coarser ? &*coarser : nullptr, out);
+                      coarser && judges(*coarser, tolerance) ? &*coarser
+                                                             : nullptr,
+                      out);
     const MeshSolution& solution = answer.solution;
     if (options.ipopt.stop.met()) break;
     if (!solution.solved()) {
@@ -149,6 +155,7 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     out.answer.emplace(std::move(answer));
     const MeshAnswer& best = *out.answer;
     if (best.estimated_error && *best.estimated_error <= tolerance) break;
+    if (i + 1 == max_meshes) break;
     mesh = next_mesh(best, tolerance, wanted.degree.has_value());
     from = best.finer ? *best.finer : best.curve();
     from_phi = best.finer ? best.finer_phi : best.solution.closure.phi;

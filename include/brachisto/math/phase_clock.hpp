@@ -40,10 +40,11 @@ struct PhaseSeconds {
   PhaseSeconds& operator-=(const PhaseSeconds& other);
 };
 
-/// Of this thread's solves so far; what is under way is included.
+/// Of this thread so far; what is under way is included.
 [[nodiscard]] PhaseSeconds phase_seconds();
 
-/// Books seconds under another phase, for work that others timed.
+/// Books seconds under another phase, for work that others timed; no more than
+/// there are.
 void move_phase_seconds(Phase from, Phase to, double seconds);
 
 /// Books the time for which it lives.

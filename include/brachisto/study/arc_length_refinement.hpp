@@ -35,14 +35,15 @@ struct ArcLengthRefinement : RefinementProtocol {
 /// multipliers included.
 ///
 /// The error of N pieces is estimated from those of M < N. With ΔT and Δφ the
-/// changes from M to N and q = (N/M)², it is
+/// changes from M to N, it is
 ///
-///     1.5 (|T_φ Δφ| + |ΔT − T_φ Δφ|) / (q − 1),
+///     (|T_φ Δφ| + |ΔT − T_φ Δφ|) / ((N/M)^1.58 − 1),
 ///
-/// Richardson's estimate of an error of order 2, its parts from the end point
-/// and between fixed ends kept from cancelling, with half of it again for the
-/// terms of higher order; but not less than the estimate of the mesh before
-/// over q. An open contact and rounding add to it.
+/// Richardson's estimate, its parts from the end point and between fixed ends
+/// kept from cancelling, for an order lower than 2, as terms of higher order
+/// can make it seem: of halved pieces half as much again as for order 2. It is
+/// not less than the estimate of the mesh before over (N/M)². An open contact
+/// and rounding add to it.
 ///
 /// \param scene  in natural units
 /// \param curve  an extremal of the scene on a coarse mesh, with the end angle

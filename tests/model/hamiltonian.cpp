@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "brachisto/math/jet2.hpp"
 #include "brachisto/model/cycloid.hpp"
@@ -153,6 +154,117 @@ TEST(MinimisingSlope, IsNotANumberWithoutOne) {
   EXPECT_TRUE(std::isnan(minimising_slope(body, 1.0, {0.0, 1.0}, {}, 0.3)));
   EXPECT_TRUE(
       std::isnan(minimising_slope(body, 1.0, {0.0, 1.0}, {.p_x = nan}, 0.3)));
+}
+
+/// 𝓗 over directions: 64 of them and a thousand between each pair.
+struct BruteForce {
+  double minimum, minimiser;
+  /// By how much the least of 64 directions may exceed the minimum, by Taylor
+  /// from there: half the distance of two, squared, times half of 𝓗''.
+  double resolution;
+};
+
+BruteForce brute_force(const Sample& s) {
+  constexpr int kDirections = 64 * 1000;
+  BruteForce out{std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  double steepest = 0.0;
+  for (int d = 0; d < kDirections; ++d) {
+    const double beta = 2.0 * kPi * d / kDirections;
+    const Jet h = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
+                                      Jet::variable(beta, 0));
+    if (h.value < out.minimum) {
+      out.minimum = h.value;
+      out.minimiser = beta;
+    }
+    steepest = std::max(steepest, std::abs(h.hessian[0]));
+  }
+  const double off = kPi / 64.0;
+  out.resolution = 0.5 * steepest * off * off;
+  return out;
+}
+
+double root_of_A(const Sample& s, double beta) {
+  const double eta = s.body.eta_m;
+  return std::sqrt(1.0 + eta * eta + s.body.k -
+                   2.0 * eta * std::sin(s.state.theta - beta));
+}
+
+TEST(GainOfOtherDirections, IsNoneAtTheGlobalMinimum) {
+  constexpr std::uint32_t kSeed = 7;
+  Random random(kSeed);
+  for (int i = 0; i < 30; ++i) {
+    const Sample s = random_sample(random);
+    const BruteForce best = brute_force(s);
+
+    const double gain = gain_of_other_directions(s.body, s.gravity, s.state,
+                                                 s.p, best.minimiser);
+
+    EXPECT_GE(gain, 0.0) << "seed " << kSeed << " sample " << i;
+    // The 64 are among those tried; h is below 20.
+    EXPECT_LE(gain, ulps(16.0, 20.0) / root_of_A(s, best.minimiser))
+        << "seed " << kSeed << " sample " << i;
+  }
+}
+
+TEST(GainOfOtherDirections, IsWhatTheBestOfThemSaves) {
+  constexpr std::uint32_t kSeed = 8;
+  Random random(kSeed);
+  int positive = 0;
+  int beyond_a_local_minimum = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Sample s = random_sample(random);
+    const BruteForce best = brute_force(s);
+    const auto h = [&](double beta) {
+      return literal_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
+    };
+    for (int d = 0; d < 12; ++d) {
+      double beta = random.uniform(-7.0, 7.0);
+      if (d == 0) {
+        // A minimum, if not the global one, is as wrong as any other slope.
+        beta = minimising_slope(s.body, s.gravity, s.state, s.p, beta);
+        if (std::isnan(beta)) continue;
+        if (h(beta) > best.minimum + best.resolution) ++beyond_a_local_minimum;
+      }
+      const double root = root_of_A(s, beta);
+      const double expected = (h(beta) - best.minimum) / root;
+
+      const double gain =
+          gain_of_other_directions(s.body, s.gravity, s.state, s.p, beta);
+
+      EXPECT_GE(gain, expected - best.resolution / root)
+          << "seed " << kSeed << " sample " << i << " β " << beta;
+      // No more than all directions; the finest of them are 1e-4 rad apart,
+      // 1e-6 of the resolution of 64.
+      EXPECT_LE(gain, std::max(0.0, expected) +
+                          (1e-6 * best.resolution + ulps(16.0, 20.0)) / root)
+          << "seed " << kSeed << " sample " << i << " β " << beta;
+      if (expected > best.resolution / root) {
+        EXPECT_GT(gain, 0.0);
+        ++positive;
+      }
+    }
+  }
+  EXPECT_GE(positive, 300);
+  EXPECT_GE(beyond_a_local_minimum, 1);
+}
+
+TEST(GainOfOtherDirections, IsNotANumberIfAnythingInItIsNone) {
+  const double nan = std::nan("");
+  const Body body = Body::cylinder(0.5, 0.3, 0.0, 0.5);
+  const RollingState state{0.4, 1.0};
+  const Costates p{.p_x = -1.0, .p_z = 0.2, .p_theta = 0.1, .p_w = 0.3};
+  const auto gain = [&](const RollingState& at, const Costates& costates,
+                        double beta) {
+    return gain_of_other_directions(body, 1.0, at, costates, beta);
+  };
+  ASSERT_FALSE(std::isnan(gain(state, p, 0.1)));
+
+  EXPECT_TRUE(std::isnan(gain({nan, 1.0}, p, 0.1)));
+  EXPECT_TRUE(std::isnan(gain({0.4, nan}, p, 0.1)));
+  EXPECT_TRUE(std::isnan(gain(state, p, nan)));
+  EXPECT_TRUE(std::isnan(gain(state, {nan, 0.2, 0.1, 0.3}, 0.1)));
+  EXPECT_TRUE(std::isnan(gain(state, {-1.0, nan, 0.1, 0.3}, 0.1)));
+  EXPECT_TRUE(std::isnan(gain(state, {-1.0, 0.2, 0.1, nan}, 0.1)));
 }
 
 TEST(SlopeRate, OfACycloidIsConstant) {

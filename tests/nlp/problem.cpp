@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -83,6 +84,77 @@ TEST(Problem, EvaluatesNothingAtARefusedPoint) {
 
   EXPECT_TRUE(problem.set_point(good));
   EXPECT_EQ(refusals(problem), 0);
+}
+
+TEST(Problem, DoesNotEvaluateTheSamePointTwice) {
+  TinyProblem problem;
+  problem.remembers = true;
+  const std::vector<double> one{1.0, 2.0, 0.0};
+  const std::vector<double> next{1.0, std::nextafter(2.0, 3.0), 0.0};
+
+  ASSERT_TRUE(problem.set_point(one));
+  EXPECT_EQ(problem.points, 1);
+  ASSERT_TRUE(problem.set_point(one));
+  EXPECT_EQ(problem.points, 1);
+  EXPECT_EQ(problem.eval_f(), 5.0);
+
+  ASSERT_TRUE(problem.set_point(next));
+  EXPECT_EQ(problem.points, 2);
+  EXPECT_GT(problem.eval_f(), 5.0);
+
+  ASSERT_TRUE(problem.set_point(one));
+  EXPECT_EQ(problem.points, 3);
+  EXPECT_EQ(problem.eval_f(), 5.0);
+}
+
+TEST(Problem, EvaluatesEveryPointIfItDoesNotKnowTheLast) {
+  TinyProblem problem;
+  const std::vector<double> x{1.0, 2.0, 3.0};
+
+  ASSERT_TRUE(problem.set_point(x));
+  ASSERT_TRUE(problem.set_point(x));
+
+  EXPECT_EQ(problem.points, 2);
+}
+
+TEST(Problem, EvaluatesAgainAfterARefusedPoint) {
+  TinyProblem problem;
+  problem.remembers = true;
+  const std::vector<double> good{1.0, 2.0, 3.0};
+  const std::vector<double> bad{-1.0, 2.0, 3.0};
+  ASSERT_TRUE(problem.set_point(good));
+
+  // A refused point is refused again, not remembered as a good one.
+  EXPECT_FALSE(problem.set_point(bad));
+  EXPECT_FALSE(problem.set_point(bad));
+  EXPECT_EQ(refusals(problem), 5);
+  const int before = problem.points;
+
+  ASSERT_TRUE(problem.set_point(good));
+  EXPECT_EQ(problem.points, before + 1);
+  EXPECT_EQ(problem.eval_f(), 20.0);
+}
+
+TEST(Problem, EvaluatesNothingAtAPointThatThrew) {
+  for (const bool remembers : {false, true}) {
+    TinyProblem problem;
+    problem.remembers = remembers;
+    const std::vector<double> one{1.0, 2.0, 3.0};
+    const std::vector<double> other{2.0, 2.0, 3.0};
+    ASSERT_TRUE(problem.set_point(one));
+    problem.throws = true;
+    EXPECT_THROW(static_cast<void>(problem.set_point(other)),
+                 std::runtime_error);
+
+    EXPECT_EQ(refusals(problem), 5) << "remembers: " << remembers;
+
+    // Nor is it taken for evaluated when it is asked for again.
+    problem.throws = false;
+    const int before = problem.points;
+    ASSERT_TRUE(problem.set_point(other));
+    EXPECT_EQ(problem.points, before + 1) << "remembers: " << remembers;
+    EXPECT_EQ(refusals(problem), 0);
+  }
 }
 
 TEST(Problem, PassesEvaluationsOn) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,12 @@ class TinyProblem final : public nlp::Problem {
   /// Added to ∂f/∂x_i and g_i, to stand for mistakes.
   std::vector<double> spoil_grad_f{0.0, 0.0, 0.0};
   std::vector<double> spoil_g{0.0, 0.0};
+  /// Whether a point need not be evaluated again, as of a problem that follows
+  /// from x alone.
+  bool remembers = false;
+  /// Whether the next evaluation of a point throws, its work half done.
+  bool throws = false;
+  int points = 0;  ///< evaluated so far
 
   TinyProblem() {
     jac_g_pattern_ = {{0, 0, 0, 1, 1}, {0, 1, 2, 0, 1}};
@@ -55,8 +62,14 @@ class TinyProblem final : public nlp::Problem {
 
  private:
   bool do_set_point(std::span<const double> x) override {
+    ++points;
     x_.assign(x.begin(), x.end());
+    if (throws) throw std::runtime_error("half a point");
     return !(x_[0] < 0.0);
+  }
+  [[nodiscard]] std::span<const double> current_point() const override {
+    if (!remembers) return {};
+    return x_;
   }
   [[nodiscard]] double do_eval_f() const override {
     return x_[0] * x_[0] + x_[1] * x_[1] + 5.0 * x_[2];

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -238,6 +239,130 @@ TEST(ChainLdlt, TakesEntriesInAnyOrderAndAddsRepeatedOnes) {
   }
 }
 
+/// Entries that are small whole numbers, link by link as a transcription lists
+/// them: sums of products with whole numbers are exact in any order.
+ChainMatrix whole_numbers(std::uint32_t seed, const Shape& s) {
+  Random random(seed);
+  ChainMatrix matrix = empty_chain(s.links, s.interior, s.separator, s.border);
+  for_each_coupled(matrix, [&](int i, int j) {
+    matrix.add(i, j, std::round(random.uniform(-9.0, 9.0)));
+  });
+  return matrix;
+}
+
+/// Splits every 5th entry, the part on the other side of the diagonal, then
+/// brings all into random order. The dense matrix stays.
+void split_and_shuffle(ChainMatrix& matrix, Random& random) {
+  const std::size_t count = matrix.values.size();
+  for (std::size_t e = 0; e < count; e += 5) {
+    const double part = std::round(random.uniform(-9.0, 9.0));
+    matrix.values[e] -= part;
+    matrix.rows.push_back(matrix.cols[e]);
+    matrix.cols.push_back(matrix.rows[e]);
+    matrix.values.push_back(part);
+  }
+  for (std::size_t e = matrix.values.size(); e-- > 1;) {
+    const auto other = static_cast<std::size_t>(
+        random.uniform(0.0, static_cast<double>(e + 1)));
+    std::swap(matrix.rows[e], matrix.rows[other]);
+    std::swap(matrix.cols[e], matrix.cols[other]);
+    std::swap(matrix.values[e], matrix.values[other]);
+  }
+}
+
+/// residual − A x of the dense matrix and of the chain, all whole numbers.
+void expect_product(const ChainMatrix& matrix, const ChainLdlt& ldlt,
+                    const std::string& what) {
+  Random random(98);
+  const int n = matrix.size();
+  std::vector<double> x(static_cast<std::size_t>(n));
+  for (double& value : x) value = std::round(random.uniform(-99.0, 99.0));
+  constexpr long double kBefore = 17.0L;
+  std::vector<long double> residual(x.size(), kBefore);
+
+  ldlt.subtract_product(x, residual);
+
+  for (int i = 0; i < n; ++i) {
+    long double expected = kBefore;
+    for (int j = 0; j < n; ++j) {
+      expected -= static_cast<long double>(matrix.dense(i, j)) *
+                  x[static_cast<std::size_t>(j)];
+    }
+    ASSERT_EQ(residual[static_cast<std::size_t>(i)], expected)
+        << what << ", row " << i;
+  }
+}
+
+TEST(ChainLdlt, CountsEachEntryOnceInAnyOrder) {
+  std::uint32_t seed = 1;
+  for (const Shape& s : kShapes) {
+    ++seed;
+    const std::string what = "seed " + std::to_string(seed);
+    const ChainMatrix ordered = whole_numbers(seed, s);
+    ChainMatrix shuffled = ordered;
+    Random random(seed);
+    split_and_shuffle(shuffled, random);
+    const auto by_order = ordered.analysed();
+    const auto by_sorting = shuffled.analysed();
+    ASSERT_TRUE(by_order && by_sorting) << what;
+    ASSERT_TRUE(ordered.factorise(*by_order)) << what;
+    ASSERT_TRUE(shuffled.factorise(*by_sorting)) << what;
+
+    expect_product(ordered, *by_order, what + ", ordered");
+    expect_product(shuffled, *by_sorting, what + ", shuffled");
+    expect_inertia(ordered, *by_order, what + ", ordered");
+    expect_inertia(shuffled, *by_sorting, what + ", shuffled");
+  }
+}
+
+TEST(ChainLdlt, TakesOrderedAndShuffledArraysTogether) {
+  // As of a KKT matrix: the entries of one array with an offset of rows, those
+  // of the border alone among them.
+  constexpr int kOffset = 11;
+  for (const bool shuffle : {false, true}) {
+    const ChainMatrix whole = whole_numbers(5, {9, 20, 3, 2});
+    ChainMatrix first = whole;
+    ChainMatrix second = whole;
+    for (ChainMatrix* part : {&first, &second}) {
+      part->rows.clear();
+      part->cols.clear();
+      part->values.clear();
+    }
+    for (std::size_t e = 0; e < whole.values.size(); ++e) {
+      // Offset rows must not be negative.
+      const bool to_second = e % 3 == 0 && whole.rows[e] >= kOffset;
+      ChainMatrix& part = to_second ? second : first;
+      part.rows.push_back(whole.rows[e]);
+      part.cols.push_back(whole.cols[e]);
+      part.values.push_back(whole.values[e]);
+    }
+    if (shuffle) {
+      // Without changing sides, for only rows are offset.
+      std::vector<std::size_t> order(second.values.size());
+      std::iota(order.rbegin(), order.rend(), std::size_t{0});
+      const ChainMatrix before = second;
+      for (std::size_t e = 0; e < order.size(); ++e) {
+        second.rows[e] = before.rows[order[e]];
+        second.cols[e] = before.cols[order[e]];
+        second.values[e] = before.values[order[e]];
+      }
+    }
+    for (int& row : second.rows) row -= kOffset;
+    const std::array<EntryPositions, 2> positions = {
+        EntryPositions{first.rows, first.cols, 0},
+        EntryPositions{second.rows, second.cols, kOffset}};
+    const auto ldlt = ChainLdlt::make(whole.structure, positions);
+    ASSERT_NE(ldlt, nullptr);
+    const std::array<std::span<const double>, 2> values = {first.values,
+                                                           second.values};
+    ASSERT_TRUE(ldlt->factorise(values));
+    const std::string what = shuffle ? "shuffled" : "ordered";
+
+    expect_product(whole, *ldlt, what);
+    expect_inertia(whole, *ldlt, what);
+  }
+}
+
 TEST(ChainLdlt, ForgetsTheMatrixBefore) {
   // Zeros come and go between factorisations, and so does regularity.
   ChainMatrix matrix = random_saddle(3, 20, 50, 4, 1, 0.5);
@@ -310,6 +435,50 @@ TEST(ChainLdlt, RefusesWhatIsNoChain) {
   matrix.add(matrix.size() - 3, 0, 1.0);
 
   EXPECT_EQ(matrix.analysed(), nullptr);
+}
+
+TEST(ChainLdlt, RefusesEntriesBetweenLinksThatAreNoNeighbours) {
+  // Blocks of a chain of 6 links: separators 0, 2, … 12, interiors 1, 3, … 11.
+  // Links of fewer unknowns would be joined first.
+  struct Pair {
+    int one, other;
+  };
+  constexpr Pair kTooFar[] = {{0, 3}, {0, 4},  {1, 3},  {1, 4},
+                              {2, 5}, {0, 12}, {9, 12}, {3, 6}};
+  for (const bool shuffle : {false, true}) {
+    for (const Pair& pair : kTooFar) {
+      ChainMatrix matrix = whole_numbers(1, {6, 50, 3, 1});
+      Random random(7);
+      if (shuffle) split_and_shuffle(matrix, random);
+      const auto first_of = [&](int block) {
+        const auto& blocks = matrix.structure.block;
+        return static_cast<int>(std::ranges::find(blocks, block) -
+                                blocks.begin());
+      };
+      ASSERT_NE(matrix.analysed(), nullptr);
+      const int one = first_of(pair.one);
+      const int other = first_of(pair.other);
+      for (const bool transposed : {false, true}) {
+        // At the end, and where it belongs among the columns.
+        for (const bool at_end : {false, true}) {
+          ChainMatrix wrong = matrix;
+          const std::ptrdiff_t place =
+              at_end ? static_cast<std::ptrdiff_t>(wrong.rows.size())
+                     : std::ranges::find(wrong.cols, std::min(one, other)) -
+                           wrong.cols.begin();
+          wrong.rows.insert(wrong.rows.begin() + place,
+                            transposed ? one : other);
+          wrong.cols.insert(wrong.cols.begin() + place,
+                            transposed ? other : one);
+          wrong.values.insert(wrong.values.begin() + place, 1.0);
+
+          EXPECT_EQ(wrong.analysed(), nullptr)
+              << "blocks " << pair.one << " and " << pair.other
+              << (shuffle ? ", shuffled" : ", ordered");
+        }
+      }
+    }
+  }
 }
 
 TEST(ChainLdlt, ReportsValuesThatAreNotFinite) {

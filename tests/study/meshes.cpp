@@ -78,6 +78,87 @@ TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
             solution.estimated_error.value());
 }
 
+/// τ by the extremal method, which knows of no mesh, with its own error.
+struct KnownTau {
+  double tau, error;
+};
+
+KnownTau tau_of_extremal_method() {
+  SolveOptions options;
+  options.method = Method::Extremal;
+  const Solution solution = solve(kScene, options);
+  EXPECT_EQ(solution.status, Status::Solved) << solution.message;
+  return {solution.trajectory->tau(), *solution.estimated_error};
+}
+
+SolveOptions fine_mesh(int degree, int elements) {
+  SolveOptions options;
+  options.discretisation.degree = degree;
+  options.discretisation.elements = elements;
+  return options;
+}
+
+TEST(AFineMesh, IsJudgedByOneOfAnEighthOfTheElements) {
+  const KnownTau known = tau_of_extremal_method();
+  ASSERT_NEAR(known.tau, kTau, 2e-12 * kTau);
+
+  const Solution solution = solve(kScene, fine_mesh(5, 4000));
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_EQ(solution.nodes, 20'001);
+  const Check* agreement = solution.certificate.find("agreement");
+  ASSERT_NE(agreement, nullptr);
+  EXPECT_NE(agreement->where.find("4000 elements against 500"),
+            std::string::npos)
+      << agreement->where;
+  EXPECT_EQ(agreement->value, *solution.estimated_error);
+  EXPECT_LE(std::abs(solution.trajectory->tau() / known.tau - 1.0),
+            *solution.estimated_error + known.error);
+}
+
+TEST(AFineMesh, OfDegreeOneIsJudgedByDegreeTwo) {
+  // An eighth of the elements is far from exact: 2.4e-6 with 200.
+  const Solution solution = solve(kScene, fine_mesh(1, 4000));
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_EQ(solution.nodes, 4001);
+  const Check* agreement = solution.certificate.find("agreement");
+  ASSERT_NE(agreement, nullptr);
+  EXPECT_NE(agreement->where.find("degree 1 against 2"), std::string::npos)
+      << agreement->where;
+  const double error = std::abs(solution.trajectory->tau() / kTau - 1.0);
+  EXPECT_LE(error, *solution.estimated_error);
+  // Order 2 from there: a four-hundredth.
+  EXPECT_GT(error, 1e-9);
+  EXPECT_LT(error, 2e-8);
+}
+
+TEST(AFineMesh, ReportsHonestlyIfMoreIsWantedThanRoundingAllows) {
+  const KnownTau known = tau_of_extremal_method();
+  for (const auto& [degree, elements] :
+       {std::pair{5, 8000}, {3, 4000}, {3, 8000}, {5, 4000}}) {
+    SolveOptions options = fine_mesh(degree, elements);
+    options.discretisation.tolerance = 1e-13;
+
+    const Solution solution = solve(kScene, options);
+
+    const std::string what =
+        std::to_string(degree) + " × " + std::to_string(elements);
+    ASSERT_EQ(solution.status, Status::Solved)
+        << what << ": " << solution.message;
+    ASSERT_TRUE(solution.trajectory && solution.estimated_error) << what;
+    EXPECT_EQ(solution.nodes, degree * elements + 1) << what;
+    EXPECT_LE(std::abs(solution.trajectory->tau() / known.tau - 1.0),
+              *solution.estimated_error + known.error)
+        << what;
+    EXPECT_EQ(solution.verified(), solution.not_verified_because().empty());
+    const Check* agreement = solution.certificate.find("agreement");
+    ASSERT_NE(agreement, nullptr) << what;
+    EXPECT_EQ(agreement->threshold, 1e-13) << what;
+    EXPECT_EQ(agreement->passed, *solution.estimated_error <= 1e-13) << what;
+  }
+}
+
 TEST(EveryDegree, FindsTheSameAnswer) {
   // Of p = 1 with N = 200 the tests of convergence foretell 2.4e-6, of p = 2
   // 1.6e-10; from p = 3 on rounding and the KKT tolerance count.

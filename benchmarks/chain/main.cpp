@@ -142,8 +142,9 @@ int main(int argc, char** argv) {
   app.add_option("task", task, "what to time")
       ->check(CLI::IsMember({"factor", "newton", "ipopt"}));
   app.add_flag("--general", general, "sparse LU or MUMPS instead");
-  app.add_flag("--floor", with_floor,
-               "factor: what the speed of the memory would allow; takes 0.5 GB");
+  app.add_flag(
+      "--floor", with_floor,
+      "factor: what the speed of the memory would allow; takes 0.5 GB");
   app.add_option("--degree", degree, "p");
   app.add_option("--elements", elements, "N");
   CLI11_PARSE(app, argc, argv);

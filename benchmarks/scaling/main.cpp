@@ -49,9 +49,9 @@ constexpr Way kWays[] = {
      LinearSolver::Mumps}};
 
 /// The phases that the table shows; the CSV has all.
-constexpr Phase kShown[] = {Phase::SetUp,    Phase::Evaluation,
+constexpr Phase kShown[] = {Phase::SetUp,         Phase::Evaluation,
                             Phase::Factorisation, Phase::Solution,
-                            Phase::Ipopt,    Phase::Certificate};
+                            Phase::Ipopt,         Phase::Certificate};
 
 /// One solve to be measured.
 struct Task {

@@ -35,8 +35,7 @@ double gain_of_other_directions(const Body& body, double gravity,
                                 const RollingState& state, const Costates& p,
                                 double beta) {
   static const Directions directions;
-  const double own_root =
-      std::sqrt(inertia_factor(body, state.theta, beta));
+  const double own_root = std::sqrt(inertia_factor(body, state.theta, beta));
   const double pull_x = state.w * p.p_x;
   const double pull_z = state.w * p.p_z + p.p_w * gravity;
   const double own =

@@ -117,8 +117,7 @@ int BorderedChain::determinant_sign() const {
   return pivot_ > 0.0 ? sign : -sign;
 }
 
-void BorderedChain::solve_once(std::span<const double> b,
-                               std::span<double> x) {
+void BorderedChain::solve_once(std::span<const double> b, std::span<double> x) {
   const int n = system_.problem().num_variables();
   std::copy(b.begin(), b.end(), wide_.begin());
   couple(b, wide_);

@@ -57,8 +57,8 @@ class BorderedChain {
   const KktSystem& system_;
   std::unique_ptr<ChainLdlt> chain_;
   std::vector<Coupling> couplings_;
-  std::vector<double> column_;  ///< K⁻¹Cρ, and −ρ for fixed variables
-  double pivot_ = 1.0;          ///< σ
+  std::vector<double> column_;     ///< K⁻¹Cρ, and −ρ for fixed variables
+  double pivot_ = 1.0;             ///< σ
   std::vector<long double> wide_;  ///< scratch
   std::vector<double> correction_, reduced_;
 };

@@ -195,8 +195,7 @@ std::optional<ChainMap> ChainMap::make(
         const Entry& old = run.entries[k];
         const Entry& here = now.entries[k];
         if (old.row != here.row || old.col != here.col ||
-            old.array != here.array ||
-            !fits(run, old.source, here.source)) {
+            old.array != here.array || !fits(run, old.source, here.source)) {
           return false;
         }
       }

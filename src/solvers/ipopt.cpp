@@ -165,8 +165,7 @@ bool memory_failure(std::string_view log) {
 /// Ipopt itself does in its primal-dual system, such as residuals.
 void book_linear_solver(Ipopt::IpoptApplication& application) {
   if (!Ipopt::IsValid(application.IpoptDataObject())) return;
-  Ipopt::TimingStatistics& times =
-      application.IpoptDataObject()->TimingStats();
+  Ipopt::TimingStatistics& times = application.IpoptDataObject()->TimingStats();
   const double analysis =
       times.LinearSystemSymbolicFactorization().TotalCpuTime();
   const double solution = times.LinearSystemBackSolve().TotalCpuTime();

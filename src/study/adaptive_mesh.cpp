@@ -158,10 +158,9 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
     estimate_by_degree(answer, options);
   } else {
     answer.coarser_elements = coarser->problem.mesh().num_elements();
-    answer.estimated_error =
-        estimate(answer, answer.curve(), coarser->curve(),
-                 coarser->solution.closure.phi,
-                 coarser->estimated_error.value(), 1.0);
+    answer.estimated_error = estimate(answer, answer.curve(), coarser->curve(),
+                                      coarser->solution.closure.phi,
+                                      coarser->estimated_error.value(), 1.0);
   }
   return answer;
 }

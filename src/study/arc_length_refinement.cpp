@@ -146,9 +146,8 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
   const double of_ends =
       per_radian * (closure.phi - coarser.solution.closure.phi);
   const double rest = T - coarser.transit_time - of_ends;
-  const double between =
-      (std::abs(of_ends) + std::abs(rest)) /
-      (std::pow(ratio, kLeastOrder) - 1.0) / T;
+  const double between = (std::abs(of_ends) + std::abs(rest)) /
+                         (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
   // A sum of N terms, each rounded.
@@ -264,9 +263,9 @@ Certificate certify_answer(ArcLengthAnswer& answer,
       certify(answer.problem, answer.solution.point,
               answer.solution.closure.phi, motion, estimated);
   const int n = answer.problem.num_intervals();
-  certificate.add("agreement", estimated,
-                  none_wanted ? kCoarsestAgreement : tolerance,
-                  fmt::format("{} pieces against {}", n, answer.coarser_pieces));
+  certificate.add(
+      "agreement", estimated, none_wanted ? kCoarsestAgreement : tolerance,
+      fmt::format("{} pieces against {}", n, answer.coarser_pieces));
   return certificate;
 }
 

@@ -104,9 +104,8 @@ std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
   if (mesh.num_elements() < kManyElements) return std::nullopt;
   const int elements =
       std::min(mesh.num_elements() / kTimesCoarser, kEnoughElements);
-  MeshAnswer answer =
-      booked_answer(scene, uniform_mesh(mesh.degree, elements), curve, phi,
-                    options, nullptr, out);
+  MeshAnswer answer = booked_answer(scene, uniform_mesh(mesh.degree, elements),
+                                    curve, phi, options, nullptr, out);
   if (!answer.solution.solved()) return std::nullopt;
   return answer;
 }
@@ -131,11 +130,9 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     }
   }
   for (int i = 0; i < max_meshes; ++i) {
-    MeshAnswer answer =
-        booked_answer(scene, mesh, from, from_phi, options,
-                      coarser && judges(*coarser, tolerance) ? &*coarser
-                                                             : nullptr,
-                      out);
+    MeshAnswer answer = booked_answer(
+        scene, mesh, from, from_phi, options,
+        coarser && judges(*coarser, tolerance) ? &*coarser : nullptr, out);
     const MeshSolution& solution = answer.solution;
     if (options.ipopt.stop.met()) break;
     if (!solution.solved()) {

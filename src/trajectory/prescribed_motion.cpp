@@ -41,8 +41,8 @@ const math::SmallMatrix& integration_to_points() {
       for (std::size_t k = 0; k < kGaussPoints; ++k) {
         basis.evaluate(end * rule().points[k], values);
         for (int j = 0; j < kGaussPoints; ++j) {
-          sums(i, j) += end * rule().weights[k] *
-                        values[static_cast<std::size_t>(j)];
+          sums(i, j) +=
+              end * rule().weights[k] * values[static_cast<std::size_t>(j)];
         }
       }
     }
@@ -131,16 +131,15 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const CurvePlace& place = places[i];
     double length = 0.0;
     for (std::size_t j = 0; j < places.size(); ++j) {
-      length += to_point(static_cast<int>(i), static_cast<int>(j)) *
-                places[j].speed;
+      length +=
+          to_point(static_cast<int>(i), static_cast<int>(j)) * places[j].speed;
     }
     const double s = from.s + width * length;
     const double E = energy(place, s);
     const bool fits = place.speed > 0.0;
     if (!fits || !(E > 0.0)) {
       return Stall{fits ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
-                   from.q + width * rule().points[i],
-                   point_of(*curve_, place)};
+                   from.q + width * rule().points[i], point_of(*curve_, place)};
     }
     const double theta =
         body.rolls() ? body.theta_m + s / body.radius : body.theta_m;

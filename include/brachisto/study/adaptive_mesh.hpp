@@ -55,9 +55,9 @@ struct MeshAnswer {
 /// side, the split where the errors of the end point and between fixed ends
 /// cancel by accident. What an open contact and rounding add comes on top.
 ///
-/// If the answer of a coarser mesh is given, it takes the place of degree p + 1,
-/// and its own estimate that of the sum: the triangle inequality, for the price
-/// of the coarser mesh.
+/// If the answer of a coarser mesh is given, it takes the place of degree p +
+/// 1, and its own estimate that of the sum: the triangle inequality, for the
+/// price of the coarser mesh.
 ///
 /// Where Ipopt leaves the extremal that `curve` shows, because between its ends
 /// it is no minimum, Newton's method finds it alone.

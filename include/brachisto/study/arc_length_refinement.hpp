@@ -31,8 +31,8 @@ struct ArcLengthRefinement : RefinementProtocol {
 
 /// Solves on the mesh that `wanted` fixes, or on one that follows from its
 /// tolerance. The first mesh, of some dozen pieces per turn, starts from
-/// `curve`; each further one has up to four times as many and starts from the one before,
-/// multipliers included.
+/// `curve`; each further one has up to four times as many and starts from the
+/// one before, multipliers included.
 ///
 /// The error of N pieces is estimated from those of M < N. With ΔT and Δφ the
 /// changes from M to N, it is

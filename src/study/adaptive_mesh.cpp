@@ -25,8 +25,14 @@ namespace {
 constexpr const char* kNoMinimum =
     "; Ipopt left it, so that it is not a minimum, or nearly none";
 
-// What rounding leaves of T, relative: a few ulps from the sum of the integral.
-constexpr double kRoundingError = 2e-15;
+/// What rounding leaves of T, relative: a few ulps of the sum of the integral,
+/// and half an ulp for each element, whose defect hands the state on with as
+/// much, and on equal elements to the same side.
+double rounding_error(const Mesh& mesh) {
+  constexpr double kOfSum = 2e-15;
+  constexpr double kHalfAnUlp = 0.5 * std::numeric_limits<double>::epsilon();
+  return kOfSum + kHalfAnUlp * mesh.num_elements();
+}
 
 double sum_of_absolutes(const std::vector<double>& values) {
   return std::accumulate(
@@ -59,7 +65,7 @@ double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
   const double open_contact =
       smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
   return (std::max(weight * std::abs(difference), apart) + open_contact) / T +
-         error_of_other + kRoundingError;
+         error_of_other + rounding_error(curve.mesh());
 }
 
 /// By the same elements with degree p + 1.

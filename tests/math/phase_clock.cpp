@@ -168,20 +168,30 @@ TEST(PhaseSeconds, AddUpToTheProcessorTime) {
   EXPECT_NEAR(booked, passed, 0.01 * passed);
 }
 
-TEST(MovePhaseSeconds, KeepsTheSum) {
-  constexpr double kMoved = 0.75;
+TEST(MovePhaseSeconds, KeepsTheSumAndTakesNoMoreThanThereIs) {
+  constexpr double kMoved = 0.01;
+  {
+    const PhaseTimer timer(Phase::Ipopt);
+    work(3.0 * kMoved);
+  }
+  const PhaseSeconds before = phase_seconds();
   const Since since;
 
   move_phase_seconds(Phase::Ipopt, Phase::Solution, kMoved);
 
   const PhaseSeconds booked = since.booked();
-  const double rounding =
-      16.0 * std::numeric_limits<double>::epsilon() * (1.0 + kMoved);
+  const double rounding = 64.0 * std::numeric_limits<double>::epsilon() *
+                          (1.0 + total(phase_seconds()));
   EXPECT_NEAR(booked.of(Phase::Ipopt), -kMoved, rounding);
   EXPECT_NEAR(booked.of(Phase::Solution), kMoved, rounding);
   // What passes meanwhile is that of no phase.
   EXPECT_NEAR(total(booked), booked.of(Phase::Other), rounding);
-  move_phase_seconds(Phase::Solution, Phase::Ipopt, kMoved);
+
+  move_phase_seconds(Phase::Ipopt, Phase::Solution, 1e6);
+
+  EXPECT_NEAR(phase_seconds().of(Phase::Ipopt), 0.0, rounding);
+  EXPECT_NEAR(phase_seconds().of(Phase::Solution),
+              before.of(Phase::Solution) + before.of(Phase::Ipopt), rounding);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fsolve/findings.hpp"
-#include "fsolve/power_law.hpp"
+#include "support/power_law.hpp"
 #include "support/table.hpp"
 
 namespace brachisto::benchmarks {

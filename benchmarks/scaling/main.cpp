@@ -20,6 +20,7 @@
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/chart.hpp"
+#include "support/power_law.hpp"
 #include "support/processes.hpp"
 
 namespace {
@@ -122,21 +123,6 @@ double exact_tau() {
     throw std::runtime_error("no verified reference: " + solution.message);
   }
   return solution.motion()->tau();
-}
-
-/// Exponent of b(n) ∝ n^q by least squares of logarithms.
-double exponent(const std::vector<report::Datum>& points) {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-  for (const report::Datum& point : points) {
-    const double a = std::log(point.x);
-    const double b = std::log(point.y);
-    n += 1.0;
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
 }
 
 void write(const std::string& name, const std::string& content) {
@@ -242,9 +228,9 @@ int main(int argc, char** argv) {
     report::Curve curve;
     curve.name = kWays[w].name;
     std::replace(curve.name.begin(), curve.name.end(), '_', ' ');
-    if (large.size() > 1) {
-      curve.name += fmt::format(" (n^{{{:.2f}}})", exponent(large));
-      fmt::print("{}: n^{:.2f} from 1e4 on\n", kWays[w].name, exponent(large));
+    if (const auto law = benchmarks::fit_power(large)) {
+      curve.name += fmt::format(" (n^{{{:.2f}}})", law->exponent);
+      fmt::print("{}: n^{:.2f} from 1e4 on\n", kWays[w].name, law->exponent);
     }
     curve.id = kWays[w].name;
     curve.points = curves[w];

@@ -46,8 +46,8 @@ class CurveFromRest final : public PlaneCurve {
     const int piece = x_.piece_of(q);
     const CubicSpline::Value x = x_.at(piece, q);
     const CubicSpline::Value z = z_.at(piece, q);
-    const double t_x = 2.0 * x.f + q * x.d1;
-    const double t_z = 2.0 * z.f + q * z.d1;
+    const double t_x = tangent(x, q);
+    const double t_z = tangent(z, q);
     const double bend_x = 3.0 * x.d1 + q * x.d2;
     const double bend_z = 3.0 * z.d1 + q * z.d2;
     const double near = slopes_[static_cast<std::size_t>(piece)];
@@ -60,9 +60,9 @@ class CurveFromRest final : public PlaneCurve {
     const int piece = x_.piece_of(q);
     const CubicSpline::Value x = x_.at(piece, q);
     const CubicSpline::Value z = z_.at(piece, q);
-    // std::hypot guards against squares that overflow, at ten times the cost.
-    const double t_x = 2.0 * x.f + q * x.d1;
-    const double t_z = 2.0 * z.f + q * z.d1;
+    // std::hypot guards against squares that overflow, and costs more for it.
+    const double t_x = tangent(x, q);
+    const double t_z = tangent(z, q);
     return q * std::sqrt(t_x * t_x + t_z * t_z);
   }
   [[nodiscard]] std::vector<double> joints() const override {
@@ -73,10 +73,14 @@ class CurveFromRest final : public PlaneCurve {
  private:
   static constexpr double kTurn = 6.283185307179586;
 
+  /// A component of t, of which ds/dq is q times the length.
+  [[nodiscard]] static double tangent(const CubicSpline::Value& y, double q) {
+    return 2.0 * y.f + q * y.d1;
+  }
   [[nodiscard]] double slope(int piece, double q) const {
     const CubicSpline::Value x = x_.at(piece, q);
     const CubicSpline::Value z = z_.at(piece, q);
-    return std::atan2(2.0 * z.f + q * z.d1, 2.0 * x.f + q * x.d1);
+    return std::atan2(tangent(z, q), tangent(x, q));
   }
 
   Point start_;

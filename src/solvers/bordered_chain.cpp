@@ -167,8 +167,8 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
   };
   // A step of Newton's method need not be more exact than this: what it leaves
   // of the residual is seen, and taken on, by the next.
-  // Where the condition keeps the residual of a rounded solution above that,
-  // no refinement helps, and no other solver either.
+  // The condition may keep the residual of a rounded solution above that; then
+  // refinement does not help, and less must do.
   constexpr double kEnough = 1e-6;
   constexpr double kOfUse = 1e-2;
   constexpr int kRefinements = 4;

@@ -31,7 +31,8 @@ struct Refinement : RefinementProtocol {
 /// Solves on the mesh that `wanted` fixes, or on meshes that follow its
 /// tolerance, each from the solution of the one before, until the estimated
 /// error is small enough or rounding keeps it from falling. A mesh that cannot
-/// be solved on is doubled.
+/// be solved on is doubled. A large mesh that is fixed starts from the solution
+/// on a coarser one, which also tells its error if it is exact enough.
 ///
 /// \param scene  in natural units
 /// \param curve  an extremal of the scene on a coarse mesh, with the end angle

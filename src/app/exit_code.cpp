@@ -12,6 +12,7 @@ int exit_code(const Solution& solution, int signal) {
       return solution.feasible() ? kSuccess : kInfeasible;
     case Status::IterationLimit:
     case Status::TimeLimit:
+    case Status::OutOfMemory:
       return kLimit;
     case Status::Interrupted:
       return kSignalBase + signal;
@@ -19,7 +20,6 @@ int exit_code(const Solution& solution, int signal) {
       return kInternalError;
     case Status::NotConverged:
     case Status::NotEvaluable:
-    case Status::OutOfMemory:
     case Status::NoAdmissiblePath:
     case Status::Stalled:
       return kNotSolved;

@@ -17,7 +17,7 @@ enum ExitCode : int {
   kNotSolved = 4,      ///< not solved, or not verified
   kInfeasible = 5,     ///< verified, but the body could not run on the track
   kIoError = 6,        ///< a file cannot be read or written
-  kLimit = 7,          ///< a limit on iterations or time was reached
+  kLimit = 7,          ///< of iterations, time or memory
   kSignalBase = 128,   ///< plus the signal's number after SIGINT and SIGTERM
 };
 

@@ -9,17 +9,21 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "app/exit_code.hpp"
+#include "app/failure.hpp"
 #include "app/signals.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/solvers/status.hpp"
 #include "comparison/work_precision.hpp"
 #include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
@@ -54,16 +58,7 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
   // Nobody may listen; that must not hide the exit code.
   std::fputs(fmt::format("{}\n", message).c_str(), stderr);
   if (json) {
-    nlohmann::ordered_json document = {
-        {"schema_version", report::kSchemaVersion},
-        {"status", status},
-        {"verified", false},
-        {"message", message}};
-    if (!errors.is_null()) document["errors"] = std::move(errors);
-    std::fputs((document.dump(2, ' ', false,
-                              nlohmann::json::error_handler_t::replace) +
-                "\n")
-                   .c_str(),
+    std::fputs(failure_document(status, message, std::move(errors)).c_str(),
                stdout);
   }
   return code;
@@ -147,6 +142,14 @@ int run(int argc, char** argv) {
   } catch (const reproduction::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
                 "interrupted", fmt::format("brachisto: {}", error.what()),
+                json);
+  } catch (const Stopped& error) {
+    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
+                "interrupted", fmt::format("brachisto: {}", error.what()),
+                json);
+  } catch (const std::bad_alloc&) {
+    return fail(kLimit, name(Status::OutOfMemory),
+                fmt::format("brachisto: {}", describe(Status::OutOfMemory)),
                 json);
   } catch (const sweep::WorkersFail& error) {
     return fail(kInternalError, "workers_fail", error.what(), json);

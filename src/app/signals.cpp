@@ -5,6 +5,8 @@
 
 #include <csignal>
 
+#include "app/last_resort.hpp"
+
 namespace brachisto::app {
 
 namespace {
@@ -15,6 +17,7 @@ static_assert(std::atomic<int>::is_always_lock_free,
 
 extern "C" void handle(int signal) {
   received.store(signal);
+  LastResort::after_signal(signal);
 }
 
 }  // namespace

@@ -6,14 +6,18 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/exit_code.hpp"
+#include "app/last_resort.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/path_svg.hpp"
 #include "brachisto/report/result_json.hpp"
@@ -37,11 +41,15 @@ constexpr const char* kTrajectoryFile = "trajectory.csv";
 constexpr const char* kPathFile = "path.svg";
 
 /// Writes the files of --out. Without a verified path there is only the result,
-/// and no path of an earlier one stays beside it.
+/// and no path of an earlier one stays beside it. Of a million nodes this takes
+/// seconds, so that a signal ends it; the result comes last.
 void write_results(const SolveFlags& flags, const Solution& solution,
-                   const std::string& json) {
+                   const std::string& json, const std::atomic<int>& signal) {
   std::vector<report::OutputFile> files;
+  std::optional<StopScope> scope;
   if (solution.verified()) {
+    scope.emplace(
+        StopCondition(std::numeric_limits<double>::infinity(), &signal));
     files.push_back(
         {kTrajectoryFile, report::trajectory_csv(*solution.motion())});
     files.push_back({kPathFile, report::path_svg(*solution.motion())});
@@ -86,15 +94,18 @@ int run(const SolveFlags& flags) {
       progress.note(SolveProgress::Clock::now(), phase, text);
     };
   }
-  const Solution solution = solve(problem.scene, problem.options,
-                                  {.interrupt = &signal,
-                                   .verbose = flags.verbose,
-                                   .progress = std::move(hook)});
+  const Solution solution = [&] {
+    const LastResort last_resort(problem.options.limits.seconds, flags.json);
+    return solve(problem.scene, problem.options,
+                 {.interrupt = &signal,
+                  .verbose = flags.verbose,
+                  .progress = std::move(hook)});
+  }();
 
   const std::string json = report::result_json(solution);
   if (flags.verbose) fmt::print(stderr, "{}", solution.log);
   if (!flags.out.empty()) {
-    write_results(flags, solution, json);
+    write_results(flags, solution, json, signal);
   }
   if (flags.json) {
     fmt::print("{}", json);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto::shooting {
 
 namespace {
@@ -100,6 +102,8 @@ bool advance(const CanonicalFlow& flow, Rates<Size>& rates, Stack<Size>& stack,
              double& step, OnStep&& on_step) {
   constexpr double kSafety = 0.9;
   constexpr double kShortest = 1e-8;  // of the arc
+  // A third of a turn takes a few hundred at the tightest tolerance.
+  constexpr int kMostSteps = 20'000;
   constexpr double kOrder = 8.0;
   Stepper<Size> stepper;
   Stack<Size> trial;
@@ -109,7 +113,9 @@ bool advance(const CanonicalFlow& flow, Rates<Size>& rates, Stack<Size>& stack,
   if (rates.failed || !(span > 0.0)) return false;
   if (!(step > 0.0)) step = 0.1 * span;
 
-  while (u < span) {
+  for (int tried = 0; u < span; ++tried) {
+    if (tried == kMostSteps) return false;
+    check_stop();
     const double rest = span - u;
     // Neither a sliver at the end nor a step beyond it.
     const double h = rest <= step ? rest : std::min(step, 0.5 * rest);

@@ -43,17 +43,18 @@ class Solve {
   /// Newton's method to full accuracy, and the result.
   void finish();
 
+  void stop(std::string_view where) {
+    fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
+                                     : ExtremalStatus::TimeLimit,
+         where);
+  }
+
   [[nodiscard]] ExtremalSolution take() { return std::move(solution_); }
 
  private:
   void fail(ExtremalStatus status, std::string_view details) {
     solution_.status = status;
     solution_.message = fmt::format("{}: {}", describe(status), details);
-  }
-  void stop(std::string_view where) {
-    fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
-                                     : ExtremalStatus::TimeLimit,
-         where);
   }
   void fill(const NewtonResult& result);
   void judge();
@@ -280,6 +281,20 @@ void Solve::judge() {
   }
 }
 
+/// Runs `ways` of `solve` within its own stop condition.
+template <class Ways>
+ExtremalSolution stoppable(Solve& solve, const StopCondition& stop,
+                           Ways&& ways) {
+  const StopScope scope(stop);
+  try {
+    ways();
+  } catch (const Stopped&) {
+    if (!stop.met()) throw;
+    solve.stop("within an arc");
+  }
+  return solve.take();
+}
+
 }  // namespace
 
 bool ExtremalSolution::usable() const {
@@ -291,8 +306,7 @@ bool ExtremalSolution::usable() const {
 ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
                                 const ExtremalOptions& options) {
   Solve solve(scene, options, guess);
-  solve.finish();
-  return solve.take();
+  return stoppable(solve, options.stop, [&] { solve.finish(); });
 }
 
 ExtremalSolution solve_extremal(const Scene& scene,
@@ -308,8 +322,9 @@ ExtremalSolution solve_extremal(const Scene& scene,
     return none;
   }
   Solve solve(scene, options, cycloid);
-  if (solve.continue_in_offset()) solve.finish();
-  return solve.take();
+  return stoppable(solve, options.stop, [&] {
+    if (solve.continue_in_offset()) solve.finish();
+  });
 }
 
 }  // namespace brachisto

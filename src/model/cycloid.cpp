@@ -3,6 +3,7 @@
 
 #include "brachisto/model/cycloid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,18 +15,24 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// ψ − sin ψ without cancellation for small ψ.
-double psi_minus_sin(double psi) {
-  if (psi > 0.5) return psi - std::sin(psi);
+/// (ψ − sin ψ)/ψ² without cancellation for small ψ.
+double psi_minus_sin_over_square(double psi) {
+  if (psi > 0.5) return (psi - std::sin(psi)) / (psi * psi);
   // Taylor series; ten terms leave less than an ulp for ψ ≤ 1/2.
   const double square = psi * psi;
-  double term = psi * square / 6.0;
+  double term = psi / 6.0;
   double sum = term;
   for (int i = 4; i < 24; i += 2) {
     term *= -square / (i * (i + 1));
     sum += term;
   }
   return sum;
+}
+
+/// ψ − sin ψ likewise.
+double psi_minus_sin(double psi) {
+  return psi > 0.5 ? psi - std::sin(psi)
+                   : psi * psi * psi_minus_sin_over_square(psi);
 }
 
 /// 1 − cos ψ without cancellation.
@@ -64,8 +71,8 @@ std::optional<CycloidArc> cycloid_between(Point start, Point end) {
   // dz (ψ − sin ψ) − dx (1 − cos ψ) falls first, then rises to 2π dz > 0 at
   // 2π; divided by ψ² it is −dx/2 < 0 at 0 and has one sign change.
   const auto mismatch = [&](double psi) {
-    if (psi == 0.0) return -0.5 * dx;
-    return (dz * psi_minus_sin(psi) - dx * one_minus_cos(psi)) / (psi * psi);
+    const double chord = psi > 0.0 ? std::sin(0.5 * psi) / psi : 0.5;
+    return dz * psi_minus_sin_over_square(psi) - 2.0 * dx * chord * chord;
   };
   const double psi = math::find_root(mismatch, 0.0, 2.0 * kPi);
   // The better conditioned of the two equations gives the radius.
@@ -81,30 +88,52 @@ std::optional<CycloidArc> axisymmetric_optimum(const Scene& scene) {
   const double r = scene.body.radius;
   const double L = scene.L;
   const double H = scene.H;
-  if (std::hypot(L - r, H) <= r) return std::nullopt;
-  // The end lies below the start only where cos φ < H/r: for a large radius an
-  // end slope either steeply up or, if B is left of the centre, steeply down.
-  double first = -0.5 * kPi;
-  double last = 0.5 * kPi;
-  if (r >= H) (L > r ? last : first) = std::copysign(std::acos(H / r), r - L);
-  // In terms of ψ = π − 2φ: sin 2φ = sin ψ, so π − 2φ − sin 2φ = ψ − sin ψ, and
-  // cos φ = sin ψ/2. Divided by sin²(ψ/2), which keeps the sign of the limit at
-  // φ = π/2.
-  const auto mismatch = [&](double phi) {
-    const double psi = kPi - 2.0 * phi;
-    const double c = std::cos(phi);
-    const double reach = L - r + r * std::sin(phi);
-    if (psi < 1e-8) return -2.0 * reach;
-    return (H - r * c) * psi_minus_sin(psi) / (c * c) - 2.0 * reach;
+  // (L − r)² + H² ≤ r²
+  if (H * H <= L * (2.0 * r - L)) return std::nullopt;
+  // With the angle α by which the track at B is off the vertical, so that
+  // cos φ = sin α, and ψ = π − 2φ is 2α where it leads steeply down, 2π − 2α
+  // where it leads steeply up: digits of φ − π/2 and φ + π/2 are kept. The end
+  // lies below the start where r sin α < H.
+  const auto psi_of = [](double alpha, bool up) {
+    return up ? 2.0 * (kPi - alpha) : 2.0 * alpha;
   };
-  // At φ = −π/2 the first term grows like 2π H / cos²φ: step in from there.
-  if (first == -0.5 * kPi) {
-    first = 0.5 * (first + last);
-    while (mismatch(first) < 0.0) first = 0.5 * (first - 0.5 * kPi);
-  }
-  const double phi = math::find_root(mismatch, first, last);
-  const double c = std::cos(phi);
-  return CycloidArc{{r, 0.0}, (H - r * c) / (2.0 * c * c), kPi - 2.0 * phi};
+  const auto reach_of = [&](double alpha, bool up) {
+    const double bulge = r * one_minus_cos(alpha);
+    return up ? L - 2.0 * r + bulge : L - bulge;
+  };
+  // As far as the end lies below the start. Beyond that is no path, and there
+  // the first term of the mismatch vanishes whatever rounding makes of it.
+  const double alpha_end = r < H ? 0.5 * kPi : std::asin(H / r);
+  const auto drop_of = [&](double alpha) {
+    return r >= H && alpha == alpha_end ? 0.0 : H - r * std::sin(alpha);
+  };
+  // The equation divided by α², which keeps the sign of the limit at α = 0
+  // where the track leads down.
+  const auto mismatch = [&](double alpha, bool up) {
+    const double psi = psi_of(alpha, up);
+    const double ratio = alpha > 0.0 ? std::sin(alpha) / alpha : 1.0;
+    const double share = up ? psi_minus_sin(psi) / (alpha * alpha)
+                            : 4.0 * psi_minus_sin_over_square(psi);
+    return drop_of(alpha) * share - 2.0 * ratio * ratio * reach_of(alpha, up);
+  };
+  // Level, where both meet, one value has to serve both.
+  const double level = r < H ? mismatch(alpha_end, false) : 0.0;
+  const bool up = r < H ? level < 0.0 : L > r;
+  // Upwards the first term grows like 2π H/α²: here it is ¾ π H/α² ≥ 3 L or
+  // more, and the second 2 L or less.
+  const double first = up ? std::min({0.5 * alpha_end, 0.5 * H / r,
+                                      std::sqrt(0.25 * kPi * H / L)})
+                          : 0.0;
+  const double alpha = math::find_root(
+      [&](double at) {
+        return r < H && at == alpha_end ? level : mismatch(at, up);
+      },
+      first, alpha_end);
+  const double psi = psi_of(alpha, up);
+  // The better conditioned of the two equations gives the radius.
+  const double a = up ? reach_of(alpha, up) / psi_minus_sin(psi)
+                      : drop_of(alpha) / one_minus_cos(psi);
+  return CycloidArc{{r, 0.0}, a, psi};
 }
 
 }  // namespace brachisto

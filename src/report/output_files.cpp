@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto::report {
 
@@ -39,13 +42,20 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void write(const std::string& content) {
+    // To the disk piece by piece, so that a signal need not wait for all.
+    constexpr std::size_t kPiece = 8U << 20U;
     std::size_t done = 0;
+    std::size_t synced = 0;
     while (done < content.size()) {
-      const ssize_t count =
-          ::write(descriptor_, content.data() + done, content.size() - done);
+      check_stop();
+      const ssize_t count = ::write(descriptor_, content.data() + done,
+                                    std::min(kPiece, content.size() - done));
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) fail(path_, "write", errno);
       done += static_cast<std::size_t>(count);
+      if (done < synced + kPiece) continue;
+      if (::fdatasync(descriptor_) != 0) fail(path_, "write", errno);
+      synced = done;
     }
     if (::fsync(descriptor_) != 0) fail(path_, "write", errno);
     const int closed = ::close(descriptor_);

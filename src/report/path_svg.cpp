@@ -61,9 +61,17 @@ class Canvas {
   [[nodiscard]] double pixels(double metres) const { return metres * scale_; }
 
   void curve(const std::vector<Point>& points, std::string_view style) {
-    std::vector<Pixel> drawn;
-    drawn.reserve(points.size());
-    for (const Point& p : points) drawn.push_back(pixel(p));
+    // Where points crowd, those that nobody could tell apart are left out.
+    constexpr double kTooNear = 0.2;  // [px]
+    std::vector<Pixel> drawn{pixel(points.front())};
+    for (const Point& p : points) {
+      const Pixel next = pixel(p);
+      const Pixel& last = drawn.back();
+      const bool too_near =
+          std::hypot(next.x - last.x, next.y - last.y) < kTooNear;
+      if (!too_near) drawn.push_back(next);
+    }
+    drawn.push_back(pixel(points.back()));
     svg_.polyline(drawn, style);
   }
   void circle(Point centre, double radius, std::string_view style) {

@@ -7,6 +7,8 @@
 
 #include <iterator>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto::report {
 
 std::string trajectory_csv(const Motion& motion) {
@@ -20,6 +22,7 @@ std::string trajectory_csv(const Motion& motion) {
     return rolls ? number(value) : std::string{};
   };
   for (const TrajectoryPoint& row : motion.at_nodes()) {
+    check_stop();
     const Kinematics& at = row.motion;
     fmt::format_to(std::back_inserter(out),
                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",

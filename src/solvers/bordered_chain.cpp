@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_kkt.hpp"
 
 namespace brachisto {
@@ -46,11 +47,13 @@ BorderedChain::BorderedChain(const KktSystem& system,
   };
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
   for (std::size_t e = 0; e < hess.num_entries(); ++e) {
+    check_stop(e);
     see(hess.rows[e], hess.cols[e], 0, e);
     if (hess.rows[e] != hess.cols[e]) see(hess.cols[e], hess.rows[e], 0, e);
   }
   const nlp::SparsityPattern& jac = problem.jac_g_pattern();
   for (std::size_t e = 0; e < jac.num_entries(); ++e) {
+    check_stop(e);
     see(n + jac.rows[e], jac.cols[e], 1, e);
   }
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -65,6 +67,7 @@ bool EntriesByLink::find_ranges() {
     const std::size_t size = positions_[a].rows.size();
     int now = 0;
     for (std::size_t e = 0; e < size; ++e) {
+      check_stop(e);
       const Links links = links_of(a, e);
       if (links.first == kBorderAlone) border_.push_back({a, e});
       if (links.first < 0) {
@@ -85,6 +88,7 @@ bool EntriesByLink::sort() {
   const auto each = [&](auto&& visit) {
     for (std::size_t a = 0; a < positions_.size(); ++a) {
       for (std::size_t e = 0; e < positions_[a].rows.size(); ++e) {
+        check_stop(e);
         if (!visit(Place{a, e}, links_of(a, e).first)) return false;
       }
     }

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_kkt.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
@@ -45,7 +45,7 @@ namespace brachisto {
 
 namespace {
 
-/// The hook in force.
+/// The hook in force; OneAtATime keeps other threads from it.
 ChainHook* current = nullptr;
 
 nlp::ChainStructure in_ipopt_numbering(const nlp::Problem& problem) {
@@ -69,7 +69,6 @@ nlp::ChainStructure in_ipopt_numbering(const nlp::Problem& problem) {
 
 constexpr int kSingular = -7;
 constexpr int kGivenUp = -1;
-constexpr int kNoMemory = -13;
 
 /// What MA97 keeps between its calls.
 struct Matrix {
@@ -80,6 +79,17 @@ struct Matrix {
 
 Matrix& matrix_of(void** akeep) {
   return *static_cast<Matrix*>(*akeep);
+}
+
+/// Runs `work`; what it throws goes through Ipopt, which forgets what it was.
+template <class Work>
+void kept(Work&& work) {
+  try {
+    work();
+  } catch (...) {
+    if (current != nullptr) current->keep(std::current_exception());
+    throw;
+  }
 }
 
 extern "C" {
@@ -95,7 +105,7 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
   *akeep = nullptr;
   const PhaseTimer timer(Phase::SetUp);
   if (current == nullptr) return;
-  try {
+  kept([&] {
     if (static_cast<std::size_t>(n) != current->structure().block.size()) {
       current->refuse("Ipopt's KKT matrix has another size than the problem's");
       return;
@@ -122,10 +132,7 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
     }
     info->flag = 0;
     *akeep = matrix.release();
-  } catch (const std::bad_alloc&) {
-    current->refuse("not enough memory");
-    info->flag = kNoMemory;
-  }
+  });
 }
 
 static void chain_factor(int, const int[], const int[], const double val[],
@@ -134,7 +141,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
   *info = {};
   const PhaseTimer timer(Phase::Factorisation);
   Matrix& matrix = matrix_of(akeep);
-  try {
+  kept([&] {
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
     if (current != nullptr) current->count_factorisation();
@@ -144,10 +151,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
     if (!factorised || inertia.zero > 0) info->flag = kSingular;
     info->matrix_rank = matrix.size - inertia.zero;
     info->num_neg = inertia.negative;
-  } catch (const std::bad_alloc&) {
-    if (current != nullptr) current->refuse("not enough memory");
-    info->flag = kNoMemory;
-  }
+  });
 }
 
 static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,
@@ -155,10 +159,13 @@ static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,
   const PhaseTimer timer(Phase::Solution);
   // What Ipopt read from the info struct before must stay.
   Matrix& matrix = matrix_of(akeep);
-  for (int k = 0; k < nrhs; ++k) {
-    matrix.ldlt->solve({x + static_cast<std::ptrdiff_t>(k) * ldx,
-                        static_cast<std::size_t>(matrix.size)});
-  }
+  kept([&] {
+    for (int k = 0; k < nrhs; ++k) {
+      check_stop();
+      matrix.ldlt->solve({x + static_cast<std::ptrdiff_t>(k) * ldx,
+                          static_cast<std::size_t>(matrix.size)});
+    }
+  });
 }
 
 static void chain_factor_solve(int type, const int ptr[], const int row[],

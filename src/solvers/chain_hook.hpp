@@ -6,7 +6,9 @@
 
 #pragma once
 
+#include <exception>
 #include <string>
+#include <utility>
 
 #include "brachisto/nlp/problem.hpp"
 
@@ -17,7 +19,7 @@ namespace brachisto {
 ///
 /// Ipopt's HSLLoader lets a program set the functions of MA97 but hands no
 /// pointer of ours to them, so the hook in force is a variable of the process:
-/// one solve per process at a time, as with MUMPS.
+/// it lives within a OneAtATime, as MUMPS has to.
 class ChainHook {
  public:
   /// Whether the Ipopt this was compiled against has the hook, with structs
@@ -41,11 +43,15 @@ class ChainHook {
     return structure_;
   }
   void refuse(const std::string& why) { refusal_ = why; }
+  /// What the factorisation threw, if it did.
+  [[nodiscard]] std::exception_ptr exception() const { return exception_; }
+  void keep(std::exception_ptr exception) { exception_ = std::move(exception); }
   void count_factorisation() { ++factorisations_; }
 
  private:
   nlp::ChainStructure structure_;
   std::string refusal_;
+  std::exception_ptr exception_;
   int factorisations_ = 0;
 };
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -249,6 +251,7 @@ void ChainLdlt::factorise_run(std::size_t r) {
   int failures = 0;
   int first_failure = 0;
   for (int first = 0; first < run.num_links; first += kLanes) {
+    check_stop(first);
     const int count = std::min(kLanes, run.num_links - first);
     std::uint8_t& failed = failed_[plan.failed + at(first / kLanes)];
     failed = 0xff;

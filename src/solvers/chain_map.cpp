@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_entries.hpp"
 
 namespace brachisto {
@@ -138,6 +139,7 @@ std::optional<ChainMap> ChainMap::make(
   Run now;
   std::vector<EntriesByLink::Place> places;
   for (int link = 0; link < chain.num_links; ++link) {
+    check_stop(link);
     now.first_link = link;
     now.num_links = 1;
     now.interior = members.count(2 * link + 1);

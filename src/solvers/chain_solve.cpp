@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_ldlt.hpp"
 
 namespace brachisto {
@@ -29,6 +30,7 @@ void ChainLdlt::for_each_batch(Visit&& visit) const {
     const PivotProgram& program = plan.chosen->program;
     const Lanes* slots = storage_.get() + plan.storage;
     for (int first = 0; first < run.num_links; first += kLanes) {
+      check_stop(first);
       const unsigned failed = failed_[plan.failed + at(first / kLanes)];
       if (failed != 0xffU) {
         visit(run, program, slots, first,
@@ -66,6 +68,7 @@ void ChainLdlt::solve(std::span<double> x) const {
       }
     }
   });
+  check_stop();
   fronts_.forward(x);
   fronts_.backward(x);
   for_each_batch([&](const Run& run, const PivotProgram& program,
@@ -96,6 +99,7 @@ void ChainLdlt::subtract_product(std::span<const double> x,
   };
   for (const Run& run : map_.runs()) {
     for (int link = 0; link < run.num_links; ++link) {
+      check_stop(link);
       for (const ChainMap::Entry& entry : run.entries) {
         add(run.unknowns[at(entry.row)].at(link),
             run.unknowns[at(entry.col)].at(link),

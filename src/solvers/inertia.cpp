@@ -12,6 +12,7 @@
 
 #include "solvers/blas_threads.hpp"
 #include "solvers/chain_kkt.hpp"
+#include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {
 
@@ -77,6 +78,7 @@ class Mumps {
 /// The inertia from the two arrays of values, by MUMPS.
 Inertia mumps_inertia(const nlp::Problem& problem, std::span<const double> hess,
                       std::span<const double> jac) {
+  const OneAtATime one_at_a_time;
   const SingleThreadedBlas single_threaded;
   // Numbers of the free variables; fixed ones drop out.
   std::vector<int> number(at(problem.num_variables()), 0);

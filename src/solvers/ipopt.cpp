@@ -12,6 +12,7 @@
 #include <IpTimingStatistics.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "solvers/blas_threads.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
+#include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {
 
@@ -74,13 +76,13 @@ Status translate(Ipopt::ApplicationReturnStatus status,
                  const StopCondition& stop, bool at_refused_point) {
   // A stop makes the adapter refuse points, which Ipopt answers in many ways.
   if (status != Ipopt::Solve_Succeeded && stop.met()) {
-    return stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+    return stopped_by(stop);
   }
   switch (status) {
     case Ipopt::Solve_Succeeded:
       return Status::Solved;
     case Ipopt::User_Requested_Stop:
-      return stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+      return stopped_by(stop);
     case Ipopt::Maximum_Iterations_Exceeded:
       return Status::IterationLimit;
     case Ipopt::Maximum_CpuTime_Exceeded:
@@ -176,10 +178,20 @@ void book_linear_solver(Ipopt::IpoptApplication& application) {
                      std::max(0.0, all - analysis - solution));
 }
 
-/// One run with the given linear solver: Chain, with a ChainHook in force, or
-/// Mumps.
+/// Throws on what ended a run, unless it is that `stop` was met.
+void rethrow(const std::exception_ptr& thrown, const StopCondition& stop) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Stopped&) {
+    if (!stop.met()) throw;
+  }
+}
+
+/// One run with the chain, if its hook is in force, or MUMPS.
 SolverResult run(nlp::Problem& problem, const PrimalDual& start,
-                 const IpoptOptions& options, LinearSolver solver) {
+                 const IpoptOptions& options, const ChainHook* hook) {
+  const LinearSolver solver =
+      hook != nullptr ? LinearSolver::Chain : LinearSolver::Mumps;
   const bool warm = !start.lambda.empty();
   Ipopt::SmartPtr<IpoptAdapter> adapter =
       new IpoptAdapter(problem, start, options.stop);
@@ -209,10 +221,12 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
     return application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
   }();
   if (solver == LinearSolver::Mumps) book_linear_solver(*application);
-  if (adapter->exception()) std::rethrow_exception(adapter->exception());
+  rethrow(adapter->exception(), options.stop);
+  if (hook != nullptr) rethrow(hook->exception(), options.stop);
 
   result.log = log.str();
   result.point = adapter->final_point();
+  if (result.point.x.empty() && options.stop.met()) result.point = start;
   result.iterations = adapter->iterations();
   result.refused_points = adapter->refused_points();
   result.status =
@@ -229,10 +243,10 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   return result;
 }
 
-}  // namespace
-
-SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
-                              const IpoptOptions& options) {
+/// solve_with_ipopt(), but that it may be stopped on the way to a run.
+SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
+                   const IpoptOptions& options) {
+  const OneAtATime one_at_a_time;
   const SingleThreadedBlas single_threaded;
   std::string why_not;
   if (options.linear_solver != LinearSolver::Mumps) {
@@ -242,7 +256,7 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
       why_not = "the problem states no chain structure";
     } else {
       const ChainHook hook(problem);
-      SolverResult result = run(problem, start, options, LinearSolver::Chain);
+      SolverResult result = run(problem, start, options, &hook);
       if (hook.refusal().empty()) return result;
       why_not = hook.refusal();
     }
@@ -253,12 +267,29 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
     result.message = "linear_solver chain cannot be used: " + why_not;
     return result;
   }
-  SolverResult result = run(problem, start, options, LinearSolver::Mumps);
+  SolverResult result = run(problem, start, options, nullptr);
   if (!why_not.empty() && options.verbose) {
     result.log =
         "linear solver mumps, not chain: " + why_not + "\n" + result.log;
   }
   return result;
+}
+
+}  // namespace
+
+SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
+                              const IpoptOptions& options) {
+  const StopScope scope(options.stop);
+  try {
+    return solve(problem, start, options);
+  } catch (const Stopped&) {
+    if (!options.stop.met()) throw;
+    SolverResult result;
+    result.status = stopped_by(options.stop);
+    result.message = describe(result.status);
+    result.point = start;
+    return result;
+  }
 }
 
 std::string ipopt_version() {

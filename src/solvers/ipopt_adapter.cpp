@@ -35,9 +35,10 @@ IpoptAdapter::IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
 
 template <class Evaluate>
 bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
-  // Refusing every point brings Ipopt to its end soonest.
-  if (exception_ || stop_.met()) return false;
+  // What is thrown here ends the run at once: Ipopt lets it through, catches it
+  // at its own outermost call and forgets what it was.
   try {
+    check_stop();
     if (new_x || !have_point_) {
       accepted_ = problem_.set_point({x, size(problem_.num_variables())});
       have_point_ = true;
@@ -50,7 +51,7 @@ bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
     return accepted_;
   } catch (...) {
     exception_ = std::current_exception();
-    return false;
+    throw;
   }
 }
 
@@ -141,7 +142,7 @@ bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
                                          const Ipopt::IpoptData*,
                                          Ipopt::IpoptCalculatedQuantities*) {
   iterations_ = iter;
-  return !exception_ && !stop_.met();
+  return !stop_.met();
 }
 
 void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,

@@ -29,7 +29,7 @@ class IpoptAdapter final : public Ipopt::TNLP {
   [[nodiscard]] const std::string& last_refusal() const {
     return last_refusal_;
   }
-  /// What the problem threw, if it did; Ipopt itself would swallow it.
+  /// What ended the run, if the problem or check_stop() threw.
   [[nodiscard]] std::exception_ptr exception() const { return exception_; }
 
   bool get_nlp_info(Ipopt::Index& n, Ipopt::Index& m, Ipopt::Index& nnz_jac_g,
@@ -75,7 +75,7 @@ class IpoptAdapter final : public Ipopt::TNLP {
 
  private:
   /// Runs `evaluate` at x. False, which makes Ipopt shorten its step, if the
-  /// problem refuses x; keeps an exception and stops the run if one is thrown.
+  /// problem refuses x; keeps an exception if one is thrown on.
   template <class Evaluate>
   bool guarded(const Ipopt::Number* x, bool new_x, Evaluate&& evaluate);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -50,6 +52,7 @@ bool KktSystem::evaluate(std::span<const double> x,
   if (closing_ != nullptr) closing_->set_parameter(phi);
   std::copy(x.begin(), x.end(), x_.begin());
   std::copy(lambda.begin(), lambda.end(), lambda_.begin());
+  check_stop();
   if (!problem_.set_point(x)) return false;
   problem_.eval_grad_f(grad_f_);
   problem_.eval_g(g_);
@@ -120,6 +123,7 @@ void KktSystem::visit(Put&& put) const {
 }
 
 void KktSystem::evaluate_jacobian() {
+  check_stop();
   problem_.eval_hess_lag(1.0, lambda_, hess_lag_);
 }
 

@@ -85,22 +85,14 @@ class StepSolver {
   bool by_chain_ = false;
 };
 
-}  // namespace
-
-NewtonResult solve_with_newton(nlp::Problem& problem,
-                               nlp::ClosingEquation* closing,
-                               const PrimalDual& start, double phi,
-                               const NewtonOptions& options) {
-  NewtonResult result;
-  result.point = start;
-  result.phi = phi;
+/// From the point in `result`, which holds the best one seen all along.
+void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
+             const NewtonOptions& options, NewtonResult& result) {
   KktSystem system(problem, closing);
-  Iterate now{start, phi};
+  Iterate now{result.point, result.phi};
   if (!system.evaluate(now.point.x, now.point.lambda, now.phi)) {
     result.status = Status::NotEvaluable;
-    result.first_residual = result.residual =
-        std::numeric_limits<double>::infinity();
-    return result;
+    return;
   }
   double residual = system.max_residual();
   result.first_residual = result.residual = residual;
@@ -113,11 +105,7 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
       break;
     }
     if (residual == 0.0 || !std::isfinite(residual)) break;
-    if (options.stop.met()) {
-      result.status =
-          options.stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
-      return result;
-    }
+    check_stop();
     const bool regular = solver.solve();
     result.determinant_sign = solver.determinant_sign();
     if (!regular) break;
@@ -145,6 +133,27 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
       by *= 0.5;
     }
     if (!moved) break;
+  }
+}
+
+}  // namespace
+
+NewtonResult solve_with_newton(nlp::Problem& problem,
+                               nlp::ClosingEquation* closing,
+                               const PrimalDual& start, double phi,
+                               const NewtonOptions& options) {
+  NewtonResult result;
+  result.point = start;
+  result.phi = phi;
+  result.first_residual = result.residual =
+      std::numeric_limits<double>::infinity();
+  const StopScope scope(options.stop);
+  try {
+    iterate(problem, closing, options, result);
+  } catch (const Stopped&) {
+    if (!options.stop.met()) throw;
+    result.status = stopped_by(options.stop);
+    return result;
   }
   if (closing != nullptr) closing->set_parameter(result.phi);
   if (result.residual <= options.tolerance) result.status = Status::Solved;

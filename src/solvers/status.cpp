@@ -31,6 +31,10 @@ std::string_view name(Status status) {
   return "unknown";
 }
 
+Status stopped_by(const StopCondition& stop) {
+  return stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+}
+
 std::string_view describe(Status status) {
   switch (status) {
     case Status::Solved:
@@ -47,7 +51,7 @@ std::string_view describe(Status status) {
     case Status::Interrupted:
       return "The solve was interrupted.";
     case Status::OutOfMemory:
-      return "The linear solver ran out of memory.";
+      return "There is not enough memory.";
     case Status::NoAdmissiblePath:
       return "No path satisfies the conditions of the scene.";
     case Status::Stalled:

@@ -129,8 +129,7 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
       corrected = correct(*problem, predicted);
       result.newton_steps += corrected.iterations;
       if (stop.met()) {
-        result.status =
-            stop.interrupted() ? Status::Interrupted : Status::TimeLimit;
+        result.status = stopped_by(stop);
         return result;
       }
       // A point without a Newton step is the prediction itself.

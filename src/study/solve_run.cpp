@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <utility>
 
@@ -67,14 +68,22 @@ SolveRun::SolveRun(const Scene& scene, const SolveOptions& options,
 }
 
 Solution SolveRun::execute(const Neighbour* neighbour) {
-  if (neighbour != nullptr) {
-    find_beside(*neighbour);
-  } else {
-    find();
+  const StopScope scope(stop());
+  try {
+    if (neighbour != nullptr) {
+      find_beside(*neighbour);
+    } else {
+      find();
+    }
+  } catch (const Stopped&) {
+    if (!stop().met()) throw;
+  } catch (const std::bad_alloc&) {
+    out_.status = Status::OutOfMemory;
+    out_.message = describe(out_.status);
+    out_.discard_answer();
   }
   if (stop().met() && out_.status != Status::IterationLimit) {
-    out_.status =
-        stop().interrupted() ? Status::Interrupted : Status::TimeLimit;
+    out_.status = stopped_by(stop());
     out_.message = stop().interrupted()
                        ? "stopped by a signal before the end"
                        : fmt::format("the limit of {:g} s was reached",

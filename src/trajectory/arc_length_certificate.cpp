@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/contact.hpp"
 #include "brachisto/model/hamiltonian.hpp"
 #include "brachisto/model/start_angle.hpp"
@@ -67,6 +68,7 @@ void check_slope(const ArcLength& problem, std::span<const double> x,
   double beta = start_angle(problem.scene().body);
   double x_c = 0.0, z_c = 0.0;
   for (int node = 1; node <= problem.num_intervals(); ++node) {
+    check_stop(node);
     const auto i = static_cast<std::size_t>(problem.layout().x(node));
     const double raw = std::atan2(x[i + 1] - z_c, x[i] - x_c);
     beta += std::remainder(raw - beta, kTurn);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brachisto/math/jet1.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 #include "trajectory/residual_summary.hpp"
@@ -69,6 +70,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
   Worst defect;
 
   for (int j = 1; j <= problem.num_intervals(); ++j) {
+    check_stop(j);
     const Node before = node_at(j - 1, 0);
     const Node own = node_at(j, 3);
     const Jet dx = own.x - before.x;

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/contact.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/start_angle.hpp"
@@ -136,6 +137,7 @@ void check_hamiltonian(const ExtremalCurve& curve, double interior,
   // Places that are neither nodes nor collocation points, both ends included.
   const int places = mesh.degree + 2;
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     for (int i = 0; i <= places; ++i) {
       const double t = static_cast<double>(i) / places;
       const double sigma =
@@ -171,6 +173,7 @@ void check_weierstrass(const ExtremalCurve& curve, double threshold,
   const Mesh& mesh = curve.mesh();
   Largest worst{-std::numeric_limits<double>::infinity(), 0.0};
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     for (const double t : {0.0, 0.5, 1.0}) {
       // The end of the element before.
       if (e > 0 && t == 0.0) continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brachisto/math/jet2.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 #include "trajectory/residual_summary.hpp"
@@ -67,6 +68,7 @@ ExtendedResidual extended_residual(const RollingTime& problem,
   Worst defect;
 
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     const Real h = static_cast<Real>(mesh.boundaries[at(e + 1)]) -
                    static_cast<Real>(mesh.boundaries[at(e)]);
     for (int j = 0; j < p; ++j) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "brachisto/math/roots.hpp"
+#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto {
 
@@ -22,6 +23,7 @@ double friction_share(const Motion& motion,
   double time = 0.0;
   bool before = above(rows.front());
   for (std::size_t i = 1; i < rows.size(); ++i) {
+    check_stop(i);
     const double step = rows[i].t - rows[i - 1].t;
     const bool after = above(rows[i]);
     if (before == after) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 PathByLength::PathByLength(const ExtremalCurve& curve)
@@ -21,6 +23,7 @@ PathByLength::PathByLength(const ExtremalCurve& curve)
   }
   ends_.push_back(0.0);
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     ends_.push_back(ends_.back() + curve.rolling_time() * mesh.length(e) *
                                        speed(e, 1.0).integral);
   }

@@ -13,6 +13,7 @@
 
 #include "brachisto/math/gauss.hpp"
 #include "brachisto/math/polynomial_basis.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 
@@ -160,6 +161,7 @@ void PrescribedMotion::integrate(int cells_per_piece) {
   double from = 0.0;
   for (const double to : ends) {
     for (int i = 1; i <= cells_per_piece; ++i) {
+      check_stop();
       const double q =
           i == cells_per_piece ? to : from + (to - from) * i / cells_per_piece;
       const std::variant<Sums, Stall> next = advance(cells_.back(), q);
@@ -252,6 +254,7 @@ std::vector<TrajectoryPoint> PrescribedMotion::fine_sample(int least) const {
   const int per_cell = std::max(kFineSamplesPerCell, least / num_cells() + 1);
   std::vector<TrajectoryPoint> rows{point_at(cells_.front())};
   for (std::size_t c = 1; c < cells_.size(); ++c) {
+    check_stop();
     const double from = cells_[c - 1].q;
     for (int i = 1; i <= per_cell; ++i) {
       rows.push_back(at(from + (cells_[c].q - from) * i / per_cell));

@@ -8,6 +8,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 #include "trajectory/path_by_length.hpp"
@@ -141,6 +142,7 @@ MotionEnd Release::leave() {
   double dt = kFirstStep * duration_;
   State y{0.0, 0.0, q_[2], q_[3]};
   while (y[0] < goal) {
+    check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
     const State before = y;
     const double t_before = t;
@@ -173,6 +175,7 @@ MotionEnd Release::cross(int e) {
     dq = {1.0 / q[1], rate[1] / q[1], rate[2] / q[1], rate[3] / q[1]};
   };
   while (s_ < end) {
+    check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
     const bool last = ds_ >= end - s_;
     double ds = last ? end - s_ : ds_;

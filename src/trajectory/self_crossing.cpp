@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -46,6 +48,7 @@ std::optional<Point> self_crossing(const std::vector<Point>& points) {
               return a.left < b.left || (a.left == b.left && a.index < b.index);
             });
   for (std::size_t a = 0; a < segments.size(); ++a) {
+    check_stop(a);
     for (std::size_t b = a + 1;
          b < segments.size() && segments[b].left <= segments[a].right; ++b) {
       const std::size_t i = segments[a].index;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/start_angle.hpp"
 
 namespace brachisto {
@@ -72,6 +73,7 @@ std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
   const auto& nodes = collocation_scheme(mesh.degree).nodes;
   rows.reserve(static_cast<std::size_t>(mesh.num_nodes()));
   for (int node = 0; node < mesh.num_nodes(); ++node) {
+    check_stop(node);
     const int e = std::min(node / mesh.degree, mesh.num_elements() - 1);
     const double t =
         nodes.nodes()[static_cast<std::size_t>(node - e * mesh.degree)];
@@ -86,6 +88,7 @@ std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
   std::vector<TrajectoryPoint> rows{convert(curve_.at(0, 0.0), 0.0)};
   const Mesh& mesh = curve_.mesh();
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     for (int i = 1; i <= per_element; ++i) {
       const double t = static_cast<double>(i) / per_element;
       const double sigma =

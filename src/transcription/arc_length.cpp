@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
 
@@ -71,6 +72,7 @@ nlp::EliminationOrder ArcLength::elimination_order() const {
   };
   const int n = num_variables();
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     if (layout_.has_theta()) {
       put(layout_.theta(node), n + layout_.place(node));
       put(n + layout_.place(node), layout_.theta(node));
@@ -94,6 +96,7 @@ nlp::ChainStructure ArcLength::chain_structure() const {
   const int n = num_variables();
   const double pieces = num_intervals();
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     // Second derivatives of T grow like N³/j² towards the start, first ones of
     // the constraints are of order one.
     const double of_place =
@@ -125,6 +128,7 @@ bool ArcLength::set_nodes() {
   const double g = scene_.gravity;
   const double arm = body.radius * body.eta_m;
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const double drop = x_[at(layout_.z(node))];
     double E = drop;
     double E_theta = 0.0;
@@ -159,6 +163,7 @@ bool ArcLength::set_pieces() {
   if (!(S > 0.0)) return refuse(-1, "the arc length S is not positive");
   double x = 0.0, z = 0.0, theta = 0.0;
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const double next_x = x_[at(layout_.x(node))];
     const double next_z = x_[at(layout_.z(node))];
@@ -206,6 +211,7 @@ void ArcLength::do_eval_g(std::span<double> g) const {
   const double r = scene_.body.radius;
   const double S = x_[at(layout_.arc_length())];
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const double dx = pieces_.dx[j];
     const double dz = pieces_.dz[j];

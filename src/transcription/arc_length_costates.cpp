@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
@@ -60,6 +61,7 @@ std::vector<ArcLength::PieceState> ArcLength::piece_states(
   std::vector<PieceState> states;
   states.reserve(at(num_intervals()));
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const Slopes d = slopes(node);
     const double w = 1.0 / pieces_.inverse_speed[j];
@@ -92,6 +94,7 @@ std::vector<double> ArcLength::multipliers(double p_x, double p_z) const {
   // What the piece after a node adds to its stationarity in θ.
   double from_after = 0.0;
   for (int node = num_intervals(); node >= 1; --node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const Slopes d = slopes(node);
     momentum_z -= d.w * nodes_.by_z[j];

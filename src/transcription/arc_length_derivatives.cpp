@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
@@ -161,6 +162,7 @@ void ArcLength::visit_jac_g(Put&& put) const {
   const double r = scene_.body.radius;
   const int col_S = layout_.arc_length();
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const double inverse = 1.0 / reference_length(node);
     const double by_x = pieces_.dx[j] * inverse;
@@ -206,6 +208,7 @@ void ArcLength::visit_hess_lag(double objective_factor,
   };
   std::array<double, 6> diagonal{};
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const Block h =
         block(node, objective_factor, lambda[at(layout_.no_slip(node))]);
     if (node > 1) {
@@ -238,6 +241,7 @@ void ArcLength::visit_axisymmetric_hess_lag(double objective_factor,
     put(row_S, layout_.z(node), S_z);
   };
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const double multiplier = lambda[at(layout_.no_slip(node))];
     const double stiff = multiplier / reference_length(node);
@@ -292,6 +296,7 @@ void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
   const double r = scene_.body.radius;
   double by_S = 0.0;
   for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
     const std::size_t j = at(node);
     const Slopes d = slopes(node);
     const auto add = [&](int n, double sign, double share_of_theta) {

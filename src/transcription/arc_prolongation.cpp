@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -47,6 +49,7 @@ void fix_ends(const ArcLength& problem, std::vector<double>& x, double S) {
   if (!layout.has_theta()) return;
   const double turns = S / problem.scene().body.radius;
   for (int node = 1; node <= problem.num_intervals(); ++node) {
+    check_stop(node);
     x[at(layout.theta(node))] =
         turns * problem.sigma(node) * problem.sigma(node);
   }
@@ -72,6 +75,7 @@ PrimalDual sample(const ExtremalCurve& curve, ArcLength& problem) {
   const double S = curve.arc_length();
   std::vector<double> x(at(layout.num_variables()));
   for (int node = 1; node < problem.num_intervals(); ++node) {
+    check_stop(node);
     const double sigma = problem.sigma(node);
     double place = sigma;
     const ExtremalPoint point = at_length(curve, S * sigma * sigma, place);
@@ -89,6 +93,7 @@ PrimalDual prolong(ArcLength& coarse, const PrimalDual& solution,
   const int n = coarse.num_intervals();
   std::vector<double> x(at(to.num_variables()));
   for (int node = 1; node < fine.num_intervals(); ++node) {
+    check_stop(node);
     // Place among the nodes of the coarse mesh, and the first of the four next
     // to it; the start, where x/σ² has no value, is not among them.
     const double t = fine.sigma(node) * n;

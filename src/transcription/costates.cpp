@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -61,6 +63,7 @@ void integrate_to_nodes(const RollingTime& problem, std::span<const double> x,
   std::vector<double> rate_theta(at(p));
   std::vector<double> rate_w(at(p));
   for (int e = mesh.num_elements() - 1; e >= 0; --e) {
+    check_stop(e);
     const double hU = mesh.length(e) * U;
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;

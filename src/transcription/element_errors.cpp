@@ -4,6 +4,7 @@
 #include "brachisto/transcription/element_errors.hpp"
 
 #include "brachisto/math/gauss.hpp"
+#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto {
 
@@ -32,6 +33,7 @@ std::vector<double> element_errors(const ExtremalCurve& curve) {
   std::vector<double> errors;
   errors.reserve(static_cast<std::size_t>(mesh.num_elements()));
   for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
     errors.push_back(
         curve.rolling_time() * mesh.length(e) *
         (mean_hamiltonian(curve, e, fine) - mean_hamiltonian(curve, e, own)));

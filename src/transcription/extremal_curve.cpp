@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/start_angle.hpp"
 
 namespace brachisto {
@@ -55,6 +56,7 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
   std::vector<double> ds(at_index(p));
   std::vector<double> dt(at_index(p));
   for (int e = 0; e < mesh_.num_elements(); ++e) {
+    check_stop(e);
     for (int j = 0; j < p; ++j) {
       const double raw = point.x[at_index(problem.layout().beta(e * p + j))];
       const double beta = raw - kTurn * std::round((raw - neighbour) / kTurn);

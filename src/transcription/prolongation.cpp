@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
@@ -29,6 +31,7 @@ PrimalDual sample_at_mesh(
                  std::vector<double>(at(layout.num_constraints()))};
 
   for (int n = 0; n < mesh.num_nodes(); ++n) {
+    check_stop(n);
     const int e = std::min(n / mesh.degree, mesh.num_elements() - 1);
     const double t = scheme.nodes.nodes()[at(n - e * mesh.degree)];
     const ExtremalPoint point =
@@ -39,6 +42,7 @@ PrimalDual sample_at_mesh(
     if (layout.has_theta()) out.x[at(layout.state(n, Theta))] = point.theta;
   }
   for (int c = 0; c < mesh.num_points(); ++c) {
+    check_stop(c);
     const int e = c / mesh.degree;
     const int j = c % mesh.degree;
     const ExtremalPoint point = extremal(

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/inertia.hpp"
 
 namespace brachisto {
@@ -133,6 +134,7 @@ bool RollingTime::do_set_point(std::span<const double> x) {
     return refuse(-1, "the rolling time U is not positive");
   }
   for (int e = 0; e < mesh_.num_elements(); ++e) {
+    check_stop(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
       double w = 0.0;

@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
 
 namespace brachisto {
@@ -37,6 +38,7 @@ void RollingTime::visit_jac_g(Put&& put) const {
   const double g = scene_.gravity;
   const int col_U = layout_.rolling_time();
   for (int e = 0; e < mesh_.num_elements(); ++e) {
+    check_stop(e);
     const double h = mesh_.length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
@@ -117,6 +119,7 @@ void RollingTime::visit_hess_lag(double objective_factor,
   std::array<Second, kLargestDegree> second;  // NOLINT: filled below
 
   for (int e = 0; e < mesh_.num_elements(); ++e) {
+    check_stop(e);
     const double h = mesh_.length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;

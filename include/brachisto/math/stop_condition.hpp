@@ -8,11 +8,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <concepts>
+#include <exception>
 
 namespace brachisto {
 
-/// A point in time and a flag, both looked at between iterations. Shared by all
-/// passes of a solve, so that limits bound the whole of it.
+/// A point in time and a flag. Shared by all passes of a solve, so that limits
+/// bound the whole of it.
 class StopCondition {
  public:
   using Clock = std::chrono::steady_clock;
@@ -34,5 +36,41 @@ class StopCondition {
   Clock::time_point deadline_ = Clock::time_point::max();
   const std::atomic<int>* interrupt_ = nullptr;
 };
+
+/// What check_stop() leaves a loop with.
+class Stopped : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override {
+    return "stopped before the end";
+  }
+};
+
+/// Puts a condition in force in this thread for as long as it lives, beside
+/// those that are.
+class StopScope {
+ public:
+  explicit StopScope(const StopCondition& stop);
+  ~StopScope();
+  StopScope(const StopScope&) = delete;
+  StopScope& operator=(const StopScope&) = delete;
+
+  [[nodiscard]] bool met() const {
+    return stop_.met() || (before_ != nullptr && before_->met());
+  }
+
+ private:
+  StopCondition stop_;
+  const StopScope* before_;
+};
+
+/// Leaves whatever is being computed if a condition in force is met. Belongs
+/// into every loop whose length grows with a mesh; it takes some 20 ns.
+/// \throws Stopped
+void check_stop();
+
+/// The same in one of 1024 turns, for loops whose turns take microseconds.
+inline void check_stop(std::integral auto turn) {
+  if (turn % 1024 == 0) check_stop();
+}
 
 }  // namespace brachisto

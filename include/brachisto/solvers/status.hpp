@@ -8,6 +8,8 @@
 
 #include <string_view>
 
+#include "brachisto/math/stop_condition.hpp"
+
 namespace brachisto {
 
 /// How a solver stopped; what the point is worth is for the certificate.
@@ -19,7 +21,7 @@ enum class Status {
   IterationLimit,    ///< limits.iterations reached
   TimeLimit,         ///< limits.seconds reached
   Interrupted,       ///< SIGINT or SIGTERM
-  OutOfMemory,       ///< the linear solver could not get its workspace
+  OutOfMemory,       ///< there is less memory than it takes
   NoAdmissiblePath,  ///< no path can exist; nothing was solved
   Stalled,           ///< on a given path the body does not arrive
   InternalError,     ///< the solver reported a fault of the set-up
@@ -27,6 +29,9 @@ enum class Status {
 
 /// One word, as in result files: "solved", "time_limit".
 [[nodiscard]] std::string_view name(Status status);
+
+/// How a solve ends that `stop` ended: Interrupted or TimeLimit.
+[[nodiscard]] Status stopped_by(const StopCondition& stop);
 
 /// One sentence for the user.
 [[nodiscard]] std::string_view describe(Status status);

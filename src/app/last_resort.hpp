@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The end of a solve that cannot be stopped in order: while Ipopt prepares its
+// matrix, and while MUMPS or KLU factorises one, nobody looks at the clock or
+// at signals, at a million nodes for seconds.
+
+#pragma once
+
+#include <string>
+
+namespace brachisto::app {
+
+/// Ends the process if a solve goes on too long after a signal or its limit of
+/// time: with the exit code for it, a line on stderr, and the one document on
+/// stdout if there has to be one. Nothing is being written meanwhile, so that
+/// nothing is left half-written.
+class LastResort {
+ public:
+  /// In force as long as it lives. One at a time.
+  /// \param seconds  the limit of the solve, from now
+  /// \param json     whether stdout is to get a document
+  LastResort(double seconds, bool json);
+  ~LastResort();
+  LastResort(const LastResort&) = delete;
+  LastResort& operator=(const LastResort&) = delete;
+
+  /// What the handler of a signal calls: from now on there is little time.
+  static void after_signal(int signal);
+};
+
+}  // namespace brachisto::app

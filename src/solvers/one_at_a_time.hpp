@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Libraries that keep their state in variables of the process, one thread at a
+// time: MUMPS, Ipopt with the functions that take the place of HSL's, and the
+// number of threads of BLAS.
+
+#pragma once
+
+#include <mutex>
+
+namespace brachisto {
+
+/// The place in which these libraries may be called, held as long as it lives.
+/// Not to be asked for again by a thread that holds it.
+class OneAtATime {
+ public:
+  /// Waits for its turn.
+  /// \throws Stopped  if a condition in force is met before it comes
+  OneAtATime();
+
+ private:
+  std::unique_lock<std::timed_mutex> lock_;
+};
+
+}  // namespace brachisto

@@ -94,7 +94,10 @@ int run(const SolveFlags& flags) {
       progress.note(SolveProgress::Clock::now(), phase, text);
     };
   }
-  const Solution solution = [&] {
+  for (const io::Diagnostic& warning : problem.warnings) {
+    fmt::print(stderr, "warning: {}\n", io::to_string(warning));
+  }
+  Solution solution = [&] {
     const LastResort last_resort(problem.options.limits.seconds, flags.json);
     return solve(problem.scene, problem.options,
                  {.interrupt = &signal,
@@ -102,6 +105,9 @@ int run(const SolveFlags& flags) {
                   .progress = std::move(hook)});
   }();
 
+  for (const io::Diagnostic& warning : problem.warnings) {
+    solution.warnings.push_back(io::to_string(warning));
+  }
   const std::string json = report::result_json(solution);
   if (flags.verbose) fmt::print(stderr, "{}", solution.log);
   if (!flags.out.empty()) {

@@ -150,6 +150,9 @@ std::string scenes_table(const io::SweepFile& sweep) {
 }
 
 void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
+  for (const io::Diagnostic& warning : problem.warnings) {
+    fmt::print(stderr, "warning: {}\n", io::to_string(warning));
+  }
   if (flags.json) {
     fmt::print("{}", effective_input(problem));
   } else if (!flags.quiet) {

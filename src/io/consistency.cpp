@@ -17,9 +17,6 @@ namespace brachisto::io {
 
 namespace {
 
-constexpr int kDefaultDegree = 5;
-/// Both ends and a node to move.
-constexpr int kFewestDiscreteNodes = 3;
 // Relative errors of the paper's cases are 0.07/N² to 0.9/N².
 constexpr double kPiecesTimesRootOfError = 0.6;
 
@@ -145,7 +142,7 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
                              mesh.nodes.value(), kFewestDiscreteNodes));
     return;
   }
-  const int p = mesh.degree.value_or(kDefaultDegree);
+  const int p = mesh.degree_of_fixed();
   const int count = mesh.nodes.value();
   if ((count - 1) % p == 0) return;
   const int below = (count - 1) / p * p + 1;

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "brachisto/math/angle.hpp"
 #include "io/expression_syntax.hpp"
 
 namespace brachisto::io {
@@ -161,13 +162,19 @@ Expression::Expression(std::string_view text, Unit unit, Names names)
     constant_ = program_->value({});
     program_.reset();
   }
-  if (degrees_) constant_ = radians(constant_);
 }
 
 double Expression::value(const QuantityValues& values) const {
-  if (program_ == nullptr) return constant_;
-  const double number = program_->value(values);
+  const double number = program_ ? program_->value(values) : constant_;
   return degrees_ ? radians(number) : number;
+}
+
+double Expression::direction() const {
+  constexpr double kTurnInDegrees = 360.0;
+  if (!degrees_) return math::within_a_turn(constant_);
+  return radians(std::abs(constant_) > kTurnInDegrees
+                     ? std::fmod(constant_, kTurnInDegrees)
+                     : constant_);
 }
 
 double evaluate(std::string_view text, Unit unit) {

@@ -66,11 +66,17 @@ class Expression {
   /// \throws ExpressionError  if it or a part of it is not finite
   [[nodiscard]] double value(const QuantityValues& values) const;
 
+  /// Of a constant angle: the same direction within a turn. Whole turns are
+  /// left out before degrees become radians, which is exact.
+  [[nodiscard]] double direction() const;
+
+  [[nodiscard]] bool in_degrees() const { return degrees_; }
+
  private:
   class Program;
   std::string text_;
   bool degrees_ = false;
-  double constant_ = 0.0;
+  double constant_ = 0.0;  ///< in the unit it was written in
   std::vector<std::size_t> quantities_;
   std::shared_ptr<Program> program_;  ///< nullptr: a constant
 };

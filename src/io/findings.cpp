@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <functional>
 
-#include "brachisto/io/diagnostics.hpp"
-
 namespace brachisto::io {
 
 void Findings::add(Position position, std::string key, std::string message) {
   findings_.push_back({position, std::move(key), std::move(message)});
+}
+
+void Findings::warn(Position position, std::string key, std::string message) {
+  warnings_.push_back({position, std::move(key), std::move(message)});
 }
 
 bool Findings::concern(std::string_view key) const {
@@ -21,9 +23,11 @@ bool Findings::concern(std::string_view key) const {
                              [&](const Finding& f) { return f.key == key; });
 }
 
-void Findings::throw_if_any(const std::vector<std::string>& sources) const {
-  if (findings_.empty()) return;
-  std::vector<Finding> ordered = findings_;
+namespace {
+
+/// In the order of the inputs.
+std::vector<Diagnostic> diagnostics_of(
+    std::vector<Finding> ordered, const std::vector<std::string>& sources) {
   std::ranges::stable_sort(ordered, std::less<>{}, &Finding::position);
   std::vector<Diagnostic> diagnostics;
   diagnostics.reserve(ordered.size());
@@ -34,7 +38,19 @@ void Findings::throw_if_any(const std::vector<std::string>& sources) const {
                            in_file ? line : 0, in_file ? column : 0,
                            std::move(finding.key), std::move(finding.message)});
   }
-  throw InputError(std::move(diagnostics));
+  return diagnostics;
+}
+
+}  // namespace
+
+void Findings::throw_if_any(const std::vector<std::string>& sources) const {
+  if (findings_.empty()) return;
+  throw InputError(diagnostics_of(findings_, sources));
+}
+
+std::vector<Diagnostic> Findings::warnings(
+    const std::vector<std::string>& sources) const {
+  return diagnostics_of(warnings_, sources);
 }
 
 std::string in_quotes(std::string_view text) {

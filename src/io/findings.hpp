@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "brachisto/io/diagnostics.hpp"
+
 namespace brachisto::io {
 
 /// A place in one of the inputs.
@@ -39,6 +41,9 @@ class Findings {
  public:
   void add(Position position, std::string key, std::string message);
 
+  /// Notes what is read, but hardly meant.
+  void warn(Position position, std::string key, std::string message);
+
   /// True if a mistake was added for exactly this key.
   [[nodiscard]] bool concern(std::string_view key) const;
 
@@ -49,8 +54,12 @@ class Findings {
   /// \throws InputError  if anything was added
   void throw_if_any(const std::vector<std::string>& sources) const;
 
+  /// What was noted by warn().
+  [[nodiscard]] std::vector<Diagnostic> warnings(
+      const std::vector<std::string>& sources) const;
+
  private:
-  std::vector<Finding> findings_;
+  std::vector<Finding> findings_, warnings_;
 };
 
 /// Text from an input as it may stand in a message: in quotes, control

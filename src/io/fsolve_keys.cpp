@@ -71,7 +71,7 @@ std::vector<KeySpec> fsolve_keys() {
        .bounds = "from 0 to 0.1",
        .description = "half width of the central differences in units of H, "
                       "of variant hybrid; 0: exact derivatives",
-       .interval = {0.0, 0.1},
+       .interval = {0.0, kLargestEpsilon},
        .set = [](ProblemFile& p, double v) { reading(p).epsilon = v; }},
       {.path = "solver.fsolve.variant",
        .type = KeyType::Choice,

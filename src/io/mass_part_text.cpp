@@ -127,7 +127,8 @@ class Values {
   }
   static double value(std::string_view name, std::string_view text, Unit unit) {
     try {
-      return evaluate(text, unit);
+      const Expression written(text, unit, Names::None);
+      return unit == Unit::Angle ? written.direction() : written.value({});
     } catch (const ExpressionError& error) {
       refuse("{}: \"{}\" is not {}: {}", name, trimmed(text),
              unit == Unit::Angle ? "an angle in rad or, as in 30deg, in degrees"

@@ -14,8 +14,6 @@ namespace brachisto::io {
 namespace {
 
 constexpr double kMaxInt = std::numeric_limits<int>::max();
-constexpr int kMaxElements = 10'000'000;
-constexpr int kMaxNodes = kMaxElements * kMaxDegree + 1;
 
 }  // namespace
 
@@ -47,7 +45,7 @@ std::vector<KeySpec> discretisation_keys() {
        .description = "wanted relative error of the transit time; the mesh "
                       "follows unless it is fixed. arc_length: 1e-9 or more, "
                       "1e-6 if absent",
-       .interval = {1e-13, 1e-1},
+       .interval = {kSmallestTolerance, kLargestTolerance},
        .set = [](ProblemFile& p,
                  double v) { p.options.discretisation.tolerance = v; }},
       {.path = "discretisation.degree",
@@ -131,7 +129,7 @@ std::vector<KeySpec> solver_keys() {
        .fallback = "1e-12",
        .bounds = "from 1e-14 to 1e-6",
        .description = "largest scaled KKT residual of a solution",
-       .interval = {1e-14, 1e-6},
+       .interval = {kSmallestResidual, kLargestResidual},
        .set = [](ProblemFile& p, double v) { p.options.tolerance = v; }},
       {.path = "solver.search",
        .type = KeyType::Choice,

@@ -27,6 +27,7 @@ ProblemFile read_problem_text(std::string_view text, const std::string& name,
   check_solver(input.root, problem, findings);
   check_scene(input.root, problem, findings);
   findings.throw_if_any(input.sources);
+  problem.warnings = findings.warnings(input.sources);
   return problem;
 }
 

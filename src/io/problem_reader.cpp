@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "brachisto/math/angle.hpp"
 #include "io/expression.hpp"
 #include "io/suggestion.hpp"
 
@@ -133,7 +135,8 @@ void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
   };
   double value = 0.0;
   try {
-    value = evaluate(node.text, unit_of(spec));
+    value = spec.type == KeyType::Angle ? read_angle(spec, node)
+                                        : evaluate(node.text);
   } catch (const ExpressionError& error) {
     refuse(fmt::format("is not a number: {}", error.what()));
     return;
@@ -145,6 +148,23 @@ void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
   } else {
     spec.set(problem_, value);
   }
+}
+
+double ProblemReader::read_angle(const KeySpec& spec, const YamlValue& node) {
+  const Expression written(node.text, Unit::Angle, Names::None);
+  const double value = written.value({});
+  // Radians that are too large stay what they are, for the scene to refuse.
+  const bool reducible =
+      written.in_degrees() || std::abs(value) <= kLargestAngle;
+  if (std::abs(value) <= math::kTurn || !reducible) return value;
+  const double direction = written.direction();
+  findings_.warn(
+      node.position, std::string(spec.path),
+      fmt::format("{} is more than a turn; whole turns mean nothing here, and "
+                  "{:.10g} rad is taken, which is {:.10g}°",
+                  in_quotes(node.text), direction,
+                  direction * 180.0 / std::numbers::pi));
+  return direction;
 }
 
 void ProblemReader::read_choice(const KeySpec& spec, const YamlValue& node) {

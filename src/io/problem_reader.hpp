@@ -36,6 +36,7 @@ class ProblemReader {
   void read_map(const YamlValue& map, std::string_view path, Position position);
   void read_entry(const Entry& entry, std::string_view map);
   void read_number(const KeySpec& spec, const YamlValue& node);
+  [[nodiscard]] double read_angle(const KeySpec& spec, const YamlValue& node);
   void read_choice(const KeySpec& spec, const YamlValue& node);
   void refuse_unknown(const Entry& entry, std::string_view map);
 

@@ -11,8 +11,11 @@ namespace brachisto::math {
 
 double find_root(const std::function<double(double)>& f, double lower,
                  double upper) {
-  const double f_lower = f(lower);
-  const double f_upper = f(upper);
+  return find_root(f, lower, upper, f(lower), f(upper));
+}
+
+double find_root(const std::function<double(double)>& f, double lower,
+                 double upper, double f_lower, double f_upper) {
   if (f_lower == 0.0) return lower;
   if (f_upper == 0.0) return upper;
   std::uintmax_t evaluations = 200;

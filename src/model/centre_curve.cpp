@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "brachisto/math/roots.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/contact.hpp"
 #include "brachisto/model/cycloid.hpp"
 
@@ -40,9 +41,12 @@ PlaneCurvePtr curve_with_contacts(const Scene& scene, Point start) {
   const auto curve_to = [&](double phi) {
     return curve_between(*scene.path, start, end_of_centre(scene, phi));
   };
-  const auto mismatch = [&](double phi) -> std::optional<double> {
+  const auto mismatch = [&](double phi) {
+    return curve_to(phi)->at(1.0).beta - phi;
+  };
+  const auto if_there_is = [](auto&& find) -> std::optional<double> {
     try {
-      return curve_to(phi)->at(1.0).beta - phi;
+      return find();
     } catch (const std::invalid_argument&) {
       return std::nullopt;  // no such curve to that point
     }
@@ -52,17 +56,21 @@ PlaneCurvePtr curve_with_contacts(const Scene& scene, Point start) {
   constexpr double kJump = 0.5;
   std::optional<double> best;
   std::optional<double> before;
+  double phi_before = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
+    check_stop();
     const double phi = kVertical * (2.0 * i / kSteps - 1.0);
-    const std::optional<double> now = mismatch(phi);
+    const std::optional<double> now =
+        if_there_is([&] { return mismatch(phi); });
     if (before && now && *before * *now <= 0.0 &&
         std::abs(*before - *now) < kJump) {
-      const double root =
-          math::find_root([&](double at) { return *mismatch(at); },
-                          phi - 2.0 * kVertical / kSteps, phi);
-      if (!best || std::abs(root) < std::abs(*best)) best = root;
+      const std::optional<double> root = if_there_is([&] {
+        return math::find_root(mismatch, phi_before, phi, *before, *now);
+      });
+      if (root && (!best || std::abs(*root) < std::abs(*best))) best = root;
     }
     before = now;
+    phi_before = phi;
   }
   if (!best) {
     throw std::invalid_argument(

@@ -48,22 +48,16 @@ class CurveFromRest final : public PlaneCurve {
     const CubicSpline::Value z = z_.at(piece, q);
     const double t_x = tangent(x, q);
     const double t_z = tangent(z, q);
-    const double bend_x = 3.0 * x.d1 + q * x.d2;
-    const double bend_z = 3.0 * z.d1 + q * z.d2;
     const double near = slopes_[static_cast<std::size_t>(piece)];
+    const auto [speed, turning] = pace_of(q, x, z);
     return {{q * q * x.f, q * q * z.f},
             near + std::remainder(std::atan2(t_z, t_x) - near, kTurn),
-            q * std::hypot(t_x, t_z),
-            (t_x * bend_z - t_z * bend_x) / (t_x * t_x + t_z * t_z)};
+            speed,
+            turning};
   }
-  [[nodiscard]] double speed(double q) const override {
+  [[nodiscard]] Pace pace(double q) const override {
     const int piece = x_.piece_of(q);
-    const CubicSpline::Value x = x_.at(piece, q);
-    const CubicSpline::Value z = z_.at(piece, q);
-    // std::hypot guards against squares that overflow, and costs more for it.
-    const double t_x = tangent(x, q);
-    const double t_z = tangent(z, q);
-    return q * std::sqrt(t_x * t_x + t_z * t_z);
+    return pace_of(q, x_.at(piece, q), z_.at(piece, q));
   }
   [[nodiscard]] std::vector<double> joints() const override {
     // The first piece reaches back to the start.
@@ -73,6 +67,16 @@ class CurveFromRest final : public PlaneCurve {
  private:
   static constexpr double kTurn = 6.283185307179586;
 
+  [[nodiscard]] static Pace pace_of(double q, const CubicSpline::Value& x,
+                                    const CubicSpline::Value& z) {
+    const double t_x = tangent(x, q);
+    const double t_z = tangent(z, q);
+    const double bend_x = 3.0 * x.d1 + q * x.d2;
+    const double bend_z = 3.0 * z.d1 + q * z.d2;
+    // std::hypot guards against squares that overflow, and costs more for it.
+    const double square = t_x * t_x + t_z * t_z;
+    return {q * std::sqrt(square), (t_x * bend_z - t_z * bend_x) / square};
+  }
   /// A component of t, of which ds/dq is q times the length.
   [[nodiscard]] static double tangent(const CubicSpline::Value& y, double q) {
     return 2.0 * y.f + q * y.d1;

@@ -92,8 +92,7 @@ std::optional<CycloidArc> axisymmetric_optimum(const Scene& scene) {
   if (H * H <= L * (2.0 * r - L)) return std::nullopt;
   // With the angle α by which the track at B is off the vertical, so that
   // cos φ = sin α, and ψ = π − 2φ is 2α where it leads steeply down, 2π − 2α
-  // where it leads steeply up: digits of φ − π/2 and φ + π/2 are kept. The end
-  // lies below the start where r sin α < H.
+  // where it leads steeply up: digits of φ − π/2 and φ + π/2 are kept.
   const auto psi_of = [](double alpha, bool up) {
     return up ? 2.0 * (kPi - alpha) : 2.0 * alpha;
   };
@@ -101,34 +100,33 @@ std::optional<CycloidArc> axisymmetric_optimum(const Scene& scene) {
     const double bulge = r * one_minus_cos(alpha);
     return up ? L - 2.0 * r + bulge : L - bulge;
   };
-  // As far as the end lies below the start. Beyond that is no path, and there
-  // the first term of the mismatch vanishes whatever rounding makes of it.
-  const double alpha_end = r < H ? 0.5 * kPi : std::asin(H / r);
-  const auto drop_of = [&](double alpha) {
-    return r >= H && alpha == alpha_end ? 0.0 : H - r * std::sin(alpha);
-  };
+  const auto drop_of = [&](double alpha) { return H - r * std::sin(alpha); };
   // The equation divided by α², which keeps the sign of the limit at α = 0
   // where the track leads down.
+  const auto second_term = [&](double alpha, bool up) {
+    const double ratio = alpha > 0.0 ? std::sin(alpha) / alpha : 1.0;
+    return -2.0 * ratio * ratio * reach_of(alpha, up);
+  };
   const auto mismatch = [&](double alpha, bool up) {
     const double psi = psi_of(alpha, up);
-    const double ratio = alpha > 0.0 ? std::sin(alpha) / alpha : 1.0;
     const double share = up ? psi_minus_sin(psi) / (alpha * alpha)
                             : 4.0 * psi_minus_sin_over_square(psi);
-    return drop_of(alpha) * share - 2.0 * ratio * ratio * reach_of(alpha, up);
+    return drop_of(alpha) * share + second_term(alpha, up);
   };
-  // Level, where both meet, one value has to serve both.
-  const double level = r < H ? mismatch(alpha_end, false) : 0.0;
-  const bool up = r < H ? level < 0.0 : L > r;
+  // To where the track is level, or where the end is as high as the start: then
+  // the first term vanishes.
+  const bool below = r < H;
+  const double last = below ? 0.5 * kPi : std::asin(H / r);
+  const bool up = below ? mismatch(last, false) < 0.0 : L > r;
+  const double at_last = below ? mismatch(last, false) : second_term(last, up);
   // Upwards the first term grows like 2π H/α²: here it is ¾ π H/α² ≥ 3 L or
   // more, and the second 2 L or less.
-  const double first = up ? std::min({0.5 * alpha_end, 0.5 * H / r,
-                                      std::sqrt(0.25 * kPi * H / L)})
-                          : 0.0;
-  const double alpha = math::find_root(
-      [&](double at) {
-        return r < H && at == alpha_end ? level : mismatch(at, up);
-      },
-      first, alpha_end);
+  const double first =
+      up ? std::min({0.5 * last, 0.5 * H / r, std::sqrt(0.25 * kPi * H / L)})
+         : 0.0;
+  const auto of_alpha = [&](double alpha) { return mismatch(alpha, up); };
+  const double alpha =
+      math::find_root(of_alpha, first, last, of_alpha(first), at_last);
   const double psi = psi_of(alpha, up);
   // The better conditioned of the two equations gives the radius.
   const double a = up ? reach_of(alpha, up) / psi_minus_sin(psi)

@@ -119,6 +119,11 @@ class CentrePath final : public PlaneCurve {
     place.speed += radius_ * place.turning;  // ds_c = (1 + r κ_b) ds_b
     return place;
   }
+  [[nodiscard]] Pace pace(double q) const override {
+    Pace pace = track_->pace(q);
+    pace.speed += radius_ * pace.turning;
+    return pace;
+  }
   [[nodiscard]] std::vector<double> joints() const override {
     return track_->joints();
   }

@@ -24,9 +24,33 @@ class Checker {
   }
   void positive(const char* key, double value, const char* unit,
                 const char* reason) {
-    if (!finite(key, value) || value > 0.0) return;
+    if (!finite(key, value)) return;
+    if (value > 0.0) return representable(key, value, unit);
     add(key, fmt::format("{}{} is not allowed: it must be > 0, {}", value, unit,
                          reason));
+  }
+  void representable(const char* key, double value, const char* unit) {
+    if (value >= kSmallestQuantity && value <= kLargestQuantity) return;
+    add(key, fmt::format("{}{} is not allowed: from {:g} to {:g}, for products "
+                         "of several such numbers have to be normal numbers of "
+                         "64 bits",
+                         value, unit, kSmallestQuantity, kLargestQuantity));
+  }
+  /// \param last  of the enumerators, which count from 0
+  template <class Enum>
+  void known(const char* key, Enum value, Enum last) {
+    const auto number = static_cast<int>(value);
+    if (number >= 0 && number <= static_cast<int>(last)) return;
+    add(key, fmt::format("there is no value {}", number));
+  }
+  void angle(const char* key, double value) {
+    if (!finite(key, value) || std::abs(value) <= kLargestAngle) return;
+    add(key,
+        fmt::format("{} rad is not allowed: at most {:g} rad, beyond which the "
+                    "rounding of the number alone turns it by more than "
+                    "6e-11 rad; leave out whole turns, or give degrees, of "
+                    "which they are taken off exactly",
+                    value, kLargestAngle));
   }
   void add(std::string key, std::string message) {
     errors_.push_back({std::move(key), std::move(message)});
@@ -51,7 +75,7 @@ void check_bead(const Body& body, Checker& check) {
 void check_cylinder(const Body& body, Checker& check) {
   check.positive("scene.body.radius", body.radius, " m",
                  "for the radius of a cylinder is a length");
-  check.finite("scene.body.theta_m", body.theta_m);
+  check.angle("scene.body.theta_m", body.theta_m);
   const double eta = body.eta_m;
   if (check.finite("scene.body.eta_m", eta)) {
     if (eta < 0.0 || eta > 1.0) {
@@ -64,6 +88,8 @@ void check_cylinder(const Body& body, Checker& check) {
                 "1 is not allowed: all mass would sit in one point of the rim "
                 "(k = 0), whose speed, and with it the inertia factor A, "
                 "vanishes whenever that point touches the track");
+    } else if (eta > 0.0) {
+      check.representable("scene.body.eta_m", eta, "");
     }
   }
   if (!check.finite("scene.body.k", body.k)) return;
@@ -85,6 +111,8 @@ void check_cylinder(const Body& body, Checker& check) {
 void check_path(const Scene& scene, Checker& check) {
   const GivenPath& path = *scene.path;
   using Shape = GivenPath::Shape;
+  check.known("scene.path.curve", path.curve, GivenPath::Curve::Track);
+  check.known("scene.path.shape", path.shape, Shape::Points);
   const bool of_track = path.curve == GivenPath::Curve::Track;
   if (of_track && scene.contact == Contact::Centre) {
     check.add("scene.path.curve",
@@ -92,7 +120,7 @@ void check_path(const Scene& scene, Checker& check) {
               "centre starts and ends, not the track");
   }
   if (path.start_angle) {
-    check.finite("scene.path.start_angle", *path.start_angle);
+    check.angle("scene.path.start_angle", *path.start_angle);
     if (!path.has_start_angle()) {
       check.add("scene.path.start_angle",
                 "only a parabola and a circular_arc leave the choice");
@@ -115,25 +143,42 @@ void check_path(const Scene& scene, Checker& check) {
     check.add("scene.path.file", "a path needs two points or more");
     return;
   }
-  // To the digits in which files hold points.
-  constexpr double kClose = 1e-6;
+  for (const Point& point : path.points) {
+    if (std::abs(point.x) <= kLargestQuantity &&
+        std::abs(point.z) <= kLargestQuantity) {
+      continue;
+    }
+    return check.add("scene.path.file",
+                     fmt::format("the point ({:g}, {:g}) is not allowed: "
+                                 "coordinates are at most {:g} m",
+                                 point.x, point.z, kLargestQuantity));
+  }
+  // To the digits in which files hold points, of either coordinate: the time
+  // may depend on H as much as on an L that is far larger.
   const auto apart = [&](const Point& p, double x, double z) {
-    return std::hypot(p.x - x, p.z - z) > kClose * std::max(scene.L, scene.H);
+    return !(std::abs(p.x - x) <= kCloseToEnds * scene.L &&
+             std::abs(p.z - z) <= kCloseToEnds * scene.H);
   };
-  if (apart(path.points.front(), 0.0, 0.0)) {
-    check.add("scene.path.file", "the first point has to be A = (0, 0)");
-  }
-  if (apart(path.points.back(), scene.L, scene.H)) {
-    check.add("scene.path.file",
-              fmt::format("the last point has to be B = ({:g}, {:g})", scene.L,
-                          scene.H));
-  }
+  const auto refuse = [&](const char* which, const Point& p, double x,
+                          double z) {
+    check.add(
+        "scene.path.file",
+        fmt::format("the {0} point is ({1:.9g}, {2:.9g}) and has to be "
+                    "({3:.9g}, {4:.9g}), to {5:g} L in x and {5:g} H in z",
+                    which, p.x, p.z, x, z, kCloseToEnds));
+  };
+  const Point& first = path.points.front();
+  const Point& last = path.points.back();
+  if (apart(first, 0.0, 0.0)) refuse("first", first, 0.0, 0.0);
+  if (apart(last, scene.L, scene.H)) refuse("last", last, scene.L, scene.H);
 }
 
 }  // namespace
 
 std::vector<SceneError> validate(const Scene& scene) {
   Checker check;
+  check.known("scene.body.shape", scene.body.shape, Shape::Cylinder);
+  check.known("scene.contact", scene.contact, Contact::Centre);
   if (scene.body.rolls()) {
     check_cylinder(scene.body, check);
   } else {

@@ -4,7 +4,11 @@
 /// \file
 /// spline_through(): a smooth curve through given points.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -59,14 +63,16 @@ class Spline final : public PlaneCurve {
     const int piece = x_.piece_of(t);
     const CubicSpline::Value x = x_.at(piece, t);
     const CubicSpline::Value z = z_.at(piece, t);
-    const double speed = std::hypot(x.d1, z.d1);
     const double near = slopes_[at_index(piece)];
     const double beta =
         near + std::remainder(std::atan2(z.d1, x.d1) - near, kTurn);
-    return {{x.f - start_.x, z.f - start_.z},
-            beta,
-            2.0 * q * speed,
-            2.0 * q * (x.d1 * z.d2 - z.d1 * x.d2) / (speed * speed)};
+    const auto [speed, turning] = pace_of(q, x, z);
+    return {{x.f - start_.x, z.f - start_.z}, beta, speed, turning};
+  }
+  [[nodiscard]] Pace pace(double q) const override {
+    const double t = q * q;
+    const int piece = x_.piece_of(t);
+    return pace_of(q, x_.at(piece, t), z_.at(piece, t));
   }
 
   [[nodiscard]] std::vector<double> joints() const override {
@@ -80,6 +86,13 @@ class Spline final : public PlaneCurve {
  private:
   static constexpr double kTurn = 6.283185307179586;
 
+  // std::hypot guards against squares that overflow, and costs more for it.
+  [[nodiscard]] static Pace pace_of(double q, const CubicSpline::Value& x,
+                                    const CubicSpline::Value& z) {
+    const double square = x.d1 * x.d1 + z.d1 * z.d1;
+    return {2.0 * q * std::sqrt(square),
+            2.0 * q * (x.d1 * z.d2 - z.d1 * x.d2) / square};
+  }
   [[nodiscard]] int num_pieces() const {
     return static_cast<int>(t_.size()) - 1;
   }
@@ -103,6 +116,14 @@ PlaneCurvePtr spline_through(const std::vector<Point>& points) {
     if (points[i].x == points[i - 1].x && points[i].z == points[i - 1].z) {
       throw std::invalid_argument("a point of the curve is repeated");
     }
+  }
+  const std::vector<double> t = chord_lengths(points);
+  const auto next = std::adjacent_find(t.begin(), t.end(), std::equal_to<>());
+  if (next != t.end()) {
+    throw std::invalid_argument(fmt::format(
+        "the points {} and {} of the curve lie closer together than rounding "
+        "of its length can tell",
+        next - t.begin() + 1, next - t.begin() + 2));
   }
   return std::make_shared<Spline>(points);
 }

@@ -19,18 +19,20 @@ double start_angle(const Body& body) {
 
   const double eta = body.eta_m;
   const double theta_m = body.theta_m;
-  // a > 0 between these. There a = 0, whatever rounding makes of it, and the
-  // first term alone is left, which changes sign from one end to the other.
+  const auto first_term = [&](double beta) {
+    return inertia_factor(body, theta_m, beta) * std::cos(beta);
+  };
+  const auto stationarity = [&](double beta) {
+    return first_term(beta) -
+           energy_slope(body, theta_m, beta) * eta * std::cos(theta_m - beta);
+  };
+  // a > 0 between these; there the first term alone is left, and it changes
+  // sign from one end to the other.
   const double margin = std::asin(eta * std::cos(theta_m));
   const double first = -margin;
   const double last = 2.0 * kHalfPi + margin;
-  const auto stationarity = [&](double beta) {
-    const double a =
-        beta == first || beta == last ? 0.0 : energy_slope(body, theta_m, beta);
-    return inertia_factor(body, theta_m, beta) * std::cos(beta) -
-           a * eta * std::cos(theta_m - beta);
-  };
-  return math::find_root(stationarity, first, last);
+  return math::find_root(stationarity, first, last, first_term(first),
+                         first_term(last));
 }
 
 }  // namespace brachisto

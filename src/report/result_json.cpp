@@ -274,6 +274,7 @@ std::string result_json(const Solution& solution) {
   json["schema_version"] = kSchemaVersion;
   json["status"] = name(solution.status);
   json["message"] = solution.message;
+  json["warnings"] = solution.warnings;
   json["verified"] = verified;
   const bool judged = solution.motion() != nullptr || solution.discrete;
   json["not_verified_because"] =

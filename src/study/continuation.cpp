@@ -9,10 +9,12 @@
 #include <cmath>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "brachisto/model/units.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
+#include "brachisto/transcription/discretisation.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 #include "study/branch_history.hpp"
@@ -249,6 +251,26 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
 bool comparable(const Scene& a, const Scene& b) {
   return a.body.shape == b.body.shape && a.contact == b.contact &&
          a.body.off_centred() == b.body.off_centred();
+}
+
+bool can_continue(const Neighbour& neighbour, const Scene& scene) {
+  const Mesh& mesh = neighbour.mesh;
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return std::isfinite(value); });
+  };
+  if (!validate(neighbour.scene).empty() ||
+      !comparable(scene, neighbour.scene) || mesh.degree < kMinDegree ||
+      mesh.degree > kMaxDegree || mesh.boundaries.size() < 2 ||
+      mesh.boundaries.front() != 0.0 || mesh.boundaries.back() != 1.0 ||
+      !finite(mesh.boundaries) || !in_order(mesh)) {
+    return false;
+  }
+  const VariableLayout layout(mesh.num_points(), scene.body.off_centred());
+  const auto& [x, lambda] = neighbour.point;
+  return x.size() == static_cast<std::size_t>(layout.num_variables()) &&
+         lambda.size() == static_cast<std::size_t>(layout.num_constraints()) &&
+         finite(x) && finite(lambda) && std::isfinite(neighbour.phi);
 }
 
 Continuation continue_from_neighbour(const Scene& scene,

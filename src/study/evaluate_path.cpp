@@ -10,6 +10,7 @@
 #include "brachisto/model/centre_curve.hpp"
 #include "brachisto/trajectory/path_certificate.hpp"
 #include "math/cpu_clock.hpp"
+#include "study/within_limits.hpp"
 
 namespace brachisto {
 
@@ -35,20 +36,24 @@ void fill(Solution& out, PlaneCurvePtr centre) {
 
 }  // namespace
 
-Solution evaluate_path(const Scene& scene, const SolveOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+Solution evaluate_path(const Scene& scene, const SolveOptions& options,
+                       const SolveHooks& hooks) {
+  const auto start = StopCondition::Clock::now();
   const double start_cpu = process_cpu_seconds();
   Solution out;
   out.scene = scene;
   out.options = options;
-  try {
-    fill(out, centre_curve(scene));
-  } catch (const std::invalid_argument& error) {
-    out.status = Status::NoAdmissiblePath;
-    out.message = error.what();
-  }
+  const StopCondition stop(options.limits.seconds, hooks.interrupt);
+  within_limits(out, stop, [&] {
+    try {
+      fill(out, centre_curve(scene));
+    } catch (const std::invalid_argument& error) {
+      out.status = Status::NoAdmissiblePath;
+      out.message = error.what();
+    }
+  });
   out.effort.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      std::chrono::duration<double>(StopCondition::Clock::now() - start)
           .count();
   out.effort.cpu_seconds = process_cpu_seconds() - start_cpu;
   return out;

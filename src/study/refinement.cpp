@@ -19,7 +19,6 @@ namespace {
 constexpr int kMaxMeshes = 12;
 // A mesh of so many elements that cannot be solved on is not too coarse.
 constexpr int kLargestDoubled = 2000;
-constexpr int kFixedMeshDegree = 5;
 
 /// The mesh on which `curve` promises the wanted error, at the degree to start
 /// with.
@@ -34,7 +33,7 @@ Mesh first_mesh(const Discretisation& wanted, double tolerance,
 }
 
 Mesh fixed_mesh(const Discretisation& wanted) {
-  const int degree = wanted.degree.value_or(kFixedMeshDegree);
+  const int degree = wanted.degree_of_fixed();
   return uniform_mesh(degree, wanted.elements ? *wanted.elements
                                               : (*wanted.nodes - 1) / degree);
 }

@@ -1,10 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+#include <cmath>
+
 #include "brachisto/study/solve.hpp"
 #include "brachisto/trajectory/feasibility.hpp"
 
 namespace brachisto {
+
+bool Solution::verified() const {
+  const Motion* path = motion();
+  return status == Status::Solved && !discrete && certificate.verified() &&
+         path != nullptr && std::isfinite(path->tau());
+}
 
 std::vector<std::string> Solution::infeasible_because() const {
   if (!diagnostics) return {};

@@ -4,58 +4,67 @@
 #include "brachisto/study/solve.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "brachisto/math/angle.hpp"
 #include "brachisto/study/evaluate_path.hpp"
+#include "study/option_errors.hpp"
 #include "study/solve_run.hpp"
 
 namespace brachisto {
 
 namespace {
 
-/// \throws std::invalid_argument if arc_length is combined with what it has not
-void check_formulation(const SolveOptions& options) {
-  const Discretisation& mesh = options.discretisation;
-  if (mesh.formulation != Formulation::ArcLength) return;
-  const int pieces = mesh.elements ? *mesh.elements
-                     : mesh.nodes  ? *mesh.nodes - 1
-                                   : kFewestPieces;
-  if (mesh.degree || pieces < kFewestPieces ||
-      !solves_the_program(options.method) ||
-      options.search != Search::Principal || options.guess != Guess::Cycloid ||
-      mesh.wanted_tolerance() < kSmallestArcLengthTolerance) {
-    throw std::invalid_argument(fmt::format(
-        "the formulation arc_length has no degree, {} pieces or more, the "
-        "method ipopt or newton_kkt, the search principal, the guess cycloid, "
-        "and a "
-        "tolerance of {:g} or more",
-        kFewestPieces, kSmallestArcLengthTolerance));
+/// \throws std::invalid_argument  with all that is wrong, unless it is nothing
+void refuse(std::string what, const std::vector<std::string>& errors) {
+  if (errors.empty()) return;
+  throw std::invalid_argument(
+      fmt::format("{}:\n  {}", what, fmt::join(errors, "\n  ")));
+}
+
+/// Leaves whole turns out of θ_m, which only cost digits.
+std::vector<std::string> leave_out_turns(Scene& scene) {
+  double& theta_m = scene.body.theta_m;
+  const double given = theta_m;
+  theta_m = math::within_a_turn(given);
+  if (theta_m == given) return {};
+  return {
+      fmt::format("scene.body.theta_m: {} rad is more than a turn; whole "
+                  "turns mean nothing, and {:.10g} rad is taken",
+                  given, theta_m)};
+}
+
+Solution solve_within_a_turn(const Scene& scene, const SolveOptions& options,
+                             const SolveHooks& hooks) {
+  if (scene.path) return evaluate_path(scene, options, hooks);
+  if (hooks.neighbour != nullptr && follows_the_branch(options) &&
+      can_continue(*hooks.neighbour, scene)) {
+    Solution beside = SolveRun(scene, options, hooks).execute(hooks.neighbour);
+    if (beside.verified()) return beside;
   }
+  return SolveRun(scene, options, hooks).execute(nullptr);
 }
 
 }  // namespace
 
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
-  const std::vector<SceneError> errors = validate(scene);
-  if (!errors.empty()) {
-    std::string text = "the scene is not valid:";
-    for (const SceneError& error : errors) {
-      text += fmt::format("\n  {}: {}", error.key, error.message);
-    }
-    throw std::invalid_argument(text);
+  std::vector<std::string> errors;
+  for (const SceneError& error : validate(scene)) {
+    errors.push_back(fmt::format("{}: {}", error.key, error.message));
   }
-  if (scene.path) return evaluate_path(scene, options);
-  check_formulation(options);
-  if (hooks.neighbour != nullptr && comparable(scene, hooks.neighbour->scene) &&
-      follows_the_branch(options)) {
-    Solution beside = SolveRun(scene, options, hooks).execute(hooks.neighbour);
-    if (beside.verified()) return beside;
-  }
-  return SolveRun(scene, options, hooks).execute(nullptr);
+  refuse("the scene is not valid", errors);
+  refuse("the options are not valid", option_errors(options));
+  Scene reduced = scene;
+  std::vector<std::string> warnings = leave_out_turns(reduced);
+  Solution solution = solve_within_a_turn(reduced, options, hooks);
+  solution.warnings = std::move(warnings);
+  return solution;
 }
 
 }  // namespace brachisto

@@ -7,16 +7,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <new>
-#include <numbers>
 #include <utility>
 
 #include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/transcription/arc_contact.hpp"
 #include "math/cpu_clock.hpp"
 #include "study/certificate_timer.hpp"
+#include "study/within_limits.hpp"
 
 namespace brachisto {
 
@@ -25,14 +23,6 @@ namespace {
 double seconds_since(StopCondition::Clock::time_point start) {
   return std::chrono::duration<double>(StopCondition::Clock::now() - start)
       .count();
-}
-
-/// The same scene with |θ_m| < 2π: whole turns only cost digits.
-Scene without_whole_turns(Scene scene) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  double& theta_m = scene.body.theta_m;
-  if (std::abs(theta_m) >= kTurn) theta_m = std::remainder(theta_m, kTurn);
-  return scene;
 }
 
 }  // namespace
@@ -48,7 +38,7 @@ bool follows_the_branch(const SolveOptions& options) {
 
 SolveRun::SolveRun(const Scene& scene, const SolveOptions& options,
                    const SolveHooks& hooks)
-    : scene_(without_whole_turns(scene)),
+    : scene_(scene),
       natural_(in_natural_units(scene_)),
       units_(natural_units(scene)),
       options_(options),
@@ -68,28 +58,13 @@ SolveRun::SolveRun(const Scene& scene, const SolveOptions& options,
 }
 
 Solution SolveRun::execute(const Neighbour* neighbour) {
-  const StopScope scope(stop());
-  try {
+  within_limits(out_, stop(), [&] {
     if (neighbour != nullptr) {
       find_beside(*neighbour);
     } else {
       find();
     }
-  } catch (const Stopped&) {
-    if (!stop().met()) throw;
-  } catch (const std::bad_alloc&) {
-    out_.status = Status::OutOfMemory;
-    out_.message = describe(out_.status);
-    out_.discard_answer();
-  }
-  if (stop().met() && out_.status != Status::IterationLimit) {
-    out_.status = stopped_by(stop());
-    out_.message = stop().interrupted()
-                       ? "stopped by a signal before the end"
-                       : fmt::format("the limit of {:g} s was reached",
-                                     options_.limits.seconds);
-    out_.discard_answer();
-  }
+  });
   out_.effort.seconds = seconds_since(start_time_);
   out_.effort.cpu_seconds =
       process_cpu_seconds() - start_cpu_ - out_.effort.certificate_cpu_seconds;

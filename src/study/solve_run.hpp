@@ -37,6 +37,7 @@ class SolveRun {
 
  private:
   void find();
+  bool fits(const CycloidArc& arc);
   void find_beside(const Neighbour& neighbour);
   void find_fastest(const CycloidArc& arc, const Continuation& principal);
   void add_minima_below(std::vector<ContactCandidate>& known);

@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "brachisto/study/extremal_bridge.hpp"
+#include "study/available_memory.hpp"
 #include "study/certificate_timer.hpp"
 #include "study/descent.hpp"
 #include "study/fsolve_solution.hpp"
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
+#include "study/size_estimate.hpp"
 #include "study/turn_meshes.hpp"
 
 namespace brachisto {
@@ -153,10 +155,24 @@ void SolveRun::find_by_fsolve() {
       fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
 }
 
+/// Whether the scene is small enough for the memory and the time that there is;
+/// says so if not.
+bool SolveRun::fits(const CycloidArc& arc) {
+  const double number = turns(natural_.body, arc.arc_length(arc.psi_end));
+  const std::optional<TooLarge> too_large =
+      brachisto::too_large(estimate_size(number, options_.discretisation),
+                           available_memory(), options_.limits.seconds);
+  if (!too_large) return true;
+  out_.status = too_large->status;
+  out_.message = too_large->message;
+  return false;
+}
+
 void SolveRun::find() {
+  const std::optional<CycloidArc> arc = axisymmetric_optimum(natural_);
+  if (arc && !fits(*arc)) return;
   if (options_.method == Method::Extremal) return find_by_shooting();
   if (options_.method == Method::Fsolve) return find_by_fsolve();
-  const std::optional<CycloidArc> arc = axisymmetric_optimum(natural_);
   if (!arc) {
     out_.status = Status::NoAdmissiblePath;
     out_.message = no_cycloid(scene_);

@@ -76,7 +76,9 @@ Mesh mesh_of_equal_turns(const RollingTime& problem,
       for (int n = 0; n <= p; ++n) value += basis[at(n)] * theta(e * p + n);
       return value;
     };
-    const double t = math::find_root(short_of_goal, 0.0, 1.0);
+    const double t =
+        math::find_root(short_of_goal, 0.0, 1.0, theta(e * p) - goal,
+                        theta((e + 1) * p) - goal);
     out.boundaries.push_back(mesh.boundaries[at(e)] + t * mesh.length(e));
   }
   out.boundaries.push_back(1.0);

@@ -34,7 +34,8 @@ double friction_share(const Motion& motion,
     } else {
       const double change = math::find_root(
           [&](double sigma) { return excess(motion.at(sigma)); },
-          rows[i - 1].sigma, rows[i].sigma);
+          rows[i - 1].sigma, rows[i].sigma, excess(rows[i - 1]),
+          excess(rows[i]));
       const double t = motion.at(change).t;
       time += after ? rows[i].t - t : t - rows[i - 1].t;
     }

@@ -85,7 +85,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
   // s = ½ s'' q² and E = a s at the start, so that w = q √(g a s'').
   const double a = energy_slope(body, body.theta_m, start_.beta);
   constexpr double kSmall = 1e-8;
-  const double s_bend = curve_->speed(kSmall) / kSmall;
+  const double s_bend = curve_->pace(kSmall).speed / kSmall;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
   } else if (!(a > 0.0)) {
@@ -197,14 +197,16 @@ double PrescribedMotion::place_at_length(double s) const {
   double q = std::sqrt(std::lerp(from.q * from.q, to.q * to.q, share));
   constexpr int kMostSteps = 20;
   for (int i = 0; i < kMostSteps; ++i) {
-    const double speed = curve_->speed(q);
+    const double speed = curve_->pace(q).speed;
     if (!(speed > 0.0)) break;
     const double length = from.s + integral(from.q, q, [&](double p) {
-                            return curve_->speed(p);
+                            return curve_->pace(p).speed;
                           });
     const double step = (s - length) / speed;
     q = std::clamp(q + step, from.q, to.q);
-    if (std::abs(step) < 1e-15) break;
+    // The next step would be the square of this one, over the length on which
+    // the speed changes: q next to the start, a cell elsewhere.
+    if (std::abs(step) <= 1e-8 * std::min(q, to.q - from.q)) break;
   }
   return q;
 }

@@ -127,7 +127,6 @@ TEST(Documentation, NamesTheParts) {
 
 /// All numbers and words of a problem, defaults that stand elsewhere included.
 std::string effective(const ProblemFile& p) {
-  constexpr int kDefaultDegree = 5;
   std::ostringstream text;
   const Body& body = p.scene.body;
   const Discretisation& mesh = p.options.discretisation;

@@ -30,6 +30,7 @@ struct ProblemFile {
   SolveOptions options;
   std::string points_file;  ///< of scene.path, as the file names it, or empty
   WorkPrecisionPlan work_precision;  ///< for comparisons alone
+  std::vector<Diagnostic> warnings;  ///< of what is read, but hardly meant
 };
 
 /// Longest problem file that is read [bytes].

@@ -17,4 +17,10 @@ namespace brachisto::math {
 [[nodiscard]] double find_root(const std::function<double(double)>& f,
                                double lower, double upper);
 
+/// The same with the values at the ends, where they are known better than f
+/// gives them: rounding may turn the sign of one that is next to zero.
+[[nodiscard]] double find_root(const std::function<double(double)>& f,
+                               double lower, double upper, double f_lower,
+                               double f_upper);
+
 }  // namespace brachisto::math

@@ -14,6 +14,10 @@
 
 namespace brachisto {
 
+/// How far the points of a path may miss A and B: so much of L in x and of H in
+/// z.
+inline constexpr double kCloseToEnds = 1e-6;
+
 /// A path that is evaluated, not optimised.
 struct GivenPath {
   /// Whose curve it is.

@@ -30,8 +30,15 @@ class PlaneCurve {
 
   [[nodiscard]] virtual Point start() const = 0;
   [[nodiscard]] virtual CurvePlace at(double q) const = 0;
-  /// ds/dq alone, which some curves have for less.
-  [[nodiscard]] virtual double speed(double q) const { return at(q).speed; }
+  /// Of a place the speed and the turning alone, which most curves have for far
+  /// less.
+  struct Pace {
+    double speed = 0.0, turning = 0.0;
+  };
+  [[nodiscard]] virtual Pace pace(double q) const {
+    const CurvePlace place = at(q);
+    return {place.speed, place.turning};
+  }
   /// Where the curvature has kinks; ascending, without the ends.
   [[nodiscard]] virtual std::vector<double> joints() const { return {}; }
 };

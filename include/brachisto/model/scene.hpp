@@ -43,12 +43,26 @@ struct SceneError {
 /// k = 1 − η² with η = 1/√2: a few ulps of numbers of order one.
 inline constexpr double kBoundSlack = 1e-14;
 
-/// Checks a scene against the bounds that physics puts on it.
+/// What lengths, gravity, mass and an offset that is not zero may be, in SI
+/// units: products of six such numbers, more than any formula here has, stay
+/// between 1e-300 and 1e300, and so normal numbers of 64 bits.
+inline constexpr double kSmallestQuantity = 1e-50;
+inline constexpr double kLargestQuantity = 1e50;
+
+/// Of θ_m and other angles, either sign [rad]. Whole turns mean nothing, and
+/// beyond this the rounding of the number alone, half an ulp or 6e-11 rad, is
+/// more than the relative error that a solve is asked for by default.
+inline constexpr double kLargestAngle = 1e6;
+
+/// Checks a scene against the bounds that physics puts on it, and those that
+/// numbers of 64 bits put on any.
 ///
 ///   r > 0, 0 ≤ η_m < 1, 0 ≤ k ≤ 1 − η_m² (with kBoundSlack), L > 0, H > 0,
-///   g > 0, mass > 0 if given, every number finite, a bead without any other
-///   key. η_m = 1 (which leaves k = 0) is refused because A = 1 + η_m² + k −
-///   2 η_m sin(θ − β) then vanishes whenever the mass point touches the track.
+///   g > 0, mass > 0 if given, each of them but k in [kSmallestQuantity,
+///   kLargestQuantity] unless zero, angles up to kLargestAngle, a bead without
+///   any other key. η_m = 1 (which leaves k = 0) is refused because A = 1 +
+///   η_m² + k − 2 η_m sin(θ − β) then vanishes whenever the mass point touches
+///   the track.
 ///
 /// \return all violations, empty if the scene is well formed. A well-formed
 ///         scene may still have no admissible path; see inadmissibility().

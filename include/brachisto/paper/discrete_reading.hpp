@@ -8,6 +8,11 @@
 
 namespace brachisto {
 
+/// Both ends and a node to move.
+inline constexpr int kFewestDiscreteNodes = 3;
+/// Of DiscreteReading::epsilon.
+inline constexpr double kLargestEpsilon = 0.1;
+
 /// A reading of section "Solution Methodology": the choices that eqs. (13)–(19)
 /// need and the paper does not state, and its ε.
 struct DiscreteReading {
@@ -35,8 +40,8 @@ struct DiscreteReading {
   Quadrature quadrature = Quadrature::MeanSpeed;
   Datum datum = Datum::Release;
   Slopes slopes = Slopes::Literal;
-  /// Half width of the central differences of eq. (18), in units of H; ≥ 0.
-  /// 0 takes their limit, the exact derivatives.
+  /// Half width of the central differences of eq. (18), in units of H, at
+  /// most kLargestEpsilon; 0 takes their limit, the exact derivatives.
   double epsilon = 1e-3;
 };
 

@@ -74,10 +74,15 @@ struct Neighbour {
 /// True if the extremals of both scenes have the same unknowns.
 [[nodiscard]] bool comparable(const Scene& a, const Scene& b);
 
+/// True if the neighbour's scene is valid and comparable() and its mesh, point
+/// and φ are finite numbers of the right count.
+[[nodiscard]] bool can_continue(const Neighbour& neighbour, const Scene& scene);
+
 /// Follows the extremal of a neighbour on its own mesh along the straight line
 /// between the two scenes, with the same care; usually in one step.
 ///
-/// \param scene  in natural units, comparable() with the neighbour's
+/// \param scene      in natural units
+/// \param neighbour  that can_continue() to it
 [[nodiscard]] Continuation continue_from_neighbour(const Scene& scene,
                                                    const Neighbour& neighbour,
                                                    const StopCondition& stop);

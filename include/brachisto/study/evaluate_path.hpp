@@ -15,7 +15,9 @@ namespace brachisto {
 /// not exist Status::NoAdmissiblePath.
 ///
 /// \param scene  a valid one with a path
+/// \param hooks  of which the interrupt is looked at
 [[nodiscard]] Solution evaluate_path(const Scene& scene,
-                                     const SolveOptions& options);
+                                     const SolveOptions& options,
+                                     const SolveHooks& hooks = {});
 
 }  // namespace brachisto

@@ -52,10 +52,12 @@ struct Effort {
 /// Outcome of solve(). Numbers of the path live in `trajectory`; they are worth
 /// something only if verified() is true.
 struct Solution {
-  Scene scene;
+  Scene scene;  ///< as it was given, but that θ_m is within a turn
   SolveOptions options;
   Status status = Status::InternalError;
   std::string message;  ///< what failed, where, and what to try
+  /// What the scene says but hardly means, such as θ_m of many turns.
+  std::vector<std::string> warnings;
   std::optional<Trajectory> trajectory;
   /// In place of a trajectory, if the formulation is arc_length.
   std::shared_ptr<const ArcLengthMotion> through_nodes;
@@ -82,9 +84,7 @@ struct Solution {
 
   /// Solved, and every check of the certificate passed. Never for a solution
   /// of the paper's discrete system.
-  [[nodiscard]] bool verified() const {
-    return status == Status::Solved && !discrete && certificate.verified();
-  }
+  [[nodiscard]] bool verified() const;
   /// See brachisto::not_verified_because(); empty if nothing is solved.
   [[nodiscard]] std::vector<std::string> not_verified_because() const;
   /// See brachisto::infeasible_because(); empty as long as nothing is solved.
@@ -106,8 +106,8 @@ struct SolveHooks {
   bool verbose = false;                         ///< keep the solver's log
   ProgressHook progress = {};                   ///< may be empty
   /// A solved scene not far away. If its extremal can be followed to this scene
-  /// the continuation from the cycloid is spared; if not, or if the result is
-  /// not verified, it is not used.
+  /// the continuation from the cycloid is spared; if not, or if it makes no
+  /// sense, or if the result is not verified, it is not used.
   const Neighbour* neighbour = nullptr;
 };
 
@@ -115,9 +115,15 @@ struct SolveHooks {
 /// Method::Fsolve solves the paper's discrete system instead, compares its time
 /// with that of the extremal method, and is never verified.
 ///
-/// \throws std::invalid_argument if the scene is not valid, or the formulation
-///         arc_length is combined with what it does not have: a degree, another
-///         method or search, a tolerance below kSmallestArcLengthTolerance
+/// May be called in several threads at once. What they do with Ipopt, which is
+/// not safe in threads with MUMPS, they do one after the other; with
+/// Method::NewtonKkt and a chain, and with Method::Extremal, they do not wait.
+/// The limit of time counts the waiting too.
+///
+/// \throws std::invalid_argument  with all that is wrong, if the scene is not
+///         valid, an option is out of its bounds, or the formulation arc_length
+///         is combined with what it does not have: a degree, another method or
+///         search, a tolerance below kSmallestArcLengthTolerance
 [[nodiscard]] Solution solve(const Scene& scene,
                              const SolveOptions& options = {},
                              const SolveHooks& hooks = {});

@@ -57,18 +57,23 @@ enum class Certify {
 };
 
 /// Bounds on the work; reaching one ends the solve with Status::IterationLimit
-/// or Status::TimeLimit.
+/// or Status::TimeLimit. A solve that cannot be done in this time, or in the
+/// memory that there is, is not begun.
 struct Limits {
   int iterations = 500;     ///< of the solver, in all passes together; ≥ 1
   double seconds = 3600.0;  ///< wall clock, > 0
 };
+
+inline constexpr double kSmallestResidual = 1e-14;
+inline constexpr double kLargestResidual = 1e-6;
 
 /// All options of solve(). The defaults are right for almost every scene.
 struct SolveOptions {
   Discretisation discretisation;
   Method method = Method::Ipopt;
   LinearSolver linear_solver = LinearSolver::Auto;
-  double tolerance = 1e-12;  ///< scaled KKT residual, in [1e-14, 1e-6]
+  /// Scaled KKT residual, in [kSmallestResidual, kLargestResidual].
+  double tolerance = 1e-12;
   Search search = Search::Principal;
   bool polish = true;  ///< last digits by Newton's method on the whole system
   Certify certify = Certify::None;

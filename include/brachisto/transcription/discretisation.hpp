@@ -18,6 +18,13 @@ enum class Formulation {
 
 inline constexpr int kMinDegree = 1;
 inline constexpr int kMaxDegree = 8;
+/// Of a fixed mesh.
+inline constexpr int kDefaultDegree = 5;
+/// More elements are no mesh that any machine has the memory for.
+inline constexpr int kMaxElements = 10'000'000;
+inline constexpr int kMaxNodes = kMaxElements * kMaxDegree + 1;
+inline constexpr double kSmallestTolerance = 1e-13;
+inline constexpr double kLargestTolerance = 1e-1;
 inline constexpr double kDefaultTolerance = 1e-10;
 /// An arc_length mesh for a smaller relative error needs some 10⁵ pieces, which
 /// collocation replaces by a hundred nodes.
@@ -33,14 +40,21 @@ inline constexpr int kFewestPieces = 8;
 /// An arc_length mesh has no degree; its N pieces have N + 1 nodes.
 struct Discretisation {
   Formulation formulation = Formulation::RollingTime;
-  std::optional<double> tolerance;  ///< wanted relative error of T, in
-                                    ///< [1e-13, 1e-1], or [1e-9, 1e-1] for
-                                    ///< arc_length; see wanted_tolerance()
+  /// Wanted relative error of T, in [kSmallestTolerance, kLargestTolerance],
+  /// for arc_length from kSmallestArcLengthTolerance on; see
+  /// wanted_tolerance().
+  std::optional<double> tolerance;
   std::optional<int> degree;    ///< p, in [kMinDegree, kMaxDegree]; default 5
-  std::optional<int> elements;  ///< N ≥ 1
-  std::optional<int> nodes;     ///< N p + 1
+  std::optional<int> elements;  ///< N, in [1, kMaxElements]
+  std::optional<int> nodes;     ///< N p + 1, at most kMaxNodes
 
   [[nodiscard]] bool fixed() const { return elements || nodes; }
+  /// p of a mesh that is fixed; pieces are straight.
+  [[nodiscard]] int degree_of_fixed() const {
+    return formulation == Formulation::ArcLength
+               ? 1
+               : degree.value_or(kDefaultDegree);
+  }
   /// The wanted relative error of T, where the mesh follows from it.
   [[nodiscard]] double wanted_tolerance() const {
     return tolerance.value_or(formulation == Formulation::ArcLength

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Directions, which whole turns do not change.
+
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace brachisto::math {
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// The same direction within a turn: an angle [rad] up to 2π as it is, of a
+/// larger one the equivalent in [−π, π], right to an ulp however large it is,
+/// for sine and cosine reduce by π itself and not by the double next to it.
+[[nodiscard]] inline double within_a_turn(double angle) {
+  if (std::abs(angle) <= kTurn) return angle;
+  return std::atan2(std::sin(angle), std::cos(angle));
+}
+
+}  // namespace brachisto::math

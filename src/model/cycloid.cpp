@@ -74,7 +74,8 @@ std::optional<CycloidArc> cycloid_between(Point start, Point end) {
     const double chord = psi > 0.0 ? std::sin(0.5 * psi) / psi : 0.5;
     return dz * psi_minus_sin_over_square(psi) - 2.0 * dx * chord * chord;
   };
-  const double psi = math::find_root(mismatch, 0.0, 2.0 * kPi);
+  const double psi =
+      math::find_root(mismatch, 0.0, 2.0 * kPi, -0.5 * dx, dz / (2.0 * kPi));
   // The better conditioned of the two equations gives the radius.
   const double a =
       psi < kPi ? dz / one_minus_cos(psi) : dx / psi_minus_sin(psi);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/angle.hpp"
 #include "brachisto/model/mass_distribution.hpp"
 
 namespace brachisto {
@@ -88,8 +89,12 @@ void check_cylinder(const Body& body, Checker& check) {
                 "1 is not allowed: all mass would sit in one point of the rim "
                 "(k = 0), whose speed, and with it the inertia factor A, "
                 "vanishes whenever that point touches the track");
-    } else if (eta > 0.0) {
-      check.representable("scene.body.eta_m", eta, "");
+    } else if (eta > 0.0 && eta < kSmallestQuantity) {
+      check.add("scene.body.eta_m",
+                fmt::format("{} is not allowed: 0, or from {:g} on, for "
+                            "products with such a number have to be normal "
+                            "numbers of 64 bits",
+                            eta, kSmallestQuantity));
     }
   }
   if (!check.finite("scene.body.k", body.k)) return;
@@ -174,6 +179,12 @@ void check_path(const Scene& scene, Checker& check) {
 }
 
 }  // namespace
+
+Scene without_whole_turns(const Scene& scene) {
+  Scene reduced = scene;
+  reduced.body.theta_m = math::within_a_turn(scene.body.theta_m);
+  return reduced;
+}
 
 std::vector<SceneError> validate(const Scene& scene) {
   Checker check;

@@ -16,9 +16,9 @@ namespace brachisto {
 
 namespace {
 
-void fill(Solution& out, PlaneCurvePtr centre) {
-  auto motion =
-      std::make_shared<const PrescribedMotion>(out.scene, std::move(centre));
+void fill(Solution& out) {
+  auto motion = std::make_shared<const PrescribedMotion>(
+      without_whole_turns(out.scene), centre_curve(out.scene));
   if (motion->stall()) {
     out.status = Status::Stalled;
     out.message = motion->stall()->message();
@@ -46,7 +46,7 @@ Solution evaluate_path(const Scene& scene, const SolveOptions& options,
   const StopCondition stop(options.limits.seconds, hooks.interrupt);
   within_limits(out, stop, [&] {
     try {
-      fill(out, centre_curve(scene));
+      fill(out);
     } catch (const std::invalid_argument& error) {
       out.status = Status::NoAdmissiblePath;
       out.message = error.what();

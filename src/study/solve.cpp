@@ -27,20 +27,18 @@ void refuse(std::string what, const std::vector<std::string>& errors) {
       fmt::format("{}:\n  {}", what, fmt::join(errors, "\n  ")));
 }
 
-/// Leaves whole turns out of θ_m, which only cost digits.
-std::vector<std::string> leave_out_turns(Scene& scene) {
-  double& theta_m = scene.body.theta_m;
-  const double given = theta_m;
-  theta_m = math::within_a_turn(given);
-  if (theta_m == given) return {};
+std::vector<std::string> warnings_of(const Scene& scene) {
+  const double theta_m = scene.body.theta_m;
+  const double within = math::within_a_turn(theta_m);
+  if (within == theta_m) return {};
   return {
       fmt::format("scene.body.theta_m: {} rad is more than a turn; whole "
-                  "turns mean nothing, and {:.10g} rad is taken",
-                  given, theta_m)};
+                  "turns mean nothing, and {:.10g} rad is solved for",
+                  theta_m, within)};
 }
 
-Solution solve_within_a_turn(const Scene& scene, const SolveOptions& options,
-                             const SolveHooks& hooks) {
+Solution solve_valid(const Scene& scene, const SolveOptions& options,
+                     const SolveHooks& hooks) {
   if (scene.path) return evaluate_path(scene, options, hooks);
   if (hooks.neighbour != nullptr && follows_the_branch(options) &&
       can_continue(*hooks.neighbour, scene)) {
@@ -60,10 +58,8 @@ Solution solve(const Scene& scene, const SolveOptions& options,
   }
   refuse("the scene is not valid", errors);
   refuse("the options are not valid", option_errors(options));
-  Scene reduced = scene;
-  std::vector<std::string> warnings = leave_out_turns(reduced);
-  Solution solution = solve_within_a_turn(reduced, options, hooks);
-  solution.warnings = std::move(warnings);
+  Solution solution = solve_valid(scene, options, hooks);
+  solution.warnings = warnings_of(scene);
   return solution;
 }
 

@@ -38,7 +38,7 @@ bool follows_the_branch(const SolveOptions& options) {
 
 SolveRun::SolveRun(const Scene& scene, const SolveOptions& options,
                    const SolveHooks& hooks)
-    : scene_(scene),
+    : scene_(without_whole_turns(scene)),
       natural_(in_natural_units(scene_)),
       units_(natural_units(scene)),
       options_(options),

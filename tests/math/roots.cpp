@@ -65,5 +65,15 @@ TEST(FindRoot, RefusesAnIntervalWithoutChangeOfSign) {
   EXPECT_THROW(static_cast<void>(find_root(f, -1.0, 1.0)), std::domain_error);
 }
 
+TEST(FindRoot, BelievesWhatIsKnownOfTheEnds) {
+  // Rounding gives f the wrong sign at the end where it is all but zero.
+  const auto f = [](double x) { return x + 1e-17; };
+  EXPECT_THROW(static_cast<void>(find_root(f, 0.0, 1.0)), std::domain_error);
+
+  const double root = find_root(f, 0.0, 1.0, -1e-17, 1.0);
+
+  EXPECT_NEAR(root, 0.0, 1e-16);
+}
+
 }  // namespace
 }  // namespace brachisto::testing

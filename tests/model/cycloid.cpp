@@ -311,5 +311,86 @@ TEST(AxisymmetricOptimum, BeatsTheStraightLine) {
   EXPECT_LT(arc->rolling_time(scene.gravity), straight);
 }
 
+/// Half of ψ_end and the radius a of the optimum, by bisection of its equation
+/// in α = π − ψ/2, the angle by which the track at B falls short of vertical:
+///
+///     (H − r sin α)(ψ − sin ψ) = 2 sin²α (L − r − r cos α).
+struct WideOptimum {
+  Wide alpha, a;
+};
+
+WideOptimum wide_optimum(const Scene& scene) {
+  const Wide r = scene.body.radius, L = scene.L, H = scene.H;
+  const Wide pi = boost::math::constants::pi<Wide>();
+  const auto reach = [&](const Wide& alpha) -> Wide {
+    return L - r - r * cos(alpha);
+  };
+  const auto share = [&](const Wide& alpha) -> Wide {
+    return 2 * (pi - alpha) + sin(2 * alpha);
+  };
+  const auto mismatch = [&](const Wide& alpha) -> Wide {
+    const Wide s = sin(alpha);
+    return (H - r * s) * share(alpha) - 2 * s * s * reach(alpha);
+  };
+  Wide low = 0;
+  Wide high = r < H ? pi / 2 : Wide(asin(H / r));
+  for (int i = 0; i < 400; ++i) {
+    const Wide middle = (low + high) / 2;
+    (mismatch(middle) > 0 ? low : high) = middle;
+  }
+  return {low, reach(low) / share(low)};
+}
+
+TEST(AxisymmetricOptimum, IsFoundHoweverLittleBLiesBelowA) {
+  // The track leads up to B at α below the vertical, α ≈ H/r.
+  for (const double r : {1e-6, 1.0 / 3.0, 1.4}) {
+    for (double H = 1e-3; H > 1e-45; H *= 1e-3) {
+      Scene scene = uniform_scene();
+      scene.body.radius = r;
+      scene.H = H;
+      const WideOptimum exact = wide_optimum(scene);
+
+      const auto arc = axisymmetric_optimum(scene);
+
+      ASSERT_TRUE(arc) << "r " << r << " H " << H;
+      const double alpha = exact.alpha.convert_to<double>();
+      const double a = exact.a.convert_to<double>();
+      EXPECT_NEAR(arc->psi_end, 2.0 * (kPi - alpha), ulps(4.0, 2.0 * kPi))
+          << "r " << r << " H " << H;
+      EXPECT_NEAR(arc->a, a, ulps(8.0, scene.L)) << "r " << r << " H " << H;
+    }
+  }
+}
+
+TEST(AxisymmetricOptimum, FallsAlmostStraightToANearB) {
+  // a = L/(ψ − sin ψ) and H = a (1 − cos ψ): ψ ≈ 3 L/H, T = √(2H/g) then.
+  for (double L = 1e-3; L > 1e-45; L *= 1e-3) {
+    Scene scene = bead_scene();
+    scene.L = L;
+
+    const auto arc = axisymmetric_optimum(scene);
+
+    ASSERT_TRUE(arc) << "L " << L;
+    EXPECT_NEAR(arc->psi_end / (3.0 * L), 1.0, L * L + ulps(8.0)) << "L " << L;
+    EXPECT_NEAR(arc->rolling_time(scene.gravity) *
+                    std::sqrt(0.5 * scene.gravity / scene.H),
+                1.0, L * L + ulps(8.0))
+        << "L " << L;
+  }
+}
+
+TEST(CycloidBetween, EndsAtTheEndForRatiosBeyondAllMeasure) {
+  for (const double ratio : {1e-50, 1e-20, 1e20, 1e50}) {
+    const auto arc = cycloid_between({0.0, 0.0}, {ratio, 1.0});
+
+    ASSERT_TRUE(arc) << ratio;
+    const Point end = arc->at(arc->psi_end);
+    EXPECT_NEAR(end.x / ratio, 1.0, ulps(kRoundings)) << ratio;
+    // Where ψ_end cannot be told from 2π, the end cannot from a cusp.
+    if (ratio > 1.0) continue;
+    EXPECT_NEAR(end.z, 1.0, ulps(kRoundings)) << ratio;
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::testing

@@ -125,5 +125,31 @@ TEST(PlaneCurve, ThatCannotBeIsRefused) {
   EXPECT_THROW((void)spline_through({a, a}), std::invalid_argument);
 }
 
+TEST(Pace, IsThatOfThePlace) {
+  const std::vector<Point> points{
+      {0.0, 0.0}, {0.5, 0.9}, {1.0, 0.8}, {2.0, 1.0}};
+  const std::vector<PlaneCurvePtr> curves{
+      spline_through(points), parabola({0.0, 0.0}, {2.0, 1.0}, 1.0),
+      centre_path_over(spline_through(points), 0.05),
+      curve_from_rest({0.0, 0.0}, {0.4, 0.7, 1.0},
+                      {{0.1, 0.3}, {0.5, 0.7}, {1.0, 1.0}})};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (const double q : {1e-6, 0.1, 0.5, 0.77, 1.0}) {
+      const CurvePlace place = curves[i]->at(q);
+
+      const PlaneCurve::Pace pace = curves[i]->pace(q);
+
+      EXPECT_EQ(pace.speed, place.speed) << i << " " << q;
+      EXPECT_EQ(pace.turning, place.turning) << i << " " << q;
+    }
+  }
+}
+
+TEST(Spline, NeedsPointsThatTheLengthTellsApart) {
+  EXPECT_THROW(static_cast<void>(spline_through(
+                   {{0.0, 0.0}, {1.0, 1.0}, {1.0, 1.0 + 2e-16}, {2.0, 1.0}})),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace brachisto

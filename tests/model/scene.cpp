@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -208,6 +209,96 @@ TEST(ValidateScene, ReportsEverythingAtOnce) {
                         "scene.body.radius", "scene.body.eta_m",
                         "scene.body.theta_m", "scene.body.k", "scene.finish.L",
                         "scene.finish.H", "scene.gravity"));
+}
+
+/// The keys that are refused.
+std::vector<std::string> refused(const Scene& scene) {
+  std::vector<std::string> keys;
+  for (const SceneError& error : validate(scene)) keys.push_back(error.key);
+  return keys;
+}
+
+TEST(Validate, RefusesWhatProductsOfSixCannotCarry) {
+  using ::testing::ElementsAre;
+  using ::testing::HasSubstr;
+  using ::testing::IsEmpty;
+  // Six factors 1e-50 or 1e50 are normal numbers, which end near 1e±308.
+  EXPECT_TRUE(std::isnormal(std::pow(kSmallestQuantity, 6)));
+  EXPECT_TRUE(std::isnormal(std::pow(kLargestQuantity, 6)));
+  for (const double outside : {5e-324, 0.99e-50, 1.01e50, 1.7e308}) {
+    Scene scene = off_centred_scene();
+    scene.L = scene.H = scene.gravity = scene.body.radius = outside;
+    scene.body.mass = outside;
+
+    EXPECT_THAT(refused(scene), ElementsAre("scene.body.radius",
+                                            "scene.body.mass", "scene.finish.L",
+                                            "scene.finish.H", "scene.gravity"))
+        << outside;
+    EXPECT_THAT(validate(scene).front().message, HasSubstr("1e-50 to 1e+50"));
+  }
+  for (const double inside : {kSmallestQuantity, kLargestQuantity}) {
+    Scene scene = off_centred_scene();
+    scene.L = scene.H = scene.gravity = scene.body.radius = inside;
+    EXPECT_THAT(refused(scene), IsEmpty()) << inside;
+  }
+}
+
+TEST(Validate, TakesAnOffsetForNoneOnlyIfItIs) {
+  using ::testing::ElementsAre;
+  using ::testing::IsEmpty;
+  Scene scene = off_centred_scene();
+  for (const double eta : {0.0, 1e-50, 1e-17}) {
+    scene.body.eta_m = eta;
+    EXPECT_THAT(refused(scene), IsEmpty()) << eta;
+  }
+  for (const double eta : {5e-324, 1e-51}) {
+    scene.body.eta_m = eta;
+    EXPECT_THAT(refused(scene), ElementsAre("scene.body.eta_m")) << eta;
+  }
+}
+
+TEST(Validate, RefusesAnglesWhoseRoundingIsToBeSeen) {
+  using ::testing::ElementsAre;
+  using ::testing::IsEmpty;
+  EXPECT_THAT(refused(off_centred_scene(1e6)), IsEmpty());
+  EXPECT_THAT(refused(off_centred_scene(-1e6)), IsEmpty());
+  EXPECT_THAT(refused(off_centred_scene(1.0001e6)),
+              ElementsAre("scene.body.theta_m"));
+  // Half an ulp there, against the default tolerance 1e-10 of T.
+  EXPECT_GT(0.5 * (std::nextafter(1e6, 2e6) - 1e6), 0.5e-10);
+}
+
+TEST(Validate, KnowsAllThatAnEnumerationMayBe) {
+  using ::testing::ElementsAre;
+  Scene scene = off_centred_scene();
+  scene.contact = static_cast<Contact>(7);
+  EXPECT_THAT(refused(scene), ElementsAre("scene.contact"));
+  scene = off_centred_scene();
+  scene.body.shape = static_cast<Shape>(-1);
+  EXPECT_EQ(refused(scene).front(), "scene.body.shape");
+}
+
+TEST(Validate, HoldsTheEndsOfAPathAgainstEitherCoordinate) {
+  using ::testing::ElementsAre;
+  using ::testing::IsEmpty;
+  const auto ends_at = [](double x, double z) {
+    Scene scene = bead_scene();
+    scene.H = 1e-6;
+    GivenPath path;
+    path.curve = GivenPath::Curve::Track;
+    path.shape = GivenPath::Shape::Points;
+    path.points = {{0.0, 0.0}, {1.0, 1e-6}, {x, z}};
+    scene.path = std::make_shared<const GivenPath>(path);
+    return refused(scene);
+  };
+  const double H = 1e-6;
+  EXPECT_THAT(ends_at(3.0, H), IsEmpty());
+  EXPECT_THAT(ends_at(3.0 * (1.0 + 0.9e-6), H * (1.0 - 0.9e-6)), IsEmpty());
+  // Far less than 1e-6 of L, and twice as low as it should be.
+  EXPECT_THAT(ends_at(3.0, 2.0 * H), ElementsAre("scene.path.file"));
+  EXPECT_THAT(ends_at(3.0, H * (1.0 + 2e-6)), ElementsAre("scene.path.file"));
+  EXPECT_THAT(ends_at(3.0 * (1.0 + 2e-6), H), ElementsAre("scene.path.file"));
+  EXPECT_THAT(ends_at(3.0, kInfinity).front(), "scene.path.file");
 }
 
 }  // namespace

@@ -127,5 +127,26 @@ TEST(StartAngle, IsMirroredByTheSignOfThetaM) {
   }
 }
 
+TEST(StartAngle, IsFoundForAllButOneOfAllMassOnTheRim) {
+  // As η → 1 and k → 0, a²/A → cos²((β − π/2 + θ_m)/2), largest at
+  // β = π/2 − θ_m if a > 0 there, which is where cos θ_m > 0, and otherwise at
+  // the end of the arc of a > 0, where the mass point touches the track,
+  // β = θ_m − π/2. The next terms are of order 1 − η.
+  for (const double missing : {1e-8, 1e-12, std::ldexp(1.0, -53)}) {
+    for (const double theta_m : {-2.5, -kPi / 6.0, 0.3, 1.2, 3.0}) {
+      const Body body = Body::cylinder(0.5, 1.0 - missing, theta_m, 0.0);
+
+      const double beta = start_angle(body);
+
+      const double limit =
+          std::cos(theta_m) > 0.0 ? 0.5 * kPi - theta_m : theta_m - 0.5 * kPi;
+      // √ of rounding, for the gain is flat at its maximum and A all but
+      // vanishes elsewhere.
+      EXPECT_NEAR(std::remainder(beta - limit, 2.0 * kPi), 0.0, 1e-7)
+          << missing << " " << theta_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::testing

@@ -33,6 +33,9 @@ struct Scene {
   std::shared_ptr<const GivenPath> path;
 };
 
+/// The same scene with θ_m within a turn: whole turns only cost digits.
+[[nodiscard]] Scene without_whole_turns(const Scene& scene);
+
 /// One reason why a scene is refused.
 struct SceneError {
   std::string key;      ///< dotted key of the problem file, "scene.body.k"

@@ -52,7 +52,7 @@ struct Effort {
 /// Outcome of solve(). Numbers of the path live in `trajectory`; they are worth
 /// something only if verified() is true.
 struct Solution {
-  Scene scene;  ///< as it was given, but that θ_m is within a turn
+  Scene scene;
   SolveOptions options;
   Status status = Status::InternalError;
   std::string message;  ///< what failed, where, and what to try

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Solves that are too large are not begun.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+
+#include <limits>
+#include <string>
+
+#include "brachisto/study/solve.hpp"
+#include "study/available_memory.hpp"
+#include "study/size_estimate.hpp"
+#include "support/scenes.hpp"
+
+namespace brachisto {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::off_centred_scene;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(SizeEstimate, IsBelowWhatSolvesWereMeasuredToTake) {
+  // docs/benchmarks.md: r = 0.001 and 0.0002, 568 and 2840 turns.
+  const SizeEstimate medium = estimate_size(568.0, {});
+  EXPECT_LT(medium.seconds, 2.8);
+  EXPECT_LT(medium.bytes, 0.14e9);
+  const SizeEstimate large = estimate_size(2840.0, {});
+  EXPECT_LT(large.seconds, 23.0);
+  EXPECT_LT(large.bytes, 0.59e9);
+  // A million nodes: 10.2 s and 3.5 GB; on pieces 4.2 s and 1.7 GB.
+  Discretisation mesh;
+  mesh.nodes = 1'000'001;
+  EXPECT_LT(estimate_size(0.0, mesh).seconds, 10.2);
+  EXPECT_LT(estimate_size(0.0, mesh).bytes, 3.5e9);
+  mesh.formulation = Formulation::ArcLength;
+  EXPECT_LT(estimate_size(0.0, mesh).seconds, 4.2);
+  EXPECT_LT(estimate_size(0.0, mesh).bytes, 1.7e9);
+  // And not so far below that nothing would ever be refused.
+  EXPECT_GT(large.seconds, 23.0 / 4.0);
+  EXPECT_GT(large.bytes, 0.59e9 / 4.0);
+}
+
+TEST(SizeEstimate, CountsTheNodesOfAFixedMesh) {
+  Discretisation mesh;
+  mesh.elements = 100;
+  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 501.0);
+  mesh.degree = 3;
+  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 301.0);
+  mesh.elements.reset();
+  mesh.nodes = 301;
+  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 301.0);
+}
+
+TEST(TooLarge, SaysWhatIsMissing) {
+  const SizeEstimate size{
+      .turns = 1e6, .nodes = 0, .bytes = 2e11, .seconds = 1.5e5};
+
+  const auto memory = too_large(size, 2.1e10, 1e6);
+  const auto time = too_large(size, kInfinity, 3600.0);
+
+  ASSERT_TRUE(memory);
+  EXPECT_EQ(memory->status, Status::OutOfMemory);
+  EXPECT_THAT(memory->message, HasSubstr("about 1e+06 times"));
+  EXPECT_THAT(memory->message, HasSubstr("at least 200 GB of memory"));
+  EXPECT_THAT(memory->message, HasSubstr("there are 21 GB"));
+  ASSERT_TRUE(time);
+  EXPECT_EQ(time->status, Status::TimeLimit);
+  EXPECT_THAT(time->message, HasSubstr("1.5e+05 s"));
+  EXPECT_THAT(time->message, HasSubstr("limits.seconds is 3600"));
+  EXPECT_FALSE(too_large(size, kInfinity, 1e6));
+}
+
+TEST(TooLarge, ABodyOfBillionsOfTurnsIsRefusedAtOnce) {
+  for (const double radius : {1e-9, 2e-8, 1e-50}) {
+    for (const Method method :
+         {Method::Ipopt, Method::NewtonKkt, Method::Extremal, Method::Fsolve}) {
+      Scene scene = off_centred_scene();
+      scene.body.radius = radius;
+      SolveOptions options;
+      options.method = method;
+
+      const Solution solution = solve(scene, options);
+
+      EXPECT_EQ(solution.status, Status::OutOfMemory) << solution.message;
+      EXPECT_THAT(solution.message, HasSubstr("Nothing was computed"));
+      EXPECT_LT(solution.effort.seconds, 0.5);
+    }
+  }
+  Scene scene = off_centred_scene();
+  scene.L = 1e10;
+  EXPECT_EQ(solve(scene).status, Status::OutOfMemory);
+}
+
+TEST(TooLarge, ABodyWhoseTurnsDoNotMatterIsNot) {
+  Scene scene = off_centred_scene();
+  scene.body.eta_m = 0.0;
+  scene.body.radius = 1e-9;
+
+  const Solution solution = solve(scene);
+
+  EXPECT_TRUE(solution.verified()) << solution.message;
+}
+
+TEST(TooLarge, AMeshForWhichThereIsNoTimeIsRefusedAtOnce) {
+  SolveOptions options;
+  options.discretisation.elements = 1'000'000;
+  options.limits.seconds = 5.0;
+
+  const Solution solution = solve(off_centred_scene(), options);
+
+  EXPECT_EQ(solution.status, Status::TimeLimit) << solution.message;
+  EXPECT_THAT(solution.message, HasSubstr("5e+06 nodes"));
+  EXPECT_LT(solution.effort.seconds, 0.5);
+}
+
+TEST(AvailableMemory, IsWhatTheAddressSpaceLeaves) {
+  rlimit before = {};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+  constexpr rlim_t kLimit = rlim_t{1} << 40U;
+  rlimit tight = before;
+  tight.rlim_cur = kLimit;
+  const double all = available_memory();
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &tight), 0);
+
+  const double left = available_memory();
+
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_GT(all, 0.0);
+  EXPECT_GT(left, 0.0);
+  EXPECT_LT(left, static_cast<double>(kLimit));
+}
+
+}  // namespace
+}  // namespace brachisto

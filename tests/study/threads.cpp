@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Several threads may solve at once.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <ostream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+#include "support/reference_values.hpp"
+
+namespace brachisto {
+namespace {
+
+using testing::kReferenceValues;
+using testing::ReferenceValue;
+
+struct Way {
+  const char* name;
+  Method method;
+  LinearSolver linear_solver;
+};
+void PrintTo(const Way& way, std::ostream* out) {
+  *out << way.name;
+}
+
+class Threads : public ::testing::TestWithParam<Way> {};
+INSTANTIATE_TEST_SUITE_P(
+    Ways, Threads,
+    ::testing::Values(Way{"chain", Method::Ipopt, LinearSolver::Chain},
+                      Way{"mumps", Method::Ipopt, LinearSolver::Mumps},
+                      Way{"newton", Method::NewtonKkt, LinearSolver::Auto},
+                      Way{"extremal", Method::Extremal, LinearSolver::Auto}));
+
+TEST_P(Threads, FindTheRightAnswersAtOnce) {
+  constexpr std::size_t kThreads = 4;
+  constexpr int kRounds = 4;
+  SolveOptions options;
+  options.method = GetParam().method;
+  options.linear_solver = GetParam().linear_solver;
+  std::array<std::vector<std::string>, kThreads> wrong;
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < kThreads; ++t) {
+    threads.emplace_back([&, t] {
+      // Every thread begins with another scene.
+      for (int round = 0; round < kRounds; ++round) {
+        const std::size_t i = (5 * t + static_cast<std::size_t>(round)) %
+                              std::size(kReferenceValues);
+        const ReferenceValue& row = kReferenceValues[i];
+        const Solution solution = solve(row.scene(), options);
+        if (!solution.verified()) {
+          wrong[t].push_back(row.name + std::string(": ") + solution.message);
+        } else if (!(std::abs(solution.trajectory->tau() / row.tau - 1.0) <=
+                     2.0 * kDefaultTolerance)) {
+          wrong[t].push_back(row.name + std::string(": ") +
+                             std::to_string(solution.trajectory->tau()));
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+
+  for (const auto& lines : wrong) {
+    for (const std::string& line : lines) ADD_FAILURE() << line;
+  }
+}
+
+}  // namespace
+}  // namespace brachisto

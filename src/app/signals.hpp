@@ -9,8 +9,8 @@
 
 namespace brachisto::app {
 
-/// Installs the handlers. The first signal sets the flag to its number; a
-/// second one of the same kind ends the process as usual.
+/// Installs the handlers. The first signal sets the flag to its number; one
+/// that follows later than at once ends the process as usual.
 /// \return the flag, 0 as long as no signal came
 [[nodiscard]] const std::atomic<int>& catch_signals();
 

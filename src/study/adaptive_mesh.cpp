@@ -129,7 +129,10 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
-  if (out_of_budget || options.ipopt.stop.met()) return answer;
+  if (out_of_budget || solution.status == Status::OutOfMemory ||
+      options.ipopt.stop.met()) {
+    return answer;
+  }
   const double away = solution.solved()
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();

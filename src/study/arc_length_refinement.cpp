@@ -108,7 +108,9 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
       std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
     return solution;
   }
-  if (options_.newton_alone) return solution;
+  if (options_.newton_alone || solution.status == Status::OutOfMemory) {
+    return solution;
+  }
   MeshSolution stayed = stay_between(ends, start, options_);
   if (!stayed.solved() ||
       std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {

@@ -35,9 +35,21 @@ std::string in_bytes(double bytes) {
   return fmt::format("{:.3g} {}", bytes, kUnits.at(unit));
 }
 
+double bytes_of_nodes(const SolveOptions& options, double nodes) {
+  if (options.method == Method::Fsolve) {
+    if (options.fsolve.variant == FsolveVariant::Lifted) return 0.0;
+    // One dense matrix of the paper's 2n + 1 equations.
+    return sizeof(double) * std::pow(2.0 * nodes + 1.0, 2);
+  }
+  return nodes * (options.discretisation.formulation == Formulation::ArcLength
+                      ? kBytesPerArcLengthNode
+                      : kBytesPerNode);
+}
+
 }  // namespace
 
-SizeEstimate estimate_size(double turns, const Discretisation& mesh) {
+SizeEstimate estimate_size(double turns, const SolveOptions& options) {
+  const Discretisation& mesh = options.discretisation;
   SizeEstimate size;
   size.turns = turns;
   if (mesh.nodes) {
@@ -45,10 +57,8 @@ SizeEstimate estimate_size(double turns, const Discretisation& mesh) {
   } else if (mesh.elements) {
     size.nodes = 1.0 + 1.0 * *mesh.elements * mesh.degree_of_fixed();
   }
-  const double per_node = mesh.formulation == Formulation::ArcLength
-                              ? kBytesPerArcLengthNode
-                              : kBytesPerNode;
-  size.bytes = std::max(kBytesPerTurn * turns, per_node * size.nodes);
+  size.bytes =
+      std::max(kBytesPerTurn * turns, bytes_of_nodes(options, size.nodes));
   size.seconds = std::max(kSecondsOfTurns * std::pow(turns, 1.5),
                           kSecondsPerNode * size.nodes);
   return size;

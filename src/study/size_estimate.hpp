@@ -25,7 +25,7 @@ struct SizeEstimate {
 
 /// \param turns  of the body along the path of the uniform cylinder
 [[nodiscard]] SizeEstimate estimate_size(double turns,
-                                         const Discretisation& mesh);
+                                         const SolveOptions& options);
 
 /// Why a solve of that size is not begun.
 struct TooLarge {

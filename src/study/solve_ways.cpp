@@ -160,8 +160,8 @@ void SolveRun::find_by_fsolve() {
 bool SolveRun::fits(const CycloidArc& arc) {
   const double number = turns(natural_.body, arc.arc_length(arc.psi_end));
   const std::optional<TooLarge> too_large =
-      brachisto::too_large(estimate_size(number, options_.discretisation),
-                           available_memory(), options_.limits.seconds);
+      brachisto::too_large(estimate_size(number, options_), available_memory(),
+                           options_.limits.seconds);
   if (!too_large) return true;
   out_.status = too_large->status;
   out_.message = too_large->message;

@@ -20,7 +20,8 @@ void end(Solution& out, Status status, std::string message) {
 }
 
 void end_by_memory(Solution& out) {
-  end(out, Status::OutOfMemory, std::string(describe(Status::OutOfMemory)));
+  end(out, Status::OutOfMemory,
+      "memory ran out before the end. Try a coarser mesh, or a larger radius");
 }
 
 }  // namespace

@@ -3,8 +3,13 @@
 
 // Exit codes, on which scripts rely.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +18,7 @@
 namespace brachisto {
 namespace {
 
+using nlohmann::json;
 using testing::Output;
 using testing::paper_problem;
 using testing::run;
@@ -146,6 +152,47 @@ TEST(ExitCode, Is7IfALimitIsReached) {
                  "solver.limits.seconds=1e-6"})
                 .code,
             7);
+}
+
+TEST(ExitCode, Is7IfASolveIsTooLargeToBegin) {
+  const Output output = run({"solve", paper_problem("fig04_reference_case"),
+                             "--json", "--set", "scene.body.radius=1e-9"});
+
+  EXPECT_EQ(output.code, 7);
+  EXPECT_NE(output.out.find("\"out_of_memory\""), std::string::npos)
+      << output.out;
+  EXPECT_NE(output.out.find("Nothing was computed"), std::string::npos)
+      << output.out;
+}
+
+TEST(ExitCode, Is7WhereverMemoryRunsOut) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "its shadow takes more address space than any limit leaves";
+#endif
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+  int ran_out = 0;
+  // 40 001 nodes take some 200 MB, of which 120 MB are asked for beforehand.
+  for (int megabytes = 60; megabytes <= 300; megabytes += 12) {
+    const std::string command = fmt::format(
+        "ulimit -v {}; {} solve {} --json --set discretisation.elements=8000 "
+        "> {} 2> /dev/null",
+        1024 * megabytes, BRACHISTO_APP, paper_problem("fig04_reference_case"),
+        out);
+
+    const int status = std::system(command.c_str());
+
+    ASSERT_TRUE(WIFEXITED(status)) << megabytes;
+    std::ifstream in(out);
+    const json result = json::parse(in, nullptr, false);
+    ASSERT_FALSE(result.is_discarded()) << megabytes;
+    if (WEXITSTATUS(status) == 0) continue;
+    EXPECT_EQ(WEXITSTATUS(status), 7) << megabytes << result["message"];
+    EXPECT_EQ(result["status"], "out_of_memory") << megabytes;
+    const std::string message = result["message"];
+    if (message.find("Nothing was computed") == std::string::npos) ++ran_out;
+  }
+  EXPECT_GT(ran_out, 0);
 }
 
 TEST(ExitCode, IsNotZeroIfTheResultCannotBePrinted) {

@@ -3,6 +3,7 @@
 
 // Ctrl-C and its like end a solve soon, and in order.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -26,42 +27,131 @@ using testing::paper_problem;
 using testing::Process;
 using testing::ScratchDirectory;
 
-/// A solve of half a minute, sent a signal once it is under way.
-std::optional<Output> signalled(int signal,
-                                const std::vector<std::string>& more) {
+/// What a signalled command left, and how long it took to end [s].
+struct Ended {
+  Output output;
+  double seconds;
+};
+
+/// Sends a signal after some time to a solve of 100 001 nodes.
+std::optional<Ended> signalled(int signal, std::chrono::milliseconds after,
+                               const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "solve", paper_problem("fig04_reference_case"), "--set",
       "discretisation={degree: 5, elements: 20000}"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Process process(std::move(arguments));
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::this_thread::sleep_for(after);
+  const auto begin = std::chrono::steady_clock::now();
   process.signal(signal);
-  // The signal is noticed between iterations, of which each takes about a
-  // second on 100 001 nodes, and the first, with the analysis, about three.
-  return process.wait(std::chrono::seconds(10));
+  std::optional<Output> output = process.wait(std::chrono::seconds(10));
+  if (!output) return std::nullopt;
+  return Ended{std::move(*output), std::chrono::duration<double>(
+                                       std::chrono::steady_clock::now() - begin)
+                                       .count()};
 }
+
+constexpr std::chrono::milliseconds kSoon{500};
+// What is promised.
+constexpr double kMostSeconds = 1.0;
 
 TEST(Signals, AnInterruptEndsASolveWith130AndOneDocument) {
   const ScratchDirectory scratch;
 
-  const auto output =
-      signalled(SIGINT, {"--json", "--out", scratch.path().string()});
+  const auto ended =
+      signalled(SIGINT, kSoon, {"--json", "--out", scratch.path().string()});
 
-  ASSERT_TRUE(output) << "it does not end";
-  EXPECT_EQ(output->code, 130) << output->err;
-  const json result = json::parse(output->out, nullptr, false);
-  ASSERT_FALSE(result.is_discarded()) << output->out;
+  ASSERT_TRUE(ended) << "it does not end";
+  EXPECT_EQ(ended->output.code, 130) << ended->output.err;
+  const json result = json::parse(ended->output.out, nullptr, false);
+  ASSERT_FALSE(result.is_discarded()) << ended->output.out;
   EXPECT_EQ(result["status"], "interrupted");
   EXPECT_EQ(result["verified"], false);
   EXPECT_TRUE(std::filesystem::exists(scratch.path() / "result.json"));
 }
 
 TEST(Signals, ATerminationEndsASolveWith143) {
-  const auto output = signalled(SIGTERM, {});
+  const auto ended = signalled(SIGTERM, kSoon, {});
+
+  ASSERT_TRUE(ended) << "it does not end";
+  EXPECT_EQ(ended->output.code, 143) << ended->output.err;
+  EXPECT_NE(ended->output.out.find("interrupted"), std::string::npos)
+      << ended->output.out;
+}
+
+/// A way to solve, all of whose moments a signal may meet.
+class AnyMoment : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Ways, AnyMoment,
+                         ::testing::Values("{method: newton_kkt}",
+                                           "{method: ipopt}",
+                                           "{linear_solver: mumps}"));
+
+TEST_P(AnyMoment, IsFollowedByTheEndWithinASecond) {
+  const std::vector<std::string> way{"--json", "--set",
+                                     std::string("solver=") + GetParam()};
+  for (const int after : {50, 200, 400, 700, 1000, 1400, 2000}) {
+    const auto ended =
+        signalled(SIGTERM, std::chrono::milliseconds(after), way);
+
+    ASSERT_TRUE(ended) << "it does not end";
+    const json result = json::parse(ended->output.out, nullptr, false);
+    EXPECT_FALSE(result.is_discarded()) << ended->output.out;
+    if (ended->output.code == 0) break;  // it was done before
+    EXPECT_EQ(ended->output.code, 143) << ended->output.err;
+    EXPECT_EQ(result["status"], "interrupted");
+    EXPECT_LT(ended->seconds, kMostSeconds) << after << " ms";
+  }
+}
+
+TEST(Signals, SentTwiceAtOnceStillLeaveADocument) {
+  // As coreutils' timeout does, to the process and to its group.
+  Process process({"solve", paper_problem("fig04_reference_case"), "--json",
+                   "--set", "discretisation={degree: 5, elements: 20000}"});
+  std::this_thread::sleep_for(kSoon);
+  process.signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  process.signal(SIGTERM);
+
+  const auto output = process.wait(std::chrono::seconds(10));
 
   ASSERT_TRUE(output) << "it does not end";
   EXPECT_EQ(output->code, 143) << output->err;
-  EXPECT_NE(output->out.find("interrupted"), std::string::npos) << output->out;
+  EXPECT_FALSE(json::parse(output->out, nullptr, false).is_discarded())
+      << output->out;
+}
+
+TEST(Limits, AreExceededByNoMoreThanASecond) {
+  // Each takes longer than a second, and less is estimated beforehand.
+  const std::string mesh = "discretisation={degree: 5, elements: 20000}";
+  const std::string turns = "scene.body.radius=0.004";
+  for (const auto& [way, more] :
+       {std::pair{"method: ipopt", mesh}, std::pair{"method: newton_kkt", mesh},
+        std::pair{"linear_solver: mumps", mesh},
+        std::pair{"method: extremal", turns}}) {
+    for (const double seconds : {0.45, 0.7}) {
+      const std::string solver =
+          fmt::format("solver={{{}, limits: {{seconds: {}}}}}", way, seconds);
+      const auto begin = std::chrono::steady_clock::now();
+
+      const auto output =
+          Process({"solve", paper_problem("fig04_reference_case"), "--json",
+                   "--set", solver, "--set", more})
+              .wait(std::chrono::seconds(10));
+
+      ASSERT_TRUE(output) << "it does not end";
+      EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                              begin)
+                    .count(),
+                seconds + kMostSeconds)
+          << solver;
+      EXPECT_EQ(output->code, 7) << solver << output->err;
+      const json result = json::parse(output->out, nullptr, false);
+      EXPECT_EQ(result["status"], "time_limit") << output->out;
+      EXPECT_EQ(result.value("message", "").find("Nothing was computed"),
+                std::string::npos)
+          << output->out;
+    }
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -239,6 +240,28 @@ TEST(Expression, LengthIsLimited) {
   EXPECT_EQ(refusal(longest + "1"), "it is longer than 200 characters");
   EXPECT_EQ(refusal(std::string(100'000, '(')),
             "it is longer than 200 characters");
+}
+
+/// The direction that an angle of a file means.
+double direction(const std::string& text) {
+  return Expression(text, Unit::Angle, Names::None).direction();
+}
+
+TEST(Expression, WholeTurnsOfDegreesAreTakenOffExactly) {
+  for (const std::int64_t degrees :
+       {std::int64_t{361}, std::int64_t{-725}, std::int64_t{1'000'000'000'000},
+        std::int64_t{1'000'000'000'000'000'000}}) {
+    EXPECT_EQ(direction(std::to_string(degrees) + " deg"),
+              evaluate(std::to_string(degrees % 360) + " deg", Unit::Angle))
+        << degrees;
+  }
+  EXPECT_EQ(direction("1e18 deg"), evaluate("280 deg", Unit::Angle));
+}
+
+TEST(Expression, AnglesWithinATurnStayWhatTheyAre) {
+  for (const char* text : {"360 deg", "-360 deg", "330 deg", "6.28", "-2*pi"}) {
+    EXPECT_EQ(direction(text), evaluate(text, Unit::Angle)) << text;
+  }
 }
 
 }  // namespace

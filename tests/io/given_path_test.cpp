@@ -128,5 +128,19 @@ TEST(GivenPath, RefusesAFileThatIsNotThereOrNotWanted) {
       std::string::npos);
 }
 
+TEST(GivenPath, HoldsTheEndsAgainstLAndHSeparately) {
+  const ScratchDirectory scratch;
+  (void)scratch.file("track.csv", "x,z\n0,0\n1,1e-6\n3,2e-6\n");
+
+  const std::string found = errors(
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1e-6},\n"
+      "  path: {curve: track, shape: points, file: track.csv}}\n",
+      (scratch.path() / "p.yaml").string());
+
+  EXPECT_NE(found.find("the last point is (3, 2e-06) and has to be (3, 1e-06)"),
+            std::string::npos)
+      << found;
+}
+
 }  // namespace
 }  // namespace brachisto::io

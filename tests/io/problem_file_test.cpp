@@ -150,5 +150,45 @@ TEST(ProblemFile, DiagnosticsKeepTheirParts) {
   }
 }
 
+TEST(ProblemFile, AnglesOfManyTurnsAreReducedWithAWarning) {
+  const std::string text = cylinder("radius: 1/3, k: 1/2, theta_m: 1e18 deg");
+
+  const ProblemFile problem = read(text);
+
+  EXPECT_EQ(problem.scene.body.theta_m, 280.0 / 180.0 * std::numbers::pi);
+  ASSERT_EQ(problem.warnings.size(), 1U);
+  EXPECT_EQ(
+      to_string(problem.warnings[0]),
+      "p.yaml:3:57: scene.body.theta_m: \"1e18 deg\" is more than a "
+      "turn; whole turns mean nothing here, and 4.886921906 rad is taken, "
+      "which is 280°");
+}
+
+TEST(ProblemFile, RadiansOfManyTurnsAreReducedAsFarAsTheyMeanSomething) {
+  const auto theta_m = [](const std::string& value) {
+    return cylinder("radius: 1/3, k: 1/2, theta_m: " + value);
+  };
+
+  const ProblemFile problem = read(theta_m("-1e6"));
+
+  // −1e6 + 159155 · 2π, computed with sixty digits.
+  EXPECT_NEAR(problem.scene.body.theta_m, 0.357564167085735, 1e-14);
+  EXPECT_EQ(problem.warnings.size(), 1U);
+  EXPECT_NE(errors(theta_m("1e12")).find("at most 1e+06 rad"),
+            std::string::npos)
+      << errors(theta_m("1e12"));
+  EXPECT_TRUE(read(theta_m("330 deg")).warnings.empty());
+  EXPECT_TRUE(read(theta_m("-2*pi")).warnings.empty());
+}
+
+TEST(ProblemFile, TheStartAngleOfAPathIsReducedToo) {
+  const ProblemFile problem = read(
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, path: {shape: "
+      "circular_arc, start_angle: 3600000000045 deg}}\n");
+
+  EXPECT_EQ(problem.scene.path->start_angle, std::numbers::pi / 4.0);
+  EXPECT_EQ(problem.warnings.size(), 1U);
+}
+
 }  // namespace
 }  // namespace brachisto::io

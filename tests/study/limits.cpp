@@ -7,6 +7,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include "brachisto/study/solve.hpp"
@@ -172,6 +178,92 @@ TEST(Interrupt, NothingIsLeftOfAnAnswerThatCameTooLate) {
         << i;
     EXPECT_TRUE(solution.certificate.checks.empty()) << i;
     EXPECT_EQ(solution.nodes, 0) << i;
+  }
+}
+
+TEST(Memory, ThatRunsOutIsAStatus) {
+  // Wherever it does: the hooks are called from within.
+  for (const char* phase : {"continuation", "mesh", "check", "certificate"}) {
+    SolveHooks hooks;
+    hooks.progress = [&](std::string_view now, const std::string&) {
+      if (now.starts_with(phase)) throw std::bad_alloc();
+    };
+
+    const Solution solution =
+        solve(reference("reference_case").scene(), {}, hooks);
+
+    EXPECT_EQ(solution.status, Status::OutOfMemory) << phase;
+    EXPECT_NE(solution.message.find("memory ran out"), std::string::npos);
+    EXPECT_FALSE(solution.trajectory) << phase;
+  }
+}
+
+TEST(Memory, BeyondAllAddressesIsTheSame) {
+  SolveHooks hooks;
+  hooks.progress = [](std::string_view, const std::string&) {
+    throw std::length_error("vector");
+  };
+
+  const Solution solution =
+      solve(reference("reference_case").scene(), {}, hooks);
+
+  EXPECT_EQ(solution.status, Status::OutOfMemory) << solution.message;
+}
+
+TEST(Hooks, ThatThrowAreHeard) {
+  SolveHooks hooks;
+  hooks.progress = [](std::string_view, const std::string&) { throw 42; };
+
+  EXPECT_THROW(
+      static_cast<void>(solve(reference("reference_case").scene(), {}, hooks)),
+      int);
+}
+
+TEST(Interrupt, OfAnOuterConditionLeavesTheSolve) {
+  // Not the solve's own, so that it is not the solve's to report.
+  const StopScope scope(StopCondition(0.0, nullptr));
+
+  EXPECT_THROW(static_cast<void>(solve(reference("reference_case").scene())),
+               Stopped);
+}
+
+TEST(Interrupt, EndsTheEvaluationOfAGivenPath) {
+  Scene scene = reference("reference_case").scene();
+  GivenPath path;
+  path.curve = GivenPath::Curve::Track;
+  path.shape = GivenPath::Shape::Points;
+  constexpr int kPoints = 20'000;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double x = scene.L * i / kPoints;
+    path.points.push_back(
+        {x, scene.H * std::sqrt(x / scene.L) * (2.0 - std::sqrt(x / scene.L))});
+  }
+  scene.body = Body::bead();
+  scene.path = std::make_shared<const GivenPath>(path);
+  SolveOptions options;
+  options.limits.seconds = 0.05;
+
+  const Solution solution = solve(scene, options);
+
+  EXPECT_EQ(solution.status, Status::TimeLimit) << solution.message;
+  EXPECT_FALSE(solution.motion());
+  EXPECT_LT(solution.effort.seconds, 0.3);
+}
+
+/// Scenes on which the integrator of the indirect method takes ever smaller
+/// steps: almost level ones.
+TEST(AlmostLevel, EndsWithoutAnAnswerSoon) {
+  for (const double H : {1e-10, 1e-15, 1e-30}) {
+    for (Scene scene :
+         {reference("reference_case").scene(), reference("bead_L3").scene()}) {
+      scene.H = H;
+
+      const Solution solution = solve(scene);
+
+      EXPECT_FALSE(solution.verified()) << H;
+      EXPECT_NE(solution.message, "") << H;
+      EXPECT_LT(solution.effort.seconds, 20.0) << H;
+    }
   }
 }
 

@@ -33,27 +33,37 @@ TEST(SizeEstimate, IsBelowWhatSolvesWereMeasuredToTake) {
   EXPECT_LT(large.seconds, 23.0);
   EXPECT_LT(large.bytes, 0.59e9);
   // A million nodes: 10.2 s and 3.5 GB; on pieces 4.2 s and 1.7 GB.
-  Discretisation mesh;
-  mesh.nodes = 1'000'001;
-  EXPECT_LT(estimate_size(0.0, mesh).seconds, 10.2);
-  EXPECT_LT(estimate_size(0.0, mesh).bytes, 3.5e9);
-  mesh.formulation = Formulation::ArcLength;
-  EXPECT_LT(estimate_size(0.0, mesh).seconds, 4.2);
-  EXPECT_LT(estimate_size(0.0, mesh).bytes, 1.7e9);
+  SolveOptions options;
+  options.discretisation.nodes = 1'000'001;
+  EXPECT_LT(estimate_size(0.0, options).seconds, 10.2);
+  EXPECT_LT(estimate_size(0.0, options).bytes, 3.5e9);
+  options.discretisation.formulation = Formulation::ArcLength;
+  EXPECT_LT(estimate_size(0.0, options).seconds, 4.2);
+  EXPECT_LT(estimate_size(0.0, options).bytes, 1.7e9);
   // And not so far below that nothing would ever be refused.
   EXPECT_GT(large.seconds, 23.0 / 4.0);
   EXPECT_GT(large.bytes, 0.59e9 / 4.0);
 }
 
 TEST(SizeEstimate, CountsTheNodesOfAFixedMesh) {
-  Discretisation mesh;
+  SolveOptions options;
+  Discretisation& mesh = options.discretisation;
   mesh.elements = 100;
-  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 501.0);
+  EXPECT_EQ(estimate_size(0.0, options).nodes, 501.0);
   mesh.degree = 3;
-  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 301.0);
+  EXPECT_EQ(estimate_size(0.0, options).nodes, 301.0);
   mesh.elements.reset();
   mesh.nodes = 301;
-  EXPECT_EQ(estimate_size(0.0, mesh).nodes, 301.0);
+  EXPECT_EQ(estimate_size(0.0, options).nodes, 301.0);
+}
+
+TEST(SizeEstimate, OfThePapersSystemIsItsDenseMatrix) {
+  SolveOptions options;
+  options.method = Method::Fsolve;
+  options.discretisation.nodes = 40'000;
+  EXPECT_EQ(estimate_size(0.0, options).bytes, 8.0 * 80'001.0 * 80'001.0);
+  options.fsolve.variant = FsolveVariant::Lifted;
+  EXPECT_LT(estimate_size(0.0, options).bytes, 1e9);
 }
 
 TEST(TooLarge, SaysWhatIsMissing) {

@@ -11,6 +11,7 @@
 #include "brachisto/model/units.hpp"
 #include "brachisto/study/continuation.hpp"
 #include "brachisto/study/solve.hpp"
+#include "brachisto/transcription/discretisation.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "study/turn_meshes.hpp"
 
@@ -95,6 +96,26 @@ TEST(ContinuationByTurns, LeadsToAnAnswerAboveTheHomogenisedLimit) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   EXPECT_NEAR(solution.trajectory->tau(), 5.852381, kPrinted);
   EXPECT_GT(solution.trajectory->tau(), kLimit);
+}
+
+TEST(AnOffsetNextToNothing, ChangesTheTimeByNextToNothing) {
+  // Many turns; at η_m = 0 the time of the cycloid, and dτ/dη is of order τ.
+  Scene scene = base(0.05);
+  scene.L = 10.0;
+  scene.body.eta_m = 0.0;
+  const Solution uniform = solve(scene);
+  ASSERT_TRUE(uniform.verified());
+  const double tau = uniform.trajectory->tau();
+  for (const double eta : {1e-6, 1e-7, 1e-8, 1e-14, 1e-50}) {
+    scene.body.eta_m = eta;
+
+    const Solution solution = solve(scene);
+
+    ASSERT_TRUE(solution.verified()) << eta << ": " << solution.message;
+    EXPECT_NEAR(solution.trajectory->tau() / tau, 1.0,
+                eta + 2.0 * kDefaultTolerance)
+        << eta;
+  }
 }
 
 }  // namespace

@@ -11,11 +11,16 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/numeric/odeint.hpp>
+#include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/cycloid.hpp"
+#include "brachisto/trajectory/path_certificate.hpp"
 
 namespace brachisto {
 namespace {
@@ -216,6 +221,84 @@ TEST(PrescribedMotion, DoesNotFitIntoANarrowValley) {
   const PrescribedMotion motion(scene_of(body), centre_path_over(track, 0.6));
   ASSERT_TRUE(motion.stall());
   EXPECT_EQ(motion.stall()->reason, Stall::Reason::DoesNotFit);
+}
+
+/// A curve that counts how often it is asked.
+class Counting final : public PlaneCurve {
+ public:
+  explicit Counting(PlaneCurvePtr curve) : curve_(std::move(curve)) {}
+
+  [[nodiscard]] Point start() const override { return curve_->start(); }
+  [[nodiscard]] CurvePlace at(double q) const override {
+    ++count;
+    return curve_->at(q);
+  }
+  [[nodiscard]] Pace pace(double q) const override {
+    ++count;
+    return curve_->pace(q);
+  }
+  [[nodiscard]] std::vector<double> joints() const override {
+    return curve_->joints();
+  }
+
+  mutable double count = 0.0;
+
+ private:
+  PlaneCurvePtr curve_;
+};
+
+/// Evaluations of a spline through so many points of z = x/3 + 0.6 sin(πx/3)
+/// that its motion, diagnosis and certificate take.
+double evaluations(int points) {
+  std::vector<Point> track;
+  for (int i = 0; i <= points; ++i) {
+    const double x = 3.0 * i / points;
+    track.push_back({x, x / 3.0 + 0.6 * std::sin(std::numbers::pi * x / 3.0)});
+  }
+  const auto curve =
+      std::make_shared<Counting>(centre_path_over(spline_through(track), 0.1));
+  Scene scene = scene_of(Body::cylinder(0.1, 0.3, 0.0, 0.5));
+  GivenPath path;
+  path.curve = GivenPath::Curve::Track;
+  scene.path = std::make_shared<const GivenPath>(path);
+  const PrescribedMotion motion(scene, curve);
+  static_cast<void>(motion.diagnose());
+  EXPECT_TRUE(certify_path(motion, 1e-10).verified());
+  return curve->count;
+}
+
+TEST(PrescribedMotion, OfASplineTakesWorkInProportionToItsPoints) {
+  const double few = evaluations(500);
+  const double many = evaluations(4000);
+
+  // Eight times the points; what does not depend on them makes it less, and
+  // some hundred evaluations per point where it is more.
+  EXPECT_LE(many / few, 8.0);
+  EXPECT_GE(many / few, 4.0);
+  EXPECT_LE(many / 4000.0, 2000.0);
+}
+
+TEST(PrescribedMotion, IsStoppedFromOutside) {
+  std::vector<Point> track;
+  for (int i = 0; i <= 20000; ++i) {
+    const double x = 3.0 * i / 20000;
+    track.push_back({x, x / 3.0 + 0.1 * std::sin(std::numbers::pi * x / 3.0)});
+  }
+  const StopScope scope(StopCondition(0.02, nullptr));
+  const auto begin = std::chrono::steady_clock::now();
+
+  EXPECT_THROW(
+      {
+        const PrescribedMotion motion(scene_of(Body::bead()),
+                                      spline_through(track));
+        static_cast<void>(motion.diagnose());
+        static_cast<void>(certify_path(motion, 1e-10));
+      },
+      Stopped);
+  EXPECT_LT(
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count(),
+      0.3);
 }
 
 }  // namespace

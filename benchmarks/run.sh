@@ -74,6 +74,8 @@ usual() {
   step gallery "${program}gallery" --jobs 2 --out "$results/gallery.csv"
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"
   step campaign "${program}campaign" --jobs 2 --out "$results/campaign.csv"
+  step hostile benchmarks/hostile/hostile.py --program "$brachisto" --jobs 2 \
+    --out "$results/hostile.csv"
 }
 
 long() {

@@ -64,7 +64,11 @@ double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
   const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
   const double open_contact =
       smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
-  return (std::max(weight * std::abs(difference), apart) + open_contact) / T +
+  const double of_ends_rounded =
+      rounding_of_ends(curve.scene(), closure.phi, curve.p_x(), curve.p_z());
+  return (std::max(weight * std::abs(difference), apart) + open_contact +
+          of_ends_rounded) /
+             T +
          error_of_other + rounding_error(curve.mesh());
 }
 

@@ -152,10 +152,14 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
+  const ArcLength::EndCostates p =
+      finer.problem.end_costates(finer.solution.point.lambda);
+  const double ends =
+      rounding_of_ends(scene_, closure.phi, p.x.value, p.z.value);
   // A sum of N terms, each rounded.
   const double rounding =
       2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
-  return std::max(between, before) + open / T + rounding;
+  return std::max(between, before) + (open + ends) / T + rounding;
 }
 
 bool Sequence::climb(const std::vector<int>& pieces) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brachisto/model/contact.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
@@ -56,6 +57,20 @@ double reachable(double tolerance, const PrimalDual& point) {
   for (const double x : point.x) largest = std::max(largest, std::abs(x));
   return std::max(tolerance,
                   kTerms * std::numeric_limits<double>::epsilon() * largest);
+}
+
+double rounding_of_ends(const Scene& scene, double phi, double p_x,
+                        double p_z) {
+  constexpr double kRoundings = 16.0;
+  const Point start = start_of_centre(scene);
+  const Point end = end_of_centre(scene, phi);
+  const double largest =
+      std::max({std::abs(start.x), std::abs(start.z), std::abs(end.x),
+                std::abs(end.z), scene.L, scene.H});
+  const double per_radian =
+      scene.contact == Contact::Smooth ? scene.body.radius : 0.0;
+  return kRoundings * std::numeric_limits<double>::epsilon() * largest *
+         (1.0 + per_radian) * std::hypot(p_x, p_z);
 }
 
 namespace {

@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "brachisto/study/extremal_bridge.hpp"
@@ -30,6 +33,17 @@ std::string no_cycloid(const Scene& scene) {
       "with r = {:g}, L = {:g}, H = {:g}, so that no branch starts from its "
       "path. Try a smaller radius or a point B further away",
       scene.body.radius, scene.L, scene.H);
+}
+
+/// Why B may lie too little below A; empty if it does not.
+std::string slow_arrival(const CycloidArc& arc) {
+  constexpr double kNextToRest = 1e-3;
+  const double share = std::sin(0.5 * arc.psi_end);
+  if (arc.psi_end < std::numbers::pi || share > kNextToRest) return {};
+  return fmt::format(
+      ". The uniform body arrives at B with {:.1e} of its greatest speed, and "
+      "so close to rest digits are lost: try a larger H",
+      std::max(0.0, share));
 }
 
 }  // namespace
@@ -194,6 +208,7 @@ void SolveRun::find() {
     return find_fastest(*arc, principal);
   }
   if (!principal.curve) {
+    out_.message += slow_arrival(*arc);
     out_.message += ". Try search: global, which looks for other extremals";
     return;
   }

@@ -38,6 +38,22 @@ TEST(JsonOutput, HasTheAnswer) {
   EXPECT_EQ(output.err, "");
 }
 
+TEST(JsonOutput, HasTheWarningsThatStderrHas) {
+  const Output output = run({"solve", paper_problem("fig04_reference_case"),
+                             "--json", "--set", "scene.body.theta_m=720 deg"});
+
+  const json result = document(output);
+  ASSERT_FALSE(result.is_discarded()) << output.out;
+  EXPECT_EQ(result["verified"], true);
+  ASSERT_EQ(result["warnings"].size(), 1U);
+  const std::string warning = result["warnings"][0];
+  EXPECT_NE(warning.find("\"720 deg\" is more than a turn"), std::string::npos)
+      << warning;
+  EXPECT_EQ(output.err, "warning: " + warning + "\n");
+  EXPECT_NEAR(result["tau"].get<double>(),
+              testing::reference("reference_case").tau, 1e-9 * 5.1);
+}
+
 TEST(JsonOutput, OfValidateIsTheEffectiveInput) {
   const Output output = run({"validate", paper_problem("fig12_L_2"), "--json"});
 

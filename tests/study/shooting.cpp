@@ -83,6 +83,8 @@ TEST(WholeTurns, OfTheStartChangeNothing) {
     ASSERT_TRUE(solution.verified()) << solution.message;
     EXPECT_NEAR(solution.trajectory->tau(), row.tau,
                 2.0 * kDefaultTolerance * row.tau);
+    ASSERT_EQ(solution.warnings.size(), 1U);
+    EXPECT_NE(solution.warnings[0].find("more than a turn"), std::string::npos);
     // The user's own angle is the one that is reported.
     EXPECT_EQ(solution.scene.body.theta_m, scene.body.theta_m);
     EXPECT_NEAR(solution.trajectory->at(0.0).theta, scene.body.theta_m, 1e-12);

@@ -40,8 +40,9 @@ struct IpoptOptions {
 /// that says why. The result tells which one it was, the verbose log why not
 /// the chain.
 ///
-/// One run per process at a time: MUMPS is not safe in threads, and the chain
-/// reaches Ipopt through a variable of the process.
+/// MUMPS is not safe in threads, and the chain reaches Ipopt through a variable
+/// of the process: a thread waits here for the runs of others, until
+/// `options.stop` is met at the latest.
 ///
 /// \return how it ended and the last iterate. An exception that the problem
 ///         throws ends the run and is rethrown from here.

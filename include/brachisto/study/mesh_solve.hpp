@@ -72,6 +72,14 @@ inline constexpr double kPolishedFrom = 1e-5;
 /// and θ runs to thousands on the way of a small body.
 [[nodiscard]] double reachable(double tolerance, const PrimalDual& point);
 
+/// What rounding leaves of T where the path ends, in natural units:
+/// the ends are sums of lengths, a dozen roundings of the largest of them go
+/// into the path and its end slope, and with Contact::Smooth that slope moves
+/// the end by r for each radian. T changes by |p| for each length.
+/// \param p_x, p_z  costates at the end
+[[nodiscard]] double rounding_of_ends(const Scene& scene, double phi,
+                                      double p_x, double p_z);
+
 /// A problem between fixed ends of the centre's path, of any formulation.
 struct FixedEnds {
   nlp::Problem& problem;

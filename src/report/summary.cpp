@@ -51,11 +51,17 @@ void add_answer(std::string& out, const Solution& solution) {
   if (path.rotation()) {
     line(out, "rotation", fmt::format("{:.6f}°", degrees(*path.rotation())));
   }
-  line(out, "normal force",
-       fmt::format("{:.4g} … {:.4g} m g, greatest at x_b = {:.4g} m",
-                   diagnostics.min_normal_force.value,
-                   diagnostics.max_normal_force.value,
-                   diagnostics.max_normal_force.x));
+  const Extreme& least = diagnostics.min_normal_force;
+  std::string force = fmt::format(
+      "{:.4g} … {:.4g} m g, greatest at x_b = {:.4g} m", least.value,
+      diagnostics.max_normal_force.value, diagnostics.max_normal_force.x);
+  if (least.at_start) {
+    force += fmt::format(
+        "; the limit at the start, then rising, {:.4g} or more "
+        "after that",
+        diagnostics.normal_force_after_rise.value);
+  }
+  line(out, "normal force", force);
   if (!solution.scene.body.rolls()) return;
   line(out, "friction needed",
        fmt::format("|R_t|/R_n > 0.3 for {:.0f} % of the time, > 0.5 for {:.0f} "

@@ -75,7 +75,8 @@ Claim about_normal_force(const Findings& found) {
   for (const auto& [name, one] : found.cases.all()) {
     if (one.scene().path || !one.scene().body.rolls()) continue;
     ++count;
-    if (one.fine.diagnostics->min_normal_force.value <= 0.0) {
+    const PathDiagnostics& d = *one.fine.diagnostics;
+    if (d.at_start.lifts_off() || d.min_normal_force.value < 0.0) {
       lifted.push_back(words(name));
     }
   }

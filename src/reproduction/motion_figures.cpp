@@ -223,8 +223,8 @@ Figure curvature(const Cases& cases) {
           "where 1 − r κ_c ≤ 0; the least value is {:.3f}. At the start κ_c → "
           "−∞ and κ_b → −1/r = {:.3g}. Paper: κ_b from −1.34 to 1.52; the "
           "least local minimum and the maximum found are {:.3f} and {:.3f}.",
-          found.min_fold_margin.value, -1.0 / r, found.min_curvature.value,
-          found.max_curvature.value)));
+          found.min_fold_margin.value, -1.0 / r,
+          found.curvature_after_rise.value, found.max_curvature.value)));
 }
 
 /// Kinetic energy of three bodies over a coordinate; of the off-centred one

@@ -73,8 +73,8 @@ std::string cases_table(const Cases& cases) {
         "<td>{}</td><td>{}{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td></tr>\n",
         name, with_error(one.tau()), one.motion().rail_length(),
-        span(d.min_normal_force, d.max_normal_force),
-        span(d.min_curvature, d.max_curvature),
+        span(d.normal_force_after_rise, d.max_normal_force),
+        span(d.curvature_after_rise, d.max_curvature),
         bends_less_than_body(one) ? "" : " (&gt; 1/r)",
         rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
         rolls

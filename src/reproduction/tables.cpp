@@ -52,7 +52,8 @@ std::string claims_csv(const std::vector<Claim>& claims) {
 std::string cases_csv(const Cases& cases) {
   std::string out =
       "case,tau,error,centre_path_length,rail_length,start_angle,end_angle,"
-      "R_n_min,R_n_max,x_of_R_n_max,kappa_b_min,kappa_b_max,fold_margin,"
+      "R_n_min_after_rise,R_n_max,x_of_R_n_max,kappa_b_min_after_rise,kappa_b_"
+      "max,fold_margin,"
       "share_above_0.3,share_above_0.5,share_above_1,feasible\n";
   for (const auto& [name, one] : cases.all()) {
     const Motion& motion = one.motion();
@@ -63,10 +64,10 @@ std::string cases_csv(const Cases& cases) {
         "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
         name, tau.value, tau.error, motion.centre_path_length(),
         motion.rail_length(), motion.start_angle(), motion.end_angle(),
-        d.min_normal_force.value, d.max_normal_force.value,
-        d.max_normal_force.x, d.min_curvature.value, d.max_curvature.value,
-        d.min_fold_margin.value, d.friction_above_0_3, d.friction_above_0_5,
-        d.friction_above_1, one.fine.feasible());
+        d.normal_force_after_rise.value, d.max_normal_force.value,
+        d.max_normal_force.x, d.curvature_after_rise.value,
+        d.max_curvature.value, d.min_fold_margin.value, d.friction_above_0_3,
+        d.friction_above_0_5, d.friction_above_1, one.fine.feasible());
   }
   return out;
 }

@@ -91,6 +91,11 @@ TEST(Summary, HasTheSecondOpinion) {
   EXPECT_TRUE(says(summary(solution), "none: it did not converge"));
 }
 
+TEST(Summary, SaysThatTheLeastForceIsALimit) {
+  EXPECT_TRUE(says(summary(testing::off_centred_solution()),
+                   "the limit at the start, then rising"));
+}
+
 TEST(Summary, TellsWhyABodyCouldNotRun) {
   Solution solution = testing::uniform_solution();
   solution.diagnostics->min_normal_force = {-0.5, 1.25};

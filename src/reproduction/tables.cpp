@@ -61,7 +61,7 @@ std::string cases_csv(const Cases& cases) {
     out += fmt::format(
         "{},{:.15g},{:.1e},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{:.9g},"
         "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
-        name, tau.value, tau.error, motion.centre_path_length(),
+        field(name), tau.value, tau.error, motion.centre_path_length(),
         motion.rail_length(), motion.start_angle(), motion.end_angle(),
         d.min_normal_force.value, d.max_normal_force.value,
         d.max_normal_force.x, d.min_curvature.value, d.max_curvature.value,
@@ -90,7 +90,7 @@ std::string boundary_csv(const Findings& found) {
                          body.eta_m, body.k, body.theta_m);
     }
   };
-  add("-pi/6", found.boundary);
+  add("theta_m = -pi/6", found.boundary);
   add("fastest", found.best_boundary);
   return out;
 }

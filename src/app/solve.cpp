@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -77,9 +78,8 @@ int run(const SolveFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  SolveProgress progress(
-      [](const std::string& line) { fmt::print(stderr, "{}", line); },
-      SolveProgress::Clock::now());
+  SolveProgress progress([](const std::string& line) { tell_progress(line); },
+                         SolveProgress::Clock::now());
   ProgressHook hook;
   if (!flags.quiet) {
     hook = [&progress](std::string_view phase, const std::string& text) {
@@ -92,17 +92,17 @@ int run(const SolveFlags& flags) {
                                    .progress = std::move(hook)});
 
   const std::string json = report::result_json(solution);
-  if (flags.verbose) fmt::print(stderr, "{}", solution.log);
+  if (flags.verbose) tell(solution.log);
   if (!flags.out.empty()) {
     write_results(flags, solution, json);
   }
   if (flags.json) {
-    fmt::print("{}", json);
+    print_data(json);
   } else if (!flags.quiet) {
-    fmt::print("{}", report::summary(solution));
+    print(report::summary(solution));
   }
   const std::string why = complaint(solution);
-  if (flags.quiet && !why.empty()) fmt::print(stderr, "brachisto: {}\n", why);
+  if (flags.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
   return exit_code(solution, signal.load());
 }
 
@@ -115,10 +115,12 @@ void add_solve(CLI::App& app, int& exit_code) {
   flags->add_to(*verb);
   verb->add_option("--out", flags->out,
                    "Write result.json, trajectory.csv and path.svg there")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(not_empty());
   verb->add_option("--certify", flags->certify,
                    "Second opinion: none or extremal (solver.certify)")
-      ->type_name("METHOD");
+      ->type_name("METHOD")
+      ->check(not_empty());
   verb->add_flag("--force", flags->force, "Replace existing results in DIR");
   verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
   verb->footer(

@@ -57,7 +57,10 @@ void write_results(const SolveFlags& flags, const Solution& solution,
 std::string complaint(const Solution& solution) {
   if (solution.status != Status::Solved) return solution.message;
   for (const Check& check : solution.certificate.checks) {
-    if (!check.passed) return "not verified: failed check " + check.name;
+    if (check.passed) continue;
+    const std::string advice = solution.advice();
+    return "not verified: failed check " + check.name +
+           (advice.empty() ? "" : "; to try: " + advice);
   }
   for (const std::string& reason : solution.infeasible_because()) {
     return "verified, but infeasible: " + reason;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace brachisto::report {
@@ -94,6 +95,9 @@ void add_discrete_system(std::string& out, const Solution& solution) {
 }
 
 void add_branches(std::string& out, const Solution& solution) {
+  const double answer = solution.verified()
+                            ? solution.motion()->tau()
+                            : std::numeric_limits<double>::infinity();
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
     std::string text = fmt::format(
@@ -104,6 +108,8 @@ void add_branches(std::string& out, const Solution& solution) {
         branch.feasible ? ", feasible" : ", INFEASIBLE");
     line(out, label, text);
     label = "";
+    if (branch.tau >= answer) continue;
+    for (const std::string& why : branch.remarks) line(out, "", "  " + why);
   }
   if (!solution.search_remark.empty()) {
     line(out, label, solution.search_remark);
@@ -133,6 +139,8 @@ std::string summary(const Solution& solution) {
   for (const std::string& reason : solution.not_verified_because()) {
     line(out, "failed check", reason);
   }
+  const std::string advice = solution.advice();
+  if (!advice.empty()) line(out, "to try", advice);
 
   if (!solution.folds.empty()) {
     line(out, "branch",

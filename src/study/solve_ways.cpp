@@ -17,6 +17,7 @@
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
 #include "study/turn_meshes.hpp"
+#include "study/wider_search.hpp"
 
 namespace brachisto {
 
@@ -178,7 +179,10 @@ void SolveRun::find() {
     return find_fastest(*arc, principal);
   }
   if (!principal.curve) {
-    out_.message += ". Try search: global, which looks for other extremals";
+    const std::string search = wider_search(scene_.contact, options_);
+    if (!search.empty()) {
+      out_.message += ". Try " + search + ", which looks for other extremals";
+    }
     return;
   }
   if (options_.guess != Guess::Cycloid) try_other_start(*arc, principal);

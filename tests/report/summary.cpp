@@ -77,6 +77,34 @@ TEST(Summary, ListsTheBranchesOfASearch) {
   EXPECT_TRUE(says(text, "NOT VERIFIED, not a minimum, INFEASIBLE")) << text;
 }
 
+TEST(Summary, SaysWhyAFasterBranchIsNotTheAnswer) {
+  Solution solution = testing::off_centred_solution();
+  const double answer = solution.motion()->tau();
+  Branch saddle, slower;
+  saddle.tau = answer - 0.125;
+  saddle.remarks = {"no answer: it is stationary, but no minimum"};
+  slower.tau = answer + 0.125;
+  slower.remarks = {"the body would lift off"};
+  solution.branches = {saddle, slower};
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "no answer: it is stationary")) << text;
+  EXPECT_FALSE(says(text, "lift off")) << text;
+}
+
+TEST(Summary, SaysWhatToTryWhereTheExtremalIsASaddle) {
+  Solution solution = testing::off_centred_solution();
+  EXPECT_FALSE(says(summary(solution), "to try")) << summary(solution);
+  solution.certificate.checks.clear();
+  solution.certificate.add("second_order", 1.0, 0.0, "");
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "NOT VERIFIED")) << text;
+  EXPECT_TRUE(says(text, "search: global")) << text;
+}
+
 TEST(Summary, HasTheSecondOpinion) {
   Solution solution = testing::off_centred_solution();
   ExtremalOpinion opinion;

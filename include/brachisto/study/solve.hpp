@@ -87,6 +87,9 @@ struct Solution {
   }
   /// See brachisto::not_verified_because(); empty if nothing is solved.
   [[nodiscard]] std::vector<std::string> not_verified_because() const;
+  /// What to try where the extremal that was found is no minimum between its
+  /// fixed ends; empty otherwise, and where there is nothing to try.
+  [[nodiscard]] std::string advice() const;
   /// See brachisto::infeasible_because(); empty as long as nothing is solved.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   /// The motion, found or given; null if there is none.

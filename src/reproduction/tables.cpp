@@ -82,12 +82,15 @@ std::string orientations_csv(const std::vector<OrientationRow>& rows) {
 }
 
 std::string boundary_csv(const Findings& found) {
-  std::string out = "orientation,eta_m,k,theta_m\n";
+  std::string out = "orientation,eta_m,k,theta_m,theta_m_error\n";
   const auto add = [&](const char* orientation,
                        const std::vector<BoundaryBody>& bodies) {
     for (const BoundaryBody& body : bodies) {
-      out += fmt::format("{},{:.10g},{:.10g},{:.10g}\n", orientation,
-                         body.eta_m, body.k, body.theta_m);
+      out += fmt::format("{},{:.10g},{:.10g},", orientation, body.eta_m, body.k);
+      out += body.has_orientation()
+                 ? fmt::format("{:.10g},{:.1e}\n", body.theta_m.value,
+                               body.theta_m.error)
+                 : ",\n";
     }
   };
   add("theta_m = -pi/6", found.boundary);

@@ -47,6 +47,19 @@ struct RadiusRow {
   double tau = 0.0;
 };
 
+/// How far a point of the track moves, at the same share of the rolling time,
+/// between k = 0.1 and k = 5/9: the farthest of all [H].
+struct ShiftByInertia {
+  double axisymmetric = 0.0;  ///< η_m = 0
+  double off_centred = 0.0;   ///< η_m = 2/3
+};
+
+/// The reference case put down with its centre of mass on the other side.
+struct BackwardStart {
+  double theta_m = 0.0;  ///< |θ_m| > π/2 [rad]
+  bool feasible = false;
+};
+
 struct Findings {
   Cases cases;
   SweepTable map;  ///< τ over η_m and θ_m
@@ -60,6 +73,9 @@ struct Findings {
   /// τ of a bead between the ends of the *centre's* path of the body that the
   /// paper found to be faster than the bead.
   double bead_between_centres = 0.0;
+  ShiftByInertia shift_by_inertia;
+  double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
+  std::vector<BackwardStart> backward_starts;
 };
 
 /// Who asks and who listens.

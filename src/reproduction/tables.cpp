@@ -86,7 +86,8 @@ std::string boundary_csv(const Findings& found) {
   const auto add = [&](const char* orientation,
                        const std::vector<BoundaryBody>& bodies) {
     for (const BoundaryBody& body : bodies) {
-      out += fmt::format("{},{:.10g},{:.10g},", orientation, body.eta_m, body.k);
+      out +=
+          fmt::format("{},{:.10g},{:.10g},", orientation, body.eta_m, body.k);
       out += body.has_orientation()
                  ? fmt::format("{:.10g},{:.1e}\n", body.theta_m.value,
                                body.theta_m.error)

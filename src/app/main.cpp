@@ -93,8 +93,8 @@ std::string line_of(const std::exception& error) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "Finds the fastest track (brachistochrone) for a bead or a rolling, "
-      "possibly off-centred cylinder.",
+      "Computes brachistochrones of a bead or a rolling, possibly off-centred "
+      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
       "brachisto");
   app.set_version_flag("--version", version_text,
                        "Print versions of the program and its libraries");

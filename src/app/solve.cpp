@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto solve FILE: the fastest track of one scene.
+// brachisto solve FILE: the smooth-contact extremal of one scene.
 
 #include <fmt/format.h>
 
@@ -113,8 +113,8 @@ int run(const SolveFlags& flags) {
 
 void add_solve(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<SolveFlags>();
-  CLI::App* verb =
-      app.add_subcommand("solve", "Find the fastest track of one scene");
+  CLI::App* verb = app.add_subcommand(
+      "solve", "Compute the track of one scene, its smooth-contact extremal");
   flags->add_to(*verb);
   verb->add_option("--out", flags->out,
                    "Write result.json, trajectory.csv and path.svg there")

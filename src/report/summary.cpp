@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "report/track_kind.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -36,9 +38,26 @@ void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
 
+/// What the answer is, and where it says what that means.
+std::string describe_track(const Solution& solution) {
+  std::string text(track_kind(solution.scene));
+  const Scene& scene = solution.scene;
+  if (scene.path || !scene.body.rolls() || scene.contact == Contact::Centre) {
+    return text;
+  }
+  if (solution.options.search == Search::Global) {
+    text = fmt::format("{} of the {} smooth contact{} found",
+                       solution.feasible() ? "fastest feasible" : "fastest",
+                       solution.branches.size(),
+                       solution.branches.size() == 1 ? "" : "s");
+  }
+  return text + " (docs/theory.md, section 3)";
+}
+
 void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
+  line(out, "track", describe_track(solution));
   line(out, "τ = T √(2g/H)",
        fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
                    solution.estimated_error.value_or(0.0)));

@@ -40,6 +40,21 @@ Claim about_standard_curves(const Findings& found) {
                       next)};
 }
 
+Claim about_shortest_time(const Findings& found) {
+  const double extremal = tau(found, "fig04_reference_case");
+  const BentTrack& bent = found.bent;
+  return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
+          bent.tau < extremal ? Verdict::Fails : Verdict::Holds,
+          fmt::format(
+              "It is a minimum between the fixed ends of its centre's path. A "
+              "track between the same A and B that turns up next to B, "
+              "in a groove {:.3g} H wider than the body, takes τ = "
+              "{:.4f} against {:.4f}{}. The sharper the bend, the "
+              "faster: without limits there is no fastest track.",
+              bent.radius, bent.tau, extremal,
+              bent.feasible ? ", and is feasible" : "")};
+}
+
 Claim about_grid(const Findings& found) {
   const GridRow& coarse = found.grid[1];
   const GridRow& fine = found.grid.back();
@@ -263,6 +278,7 @@ std::vector<Claim> judge(const Findings& found) {
   return {about_possible_bodies(),
           about_dependence_on_inertia(found),
           about_grid(found),
+          about_shortest_time(found),
           about_standard_curves(found),
           about_normal_force(found),
           about_rise_of_normal_force(found),

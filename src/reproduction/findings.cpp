@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reproduction/bent_track.hpp"
 #include "reproduction/members.hpp"
 #include "reproduction/transit.hpp"
 
@@ -138,6 +139,18 @@ std::vector<BackwardStart> backward_starts(Scene scene,
   return rows;
 }
 
+BentTrack bent_reference(const Scene& reference, const Interrupt& interrupt) {
+  // Of the time on a spline through points.
+  constexpr double kTolerance = 1e-8;
+  BentTrack bent{.phi = -0.8, .radius = 0.1, .tau = 0.0, .feasible = false};
+  const Solution solution =
+      verified_solution(bent_track(reference, bent.phi, bent.radius, interrupt),
+                        interrupt, kTolerance);
+  bent.tau = solution.motion()->tau();
+  bent.feasible = solution.feasible();
+  return bent;
+}
+
 /// What comparison, statements and figures refer to by name.
 std::vector<std::string> needed_cases() {
   std::vector<std::string> names{"check_uniform_half_arch",
@@ -177,7 +190,8 @@ Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
       .bead_between_centres = 0.0,
       .shift_by_inertia = {},
       .uniform_on_incline = 0.0,
-      .backward_starts = {}};
+      .backward_starts = {},
+      .bent = {}};
   const Scene& reference = out.cases["fig04_reference_case"].scene();
   const Case& fast = out.cases["fig13_faster_than_bead"];
   hooks.announce("grid study");
@@ -197,7 +211,8 @@ Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.shift_by_inertia = shift_by_inertia(out.cases, interrupt);
   out.uniform_on_incline = uniform_on_incline(out.cases, interrupt);
   out.backward_starts = backward_starts(reference, interrupt);
-  hooks.announce("fastest orientations");
+  out.bent = bent_reference(reference, interrupt);
+  hooks.announce("best orientations");
   out.orientations = fastest_orientations(reference, interrupt);
   hooks.announce("bodies as fast as the bead");
   constexpr int kSteps = 20;

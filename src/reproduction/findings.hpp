@@ -35,7 +35,7 @@ struct GridRow {
   PaperEquations equations;
 };
 
-/// The fastest orientation of a body.
+/// The orientation of a body with the smallest τ.
 struct OrientationRow {
   double eta_m = 0.0;
   Orientation fastest;
@@ -60,6 +60,14 @@ struct BackwardStart {
   bool feasible = false;
 };
 
+/// A bent_track() for the body of the reference case.
+struct BentTrack {
+  double phi = 0.0;     ///< [rad]
+  double radius = 0.0;  ///< of its arc [H]
+  double tau = 0.0;
+  bool feasible = false;
+};
+
 struct Findings {
   Cases cases;
   SweepTable map;  ///< τ over η_m and θ_m
@@ -68,7 +76,7 @@ struct Findings {
   std::map<std::string, PaperEquations> equations;
   std::vector<OrientationRow> orientations;
   std::vector<BoundaryBody> boundary;       ///< with θ_m = −π/6
-  std::vector<BoundaryBody> best_boundary;  ///< with the fastest θ_m
+  std::vector<BoundaryBody> best_boundary;  ///< with the best θ_m
   std::vector<RadiusRow> uniform;
   /// τ of a bead between the ends of the *centre's* path of the body that the
   /// paper found to be faster than the bead.
@@ -76,6 +84,7 @@ struct Findings {
   ShiftByInertia shift_by_inertia;
   double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
   std::vector<BackwardStart> backward_starts;
+  BentTrack bent;
 };
 
 /// Who asks and who listens.

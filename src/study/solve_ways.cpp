@@ -57,7 +57,7 @@ void SolveRun::add_minima_below(std::vector<ContactCandidate>& known) {
   }
 }
 
-void SolveRun::find_fastest(const CycloidArc& arc,
+void SolveRun::find_by_search(const CycloidArc& arc,
                             const Continuation& principal) {
   // As a multiple of the path of the uniform cylinder.
   constexpr double kLongest = 3.0;
@@ -176,7 +176,7 @@ void SolveRun::find() {
   if (stop().met()) return;
   if (options_.search == Search::Global &&
       natural_.contact == Contact::Smooth) {
-    return find_fastest(*arc, principal);
+    return find_by_search(*arc, principal);
   }
   if (!principal.curve) {
     const std::string search = wider_search(scene_.contact, options_);

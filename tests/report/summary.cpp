@@ -25,6 +25,20 @@ TEST(Summary, OfAVerifiedSolutionHasTheAnswer) {
   EXPECT_TRUE(says(text, "verified, feasible")) << text;
 }
 
+TEST(Summary, SaysWhatTheTrackIs) {
+  Solution solution = testing::off_centred_solution();
+  EXPECT_TRUE(says(summary(solution),
+                   "smooth-contact extremal (docs/theory.md, section 3)"))
+      << summary(solution);
+
+  solution.options.search = Search::Global;
+  solution.branches.resize(3);
+
+  EXPECT_TRUE(says(summary(solution),
+                   "fastest feasible of the 3 smooth contacts found"))
+      << summary(solution);
+}
+
 TEST(Summary, OfAnUnverifiedSolutionHasTheFailedCheckAndNoAnswer) {
   const std::string text = summary(testing::unverified_solution());
 

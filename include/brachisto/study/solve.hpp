@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A scene in, the fastest track out.
+/// A scene in, its smooth-contact extremal out.
 
 #pragma once
 
@@ -114,7 +114,8 @@ struct SolveHooks {
   const Neighbour* neighbour = nullptr;
 };
 
-/// Finds the fastest track of a scene, or evaluates the path that it states.
+/// Finds the smooth-contact extremal of a scene (docs/theory.md, section 3),
+/// or evaluates the path that it states.
 /// Method::Fsolve solves the paper's discrete system instead, compares its time
 /// with that of the extremal method, and is never verified.
 ///

@@ -73,7 +73,7 @@ Claim about_orientation(const Findings& found) {
   return {"Fig. 13", "The minimum stays at θ_m = −π/6 for every η_m.",
           spread <= error ? Verdict::Holds : Verdict::Fails,
           with_minus_signs(fmt::format(
-              "It moves from {:.4f}° (η_m = {:.4f}) to {:.4f}° (η_m = {:.4f}), "
+              "It moves from {:.4f}° (η_m = {:.6f}) to {:.4f}° (η_m = {:.6f}), "
               "known to {:.0e}°. On a grid of 30° it is −30° for {} of {} "
               "offsets.",
               least->fastest.theta_m.value * kDegrees, least->eta_m,

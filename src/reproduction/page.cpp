@@ -96,7 +96,7 @@ std::string orientation_table(const std::vector<OrientationRow>& rows) {
                     "<th>τ there</th></tr></thead><tbody>\n";
   for (const OrientationRow& row : rows) {
     out += fmt::format(
-        "<tr><td>{:.6f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
+        "<tr><td>{:.12f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
         row.eta_m, with_error(row.fastest.theta_m),
         with_minus_signs(
             fmt::format("{:.5f}", row.fastest.theta_m.value * kDegrees)),

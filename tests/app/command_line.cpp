@@ -7,6 +7,7 @@
 #include <pty.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -243,6 +244,23 @@ TEST(ControlCharacters, OfDataDoNotReachTheTerminal) {
       EXPECT_EQ(text.find(obeyed), std::string::npos)
           << ::testing::PrintToString(text);
     }
+  }
+}
+
+TEST(Progress, LinesFitTheTerminal) {
+  constexpr unsigned short kColumns = 20;
+  const Words arguments{"compare",       kBead, "--nodes", "11",
+                        "--repetitions", "1",   "--json"};
+
+  // Lines on the progress come first; the document begins with a brace.
+  std::string text = on_terminal(arguments, kColumns);
+  text.resize(std::min(text.size(), text.find('{')));
+
+  EXPECT_NE(text.find("rolling_time p = 5…\r\n"), std::string::npos) << text;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\r', begin), text.size());
+    EXPECT_LT(report::letters(text.substr(begin, end - begin)), kColumns);
+    begin = end + 2;
   }
 }
 

@@ -150,18 +150,20 @@ CLI::Validator seconds() {
                 [](double value) { return value > 0.0 && value <= 1e9; });
 }
 
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+std::string asked(const CLI::App& app) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
-  const std::string who =
-      parsed.empty() ? "brachisto" : "brachisto " + parsed.front()->get_name();
+  return parsed.empty() ? app.get_name()
+                        : app.get_name() + " " + parsed.front()->get_name();
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   std::string what = unexpected(app);
-  if (what.empty() && parsed.empty()) {
+  if (what.empty() && app.get_subcommands().empty()) {
     what = fmt::format("a verb is missing; there are {}",
                        fmt::join(verbs_of(app), ", "));
   }
   if (what.empty()) what = io::visible(error.what());
-  return fmt::format("{}: {}\nRun {} --help for more information.", who, what,
-                     who);
+  return asked(app) + ": " + what;
 }
 
 }  // namespace brachisto::app

@@ -23,6 +23,9 @@ namespace brachisto::app {
 /// Of a limit of time: greater than 0, at most 1e9.
 [[nodiscard]] CLI::Validator seconds();
 
+/// "brachisto solve", or "brachisto" as long as there is no verb.
+[[nodiscard]] std::string asked(const CLI::App& app);
+
 /// What is wrong with a command line that was refused: the verb or the flag
 /// nobody knows and the nearest one, or the word too many, before what follows
 /// from it.

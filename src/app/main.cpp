@@ -139,7 +139,9 @@ int run(int argc, char** argv) {
     }
     return code;
   } catch (const CLI::ParseError& error) {
-    return fail(kUsage, "usage", explain(app, error), json);
+    code = fail(kUsage, "usage", explain(app, error), json);
+    tell(fmt::format("Run {} --help for more information.\n", asked(app)));
+    return code;
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,17 @@ TEST(CommandLine, BlamesTheRightWordAndNamesTheNearest) {
         << ::testing::PrintToString(line) << "\n"
         << output.err;
   }
+}
+
+TEST(CommandLine, TellsTheCauseAsTheMessageOfTheDocument) {
+  const Output output = run({"slove", kBead, "--json"});
+
+  const std::string message =
+      nlohmann::json::parse(output.out)["message"].get<std::string>();
+  EXPECT_TRUE(message.starts_with("brachisto: \"slove\" is not a verb"))
+      << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_TRUE(output.err.starts_with(message + "\n")) << output.err;
 }
 
 TEST(CommandLine, RefusesValuesThatMeanNothing) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The least time between fixed end points as a nonlinear program in the rolling
-/// time.
+/// The least time between fixed end points as a nonlinear program in the
+/// rolling time.
 
 #pragma once
 

@@ -10,17 +10,21 @@
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "comparison/work_precision.hpp"
+#include "io/visible_text.hpp"
 #include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
 
@@ -51,8 +55,7 @@ std::string version_text() {
 /// document on stdout.
 int fail(ExitCode code, std::string_view status, std::string_view message,
          bool json, nlohmann::ordered_json errors = {}) {
-  // Nobody may listen; that must not hide the exit code.
-  std::fputs(fmt::format("{}\n", message).c_str(), stderr);
+  tell(fmt::format("{}\n", message));
   if (json) {
     nlohmann::ordered_json document = {
         {"schema_version", report::kSchemaVersion},
@@ -60,11 +63,13 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
         {"verified", false},
         {"message", message}};
     if (!errors.is_null()) document["errors"] = std::move(errors);
-    std::fputs((document.dump(2, ' ', false,
-                              nlohmann::json::error_handler_t::replace) +
-                "\n")
-                   .c_str(),
-               stdout);
+    const std::string text =
+        document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    try {
+      print_data(text + "\n");
+    } catch (const std::system_error&) {
+      // That nobody listens must not hide the exit code.
+    }
   }
   return code;
 }
@@ -81,10 +86,15 @@ nlohmann::ordered_json to_json(const io::InputError& error) {
   return list;
 }
 
+/// A message of one line, whatever the names in it contain.
+std::string line_of(const std::exception& error) {
+  return io::visible(error.what());
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
-      "Finds the fastest track (brachistochrone) for a bead or a rolling, "
-      "possibly off-centred cylinder.",
+      "Computes brachistochrones of a bead or a rolling, possibly off-centred "
+      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
       "brachisto");
   app.set_version_flag("--version", version_text,
                        "Print versions of the program and its libraries");
@@ -114,48 +124,54 @@ int run(int argc, char** argv) {
     return std::string_view(a) == "--json";
   });
   try {
-    app.parse(argc, argv);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+      std::ostringstream text;
+      app.exit(help_or_version, text);
+      print(text.str());
+      code = kSuccess;
+    }
     // A full disk or a closed pipe shows when the buffer is written.
-    if (std::fflush(stdout) != 0) {
+    if (!flush_results()) {
       return fail(kIoError, "io_error", "brachisto: cannot write to stdout",
                   false);
     }
     return code;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0 || !json) {
-      return app.exit(error) == 0 ? kSuccess : kUsage;  // help and version
-    }
-    return fail(kUsage, "usage", error.what(), json);
+    code = fail(kUsage, "usage", explain(app, error), json);
+    tell(fmt::format("Run {} --help for more information.\n", asked(app)));
+    return code;
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const report::OutputError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const sweep::StoreError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const comparison::NoReference& error) {
     return fail(kNotSolved, "no_reference",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const reproduction::NotVerified& error) {
     return fail(kNotSolved, "not_verified",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const comparison::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", error.what()),
+                "interrupted", fmt::format("brachisto: {}", line_of(error)),
                 json);
   } catch (const reproduction::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", error.what()),
+                "interrupted", fmt::format("brachisto: {}", line_of(error)),
                 json);
   } catch (const sweep::WorkersFail& error) {
     return fail(kInternalError, "workers_fail", error.what(), json);
   } catch (const std::system_error& error) {  // also of fmt::print
     return fail(kIoError, "io_error",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const std::exception& error) {
     return fail(kInternalError, "internal_error",
-                fmt::format("brachisto: internal error: {}", error.what()),
+                fmt::format("brachisto: internal error: {}", line_of(error)),
                 json);
   }
 }

@@ -6,13 +6,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "io/visible_text.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/merge.hpp"
 
@@ -72,15 +74,16 @@ int run(const MergeFlags& flags) {
         {"overlaps", report.overlaps},
         {"conflicts", report.conflicts},
         {"gaps", report.gaps}};
-    fmt::print("{}\n", document.dump(2));
+    print_data(document.dump(2) + "\n");
   } else if (!flags.quiet) {
-    fmt::print(
+    print(fmt::format(
         "{}: {} of {} scenes, {} of them added now\n"
         "  in several parts, alike: {}\n"
         "  in several parts, different: {}\n"
         "  in no part: {}\n",
-        flags.out, target.num_results(), job.file.num_scenes(), report.added,
-        ranges(report.overlaps), ranges(report.conflicts), ranges(report.gaps));
+        io::visible(flags.out), target.num_results(), job.file.num_scenes(),
+        report.added, ranges(report.overlaps), ranges(report.conflicts),
+        ranges(report.gaps)));
   }
   return report.conflicts.empty() ? kSuccess : kNotSolved;
 }
@@ -91,9 +94,12 @@ void add_merge(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<MergeFlags>();
   CLI::App* verb =
       app.add_subcommand("merge", "Join parts of a sweep into one");
-  verb->add_option("DIR", flags->parts, "Directories of the parts")->required();
+  verb->add_option("DIR", flags->parts, "Directories of the parts")
+      ->check(not_empty())
+      ->required();
   verb->add_option("--out", flags->out,
                    "Directory of the whole; it may exist and be part of it")
+      ->check(not_empty())
       ->required();
   verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
   verb->add_flag("--quiet", flags->quiet, "Print no results");

@@ -3,16 +3,16 @@
 
 // brachisto report DIR: a sweep as a page with figures.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/sweep_page.hpp"
+#include "io/visible_text.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::app {
@@ -35,7 +35,7 @@ int run(const ReportFlags& flags) {
   report::write_files(out, files, flags.force);
   if (!flags.quiet) {
     for (const report::OutputFile& file : files) {
-      fmt::print("{}\n", (out / file.name).string());
+      print(io::visible((out / file.name).string()) + "\n");
     }
   }
   return kSuccess;
@@ -48,6 +48,7 @@ void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "report", "Draw the results of a sweep into DIR/report");
   verb->add_option("DIR", flags->directory, "Directory of the sweep")
+      ->check(not_empty())
       ->required();
   verb->add_flag("--force", flags->force, "Replace an earlier report");
   verb->add_flag("--quiet", flags->quiet, "Do not list what was written");

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto solve FILE: the fastest track of one scene.
+// brachisto solve FILE: the smooth-contact extremal of one scene.
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -56,7 +57,10 @@ void write_results(const SolveFlags& flags, const Solution& solution,
 std::string complaint(const Solution& solution) {
   if (solution.status != Status::Solved) return solution.message;
   for (const Check& check : solution.certificate.checks) {
-    if (!check.passed) return "not verified: failed check " + check.name;
+    if (check.passed) continue;
+    const std::string advice = solution.advice();
+    return "not verified: failed check " + check.name +
+           (advice.empty() ? "" : "; to try: " + advice);
   }
   for (const std::string& reason : solution.infeasible_because()) {
     return "verified, but infeasible: " + reason;
@@ -77,9 +81,8 @@ int run(const SolveFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  SolveProgress progress(
-      [](const std::string& line) { fmt::print(stderr, "{}", line); },
-      SolveProgress::Clock::now());
+  SolveProgress progress([](const std::string& line) { tell_progress(line); },
+                         SolveProgress::Clock::now());
   ProgressHook hook;
   if (!flags.quiet) {
     hook = [&progress](std::string_view phase, const std::string& text) {
@@ -92,17 +95,17 @@ int run(const SolveFlags& flags) {
                                    .progress = std::move(hook)});
 
   const std::string json = report::result_json(solution);
-  if (flags.verbose) fmt::print(stderr, "{}", solution.log);
+  if (flags.verbose) tell(solution.log);
   if (!flags.out.empty()) {
     write_results(flags, solution, json);
   }
   if (flags.json) {
-    fmt::print("{}", json);
+    print_data(json);
   } else if (!flags.quiet) {
-    fmt::print("{}", report::summary(solution));
+    print(report::summary(solution));
   }
   const std::string why = complaint(solution);
-  if (flags.quiet && !why.empty()) fmt::print(stderr, "brachisto: {}\n", why);
+  if (flags.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
   return exit_code(solution, signal.load());
 }
 
@@ -110,15 +113,17 @@ int run(const SolveFlags& flags) {
 
 void add_solve(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<SolveFlags>();
-  CLI::App* verb =
-      app.add_subcommand("solve", "Find the fastest track of one scene");
+  CLI::App* verb = app.add_subcommand(
+      "solve", "Compute the track of one scene, its smooth-contact extremal");
   flags->add_to(*verb);
   verb->add_option("--out", flags->out,
                    "Write result.json, trajectory.csv and path.svg there")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(not_empty());
   verb->add_option("--certify", flags->certify,
                    "Second opinion: none or extremal (solver.certify)")
-      ->type_name("METHOD");
+      ->type_name("METHOD")
+      ->check(not_empty());
   verb->add_flag("--force", flags->force, "Replace existing results in DIR");
   verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
   verb->footer(

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
 #include <numbers>
+
+#include "report/track_kind.hpp"
 
 namespace brachisto::report {
 
@@ -35,9 +38,26 @@ void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
 
+/// What the answer is, and where it says what that means.
+std::string describe_track(const Solution& solution) {
+  std::string text(track_kind(solution.scene));
+  const Scene& scene = solution.scene;
+  if (scene.path || !scene.body.rolls() || scene.contact == Contact::Centre) {
+    return text;
+  }
+  if (solution.options.search == Search::Global) {
+    text = fmt::format("{} of the {} smooth contact{} found",
+                       solution.feasible() ? "fastest feasible" : "fastest",
+                       solution.branches.size(),
+                       solution.branches.size() == 1 ? "" : "s");
+  }
+  return text + " (docs/theory.md, section 3)";
+}
+
 void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
+  line(out, "track", describe_track(solution));
   line(out, "τ = T √(2g/H)",
        fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
                    solution.estimated_error.value_or(0.0)));
@@ -100,6 +120,9 @@ void add_discrete_system(std::string& out, const Solution& solution) {
 }
 
 void add_branches(std::string& out, const Solution& solution) {
+  const double answer = solution.verified()
+                            ? solution.motion()->tau()
+                            : std::numeric_limits<double>::infinity();
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
     std::string text = fmt::format(
@@ -110,6 +133,8 @@ void add_branches(std::string& out, const Solution& solution) {
         branch.feasible ? ", feasible" : ", INFEASIBLE");
     line(out, label, text);
     label = "";
+    if (branch.tau >= answer) continue;
+    for (const std::string& why : branch.remarks) line(out, "", "  " + why);
   }
   if (!solution.search_remark.empty()) {
     line(out, label, solution.search_remark);
@@ -139,6 +164,8 @@ std::string summary(const Solution& solution) {
   for (const std::string& reason : solution.not_verified_because()) {
     line(out, "failed check", reason);
   }
+  const std::string advice = solution.advice();
+  if (!advice.empty()) line(out, "to try", advice);
 
   if (!solution.folds.empty()) {
     line(out, "branch",

@@ -62,7 +62,7 @@ std::string cases_csv(const Cases& cases) {
     out += fmt::format(
         "{},{:.15g},{:.1e},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{:.9g},"
         "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
-        name, tau.value, tau.error, motion.centre_path_length(),
+        field(name), tau.value, tau.error, motion.centre_path_length(),
         motion.rail_length(), motion.start_angle(), motion.end_angle(),
         d.normal_force_after_rise.value, d.max_normal_force.value,
         d.max_normal_force.x, d.curvature_after_rise.value,
@@ -83,15 +83,19 @@ std::string orientations_csv(const std::vector<OrientationRow>& rows) {
 }
 
 std::string boundary_csv(const Findings& found) {
-  std::string out = "orientation,eta_m,k,theta_m\n";
+  std::string out = "orientation,eta_m,k,theta_m,theta_m_error\n";
   const auto add = [&](const char* orientation,
                        const std::vector<BoundaryBody>& bodies) {
     for (const BoundaryBody& body : bodies) {
-      out += fmt::format("{},{:.10g},{:.10g},{:.10g}\n", orientation,
-                         body.eta_m, body.k, body.theta_m);
+      out +=
+          fmt::format("{},{:.10g},{:.10g},", orientation, body.eta_m, body.k);
+      out += body.has_orientation()
+                 ? fmt::format("{:.10g},{:.1e}\n", body.theta_m.value,
+                               body.theta_m.error)
+                 : ",\n";
     }
   };
-  add("-pi/6", found.boundary);
+  add("theta_m = -pi/6", found.boundary);
   add("fastest", found.best_boundary);
   return out;
 }

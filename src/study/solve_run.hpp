@@ -38,7 +38,7 @@ class SolveRun {
  private:
   void find();
   void find_beside(const Neighbour& neighbour);
-  void find_fastest(const CycloidArc& arc, const Continuation& principal);
+  void find_by_search(const CycloidArc& arc, const Continuation& principal);
   void add_minima_below(std::vector<ContactCandidate>& known);
   void find_by_shooting();
   void find_by_fsolve();

@@ -17,6 +17,7 @@
 #include "study/other_start.hpp"
 #include "study/shooting_answer.hpp"
 #include "study/turn_meshes.hpp"
+#include "study/wider_search.hpp"
 
 namespace brachisto {
 
@@ -56,7 +57,7 @@ void SolveRun::add_minima_below(std::vector<ContactCandidate>& known) {
   }
 }
 
-void SolveRun::find_fastest(const CycloidArc& arc,
+void SolveRun::find_by_search(const CycloidArc& arc,
                             const Continuation& principal) {
   // As a multiple of the path of the uniform cylinder.
   constexpr double kLongest = 3.0;
@@ -175,10 +176,13 @@ void SolveRun::find() {
   if (stop().met()) return;
   if (options_.search == Search::Global &&
       natural_.contact == Contact::Smooth) {
-    return find_fastest(*arc, principal);
+    return find_by_search(*arc, principal);
   }
   if (!principal.curve) {
-    out_.message += ". Try search: global, which looks for other extremals";
+    const std::string search = wider_search(scene_.contact, options_);
+    if (!search.empty()) {
+      out_.message += ". Try " + search + ", which looks for other extremals";
+    }
     return;
   }
   if (options_.guess != Guess::Cycloid) try_other_start(*arc, principal);

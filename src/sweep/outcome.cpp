@@ -19,16 +19,17 @@ std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// "failed checks: second_order (1 exceeds 0), slope (…)".
-std::string failed_checks(const Certificate& certificate) {
+/// "failed checks: second_order (1 exceeds 0), slope (…)", and what to try.
+std::string failed_checks(const Solution& solution) {
   std::string text = "failed checks:";
-  for (const Check& check : certificate.checks) {
+  for (const Check& check : solution.certificate.checks) {
     if (check.passed) continue;
     text += fmt::format("{} {} ({:.3g} exceeds {:.3g})",
                         text.back() == ':' ? "" : ",", check.name, check.value,
                         check.threshold);
   }
-  return text;
+  const std::string advice = solution.advice();
+  return advice.empty() ? text : text + "; to try: " + advice;
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ std::string outcome_json(const Solution& solution) {
   // A table has one message per scene; let it be the one that matters.
   if (solution.status == Status::Solved && !solution.verified()) {
     json["status"] = "not_verified";
-    json["message"] = failed_checks(solution.certificate);
+    json["message"] = failed_checks(solution);
   }
   return compact(json);
 }

@@ -88,6 +88,7 @@ void for_each_row(Store& store, const io::SweepFile& file,
 
 std::string field(const Json& value) {
   if (value.is_null()) return "";
+  if (value.is_number()) return value.dump();
   return report::csv_field(
       value.is_string() ? value.get_ref<const std::string&>() : value.dump());
 }

@@ -125,6 +125,19 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
   EXPECT_EQ(outcome.feasible, solved().feasible());
 }
 
+TEST(Outcome, OfASaddleSaysWhatToTry) {
+  Solution solution = solve(off_centred(0.0));
+  ASSERT_TRUE(solution.verified());
+  solution.certificate.checks.clear();
+  solution.certificate.add("second_order", 1.0, 0.0, "");
+
+  const SweepOutcome outcome = read_outcome(outcome_json(solution));
+
+  EXPECT_EQ(outcome.status, "not_verified");
+  EXPECT_NE(outcome.message.find("search: global"), std::string::npos)
+      << outcome.message;
+}
+
 TEST(Outcome, OfAFailureHasNoNumbers) {
   const SweepOutcome outcome =
       read_outcome(failure_json("worker_lost", "the \"worker\" \xff crashed"));

@@ -73,13 +73,12 @@ void add_answer(std::string& out, const Solution& solution) {
   }
   const Extreme& least = diagnostics.min_normal_force;
   std::string force = fmt::format(
-      "{:.4g} … {:.4g} m g, greatest at x_b = {:.4g} m", least.value,
+      "from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", least.value,
+      least.at_start ? ", its limit at the start," : "",
       diagnostics.max_normal_force.value, diagnostics.max_normal_force.x);
   if (least.at_start) {
-    force += fmt::format(
-        "; the limit at the start, then rising, {:.4g} or more "
-        "after that",
-        diagnostics.normal_force_after_rise.value);
+    force += fmt::format("; {:.4g} or more after the first rise",
+                         diagnostics.normal_force_after_rise.value);
   }
   line(out, "normal force", force);
   if (!solution.scene.body.rolls()) return;

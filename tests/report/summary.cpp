@@ -135,7 +135,7 @@ TEST(Summary, HasTheSecondOpinion) {
 
 TEST(Summary, SaysThatTheLeastForceIsALimit) {
   EXPECT_TRUE(says(summary(testing::off_centred_solution()),
-                   "the limit at the start, then rising"));
+                   "from 0, its limit at the start, to "));
 }
 
 TEST(Summary, TellsWhyABodyCouldNotRun) {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/tell.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "comparison/comparison.hpp"
@@ -36,7 +36,7 @@ int run(const CompareFlags& flags) {
   comparison::Hooks hooks;
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell(what + "\n");
   };
   const comparison::MethodComparison made =
       comparison::compare_methods(subject, flags.options, hooks);

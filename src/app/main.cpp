@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -165,5 +166,7 @@ int run(int argc, char** argv) {
 }  // namespace brachisto::app
 
 int main(int argc, char** argv) {
+  // What is longer than the shell allows cannot be written, and is told so.
+  std::signal(SIGXFSZ, SIG_IGN);
   return brachisto::app::run(argc, argv);
 }

@@ -15,6 +15,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/tell.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -64,7 +65,7 @@ int run(const PaperFlags& flags) {
           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell(what + "\n");
   };
   hooks.progress = [&](const sweep::Counts& now) {
     if (!progress) {

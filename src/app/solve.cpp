@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
+#include "app/tell.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -40,16 +40,17 @@ constexpr const char* kPathFile = "path.svg";
 /// and no path of an earlier one stays beside it.
 void write_results(const SolveFlags& flags, const Solution& solution,
                    const std::string& json) {
-  std::vector<report::OutputFile> files;
-  if (solution.verified()) {
-    files.push_back(
-        {kTrajectoryFile, report::trajectory_csv(*solution.motion())});
-    files.push_back({kPathFile, report::path_svg(*solution.motion())});
-  } else {
-    report::remove_files(flags.out, {kTrajectoryFile, kPathFile});
+  if (!solution.verified()) {
+    report::write_files(flags.out, {{kResultFile, json}}, flags.force,
+                        {kTrajectoryFile, kPathFile});
+    return;
   }
-  files.push_back({kResultFile, json});
-  report::write_files(flags.out, files, flags.force);
+  report::write_files(
+      flags.out,
+      {{kTrajectoryFile, report::trajectory_csv(*solution.motion())},
+       {kPathFile, report::path_svg(*solution.motion())},
+       {kResultFile, json}},
+      flags.force);
 }
 
 /// Why the exit code is not zero, for those who see nothing else.
@@ -77,9 +78,7 @@ int run(const SolveFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  SolveProgress progress(
-      [](const std::string& line) { fmt::print(stderr, "{}", line); },
-      SolveProgress::Clock::now());
+  SolveProgress progress(tell, SolveProgress::Clock::now());
   ProgressHook hook;
   if (!flags.quiet) {
     hook = [&progress](std::string_view phase, const std::string& text) {
@@ -92,7 +91,7 @@ int run(const SolveFlags& flags) {
                                    .progress = std::move(hook)});
 
   const std::string json = report::result_json(solution);
-  if (flags.verbose) fmt::print(stderr, "{}", solution.log);
+  if (flags.verbose) tell(solution.log);
   if (!flags.out.empty()) {
     write_results(flags, solution, json);
   }
@@ -102,7 +101,7 @@ int run(const SolveFlags& flags) {
     fmt::print("{}", report::summary(solution));
   }
   const std::string why = complaint(solution);
-  if (flags.quiet && !why.empty()) fmt::print(stderr, "brachisto: {}\n", why);
+  if (flags.quiet && !why.empty()) tell("brachisto: " + why + "\n");
   return exit_code(solution, signal.load());
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/tell.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "comparison/methods.hpp"
@@ -53,7 +54,7 @@ int run(const WorkPrecisionFlags& flags) {
   comparison::Hooks hooks;
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell(what + "\n");
   };
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);

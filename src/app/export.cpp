@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
+#include "app/tell.hpp"
 #include "app/verbs.hpp"
 #include "sweep/table.hpp"
 
@@ -25,15 +26,15 @@ struct ExportFlags {
 int run(const ExportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = sweep::job_from_line(store.info().job);
-  fmt::print("{}", flags.json ? sweep::export_json(store, job)
-                              : sweep::export_csv(store, job));
-  const std::size_t finished = store.num_results();
-  if (finished < job.file.num_scenes()) {
-    fmt::print(stderr, "{}: {} of {} scenes are finished\n", flags.directory,
-               finished, job.file.num_scenes());
+  const sweep::Job job = store.job();
+  const sweep::ExportedTable table = flags.json ? sweep::export_json(store, job)
+                                                : sweep::export_csv(store, job);
+  fmt::print("{}", table.text);
+  if (table.rows < job.file.num_scenes()) {
+    tell(fmt::format("{}: {} of {} scenes are finished\n", flags.directory,
+                     table.rows, job.file.num_scenes()));
   }
-  return kSuccess;
+  return exit_code(store);
 }
 
 }  // namespace
@@ -51,7 +52,9 @@ void add_export(CLI::App& app, int& exit_code) {
   verb->footer(
       "Examples:\n"
       "  brachisto export map --csv > map.csv\n"
-      "  brachisto export map --json | jq '.rows[0].tau'");
+      "  brachisto export map --json | jq '.rows[0].tau'\n"
+      "Exit codes: 0 the table has all that is there, 6 I/O, or results are\n"
+      "damaged, which are named and not in the table.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -57,7 +57,7 @@ TEST_F(TableTest, HasTheValuesOfEverySceneAndWhatCameOut) {
 }
 
 TEST_F(TableTest, ExportsCsv) {
-  std::istringstream csv(export_csv(store_, job_));
+  std::istringstream csv(export_csv(store_, job_).text);
   std::string head, first, second, rest;
   std::getline(csv, head);
   std::getline(csv, first);
@@ -79,7 +79,7 @@ TEST_F(TableTest, ExportsCsv) {
 }
 
 TEST_F(TableTest, ExportsJson) {
-  const auto document = nlohmann::json::parse(export_json(store_, job_));
+  const auto document = nlohmann::json::parse(export_json(store_, job_).text);
 
   EXPECT_EQ(document["scenes"], 40);
   EXPECT_EQ(document["finished"], 2);

@@ -49,7 +49,7 @@ std::string uri_path(const std::string& path) {
 
 Database::Database(std::string path, Access access) : path_(std::move(path)) {
   // Without its journal the file is read as it is: a new one would hide that.
-  const bool immutable = access == Access::ReadOnly && journal_is_lost(path_);
+  const bool immutable = access == Access::ReadOnly && lacks_journal(path_);
   const std::string name =
       immutable ? "file:" + uri_path(path_) + "?immutable=1" : path_;
   const int code = sqlite3_open_v2(
@@ -82,7 +82,7 @@ void Database::use_journal() {
   const Transaction first(*this);
 }
 
-bool Database::journal_is_lost(const std::string& path) {
+bool Database::lacks_journal(const std::string& path) {
   // "File format write version" and "read version", 2 for WAL:
   // https://www.sqlite.org/fileformat.html, section 1.3.3
   std::array<char, 20> header{};

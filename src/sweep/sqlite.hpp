@@ -39,11 +39,11 @@ class Database {
 
   /// Readers do not stop the writer from now on, and each commit is flushed to
   /// the disk, into a journal beside the file, which is gone when the database
-  /// is closed in order. As long as it belongs there the file says so.
+  /// is closed in order.
   void use_journal();
-  /// True if the journal that the file says it has is not there. To be asked
+  /// True if the file is in use with a journal that is not there. To be asked
   /// before it is opened, which may make a new one.
-  [[nodiscard]] static bool journal_is_lost(const std::string& path);
+  [[nodiscard]] static bool lacks_journal(const std::string& path);
 
   void execute(const char* sql);
   [[nodiscard]] std::int64_t pragma(const char* name);

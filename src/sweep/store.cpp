@@ -79,7 +79,41 @@ void remove_file(const fs::path& file) {
   }
 }
 
+void put_info(Database& database, std::string_view key,
+              std::string_view value) {
+  Statement put(database, "INSERT OR REPLACE INTO info VALUES (?, ?, ?)");
+  put.bind(1, key).bind(2, value).bind(3, info_checksum(key, value)).run();
+}
+
 }  // namespace
+
+/// Says in the file itself, as long as it lives, that results may stand in the
+/// journal only.
+class Store::Mark {
+ public:
+  static constexpr const char* kKey = "journal";
+
+  explicit Mark(Database& database) : database_(database) {
+    database.use_journal();
+    put_info(database, kKey, "in use");
+    database.execute("PRAGMA wal_checkpoint(FULL)");
+  }
+  ~Mark() {
+    try {
+      database_.execute("DELETE FROM info WHERE key = 'journal'");
+    } catch (const StoreError&) {
+      // Then it is still in use, as far as others can tell.
+    }
+  }
+  Mark(const Mark&) = delete;
+  Mark& operator=(const Mark&) = delete;
+
+ private:
+  Database& database_;
+};
+
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
 
 Store::Store(fs::path file, std::unique_ptr<Database> database)
     : file_(std::move(file)), database_(std::move(database)) {}
@@ -106,10 +140,9 @@ Store Store::create(const fs::path& directory, const StoreInfo& info) {
   const fs::path fresh = file.string() + ".new";
   remove_file(fresh);
   try {
-    Store store(file,
-                std::make_unique<Database>(fresh, Database::Access::Create));
-    Transaction transaction(*store.database_);
-    store.database_->execute(
+    Database database(fresh, Database::Access::Create);
+    Transaction transaction(database);
+    database.execute(
         fmt::format("PRAGMA application_id = {};"
                     "PRAGMA user_version = {};"
                     "CREATE TABLE info "
@@ -120,12 +153,12 @@ Store Store::create(const fs::path& directory, const StoreInfo& info) {
                     "scene INTEGER, value TEXT, checksum INTEGER);",
                     kApplicationId, kFormat)
             .c_str());
-    store.put_info("job", info.job);
-    store.put_info("input_hash", info.input_hash);
-    store.put_info("version", info.version);
-    store.put_info("shard", info.shard);
-    store.put_info("provenance", info.provenance);
-    store.put_info("scenes", std::to_string(info.num_scenes));
+    put_info(database, "job", info.job);
+    put_info(database, "input_hash", info.input_hash);
+    put_info(database, "version", info.version);
+    put_info(database, "shard", info.shard);
+    put_info(database, "provenance", info.provenance);
+    put_info(database, "scenes", std::to_string(info.num_scenes));
     transaction.commit();
   } catch (const StoreError&) {
     remove_file(fresh);
@@ -150,18 +183,17 @@ Store Store::open(const fs::path& directory, Database::Access access) {
   if (!exists(directory)) {
     throw StoreError(file.string() + ": there is no such store");
   }
-  const bool journal_lost = Database::journal_is_lost(file);
+  const bool lacks_journal = Database::lacks_journal(file);
   Store store(file, std::make_unique<Database>(file, access));
   check_ours(*store.database_, file);
   check_format(*store.database_, file);
-  store.damage_.journal_lost = journal_lost;
   store.damage_.structure = structure_fault(*store.database_);
-  store.read_info();
+  store.read_info(lacks_journal);
   if (access != Database::Access::ReadOnly) {
     if (!store.damage_.structure.empty()) {
       throw StoreError(store.damage_text());
     }
-    store.database_->use_journal();
+    store.mark_ = std::make_unique<Mark>(*store.database_);
   }
   return store;
 }
@@ -176,7 +208,7 @@ void Store::remove(const fs::path& directory) {
   remove_file(file);
 }
 
-void Store::read_info() {
+void Store::read_info(bool lacks_journal) {
   std::map<std::string, std::string> sound;
   Statement select(*database_, "SELECT key, value, checksum FROM info");
   while (select.step()) {
@@ -184,6 +216,7 @@ void Store::read_info() {
       sound[select.text(0)] = select.text(1);
     }
   }
+  damage_.journal_lost = lacks_journal && sound.contains(Mark::kKey);
   std::string scenes;
   for (const auto& [key, value] : {std::pair{"job", &info_.job},
                                    {"input_hash", &info_.input_hash},
@@ -209,14 +242,6 @@ void Store::read_info() {
 
 std::string Store::nonsense() const {
   return file_.string() + ": says of its sweep what cannot be";
-}
-
-void Store::put_info(const char* key, const std::string& value) {
-  Statement put(*database_, "INSERT OR REPLACE INTO info VALUES (?, ?, ?)");
-  put.bind(1, std::string_view(key))
-      .bind(2, std::string_view(value))
-      .bind(3, info_checksum(key, value))
-      .run();
 }
 
 Job Store::job() const {
@@ -259,8 +284,8 @@ void Store::mend(const StoreInfo& same) {
   if (!damage_.info.empty()) {
     info_.job = same.job;
     info_.provenance = same.provenance;
-    put_info("job", info_.job);
-    put_info("provenance", info_.provenance);
+    put_info(*database_, "job", info_.job);
+    put_info(*database_, "provenance", info_.provenance);
   }
   transaction.commit();
   damage_ = {};
@@ -297,7 +322,7 @@ void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
 }
 
 void Store::set_shard(const std::string& shard) {
-  put_info("shard", shard);
+  put_info(*database_, "shard", shard);
   info_.shard = shard;
 }
 

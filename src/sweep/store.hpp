@@ -49,6 +49,10 @@ class Store {
  public:
   static constexpr const char* kFileName = "sweep.sqlite";
 
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) = delete;
+
   /// True if the directory has a store, whole or not.
   /// \throws StoreError  if the file is empty, which no store ever is
   [[nodiscard]] static bool exists(const std::filesystem::path& directory);
@@ -104,14 +108,16 @@ class Store {
                                                        std::size_t scene);
 
  private:
+  class Mark;
+
   Store(std::filesystem::path file, std::unique_ptr<Database> database);
 
-  void read_info();
+  void read_info(bool lacks_journal);
   [[nodiscard]] std::string nonsense() const;
-  void put_info(const char* key, const std::string& value);
 
   std::filesystem::path file_;
   std::unique_ptr<Database> database_;
+  std::unique_ptr<Mark> mark_;  ///< nullptr: not to be written to
   StoreInfo info_;
   Damage damage_;
 };

@@ -275,6 +275,22 @@ TEST_F(DamageTest, OfTheJournalIsToldAndNotHidden) {
   EXPECT_FALSE(mended.damage()) << mended.damage_text();
 }
 
+TEST_F(DamageTest, IsNotWhatAKillLeavesWithNothingInTheJournal) {
+  // Between the moment when the file says that it has one and that when it is
+  // there, or the other way round.
+  const ScratchDirectory copy;
+  {
+    Database database(file_.string(), Database::Access::ReadWrite);
+    database.use_journal();
+    fs::copy(file_, copy.path());
+  }
+  ASSERT_TRUE(
+      Database::lacks_journal((copy.path() / Store::kFileName).string()));
+  Store reader = Store::open(copy.path(), Database::Access::ReadOnly);
+  EXPECT_EQ(content(reader), whole_);
+  EXPECT_FALSE(reader.damage()) << reader.damage_text();
+}
+
 TEST_F(DamageTest, OfEverythingIsToldAndNotBegunAnew) {
   write("");
   EXPECT_THROW((void)Store::exists(scratch_.path()), StoreError);

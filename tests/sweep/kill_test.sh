@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Kills the manager or a worker of a sweep at random moments, again and again,
-# and checks that nothing that was stored is lost, changed or done twice, and
-# that the table in the end is that of an undisturbed run, except for times.
+# Kills the manager and workers of a sweep by turns, at random moments, again and
+# again, and checks that nothing that was stored is lost, changed, damaged or done
+# twice, and that the table in the end is that of an undisturbed run, except for
+# times.
 #
 #   kill_test.sh BRACHISTO PROBLEM KILLS [SEED]
 set -euo pipefail
@@ -28,7 +29,7 @@ while [ "$done_kills" -lt "$kills" ]; do
     if [ "$done_kills" -lt "$kills" ] && kill -0 "$manager" 2>/dev/null; then
       read -r -a workers \
         <<<"$(cat "/proc/$manager/task/$manager/children" 2>/dev/null || true)"
-      if [ $((RANDOM % 2)) -eq 0 ] || [ ${#workers[@]} -eq 0 ]; then
+      if [ "$of_manager" -le "$of_worker" ] || [ ${#workers[@]} -eq 0 ]; then
         kill -KILL "$manager" 2>/dev/null && of_manager=$((of_manager + 1))
       else
         victim=${workers[RANDOM % ${#workers[@]}]}
@@ -43,7 +44,10 @@ while [ "$done_kills" -lt "$kills" ]; do
     fi
     code=0
     wait "$manager" 2>/dev/null || code=$?
-    if [ -e "$out/sweep.sqlite" ] && table "$out" >"$scratch/after.csv"; then
+    if [ -e "$out/sweep.sqlite" ]; then
+      "$brachisto" export "$out" --csv >/dev/null 2>"$scratch/said" ||
+        die "a store cannot be read: $(cat "$scratch/said")"
+      table "$out" >"$scratch/after.csv"
       # Stored rows stay as they are: those of before are among those of after.
       lost=$(sort "$scratch/before.csv" |
         comm -23 - <(sort "$scratch/after.csv") | wc -l)

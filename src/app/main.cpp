@@ -28,7 +28,8 @@
 namespace brachisto::app {
 
 void CommonFlags::add_to(CLI::App& verb) {
-  verb.add_option("FILE", file, "Problem file (YAML)")->required();
+  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
+      ->required();
   verb.add_option("--set", overrides,
                   "Replace a value of the file, such as scene.body.k=1/4")
       ->type_name("KEY=VALUE")

@@ -87,13 +87,14 @@ std::vector<Point> parse_points(std::string_view text) {
 
 void read_path_points(const InputTree& input, const std::vector<Point>* known,
                       ProblemFile& problem, Findings& findings) {
-  if (!problem.scene.path ||
-      problem.scene.path->shape != GivenPath::Shape::Points) {
-    return;
-  }
   const auto refuse = [&](const std::string& message) {
     findings.add(position_of(input.root, kFileKey), kFileKey, message);
   };
+  if (!problem.scene.path) return;
+  if (problem.scene.path->shape != GivenPath::Shape::Points) {
+    if (!problem.points_file.empty()) refuse("only shape: points has a file");
+    return;
+  }
   if (problem.points_file.empty()) {
     refuse("missing; shape: points needs a CSV file with the columns x,z");
     return;

@@ -68,7 +68,7 @@ Database::Database(std::string path, Access access) : path_(std::move(path)) {
 Database::~Database() {
   // If somebody still reads, the journal stays, and the file goes on saying so.
   if (uses_journal_) {
-    sqlite3_exec(handle_, "PRAGMA journal_mode = DELETE", nullptr, nullptr,
+    sqlite3_exec(handle_, "PRAGMA journal_mode = MEMORY", nullptr, nullptr,
                  nullptr);
   }
   sqlite3_close(handle_);
@@ -76,7 +76,15 @@ Database::~Database() {
 
 void Database::use_journal() {
   uses_journal_ = true;
-  execute("PRAGMA journal_mode = WAL");
+  Statement mode(*this, "PRAGMA journal_mode");
+  const bool in_use = mode.step() && mode.text(0) == "wal";  // after a kill
+  (void)mode.step();
+  if (!in_use) {
+    // The change of one page that says so needs no journal of the other kind,
+    // which readers could not undo after another kill.
+    execute("PRAGMA journal_mode = MEMORY");
+    execute("PRAGMA journal_mode = WAL");
+  }
   execute("PRAGMA synchronous = FULL");
   // The files beside it are made with the first transaction, or cannot be.
   const Transaction first(*this);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <map>
 #include <system_error>
@@ -21,6 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplicationId = 0x62726163;  // "brac"
 constexpr std::int64_t kFormat = 2;
+/// What SQLite keeps beside a file and reads with it.
+constexpr std::array kJournals{"-wal", "-journal"};
 
 fs::path file_in(const fs::path& directory) {
   return directory / Store::kFileName;
@@ -69,7 +72,7 @@ std::string structure_fault(Database& database) {
 }
 
 void remove_file(const fs::path& file) {
-  for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+  for (const char* suffix : {"", kJournals[0], kJournals[1], "-shm"}) {
     std::error_code error;
     fs::remove(file.string() + suffix, error);
     if (error) {
@@ -121,15 +124,26 @@ Store::Store(fs::path file, std::unique_ptr<Database> database)
 bool Store::exists(const fs::path& directory) {
   const fs::path file = file_in(directory);
   std::error_code error;
-  if (!fs::exists(file, error)) return false;
+  const auto lost = [&](const std::string& how) {
+    throw StoreError(
+        fmt::format("{}: {}; the results that were there are "
+                    "lost, and `brachisto sweep` with --force "
+                    "begins again",
+                    file.string(), how));
+  };
+  if (!fs::exists(file, error)) {
+    // They would become part of a new store of that name.
+    for (const char* suffix : kJournals) {
+      if (fs::exists(file.string() + suffix, error)) {
+        lost(fmt::format("is gone, and its journal ({}) is there", suffix));
+      }
+    }
+    return false;
+  }
   if (!fs::is_regular_file(file, error)) {
     throw StoreError(file.string() + ": not a file");
   }
-  if (fs::file_size(file, error) == 0) {
-    throw StoreError(file.string() +
-                     ": is empty; the results that were there are lost, and "
-                     "`brachisto sweep` with --force begins again");
-  }
+  if (fs::file_size(file, error) == 0) lost("is empty");
   return true;
 }
 
@@ -146,7 +160,8 @@ Store Store::create(const fs::path& directory, const StoreInfo& info) {
         fmt::format("PRAGMA application_id = {};"
                     "PRAGMA user_version = {};"
                     "CREATE TABLE info "
-                    "(key TEXT PRIMARY KEY, value TEXT, checksum INTEGER);"
+                    "(key TEXT PRIMARY KEY, value TEXT, checksum INTEGER) "
+                    "WITHOUT ROWID;"
                     "CREATE TABLE result (scene INTEGER PRIMARY KEY, "
                     "document TEXT, checksum INTEGER);"
                     "CREATE TABLE state (chain INTEGER PRIMARY KEY, "

@@ -54,7 +54,8 @@ class Store {
   Store& operator=(Store&&) = delete;
 
   /// True if the directory has a store, whole or not.
-  /// \throws StoreError  if the file is empty, which no store ever is
+  /// \throws StoreError  if the file is empty, which no store ever is, or gone
+  ///                     from beside its journal
   [[nodiscard]] static bool exists(const std::filesystem::path& directory);
 
   /// Makes a store, in full or not at all.

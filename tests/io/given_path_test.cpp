@@ -122,6 +122,8 @@ TEST(GivenPath, RefusesNoFileOrOneThatIsNotWanted) {
   EXPECT_EQ(errors(problem("{curve: track, shape: points}")),
             "p.yaml:4:3: scene.path.file: missing; shape: points needs a CSV "
             "file with the columns x,z");
+  EXPECT_EQ(errors(problem("{shape: straight, file: none.csv}")),
+            "p.yaml:4:33: scene.path.file: only shape: points has a file");
 }
 
 /// What is said of a file of points that cannot be read.

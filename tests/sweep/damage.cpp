@@ -298,6 +298,16 @@ TEST_F(DamageTest, OfEverythingIsToldAndNotBegunAnew) {
   EXPECT_NE(refusal(Database::Access::ReadWrite).find("is empty"),
             std::string::npos);
   EXPECT_EQ(fs::file_size(file_), 0U);
+
+  fs::remove(file_);
+  for (const char* journal : {"-wal", "-journal"}) {
+    std::ofstream(file_.string() + journal) << "of a store that is gone";
+    EXPECT_THROW((void)Store::exists(scratch_.path()), StoreError);
+    EXPECT_THROW((void)Store::create(scratch_.path(), info_of(job_)),
+                 StoreError);
+    fs::remove(file_.string() + journal);
+  }
+  (void)scratch_.file("sweep.sqlite-wal", "of a store that is gone");
   Store::remove(scratch_.path());
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
 }

@@ -14,7 +14,11 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 die() { echo "kill_test: $*" >&2; exit 1; }
 
+start=$(date +%s%N)
 "$brachisto" sweep "$problem" --out "$scratch/calm" --quiet
+# Kills come at any moment of a run, its beginning and its end included.
+range=$(($(date +%s%N) / 1000000 - start / 1000000))
+[ "$range" -lt 700 ] || range=700
 table "$scratch/calm" >"$scratch/calm.csv"
 
 round=0 done_kills=0 of_manager=0 of_worker=0
@@ -25,7 +29,7 @@ while [ "$done_kills" -lt "$kills" ]; do
   while true; do
     "$brachisto" sweep "$problem" --out "$out" --resume --quiet &
     manager=$!
-    sleep "0.$(printf '%03d' $((RANDOM % 700 + 50)))"
+    sleep "0.$(printf '%03d' $((RANDOM % range)))"
     if [ "$done_kills" -lt "$kills" ] && kill -0 "$manager" 2>/dev/null; then
       read -r -a workers \
         <<<"$(cat "/proc/$manager/task/$manager/children" 2>/dev/null || true)"

@@ -126,8 +126,9 @@ std::vector<std::string> WorkerProcess::read_lines() {
       text.remove_prefix(end + 1);
     }
     inbox_ += text;
-    if (inbox_.size() >= kLongestLine)
+    if (inbox_.size() >= kLongestLine) {
       lines.push_back(std::exchange(inbox_, {}));
+    }
   }
   return lines;
 }

@@ -4,6 +4,7 @@
 // Problem files: a text, and behind zero bytes, which no text has, the points
 // of a path and overrides. Whatever they are, they are read or refused.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -276,7 +276,7 @@ TEST(SweepFaults, AJournalThatIsGoneIsTold) {
   {
     Process killed({"sweep", small_sweep(scratch), "--out", out.string(),
                     "--worker", bad_worker(scratch, "exec sleep 1000", 1000)});
-    while (!fs::exists(out / "sweep.sqlite-wal")) {
+    while (!fs::exists(scratch.path() / "runs")) {  // of the worker
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     killed.signal(SIGKILL);

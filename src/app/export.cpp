@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "app/command_line.hpp"
-#include "app/exit_code.hpp"
+#include "app/damage.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "io/visible_text.hpp"
@@ -27,16 +27,16 @@ struct ExportFlags {
 int run(const ExportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = sweep::job_from_line(store.info().job);
-  print_data(flags.json ? sweep::export_json(store, job)
-                        : sweep::export_csv(store, job));
-  const std::size_t finished = store.num_results();
-  if (finished < job.file.num_scenes()) {
+  const sweep::Job job = store.job();
+  const sweep::ExportedTable table = flags.json ? sweep::export_json(store, job)
+                                                : sweep::export_csv(store, job);
+  print_data(table.text);
+  if (table.rows < job.file.num_scenes()) {
     tell(fmt::format("{}: {} of {} scenes are finished\n",
-                     io::visible(flags.directory), finished,
+                     io::visible(flags.directory), table.rows,
                      job.file.num_scenes()));
   }
-  return kSuccess;
+  return exit_code(store);
 }
 
 }  // namespace
@@ -55,7 +55,9 @@ void add_export(CLI::App& app, int& exit_code) {
   verb->footer(
       "Examples:\n"
       "  brachisto export map --csv > map.csv\n"
-      "  brachisto export map --json | jq '.rows[0].tau'");
+      "  brachisto export map --json | jq '.rows[0].tau'\n"
+      "Exit codes: 0 the table has all that is there, 6 I/O, or results are\n"
+      "damaged, which are named and not in the table.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,8 @@
 namespace brachisto::app {
 
 void CommonFlags::add_to(CLI::App& verb) {
-  verb.add_option("FILE", file, "Problem file (YAML)")->required();
+  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
+      ->required();
   verb.add_option("--set", overrides,
                   "Replace a value of the file, such as scene.body.k=1/4")
       ->type_name("KEY=VALUE")
@@ -181,5 +183,7 @@ int run(int argc, char** argv) {
 }  // namespace brachisto::app
 
 int main(int argc, char** argv) {
+  // What is longer than the shell allows cannot be written, and is told so.
+  std::signal(SIGXFSZ, SIG_IGN);
   return brachisto::app::run(argc, argv);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/command_line.hpp"
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -28,7 +29,7 @@ struct ReportFlags {
 int run(const ReportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = sweep::job_from_line(store.info().job);
+  const sweep::Job job = store.job();
   const auto files = report::sweep_report(read_table(store, job));
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";
@@ -38,7 +39,7 @@ int run(const ReportFlags& flags) {
       print(io::visible((out / file.name).string()) + "\n");
     }
   }
-  return kSuccess;
+  return exit_code(store);
 }
 
 }  // namespace
@@ -53,7 +54,10 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->add_flag("--force", flags->force, "Replace an earlier report");
   verb->add_flag("--quiet", flags->quiet, "Do not list what was written");
   verb->footer(
-      "Example:\n  brachisto report map && xdg-open map/report/index.html");
+      "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
+      "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
+      "and\n"
+      "not in the figures.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

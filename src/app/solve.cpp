@@ -41,16 +41,17 @@ constexpr const char* kPathFile = "path.svg";
 /// and no path of an earlier one stays beside it.
 void write_results(const SolveFlags& flags, const Solution& solution,
                    const std::string& json) {
-  std::vector<report::OutputFile> files;
-  if (solution.verified()) {
-    files.push_back(
-        {kTrajectoryFile, report::trajectory_csv(*solution.motion())});
-    files.push_back({kPathFile, report::path_svg(*solution.motion())});
-  } else {
-    report::remove_files(flags.out, {kTrajectoryFile, kPathFile});
+  if (!solution.verified()) {
+    report::write_files(flags.out, {{kResultFile, json}}, flags.force,
+                        {kTrajectoryFile, kPathFile});
+    return;
   }
-  files.push_back({kResultFile, json});
-  report::write_files(flags.out, files, flags.force);
+  report::write_files(
+      flags.out,
+      {{kTrajectoryFile, report::trajectory_csv(*solution.motion())},
+       {kPathFile, report::path_svg(*solution.motion())},
+       {kResultFile, json}},
+      flags.force);
 }
 
 /// Why the exit code is not zero, for those who see nothing else.

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "app/command_line.hpp"
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -66,7 +67,7 @@ void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
                        stored.version, wanted.version));
   }
   if (stored.input_hash != wanted.input_hash) {
-    refuse(sweep::difference(sweep::job_from_line(stored.job).file, job.file));
+    refuse(sweep::difference(store.job().file, job.file));
   }
   if (stored.shard != wanted.shard && stored.shard != sweep::kMerged) {
     refuse(fmt::format("it is shard {}, not {}", stored.shard, wanted.shard));
@@ -85,6 +86,9 @@ Store open_store(const SweepFlags& flags, const Job& job,
   }
   Store store = Store::open(flags.out, Database::Access::ReadWrite);
   check_same(store, wanted, job, flags.out);
+  store.check();
+  tell_damage(store, "What is damaged or lost is solved again.\n");
+  store.mend(wanted);
   return store;
 }
 

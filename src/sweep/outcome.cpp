@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "brachisto/report/result_json.hpp"
+#include "sweep/bounded_json.hpp"
 
 namespace brachisto::sweep {
 
@@ -54,7 +56,10 @@ std::string failure_json(std::string_view status, std::string_view message) {
 }
 
 bool is_outcome(const std::string& document) {
-  const Json json = Json::parse(document, nullptr, false);
+  if (document.size() > kLongestOutcome) return false;
+  const std::optional<Json> read = parse_bounded_json(document);
+  if (!read) return false;
+  const Json& json = *read;
   const auto has = [&](const char* key, auto&& test) {
     return json.contains(key) && test(json[key]);
   };

@@ -65,7 +65,7 @@ TEST_F(TableTest, ExportsNoFormulasAndKeepsSigns) {
            ""}},
       ChainPlan(job_.file));
 
-  const std::string csv = export_csv(store_, job_);
+  const std::string csv = export_csv(store_, job_).text;
 
   EXPECT_EQ(csv.find(",="), std::string::npos) << csv;
   EXPECT_NE(csv.find(",'=cmd|'/c calc'!A1\n"), std::string::npos) << csv;
@@ -73,7 +73,7 @@ TEST_F(TableTest, ExportsNoFormulasAndKeepsSigns) {
 }
 
 TEST_F(TableTest, ExportsCsv) {
-  std::istringstream csv(export_csv(store_, job_));
+  std::istringstream csv(export_csv(store_, job_).text);
   std::string head, first, second, rest;
   std::getline(csv, head);
   std::getline(csv, first);
@@ -95,7 +95,7 @@ TEST_F(TableTest, ExportsCsv) {
 }
 
 TEST_F(TableTest, ExportsJson) {
-  const auto document = nlohmann::json::parse(export_json(store_, job_));
+  const auto document = nlohmann::json::parse(export_json(store_, job_).text);
 
   EXPECT_EQ(document["scenes"], 40);
   EXPECT_EQ(document["finished"], 2);

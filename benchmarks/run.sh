@@ -79,6 +79,8 @@ usual() {
 }
 
 long() {
+  step feasibility "${program}feasibility" --jobs 2 \
+    --out "$results/feasibility.csv"
   step scaling_million "${program}scaling" --sizes 1000000 --mumps-up-to 0 \
     --out "$results/scaling_million"
   step fsolve_long "${program}fsolve" --seconds 900 --largest-dense 3200 \

@@ -12,7 +12,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/model/mass_distribution.hpp"
 #include "brachisto/report/result_json.hpp"
@@ -97,29 +99,26 @@ void print_json(const BodyFlags& flags, double radius,
       {"r_m", found.r_m},
       {"largest_k", found.largest_k()},
       {"yaml", yaml(flags, radius, found)}};
-  fmt::print("{}\n", document.dump(2, ' ', false,
-                                   nlohmann::json::error_handler_t::replace));
+  print_data(
+      document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+      "\n");
 }
 
 void print_text(const BodyFlags& flags, double radius,
                 const MassProperties& found) {
   const bool metres = !flags.radius.empty();
   const bool off = found.eta_m > 0.0;
-  fmt::print("m    {:.10g}{}\n", found.mass, metres ? " kg" : "");
-  fmt::print("η_m  {:.10g}{}\n", found.eta_m,
-             metres && off ? fmt::format("  (r_m = {:.6g} m)", found.r_m) : "");
-  if (off) {
-    fmt::print("θ_m  {:.10g}°\n", found.theta_m * 180.0 / std::numbers::pi);
-  } else {
-    fmt::print("θ_m  any: the centre of mass lies on the axis\n");
-  }
-  fmt::print(
+  print(fmt::format(
+      "m    {:.10g}{}\nη_m  {:.10g}{}\nθ_m  {}\n"
       "k    {:.10g}  (at most 1 − η_m² = {:.10g}, with all mass on the rim)\n\n"
       "{}\n",
-      found.k, found.largest_k(), yaml(flags, radius, found));
+      found.mass, metres ? " kg" : "", found.eta_m,
+      metres && off ? fmt::format("  (r_m = {:.6g} m)", found.r_m) : "",
+      off ? fmt::format("{:.10g}°", found.theta_m * 180.0 / std::numbers::pi)
+          : "any: the centre of mass lies on the axis",
+      found.k, found.largest_k(), yaml(flags, radius, found)));
   if (found.eta_m == 1.0) {
-    fmt::print(
-        stderr,
+    tell(
         "brachisto: η_m = 1 is refused in a scene: all mass in one point of "
         "the rim, which rests whenever it touches the track\n");
   }
@@ -138,7 +137,8 @@ void add_body(CLI::App& app, int& exit_code) {
   verb->add_option("--radius", flags->radius,
                    "Radius of the cylinder in m; lengths of parts are in m "
                    "then and masses in kg, else lengths are in radii")
-      ->type_name("LENGTH");
+      ->type_name("LENGTH")
+      ->check(not_empty());
   verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
   verb->footer("Parts:\n" + io::mass_part_grammar() +
                "Numbers may be expressions as in problem files.\n"

@@ -3,13 +3,12 @@
 
 // brachisto compare FILE: all methods on one scene.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "comparison/comparison.hpp"
@@ -36,7 +35,7 @@ int run(const CompareFlags& flags) {
   comparison::Hooks hooks;
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell_progress(what);
   };
   const comparison::MethodComparison made =
       comparison::compare_methods(subject, flags.options, hooks);
@@ -47,9 +46,9 @@ int run(const CompareFlags& flags) {
                         flags.force);
   }
   if (flags.json) {
-    fmt::print("{}", json);
+    print_data(json);
   } else if (!flags.quiet) {
-    fmt::print("{}", table);
+    print(table);
   }
   return made.reference ? kSuccess : kNotSolved;
 }
@@ -75,15 +74,18 @@ void add_compare(CLI::App& app, int& exit_code) {
                    "Wall-clock limit of each method")
       ->type_name("S")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(seconds());
   verb->add_option("--residual", flags->options.residual,
                    "Residual at which the iterations of every method stop")
       ->type_name("R")
       ->capture_default_str()
-      ->check(CLI::Range(1e-14, 1e-6));
+      ->check(number("from 1e-14 to 1e-6", [](double value) {
+        return value >= 1e-14 && value <= 1e-6;
+      }));
   verb->add_option("--out", flags->out,
                    "Write compare.txt and compare.json there")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(not_empty());
   verb->add_flag("--force", flags->force, "Replace existing files in DIR");
   verb->footer(
       "Every method runs in a process of its own, from the cycloid. One that\n"

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
-#include "app/exit_code.hpp"
+#include "app/command_line.hpp"
+#include "app/damage.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
+#include "io/visible_text.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::app {
@@ -25,15 +27,16 @@ struct ExportFlags {
 int run(const ExportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = sweep::job_from_line(store.info().job);
-  fmt::print("{}", flags.json ? sweep::export_json(store, job)
-                              : sweep::export_csv(store, job));
-  const std::size_t finished = store.num_results();
-  if (finished < job.file.num_scenes()) {
-    fmt::print(stderr, "{}: {} of {} scenes are finished\n", flags.directory,
-               finished, job.file.num_scenes());
+  const sweep::Job job = store.job();
+  const sweep::ExportedTable table = flags.json ? sweep::export_json(store, job)
+                                                : sweep::export_csv(store, job);
+  print_data(table.text);
+  if (table.rows < job.file.num_scenes()) {
+    tell(fmt::format("{}: {} of {} scenes are finished\n",
+                     io::visible(flags.directory), table.rows,
+                     job.file.num_scenes()));
   }
-  return kSuccess;
+  return exit_code(store);
 }
 
 }  // namespace
@@ -43,6 +46,7 @@ void add_export(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "export", "Print the results of a sweep as a flat table");
   verb->add_option("DIR", flags->directory, "Directory of the sweep")
+      ->check(not_empty())
       ->required();
   CLI::App* form = verb->add_option_group("form");
   form->add_flag("--csv", flags->csv, "Comma-separated values");
@@ -51,7 +55,9 @@ void add_export(CLI::App& app, int& exit_code) {
   verb->footer(
       "Examples:\n"
       "  brachisto export map --csv > map.csv\n"
-      "  brachisto export map --json | jq '.rows[0].tau'");
+      "  brachisto export map --json | jq '.rows[0].tau'\n"
+      "Exit codes: 0 the table has all that is there, 6 I/O, or results are\n"
+      "damaged, which are named and not in the table.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

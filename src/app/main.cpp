@@ -7,17 +7,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/failure.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/math/stop_condition.hpp"
@@ -25,13 +29,15 @@
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "comparison/work_precision.hpp"
+#include "io/visible_text.hpp"
 #include "reproduction/transit.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::app {
 
 void CommonFlags::add_to(CLI::App& verb) {
-  verb.add_option("FILE", file, "Problem file (YAML)")->required();
+  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
+      ->required();
   verb.add_option("--set", overrides,
                   "Replace a value of the file, such as scene.body.k=1/4")
       ->type_name("KEY=VALUE")
@@ -55,11 +61,13 @@ std::string version_text() {
 /// document on stdout.
 int fail(ExitCode code, std::string_view status, std::string_view message,
          bool json, nlohmann::ordered_json errors = {}) {
-  // Nobody may listen; that must not hide the exit code.
-  std::fputs(fmt::format("{}\n", message).c_str(), stderr);
+  tell(fmt::format("{}\n", message));
   if (json) {
-    std::fputs(failure_document(status, message, std::move(errors)).c_str(),
-               stdout);
+    try {
+      print_data(failure_document(status, message, std::move(errors)));
+    } catch (const std::system_error&) {
+      // That nobody listens must not hide the exit code.
+    }
   }
   return code;
 }
@@ -76,10 +84,15 @@ nlohmann::ordered_json to_json(const io::InputError& error) {
   return list;
 }
 
+/// A message of one line, whatever the names in it contain.
+std::string line_of(const std::exception& error) {
+  return io::visible(error.what());
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
-      "Finds the fastest track (brachistochrone) for a bead or a rolling, "
-      "possibly off-centred cylinder.",
+      "Computes brachistochrones of a bead or a rolling, possibly off-centred "
+      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
       "brachisto");
   app.set_version_flag("--version", version_text,
                        "Print versions of the program and its libraries");
@@ -109,39 +122,45 @@ int run(int argc, char** argv) {
     return std::string_view(a) == "--json";
   });
   try {
-    app.parse(argc, argv);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+      std::ostringstream text;
+      app.exit(help_or_version, text);
+      print(text.str());
+      code = kSuccess;
+    }
     // A full disk or a closed pipe shows when the buffer is written.
-    if (std::fflush(stdout) != 0) {
+    if (!flush_results()) {
       return fail(kIoError, "io_error", "brachisto: cannot write to stdout",
                   false);
     }
     return code;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0 || !json) {
-      return app.exit(error) == 0 ? kSuccess : kUsage;  // help and version
-    }
-    return fail(kUsage, "usage", error.what(), json);
+    code = fail(kUsage, "usage", explain(app, error), json);
+    tell(fmt::format("Run {} --help for more information.\n", asked(app)));
+    return code;
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const report::OutputError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const sweep::StoreError& error) {
-    return fail(kIoError, "io_error", error.what(), json);
+    return fail(kIoError, "io_error", line_of(error), json);
   } catch (const comparison::NoReference& error) {
     return fail(kNotSolved, "no_reference",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const reproduction::NotVerified& error) {
     return fail(kNotSolved, "not_verified",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const comparison::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", error.what()),
+                "interrupted", fmt::format("brachisto: {}", line_of(error)),
                 json);
   } catch (const reproduction::Interrupted& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", error.what()),
+                "interrupted", fmt::format("brachisto: {}", line_of(error)),
                 json);
   } catch (const Stopped& error) {
     return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
@@ -155,10 +174,10 @@ int run(int argc, char** argv) {
     return fail(kInternalError, "workers_fail", error.what(), json);
   } catch (const std::system_error& error) {  // also of fmt::print
     return fail(kIoError, "io_error",
-                fmt::format("brachisto: {}", error.what()), json);
+                fmt::format("brachisto: {}", line_of(error)), json);
   } catch (const std::exception& error) {
     return fail(kInternalError, "internal_error",
-                fmt::format("brachisto: internal error: {}", error.what()),
+                fmt::format("brachisto: internal error: {}", line_of(error)),
                 json);
   }
 }
@@ -168,5 +187,7 @@ int run(int argc, char** argv) {
 }  // namespace brachisto::app
 
 int main(int argc, char** argv) {
+  // What is longer than the shell allows cannot be written, and is told so.
+  std::signal(SIGXFSZ, SIG_IGN);
   return brachisto::app::run(argc, argv);
 }

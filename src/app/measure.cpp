@@ -5,13 +5,12 @@
 // times and the result in one line. For compare and work-precision, which run
 // it as a process of its own; not for people.
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result_json.hpp"
@@ -81,7 +80,7 @@ int run(const MeasureFlags& flags) {
                      {"tau", tau_of(solution)},
                      {"unknowns", unknowns_of(solution)},
                      {"result", Json::parse(report::result_json(solution))}};
-  fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+  print_data(line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   return kSuccess;
 }
 

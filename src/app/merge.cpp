@@ -4,15 +4,19 @@
 // brachisto merge DIR…: parts of a sweep into one.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "app/command_line.hpp"
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "io/visible_text.hpp"
+#include "report/held_signals.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/merge.hpp"
 
@@ -29,59 +33,74 @@ struct MergeFlags {
   bool quiet = false;
 };
 
-/// "3: 0–15, 32, 40–47": how many, and which.
-std::string ranges(const std::vector<std::size_t>& scenes) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < scenes.size();) {
-    std::size_t j = i;
-    while (j + 1 < scenes.size() && scenes[j + 1] <= scenes[j] + 1) ++j;
-    parts.push_back(scenes[i] == scenes[j]
-                        ? fmt::format("{}", scenes[i])
-                        : fmt::format("{}–{}", scenes[i], scenes[j]));
-    i = j + 1;
-  }
-  return parts.empty()
-             ? "0"
-             : fmt::format("{}: {}", scenes.size(), fmt::join(parts, ", "));
+/// "19: scenes 0–15, 32, 40–41": how many, and which.
+std::string listed(const std::vector<std::size_t>& scenes) {
+  if (scenes.empty()) return "0";
+  return fmt::format("{}: {}", scenes.size(), sweep::scene_ranges(scenes));
 }
 
-int run(const MergeFlags& flags) {
-  sweep::StoreInfo info =
-      Store::open(flags.parts.front(), sweep::Database::Access::ReadOnly)
-          .info();
-  const sweep::Job job = sweep::job_from_line(info.job);
-  info.shard = sweep::kMerged;
+/// Opens the store that the parts come into, or makes it.
+Store open_target(const std::string& directory, const sweep::StoreInfo& info) {
+  if (!Store::exists(directory)) return Store::create(directory, info);
+  Store target = Store::open(directory, sweep::Database::Access::ReadWrite);
+  if (target.info().input_hash != info.input_hash ||
+      target.info().version != info.version) {
+    throw sweep::StoreError(directory + ": holds another sweep");
+  }
+  return target;
+}
+
+sweep::MergeReport join(const MergeFlags& flags, const sweep::Job& job,
+                        const sweep::StoreInfo& info) {
+  const report::HeldSignals held;
   const sweep::DirectoryLock lock(flags.out);
   std::vector<Store> parts =
       sweep::open_parts({flags.parts.begin(), flags.parts.end()}, info);
-  Store target =
-      Store::exists(flags.out)
-          ? Store::open(flags.out, sweep::Database::Access::ReadWrite)
-          : Store::create(flags.out, info);
-  if (target.info().input_hash != info.input_hash ||
-      target.info().version != info.version) {
-    throw sweep::StoreError(flags.out + ": holds another sweep");
+  const bool is_new = !Store::exists(flags.out);
+  try {
+    Store target = open_target(flags.out, info);
+    const sweep::MergeReport report = merge(parts, target, job);
+    for (const Store& part : parts) tell_damage(part);
+    tell_damage(target);
+    parts.clear();  // the target may be one of them, and be read no more
+    return report;
+  } catch (...) {
+    if (is_new) Store::remove(flags.out);
+    throw;
   }
-  const sweep::MergeReport report = merge(parts, target, job);
+}
+
+int run(const MergeFlags& flags) {
+  auto [job, info] = [&] {
+    const Store first =
+        Store::open(flags.parts.front(), sweep::Database::Access::ReadOnly);
+    return std::pair(first.job(), first.info());
+  }();
+  info.shard = sweep::kMerged;
+  const sweep::MergeReport report = join(flags, job, info);
+  const std::size_t scenes = job.file.num_scenes();
+  const std::size_t finished = scenes - report.gaps.size();
   if (flags.json) {
     const nlohmann::ordered_json document = {
         {"schema_version", report::kSchemaVersion},
-        {"scenes", job.file.num_scenes()},
-        {"finished", target.num_results()},
+        {"scenes", scenes},
+        {"finished", finished},
         {"added", report.added},
         {"overlaps", report.overlaps},
         {"conflicts", report.conflicts},
         {"gaps", report.gaps}};
-    fmt::print("{}\n", document.dump(2));
+    print_data(document.dump(2) + "\n");
   } else if (!flags.quiet) {
-    fmt::print(
-        "{}: {} of {} scenes, {} of them added now\n"
-        "  in several parts, alike: {}\n"
-        "  in several parts, different: {}\n"
-        "  in no part: {}\n",
-        flags.out, target.num_results(), job.file.num_scenes(), report.added,
-        ranges(report.overlaps), ranges(report.conflicts), ranges(report.gaps));
+    print(
+        fmt::format("{}: {} of {} scenes, {} of them added now\n"
+                    "  in several parts, alike: {}\n"
+                    "  in several parts, different: {}\n"
+                    "  in no part: {}\n",
+                    io::visible(flags.out), finished, scenes, report.added,
+                    listed(report.overlaps), listed(report.conflicts),
+                    listed(report.gaps)));
   }
+  if (report.damaged) return kIoError;
   return report.conflicts.empty() ? kSuccess : kNotSolved;
 }
 
@@ -91,9 +110,12 @@ void add_merge(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<MergeFlags>();
   CLI::App* verb =
       app.add_subcommand("merge", "Join parts of a sweep into one");
-  verb->add_option("DIR", flags->parts, "Directories of the parts")->required();
+  verb->add_option("DIR", flags->parts, "Directories of the parts")
+      ->check(not_empty())
+      ->required();
   verb->add_option("--out", flags->out,
                    "Directory of the whole; it may exist and be part of it")
+      ->check(not_empty())
       ->required();
   verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
   verb->add_flag("--quiet", flags->quiet, "Print no results");
@@ -102,7 +124,8 @@ void add_merge(CLI::App& app, int& exit_code) {
       "  brachisto merge part1 part2 part3 part4 --out map\n"
       "Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts "
       "have\n"
-      "different results for a scene; 6 I/O, or parts of different sweeps.");
+      "different results for a scene; 6 I/O, parts of different sweeps, or\n"
+      "damaged results that are sound in no part.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

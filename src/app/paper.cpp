@@ -6,18 +6,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <system_error>
 #include <thread>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/report/output_files.hpp"
+#include "io/visible_text.hpp"
 #include "reproduction/findings.hpp"
 #include "reproduction/page.hpp"
 #include "sweep/progress.hpp"
@@ -64,7 +66,7 @@ int run(const PaperFlags& flags) {
           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell_progress(what);
   };
   hooks.progress = [&](const sweep::Counts& now) {
     if (!progress) {
@@ -79,10 +81,10 @@ int run(const PaperFlags& flags) {
   const reproduction::Reproduction made = reproduction::reproduce(found);
   report::write_files(flags.out, reproduction::files(found, made), flags.force);
   if (flags.json) {
-    fmt::print("{}", reproduction::to_json(found, made));
+    print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {
-    fmt::print("{}\n{}\n", reproduction::summary(made),
-               (fs::path(flags.out) / kPage).string());
+    print(fmt::format("{}\n{}\n", reproduction::summary(made),
+                      io::visible((fs::path(flags.out) / kPage).string())));
   }
   return kSuccess;
 }
@@ -96,6 +98,7 @@ void add_paper(CLI::App& app, int& exit_code) {
   verb->add_option("--out", flags->out,
                    "Write index.html, figures and tables there")
       ->type_name("DIR")
+      ->check(not_empty())
       ->required();
   verb->add_option("--problems", flags->problems,
                    "Directory of the problem files; default: those that came "

@@ -3,16 +3,17 @@
 
 // brachisto report DIR: a sweep as a page with figures.
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "app/command_line.hpp"
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/sweep_page.hpp"
+#include "io/visible_text.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::app {
@@ -28,17 +29,17 @@ struct ReportFlags {
 int run(const ReportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = sweep::job_from_line(store.info().job);
+  const sweep::Job job = store.job();
   const auto files = report::sweep_report(read_table(store, job));
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";
   report::write_files(out, files, flags.force);
   if (!flags.quiet) {
     for (const report::OutputFile& file : files) {
-      fmt::print("{}\n", (out / file.name).string());
+      print(io::visible((out / file.name).string()) + "\n");
     }
   }
-  return kSuccess;
+  return exit_code(store);
 }
 
 }  // namespace
@@ -48,11 +49,15 @@ void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "report", "Draw the results of a sweep into DIR/report");
   verb->add_option("DIR", flags->directory, "Directory of the sweep")
+      ->check(not_empty())
       ->required();
   verb->add_flag("--force", flags->force, "Replace an earlier report");
   verb->add_flag("--quiet", flags->quiet, "Do not list what was written");
   verb->footer(
-      "Example:\n  brachisto report map && xdg-open map/report/index.html");
+      "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
+      "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
+      "and\n"
+      "not in the figures.");
   verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 

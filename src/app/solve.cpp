@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto solve FILE: the fastest track of one scene.
+// brachisto solve FILE: the smooth-contact extremal of one scene.
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/last_resort.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/stop_condition.hpp"
@@ -45,26 +46,29 @@ constexpr const char* kPathFile = "path.svg";
 /// seconds, so that a signal ends it; the result comes last.
 void write_results(const SolveFlags& flags, const Solution& solution,
                    const std::string& json, const std::atomic<int>& signal) {
-  std::vector<report::OutputFile> files;
-  std::optional<StopScope> scope;
-  if (solution.verified()) {
-    scope.emplace(
-        StopCondition(std::numeric_limits<double>::infinity(), &signal));
-    files.push_back(
-        {kTrajectoryFile, report::trajectory_csv(*solution.motion())});
-    files.push_back({kPathFile, report::path_svg(*solution.motion())});
-  } else {
-    report::remove_files(flags.out, {kTrajectoryFile, kPathFile});
+  if (!solution.verified()) {
+    report::write_files(flags.out, {{kResultFile, json}}, flags.force,
+                        {kTrajectoryFile, kPathFile});
+    return;
   }
-  files.push_back({kResultFile, json});
-  report::write_files(flags.out, files, flags.force);
+  const StopScope scope(
+      StopCondition(std::numeric_limits<double>::infinity(), &signal));
+  report::write_files(
+      flags.out,
+      {{kTrajectoryFile, report::trajectory_csv(*solution.motion())},
+       {kPathFile, report::path_svg(*solution.motion())},
+       {kResultFile, json}},
+      flags.force);
 }
 
 /// Why the exit code is not zero, for those who see nothing else.
 std::string complaint(const Solution& solution) {
   if (solution.status != Status::Solved) return solution.message;
   for (const Check& check : solution.certificate.checks) {
-    if (!check.passed) return "not verified: failed check " + check.name;
+    if (check.passed) continue;
+    const std::string advice = solution.advice();
+    return "not verified: failed check " + check.name +
+           (advice.empty() ? "" : "; to try: " + advice);
   }
   for (const std::string& reason : solution.infeasible_because()) {
     return "verified, but infeasible: " + reason;
@@ -85,9 +89,8 @@ int run(const SolveFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  SolveProgress progress(
-      [](const std::string& line) { fmt::print(stderr, "{}", line); },
-      SolveProgress::Clock::now());
+  SolveProgress progress([](const std::string& line) { tell_progress(line); },
+                         SolveProgress::Clock::now());
   ProgressHook hook;
   if (!flags.quiet) {
     hook = [&progress](std::string_view phase, const std::string& text) {
@@ -95,7 +98,7 @@ int run(const SolveFlags& flags) {
     };
   }
   for (const io::Diagnostic& warning : problem.warnings) {
-    fmt::print(stderr, "warning: {}\n", io::to_string(warning));
+    tell(fmt::format("warning: {}\n", io::to_string(warning)));
   }
   Solution solution = [&] {
     const LastResort last_resort(problem.options.limits.seconds, flags.json);
@@ -109,17 +112,17 @@ int run(const SolveFlags& flags) {
     solution.warnings.push_back(io::to_string(warning));
   }
   const std::string json = report::result_json(solution);
-  if (flags.verbose) fmt::print(stderr, "{}", solution.log);
+  if (flags.verbose) tell(solution.log);
   if (!flags.out.empty()) {
     write_results(flags, solution, json, signal);
   }
   if (flags.json) {
-    fmt::print("{}", json);
+    print_data(json);
   } else if (!flags.quiet) {
-    fmt::print("{}", report::summary(solution));
+    print(report::summary(solution));
   }
   const std::string why = complaint(solution);
-  if (flags.quiet && !why.empty()) fmt::print(stderr, "brachisto: {}\n", why);
+  if (flags.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
   return exit_code(solution, signal.load());
 }
 
@@ -127,15 +130,17 @@ int run(const SolveFlags& flags) {
 
 void add_solve(CLI::App& app, int& exit_code) {
   auto flags = std::make_shared<SolveFlags>();
-  CLI::App* verb =
-      app.add_subcommand("solve", "Find the fastest track of one scene");
+  CLI::App* verb = app.add_subcommand(
+      "solve", "Compute the track of one scene, its smooth-contact extremal");
   flags->add_to(*verb);
   verb->add_option("--out", flags->out,
                    "Write result.json, trajectory.csv and path.svg there")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(not_empty());
   verb->add_option("--certify", flags->certify,
                    "Second opinion: none or extremal (solver.certify)")
-      ->type_name("METHOD");
+      ->type_name("METHOD")
+      ->check(not_empty());
   verb->add_flag("--force", flags->force, "Replace existing results in DIR");
   verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
   verb->footer(

@@ -19,7 +19,7 @@ void SolveProgress::note(Clock::time_point now, std::string_view phase,
   const bool begins = phase != phase_;
   if (begins && !pending_.empty()) held_back_.push_back(std::move(pending_));
   phase_ = phase;
-  pending_ = fmt::format("[{:4.0f} s] {}: {}\n",
+  pending_ = fmt::format("[{:4.0f} s] {}: {}",
                          std::chrono::duration<double>(now - start_).count(),
                          phase, text);
   if (now - start_ >= kShort && (begins || now - last_ >= kPause)) flush(now);

@@ -7,18 +7,21 @@
 #include <sys/sysinfo.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
+#include "app/command_line.hpp"
+#include "app/damage.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "io/visible_text.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"
@@ -64,7 +67,7 @@ void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
                        stored.version, wanted.version));
   }
   if (stored.input_hash != wanted.input_hash) {
-    refuse(sweep::difference(sweep::job_from_line(stored.job).file, job.file));
+    refuse(sweep::difference(store.job().file, job.file));
   }
   if (stored.shard != wanted.shard && stored.shard != sweep::kMerged) {
     refuse(fmt::format("it is shard {}, not {}", stored.shard, wanted.shard));
@@ -83,6 +86,9 @@ Store open_store(const SweepFlags& flags, const Job& job,
   }
   Store store = Store::open(flags.out, Database::Access::ReadWrite);
   check_same(store, wanted, job, flags.out);
+  store.check();
+  tell_damage(store, "What is damaged or lost is solved again.\n");
+  store.mend(wanted);
   return store;
 }
 
@@ -124,8 +130,9 @@ sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
 std::string failures(const Counts& counts) {
   std::string text;
   for (const sweep::FailedScene& failed : counts.failures) {
-    text += fmt::format("  scene {}: {}: {}\n", failed.scene, failed.status,
-                        failed.message);
+    text +=
+        fmt::format("  scene {}: {}: {}\n", failed.scene,
+                    io::visible(failed.status), io::visible(failed.message));
   }
   const std::size_t more = counts.failed - counts.failures.size();
   if (more > 0) text += fmt::format("  and {} more\n", more);
@@ -171,15 +178,15 @@ void print_results(const SweepFlags& flags, const Counts& counts,
         {"seconds", seconds},
         {"store",
          (std::filesystem::path(flags.out) / Store::kFileName).string()}};
-    fmt::print("{}\n", document.dump(2));
+    print_data(document.dump(2) + "\n");
   } else if (!flags.quiet) {
-    fmt::print(
-        "{}: {} of {} scenes finished, {} of them now in {:.1f} s\n"
-        "  verified {} (feasible {}), failed {}\n{}",
-        flags.out, counts.finished(), counts.scenes,
-        counts.finished() - counts.before, seconds, counts.verified,
-        counts.feasible, counts.failed, failures(counts));
-    if (signal != 0) fmt::print("  stopped; --resume goes on\n");
+    print(
+        fmt::format("{}: {} of {} scenes finished, {} of them now in {:.1f} s\n"
+                    "  verified {} (feasible {}), failed {}\n{}",
+                    io::visible(flags.out), counts.finished(), counts.scenes,
+                    counts.finished() - counts.before, seconds, counts.verified,
+                    counts.feasible, counts.failed, failures(counts)));
+    if (signal != 0) print("  stopped; --resume goes on\n");
   }
 }
 
@@ -217,6 +224,7 @@ void add_sweep(CLI::App& app, int& exit_code) {
   flags->add_to(*verb);
   verb->add_option("--out", flags->out, "Keep the results in DIR/sweep.sqlite")
       ->type_name("DIR")
+      ->check(not_empty())
       ->required();
   verb->add_option("--jobs", flags->jobs,
                    "Worker processes; default: one per core")
@@ -244,12 +252,14 @@ void add_sweep(CLI::App& app, int& exit_code) {
                    "Kill a worker that takes longer for one scene; default: "
                    "three times solver.limits.seconds and a minute")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(seconds());
   verb->add_option("--memory", flags->memory,
                    "Bound on a worker's address space, 0 for none; default: "
                    "the machine's memory / N")
       ->type_name("MIB")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number("from 0 to 1e12", [](double mebibytes) {
+        return mebibytes >= 0.0 && mebibytes <= 1e12;
+      }));
   verb->add_option("--worker", flags->program,
                    "Program to run as worker, for tests")
       ->type_name("PROGRAM")

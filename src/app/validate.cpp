@@ -7,15 +7,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/io/sweep_file.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::app {
 
@@ -95,7 +96,7 @@ std::string sweep_json(const io::SweepFile& sweep) {
 std::string text_of(const io::SweepValue& value) {
   const double* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.10g}", *number)
-                           : std::get<std::string>(value);
+                           : io::visible(std::get<std::string>(value));
 }
 
 /// Rows of equal length with their columns right-aligned.
@@ -154,20 +155,21 @@ void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
     fmt::print(stderr, "warning: {}\n", io::to_string(warning));
   }
   if (flags.json) {
-    fmt::print("{}", effective_input(problem));
+    print_data(effective_input(problem));
   } else if (!flags.quiet) {
-    fmt::print("{}: valid. Effective input, defaults filled in:\n{}",
-               flags.file, effective_input(problem));
+    print(fmt::format("{}: valid. Effective input, defaults filled in:\n{}",
+                      io::visible(flags.file), effective_input(problem)));
   }
 }
 
 void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
   if (flags.json) {
-    fmt::print("{}", sweep_json(sweep));
+    print_data(sweep_json(sweep));
   } else if (!flags.quiet) {
-    fmt::print("{}: valid. A sweep of {} scene{}.\n\n{}\n{}", flags.file,
-               sweep.num_scenes(), sweep.num_scenes() == 1 ? "" : "s",
-               axes_table(sweep), scenes_table(sweep));
+    print(fmt::format("{}: valid. A sweep of {} scene{}.\n\n{}\n{}",
+                      io::visible(flags.file), sweep.num_scenes(),
+                      sweep.num_scenes() == 1 ? "" : "s", axes_table(sweep),
+                      scenes_table(sweep)));
   }
 }
 

@@ -3,19 +3,19 @@
 
 // brachisto work-precision FILE: what accuracy costs, method by method.
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::app {
 
@@ -53,7 +53,7 @@ int run(const WorkPrecisionFlags& flags) {
   comparison::Hooks hooks;
   hooks.interrupt = &signal;
   hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) fmt::print(stderr, "{}\n", what);
+    if (!flags.quiet) tell_progress(what);
   };
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
@@ -61,12 +61,13 @@ int run(const WorkPrecisionFlags& flags) {
     report::write_files(flags.out, comparison::files(found), flags.force);
   }
   if (flags.json) {
-    fmt::print("{}", comparison::to_json(found));
+    print_data(comparison::to_json(found));
   } else if (!flags.quiet) {
-    fmt::print("{}", comparison::summary(found));
+    print(comparison::summary(found));
     if (!flags.out.empty()) {
-      fmt::print("{}\n",
-                 (std::filesystem::path(flags.out) / names.front()).string());
+      print(io::visible(
+                (std::filesystem::path(flags.out) / names.front()).string()) +
+            "\n");
     }
   }
   return kSuccess;
@@ -81,7 +82,8 @@ void add_work_precision(CLI::App& app, int& exit_code) {
   flags->add_to(*verb);
   verb->add_option("--out", flags->out,
                    "Write work_precision.svg, .csv, .gp and .json there")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(not_empty());
   verb->add_flag("--force", flags->force, "Replace existing files in DIR");
   verb->add_flag(
       "--quick", flags->quick,

@@ -10,6 +10,7 @@
 
 #include "brachisto/io/diagnostics.hpp"
 #include "comparison/methods.hpp"
+#include "io/input_bytes.hpp"
 
 namespace brachisto::comparison {
 
@@ -61,6 +62,10 @@ std::vector<Contender> contenders(const Subject& subject, int nodes) {
 
 Subject read_subject(const std::string& file,
                      const std::vector<std::string>& overrides) {
+  if (file == io::kStandardInput) {
+    throw io::IoError(
+        "-: every method reads the problem anew; expected the name of a file");
+  }
   Subject subject{file, overrides, io::read_problem_file(file, overrides)};
   if (subject.problem.scene.path) {
     throw io::InputError(

@@ -161,13 +161,14 @@ void check_scene(const YamlValue& root, const ProblemFile& problem,
   ProblemFile marked = problem;
   std::vector<std::string_view> unread;
   for (const KeySpec& spec : key_table()) {
-    const bool of_scene =
-        spec.path.starts_with("scene.") && spec.set != nullptr;
+    const bool of_scene = spec.path.starts_with("scene.");
     const bool needed = spec.presence == Presence::Required ||
                         spec.presence == Presence::RequiredOfCylinder;
     const bool absent = find_entry(root, spec.path) == nullptr;
     if (of_scene && (findings.concern(spec.path) || (needed && absent))) {
-      spec.set(marked, std::numeric_limits<double>::quiet_NaN());
+      if (spec.set != nullptr) {
+        spec.set(marked, std::numeric_limits<double>::quiet_NaN());
+      }
       unread.push_back(spec.path);
     }
   }

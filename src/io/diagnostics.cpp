@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "io/visible_text.hpp"
+
 namespace brachisto::io {
 
 namespace {
@@ -27,12 +29,12 @@ std::string joined(const std::vector<Diagnostic>& diagnostics) {
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file;
+  std::string text = visible(diagnostic.file);
   if (diagnostic.line > 0) {
     text += fmt::format(":{}:{}", diagnostic.line, diagnostic.column);
   }
-  if (!diagnostic.key.empty()) text += ": " + diagnostic.key;
-  return text + ": " + diagnostic.message;
+  if (!diagnostic.key.empty()) text += ": " + visible(diagnostic.key);
+  return text + ": " + visible(diagnostic.message);
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)

@@ -109,6 +109,13 @@ void check_tokens(std::string_view text, Names names) {
       check_word(word, after_number, names);
       text.remove_prefix(word.size());
       after_number = false;
+      // muParser would take it for a name.
+      if (std::ranges::count(kFunctions, word, &Function::name) > 0 &&
+          !text.starts_with('(')) {
+        throw ExpressionError(fmt::format(
+            "{} is a function, whose argument follows in parentheses",
+            in_quotes(word)));
+      }
       continue;
     }
     if (std::string_view("+-*/^(), \t\n").find(c) == std::string_view::npos) {

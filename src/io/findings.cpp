@@ -3,10 +3,11 @@
 
 #include "io/findings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
+
+#include "brachisto/io/diagnostics.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 
@@ -58,17 +59,8 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr int kMaxCharacters = 40;
-  std::string shown;
-  int characters = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xC0U) == 0x80U;
-    if (!continues && ++characters > kMaxCharacters) return shown + "…";
-    const bool control = byte < 0x20 || byte == 0x7F;
-    shown += control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return shown;
+  constexpr std::size_t kMostCharacters = 40;
+  return visible(text, kMostCharacters);
 }
 
 }  // namespace brachisto::io

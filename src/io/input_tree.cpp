@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
 #include "brachisto/io/problem_file.hpp"
 #include "io/overrides.hpp"
 #include "io/source_text.hpp"
@@ -35,28 +31,6 @@ YamlValue read_tree(std::string_view text, const std::string& name,
 }
 
 }  // namespace
-
-std::string read_bytes(const std::filesystem::path& path) {
-  const auto fail = [&](const std::string& reason) {
-    throw IoError(fmt::format("{}: {}", path.string(), reason));
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    fail("is a directory; expected a problem file");
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    fail("cannot be opened: " + std::generic_category().message(errno));
-  }
-  std::string bytes(kMaxFileSize + 1, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad()) {
-    fail("cannot be read: " + std::generic_category().message(errno));
-  }
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
 
 InputTree read_input_tree(std::string_view text, const std::string& name,
                           const std::vector<std::string>& overrides,

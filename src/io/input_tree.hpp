@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +20,6 @@ struct InputTree {
   YamlValue root;
   std::vector<std::string> sources;  ///< names of the inputs, see Findings
 };
-
-/// Reads a file, but no more than is needed to see that it is too long: it may
-/// be a device without end.
-/// \throws IoError
-[[nodiscard]] std::string read_bytes(const std::filesystem::path& path);
 
 /// Builds the tree of a text and applies the overrides to it.
 /// \throws InputError  if the text is not YAML, or is empty; other mistakes go

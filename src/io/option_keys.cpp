@@ -136,8 +136,8 @@ std::vector<KeySpec> solver_keys() {
        .fallback = "principal",
        .description = "which extremal is the answer. principal: the one that "
                       "continues from the cycloid as η_m grows from 0; "
-                      "global: the fastest feasible one of all that a search "
-                      "finds",
+                      "global: of the smooth contacts that a search finds the "
+                      "fastest feasible one",
        .choices =
            {{"principal",
              [](ProblemFile& p) { p.options.search = Search::Principal; }},

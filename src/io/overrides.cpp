@@ -3,10 +3,13 @@
 
 #include "io/overrides.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "brachisto/io/problem_file.hpp"
 #include "io/key_spec.hpp"
 #include "io/source_text.hpp"
 
@@ -54,6 +57,11 @@ void apply_override(YamlValue& root, const std::string& text, int source,
     findings.add(position, "",
                  "not an override; expected KEY=VALUE, as in "
                  "scene.body.k=1/2");
+    return;
+  }
+  if (parts.size() > kMaxNesting) {
+    findings.add(position, printable(key),
+                 fmt::format("nests more than {} levels", kMaxNesting));
     return;
   }
   if (parts.front() == "sweep") join_swept_keys(parts);

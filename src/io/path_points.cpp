@@ -5,32 +5,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "io/expression.hpp"
+#include "io/input_bytes.hpp"
 
 namespace brachisto::io {
 
 namespace {
 
 constexpr const char* kFileKey = "scene.path.file";
-constexpr std::size_t kMostPoints = 100'000;
 
-std::string without_end(std::string line) {
-  if (!line.empty() && line.back() == '\r') line.pop_back();
+/// Takes the first line off a text, its end included.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t length = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, length);
+  text.remove_prefix(std::min(length + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }
 
 /// Two numbers with a comma between; nothing if the line is anything else.
-std::optional<Point> point_of_line(const std::string& line) {
+std::optional<Point> point_of_line(std::string_view line) {
   const std::size_t comma = line.find(',');
-  if (comma == std::string::npos) return std::nullopt;
+  if (comma == std::string_view::npos) return std::nullopt;
   try {
     return Point{evaluate(line.substr(0, comma)),
                  evaluate(line.substr(comma + 1))};
@@ -39,59 +42,77 @@ std::optional<Point> point_of_line(const std::string& line) {
   }
 }
 
+std::vector<Point> points_of_file(const std::filesystem::path& path) {
+  const std::string text =
+      read_file_bytes(path, kMaxPointsSize, "a CSV file with the columns x,z");
+  try {
+    return parse_points(text);
+  } catch (const PointsError& error) {
+    throw PointsError(fmt::format("{}:{}", path.string(), error.what()));
+  }
+}
+
 }  // namespace
 
-void read_path_points(const InputTree& input, ProblemFile& problem,
-                      Findings& findings) {
-  if (!problem.scene.path ||
-      problem.scene.path->shape != GivenPath::Shape::Points) {
-    return;
+std::vector<Point> parse_points(std::string_view text) {
+  if (text.size() > kMaxPointsSize) {
+    throw PointsError(
+        fmt::format("1: longer than {} bytes, which no {} points "
+                    "need",
+                    kMaxPointsSize, kMostPoints));
   }
+  if (const std::string_view head = take_line(text); head != "x,z") {
+    throw PointsError(
+        fmt::format("1: {} was read; expected the line x,z", in_quotes(head)));
+  }
+  std::vector<Point> points;
+  for (std::size_t number = 2; !text.empty(); ++number) {
+    const std::string_view line = take_line(text);
+    if (line.empty()) continue;
+    const auto refuse = [&](const std::string& why) {
+      throw PointsError(fmt::format("{}: {} {}", number, in_quotes(line), why));
+    };
+    const std::optional<Point> point = point_of_line(line);
+    if (!point) refuse("was read; expected two numbers x,z in m");
+    if (!points.empty() && *point == points.back()) {
+      refuse("repeats the point before it");
+    }
+    if (points.size() == kMostPoints) {
+      refuse(fmt::format("is one point too many; {} are allowed", kMostPoints));
+    }
+    points.push_back(*point);
+  }
+  return points;
+}
+
+void read_path_points(const InputTree& input, const std::vector<Point>* known,
+                      ProblemFile& problem, Findings& findings) {
   const auto refuse = [&](const std::string& message) {
     findings.add(position_of(input.root, kFileKey), kFileKey, message);
   };
+  if (!problem.scene.path) return;
+  if (problem.scene.path->shape != GivenPath::Shape::Points) {
+    if (!problem.points_file.empty()) refuse("only shape: points has a file");
+    return;
+  }
   if (problem.points_file.empty()) {
     refuse("missing; shape: points needs a CSV file with the columns x,z");
     return;
   }
-  namespace fs = std::filesystem;
-  const fs::path path =
-      fs::path(input.sources.front()).parent_path() / problem.points_file;
-  std::ifstream file(path);
-  std::error_code ignored;
-  if (!file || fs::is_directory(path, ignored)) {
-    refuse(fmt::format("{} cannot be read", in_quotes(path.string())));
-    return;
+  const std::string& name = input.sources.front();
+  try {
+    auto given = std::make_shared<GivenPath>(*problem.scene.path);
+    given->points =
+        known != nullptr
+            ? *known
+            : points_of_file(std::filesystem::path(name).parent_path() /
+                             problem.points_file);
+    problem.scene.path = std::move(given);
+  } catch (const PointsError& error) {
+    refuse(error.what());
+  } catch (const IoError& error) {
+    throw IoError(fmt::format("{}: {}: {}", name, kFileKey, error.what()));
   }
-  std::string line;
-  std::size_t number = 1;
-  std::getline(file, line);
-  if (without_end(line) != "x,z") {
-    refuse(fmt::format("{}:1: {} was read; expected the line x,z",
-                       path.string(), in_quotes(without_end(line))));
-    return;
-  }
-  auto given = std::make_shared<GivenPath>(*problem.scene.path);
-  std::vector<Point>& points = given->points;
-  while (std::getline(file, line)) {
-    ++number;
-    line = without_end(line);
-    if (line.empty()) continue;
-    const std::optional<Point> point = point_of_line(line);
-    const bool repeated = point && !points.empty() &&
-                          point->x == points.back().x &&
-                          point->z == points.back().z;
-    if (!point || repeated || points.size() == kMostPoints) {
-      refuse(fmt::format("{}:{}: {} {}", path.string(), number, in_quotes(line),
-                         !point     ? "was read; expected two numbers x,z in m"
-                         : repeated ? "repeats the point before it"
-                                    : "is one point too many; 100000 are "
-                                      "allowed"));
-      return;
-    }
-    points.push_back(*point);
-  }
-  problem.scene.path = std::move(given);
 }
 
 }  // namespace brachisto::io

@@ -6,16 +6,40 @@
 
 #pragma once
 
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
 #include "brachisto/io/problem_file.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
 
 namespace brachisto::io {
 
-/// Reads the file that scene.path names, if it has the shape points, into the
-/// problem: a line `x,z`, then two numbers per line, in metres. Mistakes go to
-/// the findings, with file and line.
-void read_path_points(const InputTree& input, ProblemFile& problem,
-                      Findings& findings);
+/// Most points that a path may have.
+inline constexpr std::size_t kMostPoints = 100'000;
+
+/// Longest file of points that is read [bytes].
+inline constexpr std::size_t kMaxPointsSize = std::size_t{1} << 24U;
+
+/// A text does not hold points; what() begins with the number of the line.
+class PointsError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Points of a text: a line `x,z`, then two numbers per line, in metres.
+/// \throws PointsError
+[[nodiscard]] std::vector<Point> parse_points(std::string_view text);
+
+/// Puts the points into a problem whose scene.path has that shape. Mistakes go
+/// to the findings, with file and line.
+///
+/// \param known  the points if they were read before; nullptr: the file that
+///               scene.path names is read
+/// \throws IoError  if it cannot be
+void read_path_points(const InputTree& input, const std::vector<Point>* known,
+                      ProblemFile& problem, Findings& findings);
 
 }  // namespace brachisto::io

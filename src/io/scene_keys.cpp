@@ -121,7 +121,7 @@ std::vector<KeySpec> scene_keys() {
       {.path = "scene.path",
        .type = KeyType::Map,
        .description = "a given path, which is evaluated; without it the "
-                      "fastest one is found"},
+                      "extremal is found"},
       {.path = "scene.path.curve",
        .type = KeyType::Choice,
        .fallback = "centre",

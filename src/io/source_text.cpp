@@ -5,49 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "brachisto/io/problem_file.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 
 namespace {
-
-/// Length in bytes of the UTF-8 character at the beginning of `text`, 0 if
-/// there is none: Unicode standard, table 3-7 (no overlong forms, no
-/// surrogates, nothing above U+10FFFF).
-std::size_t character_length(std::string_view text) {
-  struct Form {
-    unsigned char first_low, first_high, second_low, second_high;
-    std::size_t length;
-  };
-  static constexpr std::array<Form, 9> kForms{{{0x00, 0x7F, 0, 0, 1},
-                                               {0xC2, 0xDF, 0x80, 0xBF, 2},
-                                               {0xE0, 0xE0, 0xA0, 0xBF, 3},
-                                               {0xE1, 0xEC, 0x80, 0xBF, 3},
-                                               {0xED, 0xED, 0x80, 0x9F, 3},
-                                               {0xEE, 0xEF, 0x80, 0xBF, 3},
-                                               {0xF0, 0xF0, 0x90, 0xBF, 4},
-                                               {0xF1, 0xF3, 0x80, 0xBF, 4},
-                                               {0xF4, 0xF4, 0x80, 0x8F, 4}}};
-  const auto within = [&](std::size_t i, unsigned char low,
-                          unsigned char high) {
-    if (i >= text.size()) return false;
-    const auto byte = static_cast<unsigned char>(text[i]);
-    return low <= byte && byte <= high;
-  };
-  for (const Form& form : kForms) {
-    if (!within(0, form.first_low, form.first_high)) continue;
-    if (form.length > 1 && !within(1, form.second_low, form.second_high)) {
-      return 0;
-    }
-    for (std::size_t i = 2; i < form.length; ++i) {
-      if (!within(i, 0x80, 0xBF)) return 0;
-    }
-    return form.length;
-  }
-  return 0;
-}
 
 /// Controls but tab and line feed; YAML allows no others.
 bool is_control(char c) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/input_bytes.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
 #include "io/problem_reader.hpp"
@@ -61,7 +62,7 @@ void mark_swept(const SweepSection& section, YamlValue& root) {
 }
 
 SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
-                     Findings findings) {
+                     const std::vector<Point>* points, Findings findings) {
   const std::optional<Entry> sweep = take_section(input.root);
   SweepSection section;
   if (sweep) {
@@ -76,7 +77,7 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
 
   mark_swept(section, input.root);
   ProblemFile base = ProblemReader(findings).read(input.root);
-  read_path_points(input, base, findings);
+  read_path_points(input, points, base, findings);
   check_shared(section, input.root, base, findings);
   std::optional<SweepNames> names =
       resolve_names(section, input.root, findings);
@@ -136,20 +137,21 @@ std::vector<SweepValue> SweepFile::values(std::size_t scene) const {
 
 SweepFile read_sweep_file(const std::filesystem::path& path,
                           const std::vector<std::string>& overrides) {
-  return read_sweep_text(read_bytes(path), path.string(), overrides);
+  return read_sweep_text(read_problem_bytes(path), path.string(), overrides);
 }
 
 SweepFile read_sweep_text(std::string_view text, const std::string& name,
-                          const std::vector<std::string>& overrides) {
+                          const std::vector<std::string>& overrides,
+                          const std::vector<Point>* points) {
   Findings findings;
   InputTree input = read_input_tree(text, name, overrides, findings);
-  return read_sweep(std::move(input), overrides, std::move(findings));
+  return read_sweep(std::move(input), overrides, points, std::move(findings));
 }
 
 std::variant<ProblemFile, SweepFile> read_problem_or_sweep_file(
     const std::filesystem::path& path,
     const std::vector<std::string>& overrides) {
-  const std::string text = read_bytes(path);
+  const std::string text = read_problem_bytes(path);
   const std::string name = path.string();
   Findings ignored;  // either way they are found again
   const YamlValue root = read_input_tree(text, name, overrides, ignored).root;

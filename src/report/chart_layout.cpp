@@ -10,6 +10,7 @@
 #include <set>
 
 #include "report/chart_ticks.hpp"
+#include "report/csv.hpp"
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
 
@@ -169,8 +170,9 @@ ChartLayout layout_from(const Chart& chart, double left) {
   return layout;
 }
 
-/// Fit for a field without quotes, as gnuplot reads them.
+/// Fit for a field without quotes, as gnuplot reads them, that is no formula.
 std::string field(std::string text) {
+  if (begins_as_formula(text)) text.insert(0, 1, '\'');
   std::replace(text.begin(), text.end(), '"', '\'');
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace_if(

@@ -5,11 +5,17 @@
 
 namespace brachisto::report {
 
+bool begins_as_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) !=
+                              std::string_view::npos;
+}
+
 std::string csv_field(std::string_view text) {
+  const char* before = begins_as_formula(text) ? "'" : "";
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    return std::string(text);
+    return before + std::string(text);
   }
-  std::string out = "\"";
+  std::string out = std::string("\"") + before;
   for (const char c : text) {
     if (c == '"') out += '"';
     out += c;

@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
+
+#include "report/held_signals.hpp"
+#include "report/new_directories.hpp"
 
 #include "brachisto/math/stop_condition.hpp"
 
@@ -25,21 +29,25 @@ namespace {
                   std::strerror(error)));  // NOLINT: single-threaded
 }
 
-/// A temporary file that disappears unless it is kept.
+/// A file under a temporary name, which disappears unless it gets its own.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target)
-      : path_(target.string() + fmt::format(".{}.tmp", ::getpid())) {
+  explicit TemporaryFile(fs::path target)
+      : target_(std::move(target)),
+        path_(target_.string() + fmt::format(".{}.tmp", ::getpid())) {
     descriptor_ =
         ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(path_, "create", errno);
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!kept_) ::unlink(path_.c_str());
+    if (!path_.empty()) ::unlink(path_.c_str());
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile(TemporaryFile&& other) noexcept
+      : target_(std::move(other.target_)),
+        path_(std::exchange(other.path_, {})),
+        descriptor_(std::exchange(other.descriptor_, -1)) {}
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
 
   void write(const std::string& content) {
     // To the disk piece by piece, so that a signal need not wait for all.
@@ -58,22 +66,21 @@ class TemporaryFile {
       synced = done;
     }
     if (::fsync(descriptor_) != 0) fail(path_, "write", errno);
-    const int closed = ::close(descriptor_);
-    descriptor_ = -1;
+    const int closed = ::close(std::exchange(descriptor_, -1));
     if (closed != 0) fail(path_, "write", errno);
   }
 
-  void rename_to(const fs::path& target) {
-    if (::rename(path_.c_str(), target.c_str()) != 0) {
-      fail(target, "create", errno);
+  void rename_to_target() {
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      fail(target_, "create", errno);
     }
-    kept_ = true;
+    path_.clear();
   }
 
  private:
+  fs::path target_;
   std::string path_;
   int descriptor_ = -1;
-  bool kept_ = false;
 };
 
 }  // namespace
@@ -101,30 +108,28 @@ void check_writable(const fs::path& directory,
   }
 }
 
-void remove_files(const fs::path& directory,
-                  const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    std::error_code error;
-    fs::remove(directory / name, error);
-    if (error) fail(directory / name, "remove", error.value());
-  }
-}
-
 void write_files(const fs::path& directory,
-                 const std::vector<OutputFile>& files, bool force) {
+                 const std::vector<OutputFile>& files, bool force,
+                 const std::vector<std::string>& obsolete) {
   std::vector<std::string> names;
   names.reserve(files.size());
   for (const OutputFile& file : files) names.push_back(file.name);
   check_writable(directory, names, force);
+  const HeldSignals held;
   std::error_code error;
-  fs::create_directories(directory, error);
+  const NewDirectories made(directory, error);
   if (error) fail(directory, "create", error.value());
+  // Whatever needs room on the disk comes before the first change.
+  std::vector<TemporaryFile> written;
+  written.reserve(files.size());
   for (const OutputFile& file : files) {
-    const fs::path target = directory / file.name;
-    TemporaryFile temporary(target);
-    temporary.write(file.content);
-    temporary.rename_to(target);
+    written.emplace_back(directory / file.name).write(file.content);
   }
+  for (const std::string& name : obsolete) {
+    fs::remove(directory / name, error);
+    if (error) fail(directory / name, "remove", error.value());
+  }
+  for (TemporaryFile& file : written) file.rename_to_target();
 }
 
 }  // namespace brachisto::report

@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "report/axis.hpp"
 #include "report/svg.hpp"
+#include "report/track_kind.hpp"
 
 namespace brachisto::report {
 
@@ -197,8 +200,10 @@ std::string path_svg(const Motion& motion) {
   };
   label(rows.front().motion.contact, "A");
   label(rows.back().motion.contact, "B");
+  std::string title(track_kind(motion.scene()));
+  title[0] = static_cast<char>(std::toupper(title[0]));
   canvas.text(kMarginLeft, 30.0, "font-size=\"17\"",
-              fmt::format("Fastest track: τ = {:.8f}, T = {:.6g} s",
+              fmt::format("{}: τ = {:.8f}, T = {:.6g} s", xml_escaped(title),
                           motion.tau(), motion.transit_time()));
   draw_legend(canvas, body);
   return canvas.document();

@@ -231,6 +231,16 @@ Json extremal_json(const std::optional<ExtremalOpinion>& opinion) {
           {"difference", opinion->difference}};
 }
 
+/// A range over u > 0. What is not finite is null in JSON: no bound.
+Json range_json(const Extreme& min, const Extreme& max,
+                const Extreme& after_rise) {
+  return {{"min", min.value},
+          {"max", max.value},
+          {"min_at_start", min.at_start},
+          {"max_at_start", max.at_start},
+          {"min_after_rise", after_rise.value}};
+}
+
 /// Figures of the path; all null if `motion` is.
 void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
               bool rolls) {
@@ -248,9 +258,10 @@ void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
     json[key] = path && exists ? Json(value()) : Json(nullptr);
   };
   diagnose("normal_force", true, [&] {
-    return Json{{"min", path->min_normal_force.value},
-                {"max", path->max_normal_force.value},
-                {"x_at_max", path->max_normal_force.x}};
+    Json force = range_json(path->min_normal_force, path->max_normal_force,
+                            path->normal_force_after_rise);
+    force["x_at_max"] = path->max_normal_force.x;
+    return force;
   });
   diagnose("friction", rolls, [&] {
     return Json{{"share_above_0.3", path->friction_above_0_3},
@@ -258,8 +269,12 @@ void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
                 {"share_above_1", path->friction_above_1}};
   });
   diagnose("curvature", true, [&] {
-    return Json{{"min", path->min_curvature.value},
-                {"max", path->max_curvature.value}};
+    return range_json(path->min_curvature, path->max_curvature,
+                      path->curvature_after_rise);
+  });
+  diagnose("at_start", true, [&] {
+    return Json{{"normal_force", path->at_start.normal_force},
+                {"curvature", path->at_start.curvature}};
   });
   diagnose("fold_margin", rolls,
            [&] { return Json(path->min_fold_margin.value); });

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
 #include <numbers>
+
+#include "report/track_kind.hpp"
 
 namespace brachisto::report {
 
@@ -35,9 +38,26 @@ void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
 
+/// What the answer is, and where it says what that means.
+std::string describe_track(const Solution& solution) {
+  std::string text(track_kind(solution.scene));
+  const Scene& scene = solution.scene;
+  if (scene.path || !scene.body.rolls() || scene.contact == Contact::Centre) {
+    return text;
+  }
+  if (solution.options.search == Search::Global) {
+    text = fmt::format("{} of the {} smooth contact{} found",
+                       solution.feasible() ? "fastest feasible" : "fastest",
+                       solution.branches.size(),
+                       solution.branches.size() == 1 ? "" : "s");
+  }
+  return text + " (docs/theory.md, section 3)";
+}
+
 void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
+  line(out, "track", describe_track(solution));
   line(out, "τ = T √(2g/H)",
        fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
                    solution.estimated_error.value_or(0.0)));
@@ -51,11 +71,16 @@ void add_answer(std::string& out, const Solution& solution) {
   if (path.rotation()) {
     line(out, "rotation", fmt::format("{:.6f}°", degrees(*path.rotation())));
   }
-  line(out, "normal force",
-       fmt::format("{:.4g} … {:.4g} m g, greatest at x_b = {:.4g} m",
-                   diagnostics.min_normal_force.value,
-                   diagnostics.max_normal_force.value,
-                   diagnostics.max_normal_force.x));
+  const Extreme& least = diagnostics.min_normal_force;
+  std::string force = fmt::format(
+      "from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", least.value,
+      least.at_start ? ", its limit at the start," : "",
+      diagnostics.max_normal_force.value, diagnostics.max_normal_force.x);
+  if (least.at_start) {
+    force += fmt::format("; {:.4g} or more after the first rise",
+                         diagnostics.normal_force_after_rise.value);
+  }
+  line(out, "normal force", force);
   if (!solution.scene.body.rolls()) return;
   line(out, "friction needed",
        fmt::format("|R_t|/R_n > 0.3 for {:.0f} % of the time, > 0.5 for {:.0f} "
@@ -94,6 +119,9 @@ void add_discrete_system(std::string& out, const Solution& solution) {
 }
 
 void add_branches(std::string& out, const Solution& solution) {
+  const double answer = solution.verified()
+                            ? solution.motion()->tau()
+                            : std::numeric_limits<double>::infinity();
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
     std::string text = fmt::format(
@@ -104,6 +132,8 @@ void add_branches(std::string& out, const Solution& solution) {
         branch.feasible ? ", feasible" : ", INFEASIBLE");
     line(out, label, text);
     label = "";
+    if (branch.tau >= answer) continue;
+    for (const std::string& why : branch.remarks) line(out, "", "  " + why);
   }
   if (!solution.search_remark.empty()) {
     line(out, label, solution.search_remark);
@@ -133,6 +163,8 @@ std::string summary(const Solution& solution) {
   for (const std::string& reason : solution.not_verified_because()) {
     line(out, "failed check", reason);
   }
+  const std::string advice = solution.advice();
+  if (!advice.empty()) line(out, "to try", advice);
 
   if (!solution.folds.empty()) {
     line(out, "branch",

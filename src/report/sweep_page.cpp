@@ -69,9 +69,10 @@ std::string page(const SweepTable& table, const SweepFigures& drawn) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
-      "<h1>{0}</h1>\n<p class=\"about\">Fastest tracks: the transit time "
-      "<i>T</i> of each scene as <i>τ</i> = <i>T</i> / √(<i>H</i> / "
-      "2<i>g</i>).</p>\n",
+      "<h1>{0}</h1>\n<p class=\"about\">The transit time <i>T</i> of each "
+      "scene as <i>τ</i> = <i>T</i> / √(<i>H</i> / 2<i>g</i>), on its "
+      "smooth-contact extremal (docs/theory.md, section 3) unless the scene "
+      "says otherwise.</p>\n",
       title, page_style());
   out += warning(table);
   if (table.outcomes.empty()) out += "<p>The sweep has no scenes.</p>\n";

@@ -32,35 +32,59 @@ class Boundary {
     const double largest = largest_k(eta_m);
     orient(std::min(k_, largest));
     if (excess(largest) <= 0.0) return false;
-    k_ = equal_time_k(largest);
+    settle([&] { return k_ = equal_time_k(largest); });
     return true;
   }
 
   /// The body on the rim between an offset where it is slower and one where it
   /// is faster.
   void move_to_rim(double slower, double faster) {
-    const double eta_m = math::find_root(
-        [&](double eta) {
-          one_.body.eta_m = eta;
-          return excess(largest_k(eta));
-        },
-        slower, faster);
-    one_.body.eta_m = eta_m;
-    k_ = largest_k(eta_m);
+    settle([&] {
+      const double eta_m = math::find_root(
+          [&](double eta) {
+            one_.body.eta_m = eta;
+            return excess(largest_k(eta));
+          },
+          slower, faster);
+      one_.body.eta_m = eta_m;
+      return k_ = largest_k(eta_m);
+    });
   }
 
   [[nodiscard]] BoundaryBody body() const {
-    return {one_.body.eta_m, k_, one_.body.theta_m};
+    return {one_.body.eta_m, k_, {one_.body.theta_m, theta_m_error_}};
   }
 
  private:
-  /// An error of θ_m matters to the time, and so to k, only squared: that of
-  /// the last k will do.
+  static constexpr double kClose = 1e-9;
+
   void orient(double k) {
     if (!best_ || one_.body.eta_m == 0.0) return;
     one_.body.k = k;
-    one_.body.theta_m =
-        fastest_orientation(one_, one_.body.theta_m, interrupt_).theta_m.value;
+    const Measured best =
+        fastest_orientation(one_, one_.body.theta_m, interrupt_).theta_m;
+    one_.body.theta_m = best.value;
+    theta_m_error_ = best.error;
+  }
+
+  /// Finds the k of a body with the orientation that was best for the body
+  /// before, and orients the new one, until k stays. An error of θ_m matters to
+  /// the time, and so to k, only squared: it takes two or three rounds.
+  template <class FindK>
+  void settle(const FindK& find_k) {
+    constexpr int kMostRounds = 10;
+    double before = find_k();
+    for (int round = 0; best_ && round < kMostRounds; ++round) {
+      orient(k_);
+      const double k = find_k();
+      if (std::abs(k - before) < kClose) return;
+      before = k;
+    }
+    if (!best_) return;
+    throw NotVerified(fmt::format(
+        "the best orientation of the body as fast as the bead was not found "
+        "for η_m = {:.6g}",
+        one_.body.eta_m));
   }
 
   /// τ² − τ_bead², nearly linear in k, for η_m = 0 exactly.
@@ -72,7 +96,6 @@ class Boundary {
 
   /// Secant steps in k.
   [[nodiscard]] double equal_time_k(double largest) {
-    constexpr double kClose = 1e-9;
     constexpr int kMostSteps = 20;
     double before = largest;
     double f_before = excess(before);
@@ -96,6 +119,7 @@ class Boundary {
   const Interrupt& interrupt_;
   double bead_ = 0.0;
   double k_ = 0.1;
+  double theta_m_error_ = 0.0;
 };
 
 }  // namespace

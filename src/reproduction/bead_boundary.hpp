@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
+#include "reproduction/cases.hpp"
 #include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
@@ -17,11 +18,14 @@ namespace brachisto::reproduction {
 struct BoundaryBody {
   double eta_m = 0.0;
   double k = 0.0;
-  double theta_m = 0.0;  ///< [rad]
+  Measured theta_m;  ///< [rad]; its error is 0 where it is given
+
+  /// False with the centre of mass on the axis, where θ_m says nothing.
+  [[nodiscard]] bool has_orientation() const { return eta_m > 0.0; }
 };
 
-/// For each η_m the k at which the fastest times of both are equal, as long as
-/// that is possible, k ≤ 1 − η_m²; then the body on the rim, k = 1 − η_m², with
+/// For each η_m the k at which both take the same time, each on its extremal, as
+/// long as that is possible, k ≤ 1 − η_m²; then the body on the rim, k = 1 − η_m², with
 /// which the boundary ends.
 ///
 /// \param scene  radius, L, H and, if `best` is false, θ_m of the cylinders

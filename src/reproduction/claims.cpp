@@ -7,18 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
-#include "brachisto/model/kinetic_energy.hpp"
-#include "reproduction/comparison.hpp"
+#include "reproduction/claims.hpp"
+#include "reproduction/members.hpp"
 #include "reproduction/printed.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double tau(const Findings& found, const char* name) {
   return found.cases[name].tau().value;
@@ -41,6 +38,21 @@ Claim about_standard_curves(const Findings& found) {
           best < next ? Verdict::Holds : Verdict::Fails,
           fmt::format("τ = {:.6f}; the best standard curve has {:.6f}.", best,
                       next)};
+}
+
+Claim about_shortest_time(const Findings& found) {
+  const double extremal = tau(found, "fig04_reference_case");
+  const BentTrack& bent = found.bent;
+  return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
+          bent.tau < extremal ? Verdict::Fails : Verdict::Holds,
+          fmt::format(
+              "It is a minimum between the fixed ends of its centre's path. A "
+              "track between the same A and B that turns up next to B, "
+              "in a groove {:.3g} H wider than the body, takes τ = "
+              "{:.4f} against {:.4f}{}. The sharper the bend, the "
+              "faster: without limits there is no fastest track.",
+              bent.radius, bent.tau, extremal,
+              bent.feasible ? ", and is feasible" : "")};
 }
 
 Claim about_grid(const Findings& found) {
@@ -75,7 +87,8 @@ Claim about_normal_force(const Findings& found) {
   for (const auto& [name, one] : found.cases.all()) {
     if (one.scene().path || !one.scene().body.rolls()) continue;
     ++count;
-    if (one.fine.diagnostics->min_normal_force.value <= 0.0) {
+    const PathDiagnostics& d = *one.fine.diagnostics;
+    if (d.at_start.lifts_off() || d.min_normal_force.value < 0.0) {
       lifted.push_back(words(name));
     }
   }
@@ -115,6 +128,19 @@ Claim about_curvature(const Findings& found) {
                       least_margin)};
 }
 
+Claim about_shortest_track(const Findings& found) {
+  const auto length = [&](const char* name) {
+    return found.cases[name].motion().rail_length();
+  };
+  const double bead = length("fig06_bead");
+  const double uniform = length("fig06_uniform_cylinder");
+  const double off = length("fig04_reference_case");
+  return {"Fig. 6", "The bead has the shortest track of the three.",
+          bead < std::min(uniform, off) ? Verdict::Holds : Verdict::Fails,
+          fmt::format("{:.4f}, {:.4f}, {:.4f}: bead, uniform, off-centred.",
+                      bead, uniform, off)};
+}
+
 Claim about_lengths(const Findings& found) {
   const double uniform =
       found.cases["fig06_uniform_cylinder"].motion().rail_length();
@@ -149,132 +175,59 @@ Claim about_order(const Findings& found) {
                                    number_in(printed::kOffCentred)))};
 }
 
-Claim about_angular_speed(const Findings& found) {
-  const Case& one = found.cases["fig04_reference_case"];
-  const Scene& scene = one.scene();
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
-  constexpr int kSamples = 400;
-  for (const TrajectoryPoint& at : one.motion().fine_sample(kSamples)) {
-    if (at.motion.v_c <= 0.0) continue;
-    const double energy = kinetic_energy(scene.body, scene.gravity, at.theta,
-                                         at.beta, at.motion.v_c)
-                              .total();
-    const double ratio = at.motion.omega / std::sqrt(energy);
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
+/// "4.8706 (r = 0.5), …".
+std::string by_radius(const std::vector<RadiusRow>& rows) {
+  std::vector<std::string> values;
+  for (const RadiusRow& row : rows) {
+    values.push_back(fmt::format("{:.4f} (r = {:.3g})", row.tau, row.radius));
   }
-  constexpr double kSame = 1.0 + 1e-9;
-  return {"Sec. III.B", "Speeds follow the kinetic energy, ω ∝ √TKE.",
-          most < kSame * least ? Verdict::Holds : Verdict::HoldsInPart,
-          fmt::format("For axisymmetric bodies. In general TKE = m r^2 ω^2 A/2 "
-                      "with A(θ, β): on the track of Fig. 4 ω/√TKE varies by "
-                      "the factor {:.2f}.",
-                      most / least)};
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+double spread(const std::vector<RadiusRow>& rows) {
+  const auto [least, most] =
+      std::ranges::minmax_element(rows, {}, &RadiusRow::tau);
+  return most->tau - least->tau;
 }
 
 Claim about_radius(const Findings& found) {
-  std::vector<std::string> values;
-  const auto [least, most] =
-      std::ranges::minmax_element(found.uniform, {}, &RadiusRow::tau);
-  for (const RadiusRow& row : found.uniform) {
-    values.push_back(fmt::format("{:.4f} (r = {:.3g})", row.tau, row.radius));
+  constexpr double kNone = 0.005;  // half of the last digit that is printed
+  std::vector<RadiusRow> off_centred;
+  for (const Member& member : tracks_by_radius()) {
+    off_centred.push_back({found.cases[member.file].scene().body.radius,
+                           tau(found, member.file.c_str())});
   }
-  return {
-      "Sec. III.F",
-      "Transit times of axisymmetric cylinders do not depend on r.",
-      most->tau - least->tau < 0.005 ? Verdict::Holds : Verdict::HoldsInPart,
-      fmt::format("Between fixed ends of the centre's path. Between fixed "
-                  "points A and B of the track τ = {}.",
-                  fmt::join(values, ", "))};
+  const double k = found.cases["fig06_uniform_cylinder"].scene().body.k;
+  const bool varies = spread(off_centred) > kNone;
+  const bool constant = spread(found.uniform) < kNone;
+  return {"Sec. III.F",
+          "Transit times vary with r, unlike those of axisymmetric cylinders.",
+          !varies    ? Verdict::Fails
+          : constant ? Verdict::Holds
+                     : Verdict::HoldsInPart,
+          fmt::format("Off-centred, η_m = 2/3: τ = {}. Axisymmetric times do "
+                      "not depend on r between fixed ends of the centre's "
+                      "path; between fixed points A and B of the track they "
+                      "do: τ = {}, and for r → 0 that of the bead times "
+                      "√(1 + k), {:.4f}.",
+                      by_radius(off_centred), by_radius(found.uniform),
+                      tau(found, "fig06_bead") * std::sqrt(1.0 + k))};
 }
 
 Claim about_length_of_domain(const Findings& found) {
   const double a = tau(found, "fig12_L_2");
   const double b = tau(found, "fig04_reference_case");
   const double c = tau(found, "fig12_L_4");
-  return {"Sec. III.G", "Longer domains take longer.",
-          a < b && b < c ? Verdict::Holds : Verdict::Fails,
-          fmt::format("τ = {:.4f}, {:.4f}, {:.4f} for L = 2, 3, 4.", a, b, c)};
-}
-
-/// Whether the row of the map with this offset has its minimum at −30° if only
-/// multiples of 30° are looked at.
-bool minimum_at_30(const SweepTable& map, std::size_t row) {
-  const std::size_t count = map.axes.back().count;
-  const auto theta =
-      std::ranges::find(map.columns, "scene.body.theta_m", &SweepColumn::key);
-  std::size_t best = map.outcomes.size();
-  for (std::size_t i = row * count; i < (row + 1) * count; ++i) {
-    const double steps = theta->numbers[i] * kDegrees / 30.0;
-    if (std::abs(steps - std::round(steps)) > 1e-9) continue;
-    if (best == map.outcomes.size() ||
-        map.outcomes[i].tau < map.outcomes[best].tau) {
-      best = i;
-    }
+  std::vector<double> lengths;
+  for (const Member& member : tracks_by_length()) {
+    lengths.push_back(found.cases[member.file].motion().rail_length());
   }
-  return std::abs(theta->numbers[best] * kDegrees + 30.0) < 1e-9;
-}
-
-Claim about_orientation(const Findings& found) {
-  const auto [least, most] = std::ranges::minmax_element(
-      found.orientations, {},
-      [](const OrientationRow& row) { return row.fastest.theta_m.value; });
-  double error = 0.0;
-  for (const OrientationRow& row : found.orientations) {
-    error = std::max(error, row.fastest.theta_m.error);
-  }
-  constexpr double kClaimed = -std::numbers::pi / 6.0;
-  const double spread =
-      std::max(std::abs(least->fastest.theta_m.value - kClaimed),
-               std::abs(most->fastest.theta_m.value - kClaimed));
-  const std::size_t rows = found.map.axes.front().count;
-  std::size_t same = 0;
-  for (std::size_t row = 1; row < rows; ++row) {
-    same += minimum_at_30(found.map, row) ? 1 : 0;
-  }
-  return {"Fig. 13", "The minimum stays at θ_m = −π/6 for every η_m.",
-          spread <= error ? Verdict::Holds : Verdict::Fails,
-          with_minus_signs(fmt::format(
-              "It moves from {:.4f}° (η_m = {:.4f}) to {:.4f}° (η_m = {:.4f}), "
-              "known to {:.0e}°. On a grid of 30° it is −30° for {} of {} "
-              "offsets.",
-              least->fastest.theta_m.value * kDegrees, least->eta_m,
-              most->fastest.theta_m.value * kDegrees, most->eta_m,
-              error * kDegrees, same, rows - 1))};
-}
-
-/// Largest less smallest τ of each row of the map.
-std::vector<double> spreads(const SweepTable& map) {
-  const std::size_t count = map.axes.back().count;
-  std::vector<double> out;
-  for (std::size_t first = 0; first < map.outcomes.size(); first += count) {
-    const auto begin =
-        map.outcomes.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto [least, most] =
-        std::minmax_element(begin, begin + static_cast<std::ptrdiff_t>(count),
-                            [](const SweepOutcome& a, const SweepOutcome& b) {
-                              return a.tau < b.tau;
-                            });
-    out.push_back(most->tau - least->tau);
-  }
-  return out;
-}
-
-Claim about_effect_of_orientation(const Findings& found) {
-  const std::vector<double> spread = spreads(found.map);
-  const bool grows = std::ranges::is_sorted(spread);
-  constexpr double kNone = 1e-9;
-  return {
-      "Fig. 13",
-      "Without offset θ_m does not matter; its effect grows with η_m.",
-      grows && spread.front() < kNone ? Verdict::Holds : Verdict::Fails,
-      fmt::format("Over all θ_m τ varies by {:.0e} at η_m = 0 and by {:.4f} "
-                  "at the largest η_m{}.",
-                  spread.front(), spread.back(),
-                  grows ? ", more for each offset of the map than for the "
-                          "one before"
-                        : "")};
+  const bool longer = std::ranges::is_sorted(lengths);
+  return {"Sec. III.G", "Longer domains have longer tracks and take longer.",
+          a < b && b < c && longer ? Verdict::Holds : Verdict::Fails,
+          fmt::format("τ = {:.4f}, {:.4f}, {:.4f} and lengths {:.4f} for L = "
+                      "2, 3, 4.",
+                      a, b, c, fmt::join(lengths, ", "))};
 }
 
 Claim about_beating_the_bead(const Findings& found) {
@@ -323,17 +276,33 @@ std::string_view name(Verdict verdict) {
 }
 
 std::vector<Claim> judge(const Findings& found) {
-  return {about_standard_curves(found),
+  return {about_possible_bodies(),
+          about_dependence_on_inertia(found),
           about_grid(found),
+          about_shortest_time(found),
+          about_standard_curves(found),
           about_normal_force(found),
+          about_rise_of_normal_force(found),
+          about_bulk_of_normal_force(found),
           about_curvature(found),
-          about_order(found),
-          about_angular_speed(found),
+          about_cycloids(found),
+          about_pull(found),
+          about_depth(found),
+          about_shortest_track(found),
           about_lengths(found),
+          about_order(found),
+          about_incline(found),
+          about_angular_speed(found),
+          about_effect_of_offset(found),
+          about_place_of_peaks(found),
+          about_effect_of_inertia(found),
+          about_number_of_peaks(found),
           about_radius(found),
           about_length_of_domain(found),
-          about_orientation(found),
+          about_start(found),
           about_effect_of_orientation(found),
+          about_minimum(found),
+          about_orientation(found),
           about_beating_the_bead(found),
           about_axisymmetric_bodies(found)};
 }

@@ -109,8 +109,8 @@ std::vector<Comparison> lengths_and_forces(const Cases& cases) {
       {"Fig. 5", "where R_n is largest, x_b / H", "2.5",
        diagnostic([](const D& d) { return d.max_normal_force.x; }), "", ""},
       {"Sec. III.A", "least local minimum of κ_b", "−1.34",
-       diagnostic([](const D& d) { return d.min_curvature.value; }), "1/H",
-       "The rise from the start, where κ_b tends to −1/r, is left out."},
+       diagnostic([](const D& d) { return d.curvature_after_rise.value; }),
+       "1/H", "The rise from the start, where κ_b tends to −1/r, is left out."},
       {"Sec. III.A", "largest κ_b", "1.52",
        diagnostic([](const D& d) { return d.max_curvature.value; }), "1/H", ""},
   };

@@ -32,7 +32,7 @@ struct Figure {
 /// Along the path: speeds, forces, friction, curvature, energies.
 [[nodiscard]] std::vector<Figure> motion_figures(const Cases& cases);
 
-/// Over parameters: τ of η_m and θ_m, the fastest θ_m, possible bodies.
+/// Over parameters: τ of η_m and θ_m, the best θ_m, possible bodies.
 [[nodiscard]] std::vector<Figure> parameter_figures(const Findings& found);
 
 /// All of them in the order of the paper.

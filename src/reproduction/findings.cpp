@@ -3,9 +3,12 @@
 
 #include "reproduction/findings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "reproduction/bent_track.hpp"
+#include "reproduction/members.hpp"
 #include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
@@ -91,43 +94,81 @@ double bead_between_ends(const Motion& motion, const Interrupt& interrupt) {
   return verified_tau(scene, interrupt) * std::sqrt(scene.H / motion.scene().H);
 }
 
+double largest_distance(const Motion& a, const Motion& b) {
+  constexpr int kPlaces = 400;
+  double largest = 0.0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double sigma = static_cast<double>(i) / kPlaces;
+    const Point p = a.at(sigma).motion.contact;
+    const Point q = b.at(sigma).motion.contact;
+    largest = std::max(largest, std::hypot(p.x - q.x, p.z - q.z));
+  }
+  return largest;
+}
+
+ShiftByInertia shift_by_inertia(const Cases& cases,
+                                const Interrupt& interrupt) {
+  const Case& light = cases["fig10_k_0.1"];
+  const Case& heavy = cases["fig10_k_5_9"];
+  const auto uniform = [&](const Case& one) {
+    Scene scene = cases["fig06_uniform_cylinder"].scene();
+    scene.body.k = one.scene().body.k;
+    return verified_solution(scene, interrupt);
+  };
+  const Solution uniform_light = uniform(light);
+  const Solution uniform_heavy = uniform(heavy);
+  return {largest_distance(*uniform_light.motion(), *uniform_heavy.motion()),
+          largest_distance(light.motion(), heavy.motion())};
+}
+
+double uniform_on_incline(const Cases& cases, const Interrupt& interrupt) {
+  Scene scene = cases["fig04_straight"].scene();
+  scene.body = cases["fig06_uniform_cylinder"].scene().body;
+  return verified_tau(scene, interrupt);
+}
+
+std::vector<BackwardStart> backward_starts(Scene scene,
+                                           const Interrupt& interrupt) {
+  std::vector<BackwardStart> rows;
+  for (const double degrees :
+       {-175.0, -150.0, -120.0, -100.0, 100.0, 120.0, 150.0, 175.0}) {
+    scene.body.theta_m = degrees * kPi / 180.0;
+    rows.push_back(
+        {scene.body.theta_m, verified_solution(scene, interrupt).feasible()});
+  }
+  return rows;
+}
+
+BentTrack bent_reference(const Scene& reference, const Interrupt& interrupt) {
+  // Of the time on a spline through points.
+  constexpr double kTolerance = 1e-8;
+  BentTrack bent{.phi = -0.8, .radius = 0.1, .tau = 0.0, .feasible = false};
+  const Solution solution =
+      verified_solution(bent_track(reference, bent.phi, bent.radius, interrupt),
+                        interrupt, kTolerance);
+  bent.tau = solution.motion()->tau();
+  bent.feasible = solution.feasible();
+  return bent;
+}
+
 /// What comparison, statements and figures refer to by name.
 std::vector<std::string> needed_cases() {
-  return {"check_uniform_half_arch",
-          "fig03_incline",
-          "fig04_circular_arc",
-          "fig04_cycloid",
-          "fig04_parabola",
-          "fig04_reference_case",
-          "fig04_straight",
-          "fig06_bead",
-          "fig06_uniform_cylinder",
-          "fig08_eta_m_0",
-          "fig08_eta_m_1_2",
-          "fig08_eta_m_1_3",
-          "fig08_eta_m_1_6",
-          "fig08_eta_m_1_sqrt2",
-          "fig09_theta_m_m30deg",
-          "fig09_theta_m_m60deg",
-          "fig09_theta_m_m90deg",
-          "fig09_theta_m_p30deg",
-          "fig09_theta_m_p60deg",
-          "fig09_theta_m_p90deg",
-          "fig10_k_0.1",
-          "fig10_k_0.3",
-          "fig10_k_5_9",
-          "fig11_r_0.2",
-          "fig11_r_0.25",
-          "fig11_r_0.25_eta_m_1_3",
-          "fig11_r_0.2_eta_m_1_3",
-          "fig11_r_0.4",
-          "fig11_r_0.4_eta_m_1_3",
-          "fig11_r_0.5",
-          "fig11_r_0.5_eta_m_1_3",
-          "fig11_r_1_3_eta_m_1_3",
-          "fig12_L_2",
-          "fig12_L_4",
-          "fig13_faster_than_bead"};
+  std::vector<std::string> names{"check_uniform_half_arch",
+                                 "fig03_incline",
+                                 "fig04_circular_arc",
+                                 "fig04_cycloid",
+                                 "fig04_parabola",
+                                 "fig04_straight",
+                                 "fig06_bead",
+                                 "fig06_uniform_cylinder",
+                                 "fig13_faster_than_bead"};
+  for (const Members& family :
+       {tracks_by_offset(), tracks_by_orientation(), tracks_by_inertia(),
+        tracks_by_radius(), tracks_by_radius_of_the_text(),
+        tracks_by_length()}) {
+    for (const Member& member : family) names.push_back(member.file);
+  }
+  return names;
 }
 
 }  // namespace
@@ -146,7 +187,11 @@ Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
       .boundary = {},
       .best_boundary = {},
       .uniform = {},
-      .bead_between_centres = 0.0};
+      .bead_between_centres = 0.0,
+      .shift_by_inertia = {},
+      .uniform_on_incline = 0.0,
+      .backward_starts = {},
+      .bent = {}};
   const Scene& reference = out.cases["fig04_reference_case"].scene();
   const Case& fast = out.cases["fig13_faster_than_bead"];
   hooks.announce("grid study");
@@ -162,7 +207,12 @@ Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.uniform =
       uniform_of_radius(out.cases["fig06_uniform_cylinder"].scene(), interrupt);
   out.bead_between_centres = bead_between_ends(fast.motion(), interrupt);
-  hooks.announce("fastest orientations");
+  hooks.announce("other bodies on the paper's tracks");
+  out.shift_by_inertia = shift_by_inertia(out.cases, interrupt);
+  out.uniform_on_incline = uniform_on_incline(out.cases, interrupt);
+  out.backward_starts = backward_starts(reference, interrupt);
+  out.bent = bent_reference(reference, interrupt);
+  hooks.announce("best orientations");
   out.orientations = fastest_orientations(reference, interrupt);
   hooks.announce("bodies as fast as the bead");
   constexpr int kSteps = 20;

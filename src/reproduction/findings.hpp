@@ -35,7 +35,7 @@ struct GridRow {
   PaperEquations equations;
 };
 
-/// The fastest orientation of a body.
+/// The orientation of a body with the smallest τ.
 struct OrientationRow {
   double eta_m = 0.0;
   Orientation fastest;
@@ -47,6 +47,27 @@ struct RadiusRow {
   double tau = 0.0;
 };
 
+/// How far a point of the track moves, at the same share of the rolling time,
+/// between k = 0.1 and k = 5/9: the farthest of all [H].
+struct ShiftByInertia {
+  double axisymmetric = 0.0;  ///< η_m = 0
+  double off_centred = 0.0;   ///< η_m = 2/3
+};
+
+/// The reference case put down with its centre of mass on the other side.
+struct BackwardStart {
+  double theta_m = 0.0;  ///< |θ_m| > π/2 [rad]
+  bool feasible = false;
+};
+
+/// A bent_track() for the body of the reference case.
+struct BentTrack {
+  double phi = 0.0;     ///< [rad]
+  double radius = 0.0;  ///< of its arc [H]
+  double tau = 0.0;
+  bool feasible = false;
+};
+
 struct Findings {
   Cases cases;
   SweepTable map;  ///< τ over η_m and θ_m
@@ -55,11 +76,15 @@ struct Findings {
   std::map<std::string, PaperEquations> equations;
   std::vector<OrientationRow> orientations;
   std::vector<BoundaryBody> boundary;       ///< with θ_m = −π/6
-  std::vector<BoundaryBody> best_boundary;  ///< with the fastest θ_m
+  std::vector<BoundaryBody> best_boundary;  ///< with the best θ_m
   std::vector<RadiusRow> uniform;
   /// τ of a bead between the ends of the *centre's* path of the body that the
   /// paper found to be faster than the bead.
   double bead_between_centres = 0.0;
+  ShiftByInertia shift_by_inertia;
+  double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
+  std::vector<BackwardStart> backward_starts;
+  BentTrack bent;
 };
 
 /// Who asks and who listens.

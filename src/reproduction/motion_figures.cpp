@@ -110,8 +110,8 @@ Figure incline(const Cases& cases) {
 Figure forces(const Cases& cases) {
   const Case& one = cases["fig04_reference_case"];
   const Motion& motion = one.motion();
-  Chart chart = chart_of("fig05_forces", "Forces along the fastest track",
-                         "x_b / H", "force / m g");
+  Chart chart = chart_of("fig05_forces", "Forces along the extremal", "x_b / H",
+                         "force / m g");
   chart.curves.push_back({.name = "normal force R_n",
                           .points = sampled(motion, x_of_contact,
                                             [](const TrajectoryPoint& at) {
@@ -137,7 +137,7 @@ Figure forces(const Cases& cases) {
                          -4.0});
   return figure(chart, "Fig. 5. Forces from the track",
                 "The off-centred cylinder of Fig. 4. R_n is zero at the start, "
-                "as on every fastest track. Paper: largest R_n 4.2 m g at x = "
+                "as on every extremal. Paper: largest R_n 4.2 m g at x = "
                 "2.5.");
 }
 
@@ -176,7 +176,7 @@ Figure friction(const Cases& cases) {
          .id = fmt::format("level {}", level)});
   }
   return figure(chart, "Friction that rolling needs",
-                "Not in the paper. At the start of a fastest track R_n = 0 "
+                "Not in the paper. At the start of an extremal R_n = 0 "
                 "while R_t ≠ 0 for k > 0, so that the coefficient needed is "
                 "unbounded there: whatever the track is made of, a real body "
                 "slips for a moment.");
@@ -186,7 +186,7 @@ Figure curvature(const Cases& cases) {
   const Case& one = cases["fig04_reference_case"];
   const Motion& motion = one.motion();
   const double r = one.scene().body.radius;
-  Chart chart = chart_of("curvature", "Curvatures along the fastest track",
+  Chart chart = chart_of("curvature", "Curvatures along the extremal",
                          "x_b / H", "κ_b H, κ_c H, 1 − r κ_c");
   chart.y.low = -3.5;
   chart.y.high = 3.5;
@@ -223,8 +223,8 @@ Figure curvature(const Cases& cases) {
           "where 1 − r κ_c ≤ 0; the least value is {:.3f}. At the start κ_c → "
           "−∞ and κ_b → −1/r = {:.3g}. Paper: κ_b from −1.34 to 1.52; the "
           "least local minimum and the maximum found are {:.3f} and {:.3f}.",
-          found.min_fold_margin.value, -1.0 / r, found.min_curvature.value,
-          found.max_curvature.value)));
+          found.min_fold_margin.value, -1.0 / r,
+          found.curvature_after_rise.value, found.max_curvature.value)));
 }
 
 /// Kinetic energy of three bodies over a coordinate; of the off-centred one
@@ -270,8 +270,8 @@ Figure speeds(const Cases& cases) {
   const Motion& motion = one.motion();
   const Scene& scene = one.scene();
   const double unit = std::sqrt(2.0 * scene.gravity * scene.H);
-  Chart chart = chart_of("speeds", "Speeds along the fastest track",
-                         "t √(2g/H)", "speed / √(2 g H)");
+  Chart chart = chart_of("speeds", "Speeds along the extremal", "t √(2g/H)",
+                         "speed / √(2 g H)");
   chart.curves.push_back({.name = "centre of the cylinder, v_c = r ω",
                           .points = sampled(motion, time_of(motion),
                                             [unit](const TrajectoryPoint& at) {

@@ -91,9 +91,9 @@ Orientation fastest_orientation(Scene scene, double guess,
     }
     centre += wide.falls_above() ? kHalfWidth : -kHalfWidth;
   }
-  throw NotVerified(
-      fmt::format("no fastest θ_m near {:.6g} rad for η_m = {:.6g}, k = {:.6g}",
-                  guess, scene.body.eta_m, scene.body.k));
+  throw NotVerified(fmt::format(
+      "no θ_m of smallest τ near {:.6g} rad for η_m = {:.6g}, k = {:.6g}",
+      guess, scene.body.eta_m, scene.body.k));
 }
 
 }  // namespace brachisto::reproduction

@@ -12,7 +12,7 @@
 
 namespace brachisto::reproduction {
 
-/// The fastest initial orientation of a body.
+/// The initial orientation of a body with the smallest τ.
 struct Orientation {
   Measured theta_m;  ///< [rad]
   double tau = 0.0;  ///< there

@@ -73,8 +73,8 @@ std::string cases_table(const Cases& cases) {
         "<td>{}</td><td>{}{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td></tr>\n",
         name, with_error(one.tau()), one.motion().rail_length(),
-        span(d.min_normal_force, d.max_normal_force),
-        span(d.min_curvature, d.max_curvature),
+        span(d.normal_force_after_rise, d.max_normal_force),
+        span(d.curvature_after_rise, d.max_curvature),
         bends_less_than_body(one) ? "" : " (&gt; 1/r)",
         rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
         rolls
@@ -91,12 +91,12 @@ std::string orientation_table(const std::vector<OrientationRow>& rows) {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   std::string out = "<div class=\"wide\"><table><thead><tr><th>" +
                     html_words("η_m") + "</th><th>" +
-                    html_words("fastest θ_m [rad]") +
+                    html_words("θ_m of the smallest τ [rad]") +
                     "</th><th>[°]</th>"
                     "<th>τ there</th></tr></thead><tbody>\n";
   for (const OrientationRow& row : rows) {
     out += fmt::format(
-        "<tr><td>{:.6f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
+        "<tr><td>{:.12f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
         row.eta_m, with_error(row.fastest.theta_m),
         with_minus_signs(
             fmt::format("{:.5f}", row.fastest.theta_m.value * kDegrees)),
@@ -124,8 +124,11 @@ std::string introduction(const Findings& found) {
       "Nagarajan, <i>Brachistochrone of off-centered cylinders</i> (2022), "
       "computed again by brachisto {} and set beside what is printed.</p>\n"
       "<h2>The scene</h2>\n<p>A cylinder of radius <i>r</i> rolls without slip "
-      "from A = (0, 0) to B = (<i>L</i>, <i>H</i>), <i>H</i> = 1, on a track "
-      "that is to be as fast as possible. Its centre of mass lies at the "
+      "from A = (0, 0) to B = (<i>L</i>, <i>H</i>), <i>H</i> = 1, on the "
+      "paper's "
+      "brachistochrone: the smooth-contact extremal, which is not the fastest "
+      "track of all (docs/theory.md, section 3, third trap). Its centre of "
+      "mass lies at the "
       "distance {} from its axis, at first in the direction {} below the "
       "horizontal; its moment of inertia about the centre of mass is "
       "<i>k m r</i><sup>2</sup>. Times are <i>τ</i> = <i>T</i> "
@@ -153,7 +156,7 @@ std::string page(const Findings& found, const Reproduction& made) {
   out += "<h2>Statements</h2>\n" + claims_table(made.claims);
   out += "<h2>Figures</h2>\n";
   for (const Figure& figure : made.figures) out += figure_html(figure);
-  out += "<h2>The fastest initial orientation</h2>\n" +
+  out += "<h2>The initial orientation of the smallest τ</h2>\n" +
          orientation_table(found.orientations);
   out += "<h2>All cases</h2>\n" + cases_table(found.cases);
   const report::Provenance with = report::provenance();

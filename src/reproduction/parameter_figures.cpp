@@ -139,7 +139,7 @@ Figure map_as_colours(const SweepTable& table) {
 Figure fastest_orientation_figure(const Findings& found) {
   Chart chart;
   chart.name = "fastest_orientation";
-  chart.title = "The fastest initial orientation";
+  chart.title = "The initial orientation of the smallest τ";
   chart.x.label = "η_m";
   chart.y.label = "θ_m of the smallest τ [°]";
   Curve curve{.name = "found", .points = {}, .colour = "#1a3f8f"};
@@ -160,7 +160,7 @@ Figure fastest_orientation_figure(const Findings& found) {
                           .colour = "#888888",
                           .id = "paper"});
   return figure(
-      chart, "The fastest initial orientation",
+      chart, "The initial orientation of the smallest τ",
       fmt::format("k = 1/2, r = 1/3, L = 3; each point by minimisation "
                   "over θ_m, known to {:.0e}°.",
                   error * kDegrees));
@@ -236,7 +236,7 @@ Figure region(const Findings& found) {
                           .colour = "#1a3f8f",
                           .width = 2.0,
                           .id = "theta_m = -pi/6"});
-  chart.curves.push_back({.name = "as fast as the bead, fastest θ_m",
+  chart.curves.push_back({.name = "as fast as the bead, best θ_m",
                           .points = boundary_points(found.best_boundary),
                           .stroke = Stroke::Dashed,
                           .colour = "#b5651d",

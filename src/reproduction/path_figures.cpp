@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reproduction/figures.hpp"
+#include "reproduction/members.hpp"
 #include "reproduction/printed.hpp"
 
 namespace brachisto::reproduction {
@@ -18,12 +19,6 @@ using report::Datum;
 using report::Stroke;
 
 constexpr int kSamples = 400;
-
-/// A case and its name in the key.
-struct Member {
-  std::string file;
-  std::string name;
-};
 
 std::vector<Datum> along(const Motion& motion,
                          Point (*place)(const TrajectoryPoint&)) {
@@ -70,7 +65,7 @@ void add_body(Chart& chart, const Motion& motion) {
 
 /// Tracks as full lines, paths of the centre of mass dashed in the same colour.
 Chart family(const Cases& cases, std::string name, std::string title,
-             const std::vector<Member>& members) {
+             const Members& members) {
   Chart chart = path_chart(std::move(name), std::move(title));
   const std::vector<std::string> colours =
       report::family_colours(members.size());
@@ -96,17 +91,25 @@ Chart family(const Cases& cases, std::string name, std::string title,
 
 Figure standard_curves(const Cases& cases) {
   const std::vector<std::pair<Member, Stroke>> drawn = {
-      {{"fig04_reference_case", "brachistochrone"}, Stroke::Solid},
+      {{"fig04_reference_case", "smooth-contact extremal"}, Stroke::Solid},
       {{"fig04_cycloid", "Cycloid*"}, Stroke::Dashed},
       {{"fig04_circular_arc", "circular arc"}, Stroke::DashDotted},
       {{"fig04_parabola", "parabola"}, Stroke::Dotted},
       {{"fig04_straight", "straight line"}, Stroke::Solid}};
-  Chart chart = path_chart("fig04_standard_curves",
-                           "The fastest track and standard curves");
+  Chart chart =
+      path_chart("fig04_standard_curves", "The extremal and standard curves");
   const std::vector<std::string> colours = report::family_colours(drawn.size());
+  std::string caption =
+      "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five tracks "
+      "from A to B; in grey at the start of the tracks that begin vertically. "
+      "Cycloid* is the track on which the centre runs along a cycloid, that "
+      "of a uniform cylinder.";
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const auto& [member, stroke] = drawn[i];
     const Case& one = cases[member.file];
+    for (const std::string& reason : one.fine.infeasible_because()) {
+      caption += fmt::format(" {}: {}.", member.name, reason);
+    }
     chart.curves.push_back(
         {.name = fmt::format("{}: τ = {:.4f}", member.name, one.tau().value),
          .points = along(one.motion(), track),
@@ -118,14 +121,9 @@ Figure standard_curves(const Cases& cases) {
   const Motion& best = cases["fig04_reference_case"].motion();
   add_body(chart, best);
   add_ends(chart, best.scene());
-  return figure(
-      chart, "Fig. 4. Standard curves and the fastest track",
-      "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five "
-      "tracks from A to B, at its start in grey. Cycloid* is the "
-      "track on which the centre runs along a cycloid, the optimum "
-      "of a uniform cylinder. On the circular arc the body would "
-      "lift off at the start. Paper: τ = 4.99 for the "
-      "brachistochrone.");
+  return figure(chart, "Fig. 4. Standard curves and the extremal",
+                caption + " Paper: τ = " + printed::kOffCentred +
+                    " for the brachistochrone.");
 }
 
 Figure three_bodies(const Cases& cases) {
@@ -157,26 +155,20 @@ Figure three_bodies(const Cases& cases) {
   const Motion& best = cases["fig04_reference_case"].motion();
   add_body(chart, best);
   add_ends(chart, best.scene());
-  std::string caption =
-      "The cylinder with r = 1/3, η_m = 2/3, θ_m = 0, k = 1/2 on five tracks "
-      "from A to B; in grey at the start of the tracks that begin vertically. "
-      "Cycloid* is the track on which the centre runs along a cycloid, the "
-      "optimum of a uniform cylinder.";
-  for (const auto& [member, stroke] : drawn) {
-    for (const std::string& reason :
-         cases[member.file].fine.infeasible_because()) {
-      caption += fmt::format(" {}: {}.", member.name, reason);
-    }
-  }
-  return figure(chart, "Fig. 4. Standard curves and the fastest track",
-                caption + " Paper: τ = " + printed::kOffCentred +
-                    " for the brachistochrone.");
+  return figure(
+      chart, "Fig. 6. Three bodies",
+      fmt::format(
+          "A bead, a uniform and an off-centred cylinder (r = 1/3, k = 1/2; "
+          "η_m = 2/3, θ_m = 0) on their extremals, and the trajectories of the "
+          "centres of mass, dashed. Paper: τ = {}, {}, {}; lengths 3.57, 3.66, "
+          "3.66.",
+          printed::kBead, printed::kUniform, printed::kOffCentred));
 }
 
 Figure radii(const Cases& cases, const std::string& offset,
-             const std::vector<Member>& members, const std::string& suffix) {
+             const Members& members, const std::string& suffix) {
   return figure(
-      family(cases, "fig11_r" + suffix, "Fastest tracks for radii", members),
+      family(cases, "fig11_r" + suffix, "Tracks by radius", members),
       "Fig. 11. Radius of the cylinder, η_m = " + offset,
       "η_m = " + offset +
           ", θ_m = 0, k = 1/2, L = 3. The text of the paper has η_m = 1/3, the "
@@ -189,60 +181,32 @@ std::vector<Figure> path_figures(const Cases& cases) {
   std::vector<Figure> out;
   out.push_back(standard_curves(cases));
   out.push_back(three_bodies(cases));
+  out.push_back(figure(
+      family(cases, "fig08_eta_m", "Tracks by offset", tracks_by_offset()),
+      "Fig. 8. Offset of the centre of mass",
+      "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass."));
   out.push_back(
-      figure(family(cases, "fig08_eta_m", "Fastest tracks for offsets",
-                    {{"fig08_eta_m_0", "η_m = 0"},
-                     {"fig08_eta_m_1_6", "η_m = 1/6"},
-                     {"fig08_eta_m_1_3", "η_m = 1/3"},
-                     {"fig08_eta_m_1_2", "η_m = 1/2"},
-                     {"fig04_reference_case", "η_m = 2/3"},
-                     {"fig08_eta_m_1_sqrt2", "η_m = 1/√2"}}),
-             "Fig. 8. Offset of the centre of mass",
-             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass."));
+      figure(family(cases, "fig09_theta_m", "Tracks by initial orientation",
+                    tracks_by_orientation()),
+             "Fig. 9. Initial orientation",
+             "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of "
+             "mass. For θ_m < 0 the track starts backwards."));
   out.push_back(figure(
-      family(cases, "fig09_theta_m", "Fastest tracks for initial orientations",
-             {{"fig09_theta_m_m90deg", "θ_m = −90°"},
-              {"fig09_theta_m_m60deg", "θ_m = −60°"},
-              {"fig09_theta_m_m30deg", "θ_m = −30°"},
-              {"fig04_reference_case", "θ_m = 0"},
-              {"fig09_theta_m_p30deg", "θ_m = 30°"},
-              {"fig09_theta_m_p60deg", "θ_m = 60°"},
-              {"fig09_theta_m_p90deg", "θ_m = 90°"}}),
-      "Fig. 9. Initial orientation",
-      "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of "
-      "mass. For θ_m < 0 the track starts backwards."));
-  out.push_back(figure(
-      family(cases, "fig10_k", "Fastest tracks for moments of inertia",
-             {{"fig10_k_0.1", "k = 0.1"},
-              {"fig10_k_0.3", "k = 0.3"},
-              {"fig04_reference_case", "k = 0.5"},
-              {"fig10_k_5_9", "k = 5/9"}}),
+      family(cases, "fig10_k", "Tracks by moment of inertia",
+             tracks_by_inertia()),
       "Fig. 10. Moment of inertia",
       "η_m = 2/3, θ_m = 0, r = 1/3, L = 3; k up to 1 − η_m^2 = 5/9. Dashed: "
       "centre of mass."));
-  out.push_back(radii(cases, "2/3",
-                      {{"fig11_r_0.2", "r = 0.2"},
-                       {"fig11_r_0.25", "r = 0.25"},
-                       {"fig04_reference_case", "r = 1/3"},
-                       {"fig11_r_0.4", "r = 0.4"},
-                       {"fig11_r_0.5", "r = 0.5"}},
-                      "_eta_2_3"));
-  out.push_back(radii(cases, "1/3",
-                      {{"fig11_r_0.2_eta_m_1_3", "r = 0.2"},
-                       {"fig11_r_0.25_eta_m_1_3", "r = 0.25"},
-                       {"fig11_r_1_3_eta_m_1_3", "r = 1/3"},
-                       {"fig11_r_0.4_eta_m_1_3", "r = 0.4"},
-                       {"fig11_r_0.5_eta_m_1_3", "r = 0.5"}},
-                      "_eta_1_3"));
+  out.push_back(radii(cases, "2/3", tracks_by_radius(), "_eta_2_3"));
+  out.push_back(
+      radii(cases, "1/3", tracks_by_radius_of_the_text(), "_eta_1_3"));
   out.push_back(figure(
-      family(cases, "fig12_L", "Fastest tracks for lengths of the domain",
-             {{"fig12_L_2", "L = 2"},
-              {"fig04_reference_case", "L = 3"},
-              {"fig12_L_4", "L = 4"}}),
+      family(cases, "fig12_L", "Tracks by length of the domain",
+             tracks_by_length()),
       "Fig. 12. Length of the domain",
-      "η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre of mass. Paper: τ "
-      "= "
-      "3.96, 4.99, 6.26."));
+      fmt::format("η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre of "
+                  "mass. Paper: τ = {}, {}, {}.",
+                  printed::kShort, printed::kOffCentred, printed::kLong)));
   return out;
 }
 

@@ -70,8 +70,12 @@ std::string to_json(const Findings& found, const Reproduction& made) {
   const auto bodies = [](const std::vector<BoundaryBody>& boundary) {
     Json list = Json::array();
     for (const BoundaryBody& body : boundary) {
+      const bool known = body.has_orientation();
       list.push_back(
-          {{"eta_m", body.eta_m}, {"k", body.k}, {"theta_m", body.theta_m}});
+          {{"eta_m", body.eta_m},
+           {"k", body.k},
+           {"theta_m", known ? Json(body.theta_m.value) : Json()},
+           {"theta_m_error", known ? Json(body.theta_m.error) : Json()}});
     }
     return list;
   };

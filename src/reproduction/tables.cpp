@@ -52,7 +52,8 @@ std::string claims_csv(const std::vector<Claim>& claims) {
 std::string cases_csv(const Cases& cases) {
   std::string out =
       "case,tau,error,centre_path_length,rail_length,start_angle,end_angle,"
-      "R_n_min,R_n_max,x_of_R_n_max,kappa_b_min,kappa_b_max,fold_margin,"
+      "R_n_min_after_rise,R_n_max,x_of_R_n_max,kappa_b_min_after_rise,kappa_b_"
+      "max,fold_margin,"
       "share_above_0.3,share_above_0.5,share_above_1,feasible\n";
   for (const auto& [name, one] : cases.all()) {
     const Motion& motion = one.motion();
@@ -61,12 +62,12 @@ std::string cases_csv(const Cases& cases) {
     out += fmt::format(
         "{},{:.15g},{:.1e},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{:.9g},"
         "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
-        name, tau.value, tau.error, motion.centre_path_length(),
+        field(name), tau.value, tau.error, motion.centre_path_length(),
         motion.rail_length(), motion.start_angle(), motion.end_angle(),
-        d.min_normal_force.value, d.max_normal_force.value,
-        d.max_normal_force.x, d.min_curvature.value, d.max_curvature.value,
-        d.min_fold_margin.value, d.friction_above_0_3, d.friction_above_0_5,
-        d.friction_above_1, one.fine.feasible());
+        d.normal_force_after_rise.value, d.max_normal_force.value,
+        d.max_normal_force.x, d.curvature_after_rise.value,
+        d.max_curvature.value, d.min_fold_margin.value, d.friction_above_0_3,
+        d.friction_above_0_5, d.friction_above_1, one.fine.feasible());
   }
   return out;
 }
@@ -82,15 +83,19 @@ std::string orientations_csv(const std::vector<OrientationRow>& rows) {
 }
 
 std::string boundary_csv(const Findings& found) {
-  std::string out = "orientation,eta_m,k,theta_m\n";
+  std::string out = "orientation,eta_m,k,theta_m,theta_m_error\n";
   const auto add = [&](const char* orientation,
                        const std::vector<BoundaryBody>& bodies) {
     for (const BoundaryBody& body : bodies) {
-      out += fmt::format("{},{:.10g},{:.10g},{:.10g}\n", orientation,
-                         body.eta_m, body.k, body.theta_m);
+      out +=
+          fmt::format("{},{:.10g},{:.10g},", orientation, body.eta_m, body.k);
+      out += body.has_orientation()
+                 ? fmt::format("{:.10g},{:.1e}\n", body.theta_m.value,
+                               body.theta_m.error)
+                 : ",\n";
     }
   };
-  add("-pi/6", found.boundary);
+  add("theta_m = -pi/6", found.boundary);
   add("fastest", found.best_boundary);
   return out;
 }

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "brachisto/model/scene.hpp"
+#include "brachisto/study/solve.hpp"
 
 namespace brachisto::reproduction {
 
@@ -31,9 +31,14 @@ using Interrupt = std::atomic<int>;
 /// \throws Interrupted  if the flag is set
 void check(const Interrupt& interrupt);
 
-/// τ of the fastest track, to a relative error of 1e-12.
+/// The answer to a scene, to a relative error of 1e-12 unless told.
 /// \throws NotVerified  without a verified answer
 /// \throws Interrupted
+[[nodiscard]] Solution verified_solution(const Scene& scene,
+                                         const Interrupt& interrupt,
+                                         double tolerance = 1e-12);
+
+/// Its τ.
 [[nodiscard]] double verified_tau(const Scene& scene,
                                   const Interrupt& interrupt);
 

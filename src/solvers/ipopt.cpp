@@ -16,6 +16,7 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
 #include "solvers/blas_threads.hpp"
@@ -163,6 +164,21 @@ bool memory_failure(std::string_view log) {
          log.find("not enough memory") != std::string_view::npos;
 }
 
+/// Ipopt's log, in which the chain solver goes by the name of the one whose
+/// interface it is called through: under its own name.
+std::string with_its_own_name(std::string log) {
+  // The longer first, for the others are part of it.
+  const std::string_view own = name(LinearSolver::Chain);
+  for (const std::string_view other :
+       {"Ma97SolverInterface", "HSL_MA97", "MA97", "ma97"}) {
+    for (std::size_t at = log.find(other); at != std::string::npos;
+         at = log.find(other, at + own.size())) {
+      log.replace(at, other.size(), own);
+    }
+  }
+  return log;
+}
+
 /// What MUMPS took, as far as Ipopt times it: with the factorisation comes what
 /// Ipopt itself does in its primal-dual system, such as residuals.
 void book_linear_solver(Ipopt::IpoptApplication& application) {
@@ -225,6 +241,16 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   if (hook != nullptr) rethrow(hook->exception(), options.stop);
 
   result.log = log.str();
+  if (solver == LinearSolver::Chain) {
+    result.log = with_its_own_name(std::move(result.log));
+    if (options.verbose) {
+      result.log =
+          "The linear solver is brachisto's own, chain. Ipopt calls it through "
+          "its interface to another one,\nfor which it takes it; that name is "
+          "replaced in the lines below.\n" +
+          result.log;
+    }
+  }
   result.point = adapter->final_point();
   if (result.point.x.empty() && options.stop.met()) result.point = start;
   result.iterations = adapter->iterations();

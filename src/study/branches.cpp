@@ -35,7 +35,12 @@ Branch judge(const Scene& scene, const Discretisation& wanted,
   branch.remarks = infeasible_because(scene, trajectory.diagnose());
   branch.feasible = branch.remarks.empty();
   for (const Check& check : checks.checks) {
-    if (!check.passed) branch.remarks.push_back("failed check " + check.name);
+    if (check.passed) continue;
+    branch.remarks.push_back(
+        &check == second_order
+            ? "no answer: it is stationary, but no minimum between its fixed "
+              "ends (failed check second_order)"
+            : "failed check " + check.name);
   }
   return branch;
 }

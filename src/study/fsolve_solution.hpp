@@ -27,7 +27,7 @@ inline constexpr int kDiscreteNodes = 100;
 /// The checks "discrete_residual" and "discretisation", the relative error of
 /// τ. The latter is held against the accuracy that the other methods have by
 /// default, which a discretisation of order one cannot reach: its solution is
-/// compared with the fastest track and never taken for it.
+/// compared with the extremal and never taken for it.
 [[nodiscard]] Certificate certify_discrete(const FsolveAnswer& answer,
                                            const ExtremalOpinion& opinion);
 

@@ -5,6 +5,7 @@
 
 #include "brachisto/study/solve.hpp"
 #include "brachisto/trajectory/feasibility.hpp"
+#include "study/wider_search.hpp"
 
 namespace brachisto {
 
@@ -21,6 +22,15 @@ std::vector<std::string> Solution::infeasible_because() const {
 
 std::vector<std::string> Solution::not_verified_because() const {
   return brachisto::not_verified_because(certificate);
+}
+
+std::string Solution::advice() const {
+  const Check* second_order = certificate.find("second_order");
+  if (second_order == nullptr || !(second_order->value > 0.0)) return {};
+  const std::string search = wider_search(scene.contact, options);
+  if (search.empty()) return {};
+  return "the extremal is no minimum between its fixed ends; " + search +
+         " looks for those that are";
 }
 
 void Solution::discard_answer() {

@@ -144,16 +144,15 @@ void SolveRun::set_verdict(const std::string& message) {
   if (out_.certificate.verified()) {
     out_.status = Status::Solved;
     out_.message = message;
-  } else if (out_.status == Status::Solved) {
+    return;
+  }
+  if (out_.status == Status::Solved) {
     out_.message = fmt::format(
         "solved, but not verified: {}",
         fmt::join(brachisto::not_verified_because(out_.certificate), "; "));
-    const Check* second_order = out_.certificate.find("second_order");
-    if (follows_the_branch(options_) && second_order != nullptr &&
-        !second_order->passed) {
-      out_.message += ". search: global looks for minima";
-    }
   }
+  const std::string advice = out_.advice();
+  if (!advice.empty()) out_.message += ". To try: " + advice;
 }
 
 void SolveRun::report(ArcLengthAnswer& answer, const Continuation& start) {

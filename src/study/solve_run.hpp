@@ -39,7 +39,7 @@ class SolveRun {
   void find();
   bool fits(const CycloidArc& arc);
   void find_beside(const Neighbour& neighbour);
-  void find_fastest(const CycloidArc& arc, const Continuation& principal);
+  void find_by_search(const CycloidArc& arc, const Continuation& principal);
   void add_minima_below(std::vector<ContactCandidate>& known);
   void find_by_shooting();
   void find_by_fsolve();

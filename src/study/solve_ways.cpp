@@ -22,6 +22,7 @@
 #include "study/shooting_answer.hpp"
 #include "study/size_estimate.hpp"
 #include "study/turn_meshes.hpp"
+#include "study/wider_search.hpp"
 
 namespace brachisto {
 
@@ -72,7 +73,7 @@ void SolveRun::add_minima_below(std::vector<ContactCandidate>& known) {
   }
 }
 
-void SolveRun::find_fastest(const CycloidArc& arc,
+void SolveRun::find_by_search(const CycloidArc& arc,
                             const Continuation& principal) {
   // As a multiple of the path of the uniform cylinder.
   constexpr double kLongest = 3.0;
@@ -205,11 +206,14 @@ void SolveRun::find() {
   if (stop().met()) return;
   if (options_.search == Search::Global &&
       natural_.contact == Contact::Smooth) {
-    return find_fastest(*arc, principal);
+    return find_by_search(*arc, principal);
   }
   if (!principal.curve) {
     out_.message += slow_arrival(*arc);
-    out_.message += ". Try search: global, which looks for other extremals";
+    const std::string search = wider_search(scene_.contact, options_);
+    if (!search.empty()) {
+      out_.message += ". Try " + search + ", which looks for other extremals";
+    }
     return;
   }
   if (options_.guess != Guess::Cycloid) try_other_start(*arc, principal);

@@ -8,16 +8,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 
 #include "sweep/store.hpp"
 
 namespace brachisto::sweep {
 
-DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
-  std::error_code error;
+DirectoryLock::DirectoryLock(const std::filesystem::path& directory)
+    : made_(directory, error_) {
   namespace fs = std::filesystem;
-  fs::create_directories(directory, error);
   const auto fail = [&](const std::string& reason) {
     throw StoreError(directory.string() + ": " + reason);
   };
@@ -25,7 +23,7 @@ DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
   if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored)) {
     fail("exists and is not a directory");
   }
-  if (error) fail("cannot be made: " + error.message());
+  if (error_) fail("cannot be made: " + error_.message());
   // The lock is on the directory; the store must not be in another one.
   if (fs::is_symlink(directory / Store::kFileName, ignored)) {
     fail(std::string(Store::kFileName) +

@@ -7,11 +7,15 @@
 #pragma once
 
 #include <filesystem>
+#include <system_error>
+
+#include "report/new_directories.hpp"
 
 namespace brachisto::sweep {
 
-/// Holds a lock of the kernel on a directory, made if need be. It ends with the
-/// process, however that ends, and leaves no file behind.
+/// Holds a lock of the kernel on a directory, made if need be and removed again
+/// if nothing came into it. It ends with the process, however that ends, and
+/// leaves no file behind.
 class DirectoryLock {
  public:
   /// \throws StoreError  if another process holds it, or if there can be no
@@ -22,6 +26,8 @@ class DirectoryLock {
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
  private:
+  std::error_code error_;
+  report::NewDirectories made_;
   int descriptor_;
 };
 

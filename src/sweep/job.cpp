@@ -7,11 +7,14 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "brachisto/report/result_json.hpp"
-#include "io/input_tree.hpp"
+#include "io/input_bytes.hpp"
 
 namespace brachisto::sweep {
 
@@ -24,29 +27,78 @@ std::string effective_input(const io::SweepFile& file, std::size_t scene) {
   return report::input_json(problem.scene, problem.options);
 }
 
+/// The given path if it has points, which all scenes share; nullptr if not.
+std::shared_ptr<const GivenPath> path_of_points(const io::SweepFile& file) {
+  std::shared_ptr<const GivenPath> path = file.problem(0).scene.path;
+  const bool of_points = path && path->shape == GivenPath::Shape::Points;
+  return of_points ? path : nullptr;
+}
+
+/// How the points of two files differ, in one sentence; empty if they do not.
+std::string difference_of_points(const io::SweepFile& stored,
+                                 const io::SweepFile& wanted) {
+  const auto stored_path = path_of_points(stored);
+  const auto wanted_path = path_of_points(wanted);
+  if (!stored_path || !wanted_path) return "";
+  const std::vector<Point>& was = stored_path->points;
+  const std::vector<Point>& is = wanted_path->points;
+  const std::string file = wanted.problem(0).points_file;
+  if (was.size() != is.size()) {
+    return fmt::format("it has {} points from {}, which has {} now", was.size(),
+                       file, is.size());
+  }
+  const auto [before, now] = std::mismatch(was.begin(), was.end(), is.begin());
+  if (before == was.end()) return "";
+  return fmt::format("it has {},{} as point {} from {}, which has {},{} now",
+                     before->x, before->z, before - was.begin() + 1, file,
+                     now->x, now->z);
+}
+
 }  // namespace
 
 Job read_job(const std::filesystem::path& path,
              const std::vector<std::string>& overrides) {
-  std::string text = io::read_bytes(path);
+  std::string text = io::read_problem_bytes(path);
   io::SweepFile file = io::read_sweep_text(text, path.string(), overrides);
   return {path.string(), std::move(text), overrides, std::move(file)};
 }
 
 std::string to_line(const Job& job) {
-  return json{{"name", job.name},
-              {"text", job.text},
-              {"overrides", job.overrides}}
-             .dump() +
-         "\n";
+  json document = {
+      {"name", job.name}, {"text", job.text}, {"overrides", job.overrides}};
+  if (const auto path = path_of_points(job.file)) {
+    json& list = document["points"] = json::array();
+    for (const Point& point : path->points) {
+      list.push_back({point.x, point.z});
+    }
+  }
+  // A name may have any bytes.
+  return document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 Job job_from_line(const std::string& line) {
-  const json document = json::parse(line);
-  const std::string name = document.at("name");
-  const std::string text = document.at("text");
-  const std::vector<std::string> overrides = document.at("overrides");
-  return {name, text, overrides, io::read_sweep_text(text, name, overrides)};
+  std::string name, text;
+  std::vector<std::string> overrides;
+  std::optional<std::vector<Point>> points;
+  try {
+    const json document = json::parse(line);
+    document.at("name").get_to(name);
+    document.at("text").get_to(text);
+    document.at("overrides").get_to(overrides);
+    if (document.contains("points")) {
+      points.emplace();
+      for (const auto& [x, z] :
+           document["points"].get<std::vector<std::array<double, 2>>>()) {
+        points->push_back({x, z});
+      }
+    }
+  } catch (const json::exception& error) {
+    throw JobError(error.what());
+  }
+  io::SweepFile file =
+      io::read_sweep_text(text, name, overrides, points ? &*points : nullptr);
+  return {std::move(name), std::move(text), std::move(overrides),
+          std::move(file)};
 }
 
 std::string input_hash(const io::SweepFile& file) {
@@ -75,6 +127,10 @@ std::string difference(const io::SweepFile& stored,
   }
   if (stored.warm_start() != wanted.warm_start()) {
     return "sweep.warm_start differs";
+  }
+  if (std::string points = difference_of_points(stored, wanted);
+      !points.empty()) {
+    return points;
   }
   for (std::size_t scene = 0; scene < stored.num_scenes(); ++scene) {
     const json was = json::parse(effective_input(stored, scene)).flatten();

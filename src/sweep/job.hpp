@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,20 @@ struct Job {
   io::SweepFile file;
 };
 
+/// A text that should be a job is none; what() says why.
+class JobError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /// \throws io::IoError, io::InputError
 [[nodiscard]] Job read_job(const std::filesystem::path& path,
                            const std::vector<std::string>& overrides);
 
-/// The job as one line of JSON, and back.
+/// The job as one line of JSON, and back. It has the points of scene.path with
+/// it, so that no other file is wanted any more.
 [[nodiscard]] std::string to_line(const Job& job);
+/// \throws JobError        if the line is no job
 /// \throws io::InputError  if the text, which was valid once, is not any more
 [[nodiscard]] Job job_from_line(const std::string& line);
 

@@ -23,12 +23,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A worker and the chain it is at.
+/// A worker and the run of a chain it is at.
 struct Slot {
   std::unique_ptr<WorkerProcess> worker;
   bool busy = false;
-  Chain chain;
-  std::size_t next = 0;  ///< the scene whose answer comes next
+  Chain run;
+  std::size_t next = 0;  ///< the scene whose answer comes next, maybe one of
+                         ///< those before the run that lead up to it
   std::string state;     ///< of the scene before it
   bool retrying = false;
   Clock::time_point deadline;
@@ -69,10 +70,6 @@ class Backlog {
     }
     return std::nullopt;
   }
-  /// True if the chain goes on with finished scenes after a run.
-  [[nodiscard]] bool is_gap(const Chain& run) const {
-    return run.last < plan_[run.id].last;
-  }
 
  private:
   const ChainPlan& plan_;
@@ -86,19 +83,16 @@ class Manager {
  public:
   Manager(const Job& job, Store& store, const ManagerOptions& options)
       : plan_(job.file),
+        warm_start_(job.file.warm_start()),
         store_(store),
         options_(options),
         job_line_(to_line(job)),
-        backlog_(plan_, options.shard, store.finished(job.file.num_scenes())),
+        backlog_(plan_, options.shard, count_finished(job)),
         slots_(static_cast<std::size_t>(options.jobs)) {
     for (std::size_t id = 0; id < plan_.size(); ++id) {
       if (!options.shard.has(id)) continue;
       counts_.scenes += plan_[id].last - plan_[id].first;
     }
-    store.for_each_result([&](std::size_t scene, const std::string& document) {
-      if (options.shard.has(plan_.of_scene(scene).id)) count(scene, document);
-    });
-    counts_.before = counts_.finished();
   }
 
   Counts run(const ProgressSink& progress) {
@@ -130,6 +124,19 @@ class Manager {
     return options_.interrupt != nullptr && options_.interrupt->load() != 0;
   }
 
+  /// Counts what is there. \return whether each scene has a result
+  [[nodiscard]] std::vector<bool> count_finished(const Job& job) {
+    std::vector<bool> finished(job.file.num_scenes());
+    store_.for_each_result([&](std::size_t scene, const std::string& document) {
+      finished.at(scene) = true;
+      if (options_.shard.has(plan_.of_scene(scene).id)) {
+        count(scene, document);
+      }
+    });
+    counts_.before = counts_.finished();
+    return finished;
+  }
+
   void count(std::size_t scene, const std::string& document) {
     const SweepOutcome outcome = read_outcome(document);
     if (outcome.state == SweepOutcome::State::Verified) {
@@ -144,24 +151,31 @@ class Manager {
   }
 
   void assign(Slot& slot) {
-    const std::optional<Chain> chain = backlog_.take();
-    if (!chain) return;
-    slot.chain = *chain;
-    slot.next = chain->first;
-    // Before a gap the state in the store is that of a later scene.
-    slot.state = backlog_.is_gap(*chain) ? "" : store_.state_of(chain->id);
+    const std::optional<Chain> run = backlog_.take();
+    if (!run) return;
+    slot.run = *run;
+    slot.next = run->first;
+    slot.state.clear();
+    // From where the numbers come out as in one go: what the scene before left
+    // or, if that is not known, what the scenes before it lead to once more.
+    for (; warm_start_ && slot.next > plan_[run->id].first; --slot.next) {
+      if (auto state = store_.state_after(run->id, slot.next - 1)) {
+        slot.state = *std::move(state);
+        break;
+      }
+    }
     slot.retrying = false;
     send_request(slot);
   }
 
-  /// Asks for the rest of the slot's chain.
+  /// Asks for the rest of the slot's run.
   void send_request(Slot& slot) {
     if (!slot.worker) {
       slot.worker =
           std::make_unique<WorkerProcess>(options_.program, options_.memory);
       slot.worker->send(job_line_);
     }
-    slot.worker->send(to_line(Request{slot.next, slot.chain.last, slot.state}));
+    slot.worker->send(to_line(Request{slot.next, slot.run.last, slot.state}));
     slot.worker->flush();
     slot.busy = true;
     set_deadline(slot);
@@ -201,8 +215,10 @@ class Manager {
       losses_in_a_row_ = 0;
       answers.insert(answers.end(), held_.begin(), held_.end());
       held_.clear();
-      answers.push_back(std::move(*answer));
-      advance(slot, answers.back().state);
+      std::string state = answer->state.value_or("");
+      if (!warm_start_) answer->state.reset();  // nobody asks for it
+      if (slot.next >= slot.run.first) answers.push_back(*std::move(answer));
+      advance(slot, std::move(state));
     }
     if (!slot.busy) return;
     if (slot.worker->ended()) {
@@ -216,7 +232,7 @@ class Manager {
     slot.state = std::move(state);
     slot.retrying = false;
     ++slot.next;
-    slot.busy = slot.next < slot.chain.last;
+    slot.busy = slot.next < slot.run.last;
     set_deadline(slot);
   }
 
@@ -234,8 +250,11 @@ class Manager {
     }
     if (slot.retrying) {
       // Held back until some worker answers: it may not be the scene's fault.
-      held_.push_back(
-          {slot.next, failure_json(status_of(loss), message + ", twice"), ""});
+      if (slot.next >= slot.run.first) {
+        held_.push_back({slot.next,
+                         failure_json(status_of(loss), message + ", twice"),
+                         ""});
+      }
       advance(slot, "");
     } else {
       slot.retrying = true;
@@ -257,14 +276,15 @@ class Manager {
   }
 
   ChainPlan plan_;
+  bool warm_start_;
   Store& store_;
   const ManagerOptions& options_;
   std::string job_line_;
+  Counts counts_;
   Backlog backlog_;
   std::vector<Slot> slots_;
   std::vector<Answer> held_;  ///< failures that are not recorded yet
   int losses_in_a_row_ = 0;
-  Counts counts_;
 };
 
 }  // namespace

@@ -55,7 +55,8 @@ class WorkersFail : public std::runtime_error {
 /// Called now and then while workers work.
 using ProgressSink = std::function<void(const Counts&)>;
 
-/// Solves whatever the store lacks. A worker that crashes, hangs, stops without
+/// Solves whatever the store lacks, with the numbers that solving all of it in
+/// one go would give. A worker that crashes, hangs, stops without
 /// an answer or writes something else costs the scene it was at: that is tried
 /// once more, from the same start, and then recorded as failed. If workers fail
 /// in a row, without a good answer between, it is not the scenes' fault.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 namespace brachisto::sweep {
@@ -19,13 +20,23 @@ nlohmann::json essence(const std::string& document) {
   return json;
 }
 
+/// Whether scenes without a result may have had one.
+bool may_be_missing(const Damage& damage,
+                    const std::vector<std::size_t>& gaps) {
+  const bool anywhere =
+      damage.journal_lost || damage.strays > 0 || !damage.structure.empty();
+  return std::ranges::any_of(gaps, [&](std::size_t scene) {
+    return anywhere || damage.scenes.contains(scene);
+  });
+}
+
 Store open_part(const std::filesystem::path& part, const StoreInfo& target) {
   Store store = Store::open(part, Database::Access::ReadOnly);
   const std::string name = (part / Store::kFileName).string();
   if (store.info().input_hash != target.input_hash) {
-    throw StoreError(name + ": of another sweep: " +
-                     difference(job_from_line(store.info().job).file,
-                                job_from_line(target.job).file));
+    throw StoreError(
+        name + ": of another sweep: " +
+        difference(store.job().file, job_from_line(target.job).file));
   }
   if (store.info().version != target.version) {
     throw StoreError(name + ": made by brachisto " + store.info().version +
@@ -49,7 +60,7 @@ class Collection {
     part.for_each_result([&](std::size_t scene, const std::string& document) {
       const auto [place, is_new] = known_.emplace(scene, document);
       if (is_new) {
-        added_.push_back({scene, document, ""});
+        added_.push_back({scene, document, std::nullopt});
       } else if (essence(place->second) == essence(document)) {
         report.overlaps.push_back(scene);
       } else {
@@ -62,7 +73,7 @@ class Collection {
       const bool last =
           i + 1 == added_.size() || added_[i + 1].scene != added_[i].scene + 1;
       if (last && added_[i].scene + 1 < chain.last) {
-        added_[i].state = part.state_of(chain.id);
+        added_[i].state = part.state_after(chain.id, added_[i].scene);
       }
     }
   }
@@ -100,7 +111,19 @@ MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
   for (std::size_t scene = 0; scene < job.file.num_scenes(); ++scene) {
     if (!collection.has(scene)) report.gaps.push_back(scene);
   }
+  report.damaged = may_be_missing(target.damage(), report.gaps);
+  for (const Store& part : parts) {
+    report.damaged =
+        report.damaged || may_be_missing(part.damage(), report.gaps);
+  }
   const std::vector<Answer> added = std::move(collection).added();
+  std::vector<std::size_t> replaced;
+  for (const Answer& answer : added) {
+    if (target.damage().scenes.contains(answer.scene)) {
+      replaced.push_back(answer.scene);
+    }
+  }
+  target.forget(replaced);
   target.record(added, plan);
   target.set_shard(kMerged);
   report.added = added.size();

@@ -22,6 +22,7 @@ struct MergeReport {
   std::vector<std::size_t> conflicts;  ///< scenes with different results; the
                                        ///< one that came first is kept
   std::vector<std::size_t> gaps;       ///< scenes without a result
+  bool damaged = false;  ///< and some of the gaps may come from damage
 };
 
 /// Opens parts of the sweep that `target` describes.
@@ -30,7 +31,8 @@ struct MergeReport {
     const std::vector<std::filesystem::path>& parts, const StoreInfo& target);
 
 /// Adds the results of `parts` to `target`, which then counts as merged. Doing
-/// it again adds nothing. Results are alike if they differ in times at most.
+/// it again adds nothing. Results are alike if they differ in times at most;
+/// those that are damaged count as not there, and others take their place.
 [[nodiscard]] MergeReport merge(std::vector<Store>& parts, Store& target,
                                 const Job& job);
 

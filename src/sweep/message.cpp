@@ -3,11 +3,15 @@
 
 #include "sweep/message.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
-#include "brachisto/model/units.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
+#include "brachisto/transcription/collocation.hpp"
+#include "brachisto/transcription/variable_layout.hpp"
+#include "sweep/bounded_json.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
@@ -18,6 +22,26 @@ using Json = nlohmann::ordered_json;
 
 std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// True if the mesh is one and the point one of the problem on it.
+bool is_of(const Scene& scene, const Neighbour& neighbour) {
+  const auto& [degree, boundaries] = neighbour.mesh;
+  const auto& [x, lambda] = neighbour.point;
+  const bool increasing =
+      std::ranges::adjacent_find(boundaries, std::greater_equal<>{}) ==
+      boundaries.end();
+  if (degree < 1 || degree > kLargestDegree || boundaries.size() < 2 ||
+      boundaries.front() != 0.0 || boundaries.back() != 1.0 || !increasing ||
+      // There are several constraints per point; what follows is in range.
+      (boundaries.size() - 1) * static_cast<std::size_t>(degree) >
+          lambda.size()) {
+    return false;
+  }
+  const VariableLayout layout(neighbour.mesh.num_points(),
+                              scene.body.off_centred());
+  return x.size() == static_cast<std::size_t>(layout.num_variables()) &&
+         lambda.size() == static_cast<std::size_t>(layout.num_constraints());
 }
 
 }  // namespace
@@ -36,11 +60,13 @@ Request request_from_line(std::string_view line) {
 std::string to_line(const Answer& answer) {
   return line_of({{"scene", answer.scene},
                   {"result", Json::parse(answer.result)},
-                  {"state", answer.state}});
+                  {"state", answer.state.value_or("")}});
 }
 
 std::optional<Answer> answer_from_line(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
+  const std::optional<Json> read = parse_bounded_json(line);
+  if (!read) return std::nullopt;
+  const Json& json = *read;
   const auto is = [&](const char* key, auto&& test) {
     return json.contains(key) && test(json[key]);
   };
@@ -52,9 +78,9 @@ std::optional<Answer> answer_from_line(std::string_view line) {
   if (!good) return std::nullopt;
   Answer answer{json["scene"], json["result"].dump(), json["state"]};
   // Whatever is stored can be read again.
-  if (!is_outcome(answer.result)) return std::nullopt;
-  if (!answer.state.empty() && !Json::accept(answer.state)) return std::nullopt;
-  return answer;
+  const bool readable = is_outcome(answer.result) &&
+                        (answer.state->empty() || Json::accept(*answer.state));
+  return readable ? std::optional(std::move(answer)) : std::nullopt;
 }
 
 std::string to_state(const Neighbour& neighbour) {
@@ -75,13 +101,7 @@ Neighbour neighbour_from_state(const std::string& state, const Scene& scene) {
   json.at("x").get_to(neighbour.point.x);
   json.at("lambda").get_to(neighbour.point.lambda);
   neighbour.phi = json.at("phi");
-  const RollingTime problem(in_natural_units(scene), neighbour.mesh,
-                            neighbour.phi);
-  const auto size = [](const std::vector<double>& v) {
-    return static_cast<int>(v.size());
-  };
-  if (size(neighbour.point.x) != problem.num_variables() ||
-      size(neighbour.point.lambda) != problem.num_constraints()) {
+  if (!is_of(scene, neighbour)) {
     throw std::invalid_argument("the state of another scene");
   }
   return neighbour;

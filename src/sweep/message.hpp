@@ -26,7 +26,9 @@ struct Request {
 struct Answer {
   std::size_t scene = 0;
   std::string result;  ///< JSON document, compact
-  std::string state;   ///< what the next scene starts from; empty: nothing
+  /// What the next scene starts from; empty: the cycloid. Nothing if that is
+  /// not known or not wanted.
+  std::optional<std::string> state;
 };
 
 /// One line each, its end included.

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "brachisto/report/result_json.hpp"
+#include "sweep/bounded_json.hpp"
 
 namespace brachisto::sweep {
 
@@ -19,16 +21,17 @@ std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// "failed checks: second_order (1 exceeds 0), slope (…)".
-std::string failed_checks(const Certificate& certificate) {
+/// "failed checks: second_order (1 exceeds 0), slope (…)", and what to try.
+std::string failed_checks(const Solution& solution) {
   std::string text = "failed checks:";
-  for (const Check& check : certificate.checks) {
+  for (const Check& check : solution.certificate.checks) {
     if (check.passed) continue;
     text += fmt::format("{} {} ({:.3g} exceeds {:.3g})",
                         text.back() == ':' ? "" : ",", check.name, check.value,
                         check.threshold);
   }
-  return text;
+  const std::string advice = solution.advice();
+  return advice.empty() ? text : text + "; to try: " + advice;
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ std::string outcome_json(const Solution& solution) {
   // A table has one message per scene; let it be the one that matters.
   if (solution.status == Status::Solved && !solution.verified()) {
     json["status"] = "not_verified";
-    json["message"] = failed_checks(solution.certificate);
+    json["message"] = failed_checks(solution);
   }
   return compact(json);
 }
@@ -53,7 +56,10 @@ std::string failure_json(std::string_view status, std::string_view message) {
 }
 
 bool is_outcome(const std::string& document) {
-  const Json json = Json::parse(document, nullptr, false);
+  if (document.size() > kLongestOutcome) return false;
+  const std::optional<Json> read = parse_bounded_json(document);
+  if (!read) return false;
+  const Json& json = *read;
   const auto has = [&](const char* key, auto&& test) {
     return json.contains(key) && test(json[key]);
   };

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -22,7 +23,11 @@ namespace brachisto::sweep {
 [[nodiscard]] std::string failure_json(std::string_view status,
                                        std::string_view message);
 
-/// True if a text is such a document: read_outcome() has what it needs.
+/// Longest document that is kept [bytes].
+inline constexpr std::size_t kLongestOutcome = std::size_t{1} << 20U;
+
+/// True if a text is such a document: read_outcome() has what it needs. Other
+/// readers may rely on the bounds of parse_bounded_json().
 [[nodiscard]] bool is_outcome(const std::string& document);
 
 /// What a table shows of a document that satisfies is_outcome().

@@ -6,7 +6,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+
+#include "report/letters.hpp"
+#include "report/terminal.hpp"
 
 namespace brachisto::sweep {
 
@@ -20,14 +24,9 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const Counts& counts, double seconds, int width) {
-  std::string text;
-  if (width > 0) {
-    const auto full = static_cast<std::size_t>(width) * counts.finished() /
-                      std::max<std::size_t>(counts.scenes, 1);
-    text = fmt::format("[{:<{}}] ", std::string(full, '#'), width);
-  }
-  text += fmt::format("{}/{} scenes", counts.finished(), counts.scenes);
+std::string progress_text(const Counts& counts, double seconds) {
+  std::string text =
+      fmt::format("{}/{} scenes", counts.finished(), counts.scenes);
   const std::size_t done = counts.finished() - counts.before;
   if (done > 0 && seconds > 0.0) {
     const double rate = static_cast<double>(done) / seconds;
@@ -39,6 +38,20 @@ std::string progress_text(const Counts& counts, double seconds, int width) {
     }
   }
   return text + fmt::format(" · {} failed", counts.failed);
+}
+
+std::string progress_bar(const Counts& counts, double seconds,
+                         std::size_t columns) {
+  constexpr std::size_t kLongest = 24;
+  constexpr std::size_t kShortest = 4;
+  constexpr std::size_t kAround = 3;  // "[" and "] "
+  const std::string text = progress_text(counts, seconds);
+  const std::size_t taken = report::letters(text) + kAround;
+  if (columns < taken + kShortest) return report::shortened(text, columns);
+  const std::size_t length = std::min(kLongest, columns - taken);
+  const std::size_t full =
+      length * counts.finished() / std::max<std::size_t>(counts.scenes, 1);
+  return fmt::format("[{:<{}}] {}", std::string(full, '#'), length, text);
 }
 
 Progress::Form Progress::form_of_stderr() {
@@ -64,16 +77,15 @@ void Progress::finish(const Counts& counts) {
 void Progress::write(const Counts& counts) {
   const double seconds =
       std::chrono::duration<double>(Clock::now() - start_).count();
-  constexpr int kWidth = 24;
   // A sweep does not end because nobody listens: errors are ignored.
   if (form_ == Form::Bar) {
     // Back to the start of the line, and away with what was longer.
-    std::fputs(fmt::format("\r{}\033[K", progress_text(counts, seconds, kWidth))
-                   .c_str(),
-               stderr);
+    const std::string bar =
+        progress_bar(counts, seconds, report::columns_for_a_line());
+    std::fputs(fmt::format("\r{}\033[K", bar).c_str(), stderr);
     std::fflush(stderr);
   } else {
-    std::fputs((progress_text(counts, seconds, 0) + "\n").c_str(), stderr);
+    std::fputs((progress_text(counts, seconds) + "\n").c_str(), stderr);
   }
 }
 

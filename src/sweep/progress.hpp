@@ -36,9 +36,12 @@ class Progress {
   Clock::time_point start_, last_;
 };
 
-/// "[#####     ] 1250/2501 · 122/s · 10 s left · 0 failed" without the bar if
-/// `width` is 0.
-[[nodiscard]] std::string progress_text(const Counts& counts, double seconds,
-                                        int width);
+/// "1250/2501 scenes · 122/s · 10 s left · 0 failed".
+[[nodiscard]] std::string progress_text(const Counts& counts, double seconds);
+
+/// The same behind a bar, "[#####     ] 1250/2501 …", of at most `columns`
+/// letters: the bar gives way first, then the end of the text.
+[[nodiscard]] std::string progress_bar(const Counts& counts, double seconds,
+                                       std::size_t columns);
 
 }  // namespace brachisto::sweep

@@ -6,7 +6,9 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include <array>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace brachisto::sweep {
@@ -25,10 +27,9 @@ int flags_of(Database::Access access) {
   return 0;
 }
 
-std::string directory_of(const std::string& path) {
-  const std::filesystem::path parent =
-      std::filesystem::path(path).parent_path();
-  return parent.empty() ? "." : parent.string();
+/// Beside the file, as long as it is in use.
+std::string journal_of(const std::string& path) {
+  return path + "-wal";
 }
 
 /// With the characters escaped that mean something in a URI.
@@ -47,10 +48,8 @@ std::string uri_path(const std::string& path) {
 }  // namespace
 
 Database::Database(std::string path, Access access) : path_(std::move(path)) {
-  // A file beside which nothing can be written cannot change either.
-  const bool immutable = access == Access::ReadOnly &&
-                         ::access(directory_of(path_).c_str(), W_OK) != 0 &&
-                         ::access((path_ + "-wal").c_str(), F_OK) != 0;
+  // Without its journal the file is read as it is: a new one would hide that.
+  const bool immutable = access == Access::ReadOnly && lacks_journal(path_);
   const std::string name =
       immutable ? "file:" + uri_path(path_) + "?immutable=1" : path_;
   const int code = sqlite3_open_v2(
@@ -67,11 +66,50 @@ Database::Database(std::string path, Access access) : path_(std::move(path)) {
 }
 
 Database::~Database() {
+  // If somebody still reads, the journal stays, and the file goes on saying so.
+  if (uses_journal_) {
+    sqlite3_exec(handle_, "PRAGMA journal_mode = MEMORY", nullptr, nullptr,
+                 nullptr);
+  }
   sqlite3_close(handle_);
 }
 
+void Database::use_journal() {
+  uses_journal_ = true;
+  Statement mode(*this, "PRAGMA journal_mode");
+  const bool in_use = mode.step() && mode.text(0) == "wal";  // after a kill
+  (void)mode.step();
+  if (!in_use) {
+    // The change of one page that says so needs no journal of the other kind,
+    // which readers could not undo after another kill.
+    execute("PRAGMA journal_mode = MEMORY");
+    execute("PRAGMA journal_mode = WAL");
+  }
+  execute("PRAGMA synchronous = FULL");
+  // The files beside it are made with the first transaction, or cannot be.
+  const Transaction first(*this);
+}
+
+bool Database::lacks_journal(const std::string& path) {
+  // "File format write version" and "read version", 2 for WAL:
+  // https://www.sqlite.org/fileformat.html, section 1.3.3
+  std::array<char, 20> header{};
+  std::ifstream(path, std::ios::binary).read(header.data(), header.size());
+  return header[18] == 2 && header[19] == 2 &&
+         ::access(journal_of(path).c_str(), F_OK) != 0;
+}
+
 void Database::fail() const {
-  throw StoreError(path_ + ": " + sqlite3_errmsg(handle_));
+  std::string reason = sqlite3_errmsg(handle_);
+  const int code = sqlite3_errcode(handle_) & 0xff;
+  if (code == SQLITE_CORRUPT) {
+    throw DamagedStore(path_ + ": damaged: " + reason);
+  }
+  const int system = sqlite3_system_errno(handle_);
+  if (code == SQLITE_IOERR && system != 0) {
+    reason += ": " + std::generic_category().message(system);
+  }
+  throw StoreError(path_ + ": " + reason);
 }
 
 void Database::execute(const char* sql) {

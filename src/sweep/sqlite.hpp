@@ -22,6 +22,12 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What is read is damaged; more of the store may be sound.
+class DamagedStore : public StoreError {
+ public:
+  using StoreError::StoreError;
+};
+
 /// An open database.
 class Database {
  public:
@@ -31,6 +37,14 @@ class Database {
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
+  /// Readers do not stop the writer from now on, and each commit is flushed to
+  /// the disk, into a journal beside the file, which is gone when the database
+  /// is closed in order.
+  void use_journal();
+  /// True if the file is in use with a journal that is not there. To be asked
+  /// before it is opened, which may make a new one.
+  [[nodiscard]] static bool lacks_journal(const std::string& path);
+
   void execute(const char* sql);
   [[nodiscard]] std::int64_t pragma(const char* name);
   [[noreturn]] void fail() const;
@@ -39,6 +53,7 @@ class Database {
  private:
   std::string path_;
   sqlite3* handle_ = nullptr;
+  bool uses_journal_ = false;
 };
 
 /// A prepared statement. Parameters are numbered from 1, columns from 0.
@@ -69,8 +84,10 @@ class Statement {
 /// A transaction, undone unless it is committed.
 class Transaction {
  public:
-  explicit Transaction(Database& database) : database_(database) {
-    database_.execute("BEGIN IMMEDIATE");
+  enum class Kind { Write, Read };
+  explicit Transaction(Database& database, Kind kind = Kind::Write)
+      : database_(database) {
+    database_.execute(kind == Kind::Write ? "BEGIN IMMEDIATE" : "BEGIN");
   }
   ~Transaction();
   Transaction(const Transaction&) = delete;

@@ -3,7 +3,16 @@
 
 #include "sweep/store.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <map>
+#include <system_error>
 #include <utility>
+
+#include "sweep/outcome.hpp"
+#include "sweep/row_checksum.hpp"
 
 namespace brachisto::sweep {
 
@@ -12,7 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplicationId = 0x62726163;  // "brac"
-constexpr std::int64_t kFormat = 1;
+constexpr std::int64_t kFormat = 2;
+/// What SQLite keeps beside a file and reads with it.
+constexpr std::array kJournals{"-wal", "-journal"};
 
 fs::path file_in(const fs::path& directory) {
   return directory / Store::kFileName;
@@ -22,130 +33,303 @@ std::int64_t to_integer(std::size_t value) {
   return static_cast<std::int64_t>(value);
 }
 
-/// A file that another process is about to fill has no tables yet.
-bool has_tables(Database& database) {
-  Statement count(database, "SELECT count(*) FROM sqlite_master");
-  return count.step() && count.integer(0) > 0;
+std::int64_t info_checksum(std::string_view key, std::string_view value) {
+  return row_checksum(fmt::format("info {}", key), value);
+}
+std::int64_t result_checksum(std::size_t scene, std::string_view document) {
+  return row_checksum(fmt::format("result {}", scene), document);
+}
+std::int64_t state_checksum(std::int64_t chain, std::int64_t scene,
+                            std::string_view value) {
+  return row_checksum(fmt::format("state {} {}", chain, scene), value);
 }
 
-void make_durable(Database& database) {
-  // Readers do not stop the writer; each commit is flushed to the disk.
-  database.execute("PRAGMA journal_mode = WAL");
-  database.execute("PRAGMA synchronous = FULL");
-}
-
-StoreInfo read_info(Database& database) {
-  Statement select(database, "SELECT value FROM info WHERE key = ?");
-  const auto value = [&](const char* key) {
-    select.bind(1, std::string_view(key));
-    std::string text = select.step() ? select.text(0) : "";
-    while (select.step()) {
-    }
-    return text;
-  };
-  return {.job = value("job"),
-          .input_hash = value("input_hash"),
-          .version = value("version"),
-          .shard = value("shard"),
-          .provenance = value("provenance")};
-}
-
-void check_ours(Database& database, const std::string& path) {
+void check_ours(Database& database, const fs::path& file) {
   if (database.pragma("application_id") != kApplicationId) {
-    throw StoreError(path + ": not a store of brachisto");
+    throw StoreError(file.string() + ": not a store of brachisto");
   }
+}
+
+void check_format(Database& database, const fs::path& file) {
+  const std::int64_t format = database.pragma("user_version");
+  if (format == kFormat) return;
+  throw StoreError(fmt::format(
+      "{}: a store of format {}{}; this program knows format {}", file.string(),
+      format, format == 1 ? ", which has no checksums" : "", kFormat));
+}
+
+/// What is wrong with the file as such, in SQLite's words; empty if nothing is.
+std::string structure_fault(Database& database) {
+  try {
+    Statement check(database, "PRAGMA quick_check(1)");
+    if (!check.step()) return "";
+    const std::string text = check.text(0);
+    // "*** in database main ***\nTree 3 page 5: …"
+    return text == "ok" ? "" : text.substr(text.rfind('\n') + 1);
+  } catch (const DamagedStore&) {
+    return "it cannot be read in full";
+  }
+}
+
+void remove_file(const fs::path& file) {
+  for (const char* suffix : {"", kJournals[0], kJournals[1], "-shm"}) {
+    std::error_code error;
+    fs::remove(file.string() + suffix, error);
+    if (error) {
+      throw StoreError(file.string() +
+                       ": cannot be removed: " + error.message());
+    }
+  }
+}
+
+void put_info(Database& database, std::string_view key,
+              std::string_view value) {
+  Statement put(database, "INSERT OR REPLACE INTO info VALUES (?, ?, ?)");
+  put.bind(1, key).bind(2, value).bind(3, info_checksum(key, value)).run();
 }
 
 }  // namespace
 
-Store::Store(std::unique_ptr<Database> database, StoreInfo info)
-    : database_(std::move(database)), info_(std::move(info)) {}
+/// Says in the file itself, as long as it lives, that results may stand in the
+/// journal only.
+class Store::Mark {
+ public:
+  static constexpr const char* kKey = "journal";
+
+  explicit Mark(Database& database) : database_(database) {
+    database.use_journal();
+    put_info(database, kKey, "in use");
+    database.execute("PRAGMA wal_checkpoint(FULL)");
+  }
+  ~Mark() {
+    try {
+      database_.execute("DELETE FROM info WHERE key = 'journal'");
+    } catch (const StoreError&) {
+      // Then it is still in use, as far as others can tell.
+    }
+  }
+  Mark(const Mark&) = delete;
+  Mark& operator=(const Mark&) = delete;
+
+ private:
+  Database& database_;
+};
+
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
+
+Store::Store(fs::path file, std::unique_ptr<Database> database)
+    : file_(std::move(file)), database_(std::move(database)) {}
 
 bool Store::exists(const fs::path& directory) {
+  const fs::path file = file_in(directory);
   std::error_code error;
-  if (!fs::exists(file_in(directory), error)) return false;
-  Database database(file_in(directory).string(), Database::Access::ReadWrite);
-  return has_tables(database);
+  const auto lost = [&](const std::string& how) {
+    throw StoreError(
+        fmt::format("{}: {}; the results that were there are "
+                    "lost, and `brachisto sweep` with --force "
+                    "begins again",
+                    file.string(), how));
+  };
+  if (!fs::exists(file, error)) {
+    // They would become part of a new store of that name.
+    for (const char* suffix : kJournals) {
+      if (fs::exists(file.string() + suffix, error)) {
+        lost(fmt::format("is gone, and its journal ({}) is there", suffix));
+      }
+    }
+    return false;
+  }
+  if (!fs::is_regular_file(file, error)) {
+    throw StoreError(file.string() + ": not a file");
+  }
+  if (fs::file_size(file, error) == 0) lost("is empty");
+  return true;
 }
 
 Store Store::create(const fs::path& directory, const StoreInfo& info) {
-  auto database = std::make_unique<Database>(file_in(directory).string(),
-                                             Database::Access::Create);
-  make_durable(*database);
-  Transaction transaction(*database);
-  database->execute(
-      ("PRAGMA application_id = " + std::to_string(kApplicationId)).c_str());
-  database->execute(
-      ("PRAGMA user_version = " + std::to_string(kFormat)).c_str());
-  database->execute(
-      "CREATE TABLE info (key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-      "CREATE TABLE result (scene INTEGER PRIMARY KEY, document TEXT NOT NULL);"
-      "CREATE TABLE state (chain INTEGER PRIMARY KEY, value TEXT NOT NULL);");
-  Statement insert(*database, "INSERT INTO info VALUES (?, ?)");
-  const auto put = [&](std::string_view key, const std::string& value) {
-    insert.bind(1, key).bind(2, std::string_view(value)).run();
-  };
-  put("job", info.job);
-  put("input_hash", info.input_hash);
-  put("version", info.version);
-  put("shard", info.shard);
-  put("provenance", info.provenance);
-  transaction.commit();
-  return {std::move(database), info};
+  const fs::path file = file_in(directory);
+  if (exists(directory)) throw StoreError(file.string() + ": is there already");
+  // Under another name until it is whole: a store is never half made.
+  const fs::path fresh = file.string() + ".new";
+  remove_file(fresh);
+  try {
+    Database database(fresh, Database::Access::Create);
+    Transaction transaction(database);
+    database.execute(
+        fmt::format("PRAGMA application_id = {};"
+                    "PRAGMA user_version = {};"
+                    "CREATE TABLE info "
+                    "(key TEXT PRIMARY KEY, value TEXT, checksum INTEGER) "
+                    "WITHOUT ROWID;"
+                    "CREATE TABLE result (scene INTEGER PRIMARY KEY, "
+                    "document TEXT, checksum INTEGER);"
+                    "CREATE TABLE state (chain INTEGER PRIMARY KEY, "
+                    "scene INTEGER, value TEXT, checksum INTEGER);",
+                    kApplicationId, kFormat)
+            .c_str());
+    put_info(database, "job", info.job);
+    put_info(database, "input_hash", info.input_hash);
+    put_info(database, "version", info.version);
+    put_info(database, "shard", info.shard);
+    put_info(database, "provenance", info.provenance);
+    put_info(database, "scenes", std::to_string(info.num_scenes));
+    transaction.commit();
+  } catch (const StoreError&) {
+    remove_file(fresh);
+    throw;
+  }
+  std::error_code error;
+  fs::rename(fresh, file, error);
+  if (error) {
+    remove_file(fresh);
+    throw StoreError(file.string() + ": cannot be made: " + error.message());
+  }
+  try {
+    return open(directory, Database::Access::ReadWrite);
+  } catch (const StoreError&) {
+    remove_file(file);
+    throw;
+  }
 }
 
 Store Store::open(const fs::path& directory, Database::Access access) {
-  const std::string path = file_in(directory).string();
-  std::error_code error;
-  if (!fs::exists(path, error)) {
-    throw StoreError(path + ": there is no such store");
+  const fs::path file = file_in(directory);
+  if (!exists(directory)) {
+    throw StoreError(file.string() + ": there is no such store");
   }
-  auto database = std::make_unique<Database>(path, access);
-  check_ours(*database, path);
-  const std::int64_t format = database->pragma("user_version");
-  if (format != kFormat) {
-    throw StoreError(path + ": a store of format " + std::to_string(format) +
-                     "; this program knows format " + std::to_string(kFormat));
+  const bool lacks_journal = Database::lacks_journal(file);
+  Store store(file, std::make_unique<Database>(file, access));
+  check_ours(*store.database_, file);
+  check_format(*store.database_, file);
+  store.damage_.structure = structure_fault(*store.database_);
+  store.read_info(lacks_journal);
+  if (access != Database::Access::ReadOnly) {
+    if (!store.damage_.structure.empty()) {
+      throw StoreError(store.damage_text());
+    }
+    store.mark_ = std::make_unique<Mark>(*store.database_);
   }
-  Statement check(*database, "PRAGMA quick_check(1)");
-  if (check.step() && check.text(0) != "ok") {
-    throw StoreError(path + ": damaged: " + check.text(0));
-  }
-  if (access != Database::Access::ReadOnly) make_durable(*database);
-  StoreInfo info = read_info(*database);
-  return {std::move(database), std::move(info)};
+  return store;
 }
 
 void Store::remove(const fs::path& directory) {
-  const std::string path = file_in(directory).string();
+  const fs::path file = file_in(directory);
   std::error_code error;
-  if (!fs::exists(path, error)) return;
-  if (fs::file_size(path) > 0) {
-    Database database(path, Database::Access::ReadWrite);
-    check_ours(database, path);
+  if (fs::file_size(file, error) > 0 && !error) {
+    Database database(file, Database::Access::ReadWrite);
+    check_ours(database, file);
   }
-  for (const char* suffix : {"", "-wal", "-shm"}) {
-    fs::remove(file_in(directory).string() + suffix);
+  remove_file(file);
+}
+
+void Store::read_info(bool lacks_journal) {
+  std::map<std::string, std::string> sound;
+  Statement select(*database_, "SELECT key, value, checksum FROM info");
+  while (select.step()) {
+    if (info_checksum(select.text(0), select.text(1)) == select.integer(2)) {
+      sound[select.text(0)] = select.text(1);
+    }
   }
+  damage_.journal_lost = lacks_journal && sound.contains(Mark::kKey);
+  std::string scenes;
+  for (const auto& [key, value] : {std::pair{"job", &info_.job},
+                                   {"input_hash", &info_.input_hash},
+                                   {"version", &info_.version},
+                                   {"shard", &info_.shard},
+                                   {"provenance", &info_.provenance},
+                                   {"scenes", &scenes}}) {
+    if (const auto found = sound.find(key); found != sound.end()) {
+      *value = found->second;
+    } else {
+      damage_.info.emplace_back(key);
+    }
+  }
+  std::from_chars(scenes.data(), scenes.data() + scenes.size(),
+                  info_.num_scenes);
+  // Without these nothing can be said of the rows.
+  if (info_.num_scenes == 0 || info_.num_scenes > io::kMaxScenes ||
+      info_.input_hash.empty() || info_.version.empty() ||
+      info_.shard.empty()) {
+    throw StoreError(damage_.info.empty() ? nonsense() : damage_text());
+  }
+}
+
+std::string Store::nonsense() const {
+  return file_.string() + ": says of its sweep what cannot be";
+}
+
+Job Store::job() const {
+  if (info_.job.empty()) {
+    throw StoreError(damage_text() +
+                     "; `brachisto sweep FILE --resume` with the problem file "
+                     "that it was made from mends that");
+  }
+  try {
+    Job job = job_from_line(info_.job);
+    if (job.file.num_scenes() == info_.num_scenes) return job;
+  } catch (const JobError&) {
+  }
+  throw StoreError(nonsense());
+}
+
+void Store::check() {
+  for_each_result([](std::size_t, const std::string&) {});
+  damage_.states = 0;
+  Statement select(*database_,
+                   "SELECT chain, scene, value, checksum FROM state");
+  while (select.step()) {
+    if (state_checksum(select.integer(0), select.integer(1), select.text(2)) !=
+        select.integer(3)) {
+      ++damage_.states;
+    }
+  }
+}
+
+void Store::mend(const StoreInfo& same) {
+  if (!damage_) return;
+  forget(
+      std::vector<std::size_t>(damage_.scenes.begin(), damage_.scenes.end()));
+  Transaction transaction(*database_);
+  Statement strays(*database_,
+                   "DELETE FROM result WHERE scene < 0 OR scene >= ?");
+  strays.bind(1, to_integer(info_.num_scenes)).run();
+  // Those that are sound can be found again, at the price of their chains.
+  if (damage_.states > 0) database_->execute("DELETE FROM state");
+  if (!damage_.info.empty()) {
+    info_.job = same.job;
+    info_.provenance = same.provenance;
+    put_info(*database_, "job", info_.job);
+    put_info(*database_, "provenance", info_.provenance);
+  }
+  transaction.commit();
+  damage_ = {};
 }
 
 void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
   if (answers.empty()) return;
   Transaction transaction(*database_);
-  Statement insert(*database_, "INSERT INTO result VALUES (?, ?)");
-  Statement remember(*database_, "INSERT OR REPLACE INTO state VALUES (?, ?)");
-  Statement forget(*database_, "DELETE FROM state WHERE chain = ?");
+  Statement insert(*database_, "INSERT INTO result VALUES (?, ?, ?)");
+  Statement remember(*database_,
+                     "INSERT INTO state VALUES (?1, ?2, ?3, ?4) "
+                     "ON CONFLICT (chain) DO UPDATE SET "
+                     "scene = ?2, value = ?3, checksum = ?4 WHERE scene < ?2");
+  Statement forget_state(*database_, "DELETE FROM state WHERE chain = ?");
   for (const Answer& answer : answers) {
     insert.bind(1, to_integer(answer.scene))
         .bind(2, std::string_view(answer.result))
+        .bind(3, result_checksum(answer.scene, answer.result))
         .run();
-    const Chain chain = plan.of_scene(answer.scene);
-    const bool is_last = answer.scene + 1 == chain.last;
-    if (is_last || answer.state.empty()) {
-      forget.bind(1, to_integer(chain.id)).run();
-    } else {
-      remember.bind(1, to_integer(chain.id))
-          .bind(2, std::string_view(answer.state))
+    const Chain of = plan.of_scene(answer.scene);
+    const std::int64_t chain = to_integer(of.id);
+    if (answer.scene + 1 == of.last) {
+      forget_state.bind(1, chain).run();
+    } else if (answer.state) {
+      const std::int64_t scene = to_integer(answer.scene);
+      remember.bind(1, chain)
+          .bind(2, scene)
+          .bind(3, std::string_view(*answer.state))
+          .bind(4, state_checksum(chain, scene, *answer.state))
           .run();
     }
   }
@@ -153,8 +337,7 @@ void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
 }
 
 void Store::set_shard(const std::string& shard) {
-  Statement update(*database_, "UPDATE info SET value = ? WHERE key = 'shard'");
-  update.bind(1, std::string_view(shard)).run();
+  put_info(*database_, "shard", shard);
   info_.shard = shard;
 }
 
@@ -167,35 +350,63 @@ void Store::forget(std::span<const std::size_t> scenes) {
   transaction.commit();
 }
 
-std::size_t Store::num_results() {
-  Statement count(*database_, "SELECT count(*) FROM result");
-  return count.step() ? static_cast<std::size_t>(count.integer(0)) : 0;
-}
-
-std::vector<bool> Store::finished(std::size_t num_scenes) {
-  std::vector<bool> done(num_scenes, false);
-  Statement select(*database_, "SELECT scene FROM result");
-  while (select.step()) {
-    const auto scene = static_cast<std::size_t>(select.integer(0));
-    if (scene >= num_scenes) throw StoreError("a result of no scene");
-    done[scene] = true;
-  }
-  return done;
-}
-
-void Store::for_each_result(
+std::size_t Store::for_each_result(
     const std::function<void(std::size_t, const std::string&)>& visit) {
+  const Transaction snapshot(*database_, Transaction::Kind::Read);
+  // One by one: what is damaged keeps no other from being found.
   Statement select(*database_,
-                   "SELECT scene, document FROM result ORDER BY scene");
-  while (select.step()) {
-    visit(static_cast<std::size_t>(select.integer(0)), select.text(1));
+                   "SELECT document, checksum FROM result WHERE scene = ?");
+  std::size_t count = 0;
+  for (std::size_t scene = 0; scene < info_.num_scenes; ++scene) {
+    std::optional<std::string> document;
+    try {
+      if (!select.bind(1, to_integer(scene)).step()) continue;
+      document = select.text(0);
+      if (result_checksum(scene, *document) != select.integer(1) ||
+          !is_outcome(*document)) {
+        document.reset();
+      }
+      (void)select.step();
+    } catch (const DamagedStore&) {
+      document.reset();
+    }
+    if (document) {
+      ++count;
+      visit(scene, *document);
+    } else {
+      damage_.scenes.insert(scene);
+    }
   }
+  try {
+    Statement strays(
+        *database_,
+        "SELECT count(*) FROM result WHERE scene < 0 OR scene >= ?");
+    strays.bind(1, to_integer(info_.num_scenes));
+    if (strays.step()) {
+      damage_.strays = static_cast<std::size_t>(strays.integer(0));
+    }
+  } catch (const DamagedStore&) {
+    // The file as such is damaged, and damage_ says so.
+  }
+  return count;
 }
 
-std::string Store::state_of(std::size_t chain) {
-  Statement select(*database_, "SELECT value FROM state WHERE chain = ?");
-  select.bind(1, to_integer(chain));
-  return select.step() ? select.text(0) : "";
+std::optional<std::string> Store::state_after(std::size_t chain,
+                                              std::size_t scene) {
+  try {
+    Statement select(
+        *database_,
+        "SELECT value, checksum FROM state WHERE chain = ? AND scene = ?");
+    select.bind(1, to_integer(chain)).bind(2, to_integer(scene));
+    if (!select.step()) return std::nullopt;
+    std::string value = select.text(0);
+    const std::int64_t checksum =
+        state_checksum(to_integer(chain), to_integer(scene), value);
+    if (select.integer(1) == checksum) return value;
+  } catch (const DamagedStore&) {
+    // It is as good as not there.
+  }
+  return std::nullopt;
 }
 
 }  // namespace brachisto::sweep

@@ -10,11 +10,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sweep/chain_plan.hpp"
+#include "sweep/damage.hpp"
 #include "sweep/job.hpp"
 #include "sweep/message.hpp"
 #include "sweep/sqlite.hpp"
@@ -31,6 +33,7 @@ struct StoreInfo {
   std::string version;     ///< of the program that solves
   std::string shard;       ///< "i/N", or kMerged
   std::string provenance;  ///< JSON
+  std::size_t num_scenes = 0;
 };
 
 /// What a store says of a sweep that this program solves.
@@ -39,28 +42,55 @@ struct StoreInfo {
 /// Results of a sweep as far as they are there. Written by one process alone;
 /// others may read meanwhile. Whatever record() was given survives a crash of
 /// the process or the machine.
+///
+/// Each row has a checksum over its key and content. What does not match it is
+/// passed over, as if it were not there, and named in damage().
 class Store {
  public:
   static constexpr const char* kFileName = "sweep.sqlite";
 
-  /// True if the directory has a store that was begun.
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) = delete;
+
+  /// True if the directory has a store, whole or not.
+  /// \throws StoreError  if the file is empty, which no store ever is, or gone
+  ///                     from beside its journal
   [[nodiscard]] static bool exists(const std::filesystem::path& directory);
 
+  /// Makes a store, in full or not at all.
   /// \throws StoreError  if there is one already, or none can be written
   [[nodiscard]] static Store create(const std::filesystem::path& directory,
                                     const StoreInfo& info);
   /// Reads also from where nothing can be written.
-  /// \throws StoreError  if there is none, or if it is damaged or not ours
+  /// \throws StoreError  if there is none, if it is not ours or not readable
+  ///                     at all, or if it is to be written to and damaged in
+  ///                     more than rows
   [[nodiscard]] static Store open(const std::filesystem::path& directory,
                                   Database::Access access);
   /// Removes a store and what SQLite keeps beside it.
   /// \throws StoreError  if the file is something else
   static void remove(const std::filesystem::path& directory);
 
+  /// Without what damage() names.
   [[nodiscard]] const StoreInfo& info() const { return info_; }
+  /// \throws StoreError  if it is damaged
+  [[nodiscard]] Job job() const;
+
+  /// What was found so far; reading finds it.
+  [[nodiscard]] const Damage& damage() const { return damage_; }
+  /// The same as lines of text.
+  [[nodiscard]] std::string damage_text() const {
+    return describe(damage_, file_);
+  }
+  /// Reads everything.
+  void check();
+  /// Removes what is damaged, so that it is solved again, and takes what the
+  /// info lacks from that of the same sweep.
+  void mend(const StoreInfo& same);
 
   /// Adds answers, all or none; they are on disk afterwards. Each state
-  /// replaces that of the scene before it in its chain.
+  /// replaces that of an earlier scene of its chain.
   /// \throws StoreError  also if a scene has a result already
   void record(std::span<const Answer> answers, const ChainPlan& plan);
 
@@ -69,20 +99,28 @@ class Store {
   /// Removes results, so that their scenes are solved again.
   void forget(std::span<const std::size_t> scenes);
 
-  [[nodiscard]] std::size_t num_results();
-  /// For each scene of the sweep, whether it has a result.
-  [[nodiscard]] std::vector<bool> finished(std::size_t num_scenes);
   /// Calls `visit` for each result in the order of scenes.
-  void for_each_result(
+  /// \return how many there are
+  std::size_t for_each_result(
       const std::function<void(std::size_t, const std::string&)>& visit);
-  /// What the scene after the last finished one of a chain starts from.
-  [[nodiscard]] std::string state_of(std::size_t chain);
+  /// What the next scene starts from; empty: the cycloid. Only the states of
+  /// last scenes are kept: nothing if that of this one is not known.
+  [[nodiscard]] std::optional<std::string> state_after(std::size_t chain,
+                                                       std::size_t scene);
 
  private:
-  Store(std::unique_ptr<Database> database, StoreInfo info);
+  class Mark;
 
+  Store(std::filesystem::path file, std::unique_ptr<Database> database);
+
+  void read_info(bool lacks_journal);
+  [[nodiscard]] std::string nonsense() const;
+
+  std::filesystem::path file_;
   std::unique_ptr<Database> database_;
+  std::unique_ptr<Mark> mark_;  ///< nullptr: not to be written to
   StoreInfo info_;
+  Damage damage_;
 };
 
 }  // namespace brachisto::sweep

@@ -11,7 +11,8 @@ StoreInfo store_info(const Job& job, const std::string& shard) {
           .input_hash = input_hash(job.file),
           .version = report::provenance().brachisto,
           .shard = shard,
-          .provenance = report::provenance_json()};
+          .provenance = report::provenance_json(),
+          .num_scenes = job.file.num_scenes()};
 }
 
 }  // namespace brachisto::sweep

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "brachisto/report/result_json.hpp"
@@ -34,12 +35,14 @@ constexpr const char* kFigures[] = {
     "/end_angle",
     "/rotation",
     "/normal_force/min",
+    "/normal_force/min_after_rise",
     "/normal_force/max",
     "/normal_force/x_at_max",
     "/friction/share_above_0.3",
     "/friction/share_above_0.5",
     "/friction/share_above_1",
     "/curvature/min",
+    "/curvature/min_after_rise",
     "/curvature/max",
     "/fold_margin",
     "/nodes",
@@ -68,24 +71,26 @@ std::vector<std::string> column_names(const io::SweepFile& file) {
 
 using RowVisitor = std::function<void(const std::vector<Json>&)>;
 
-void for_each_row(Store& store, const io::SweepFile& file,
-                  const RowVisitor& visit) {
-  store.for_each_result([&](std::size_t scene, const std::string& document) {
-    const Json result = Json::parse(document);
-    std::vector<Json> row{scene};
-    for (const io::SweepValue& value : file.values(scene)) {
-      row.push_back(to_json(value));
-    }
-    for (const char* figure : kFigures) {
-      const Json::json_pointer pointer(figure);
-      row.push_back(result.contains(pointer) ? result[pointer] : Json());
-    }
-    visit(row);
-  });
+std::size_t for_each_row(Store& store, const io::SweepFile& file,
+                         const RowVisitor& visit) {
+  return store.for_each_result(
+      [&](std::size_t scene, const std::string& document) {
+        const Json result = Json::parse(document);
+        std::vector<Json> row{scene};
+        for (const io::SweepValue& value : file.values(scene)) {
+          row.push_back(to_json(value));
+        }
+        for (const char* figure : kFigures) {
+          const Json::json_pointer pointer(figure);
+          row.push_back(result.contains(pointer) ? result[pointer] : Json());
+        }
+        visit(row);
+      });
 }
 
 std::string field(const Json& value) {
   if (value.is_null()) return "";
+  if (value.is_number()) return value.dump();
   return report::csv_field(
       value.is_string() ? value.get_ref<const std::string&>() : value.dump());
 }
@@ -137,27 +142,30 @@ SweepTable read_table(Store& store, const Job& job) {
   return table;
 }
 
-std::string export_csv(Store& store, const Job& job) {
+ExportedTable export_csv(Store& store, const Job& job) {
   std::string text = csv_line(column_names(job.file), report::csv_field);
-  for_each_row(store, job.file, [&](const std::vector<Json>& row) {
-    text += csv_line(row, field);
-  });
-  return text;
+  const std::size_t rows = for_each_row(
+      store, job.file,
+      [&](const std::vector<Json>& row) { text += csv_line(row, field); });
+  return {std::move(text), rows};
 }
 
-std::string export_json(Store& store, const Job& job) {
+ExportedTable export_json(Store& store, const Job& job) {
   const std::vector<std::string> names = column_names(job.file);
   Json rows = Json::array();
-  for_each_row(store, job.file, [&](const std::vector<Json>& row) {
-    Json object;
-    for (std::size_t c = 0; c < row.size(); ++c) object[names[c]] = row[c];
-    rows.push_back(std::move(object));
-  });
+  const std::size_t count =
+      for_each_row(store, job.file, [&](const std::vector<Json>& row) {
+        Json object;
+        for (std::size_t c = 0; c < row.size(); ++c) object[names[c]] = row[c];
+        rows.push_back(std::move(object));
+      });
   const Json document = {{"schema_version", report::kSchemaVersion},
                          {"scenes", job.file.num_scenes()},
-                         {"finished", rows.size()},
+                         {"finished", count},
+                         {"damaged", store.damage().scenes},
                          {"rows", std::move(rows)}};
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return {document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+          count};
 }
 
 }  // namespace brachisto::sweep

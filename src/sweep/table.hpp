@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "brachisto/study/sweep_table.hpp"
@@ -17,10 +18,16 @@ namespace brachisto::sweep {
 /// All scenes of the store's sweep with what came out.
 [[nodiscard]] SweepTable read_table(Store& store, const Job& job);
 
+/// A table as text.
+struct ExportedTable {
+  std::string text;
+  std::size_t rows = 0;
+};
+
 /// Flat tables of the scenes that have a result: number, swept keys, and the
 /// figures of the result document in as many digits as tell doubles apart,
 /// empty or null where there is none.
-[[nodiscard]] std::string export_csv(Store& store, const Job& job);
-[[nodiscard]] std::string export_json(Store& store, const Job& job);
+[[nodiscard]] ExportedTable export_csv(Store& store, const Job& job);
+[[nodiscard]] ExportedTable export_json(Store& store, const Job& job);
 
 }  // namespace brachisto::sweep

@@ -14,7 +14,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace brachisto::sweep {
 
@@ -109,25 +111,25 @@ std::vector<std::string> WorkerProcess::read_lines() {
   // writes rubbish, and the manager is to see it as such.
   constexpr std::size_t kLongestLine = std::size_t{1} << 28U;
   std::array<char, 1U << 16U> buffer{};
-  while (inbox_.size() < kLongestLine) {
+  std::vector<std::string> lines;
+  // What comes after a line waits: there may be no end of it.
+  while (lines.empty()) {
     const ssize_t count = ::read(output_, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) break;
-    if (count == 0) {
-      ended_ = true;
-      break;
+    ended_ = count == 0;
+    if (count <= 0) break;
+    std::string_view text(buffer.data(), static_cast<std::size_t>(count));
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos;
+         end = text.find('\n')) {
+      inbox_ += text.substr(0, end);
+      lines.push_back(std::exchange(inbox_, {}));
+      text.remove_prefix(end + 1);
     }
-    inbox_.append(buffer.data(), static_cast<std::size_t>(count));
+    inbox_ += text;
+    if (inbox_.size() >= kLongestLine) {
+      lines.push_back(std::exchange(inbox_, {}));
+    }
   }
-  std::vector<std::string> lines;
-  std::size_t begin = 0;
-  for (std::size_t end = inbox_.find('\n'); end != std::string::npos;
-       end = inbox_.find('\n', begin)) {
-    lines.push_back(inbox_.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  inbox_.erase(0, begin);
-  if (inbox_.size() >= kLongestLine) lines.push_back(std::move(inbox_));
   return lines;
 }
 

@@ -57,4 +57,9 @@ double ArcLengthMotion::start_angle() const {
   return brachisto::start_angle(scene().body);
 }
 
+StartLimits ArcLengthMotion::at_start() const {
+  return start_limits(scene().body, start_angle(),
+                      on_curve_.start_slope_rate());
+}
+
 }  // namespace brachisto

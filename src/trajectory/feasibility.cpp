@@ -23,16 +23,22 @@ std::vector<std::string> infeasible_because(const Scene& scene,
   }
   // Written so that a NaN counts as infeasible.
   const Extreme& force = path.min_normal_force;
-  if (!(force.value > 0.0)) {
-    reasons.push_back(
-        fmt::format("the body would lift off: R_n = {:.4g} m g at x_b = {:.4g}",
-                    force.value, force.x));
+  // 0 is not taken where it is the limit at the start.
+  const bool presses =
+      force.value > 0.0 || (force.value == 0.0 && force.at_start);
+  if (path.at_start.lifts_off() || !presses) {
+    reasons.push_back(fmt::format(
+        "the body would lift off{}: R_n = {:.4g} m g at x_b = {:.4g}",
+        path.at_start.lifts_off() ? " at the start" : "", force.value,
+        force.x));
   }
   const Extreme& margin = path.min_fold_margin;
   if (!(margin.value > 0.0)) {
     reasons.push_back(
-        fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
-                    margin.value, margin.x));
+        margin.at_start
+            ? "the track folds at the start, β′ > 0"
+            : fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
+                          margin.value, margin.x));
   }
   if (path.self_crossing) {
     reasons.push_back(

@@ -14,11 +14,11 @@ namespace brachisto {
 
 /// Share of the transit time on which not |R_t| ≤ μ R_n.
 ///
-/// \param rows  places so close that the two forces change order at most once
-///              between neighbours, the first one the start, the last one the
-///              end; where they do, the place is found as a root
+/// \param samples  so close that |R_t| − μ R_n has at most one extreme between
+///                 neighbours, the first one the start, the last one the end;
+///                 changes of its sign are found as roots
 [[nodiscard]] double friction_share(const Motion& motion,
-                                    const std::vector<TrajectoryPoint>& rows,
+                                    const std::vector<TrajectoryPoint>& samples,
                                     double mu);
 
 }  // namespace brachisto

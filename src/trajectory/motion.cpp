@@ -4,10 +4,11 @@
 #include "brachisto/trajectory/motion.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
+#include <limits>
+#include <span>
 
+#include "brachisto/math/minima.hpp"
 #include "brachisto/trajectory/self_crossing.hpp"
 #include "trajectory/friction_share.hpp"
 
@@ -29,66 +30,121 @@ std::optional<double> Motion::rotation() const {
 
 namespace {
 
-/// Smallest value of f(row) along the path.
-///
-/// Samples bracket the minimum, Brent's method finds it. With `skip_rise` the
-/// stretch from the start on which f only rises does not count.
-template <class Function>
-Extreme smallest(const Motion& motion, const std::vector<TrajectoryPoint>& rows,
-                 bool skip_rise, Function&& f) {
-  std::size_t first = 1;
-  if (skip_rise) {
-    while (first + 1 < rows.size() && f(rows[first + 1]) > f(rows[first])) {
-      ++first;
-    }
-  }
-  std::size_t best = first;
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    // Written so that a NaN counts as smallest and stays.
-    if (!(f(rows[i]) >= f(rows[best]))) best = i;
-  }
-  Extreme extreme{f(rows[best]), rows[best].motion.contact.x};
-  if (best == first || best + 1 == rows.size()) return extreme;
-  constexpr int kHalfTheBits = 26;  // more than a minimum can be located to
-  std::uintmax_t evaluations = 40;
-  const auto [sigma, value] = boost::math::tools::brent_find_minima(
-      [&](double s) { return f(motion.at(s)); }, rows[best - 1].sigma,
-      rows[best + 1].sigma, kHalfTheBits, evaluations);
-  if (value < extreme.value) {
-    extreme = {value, motion.at(sigma).motion.contact.x};
-  }
-  return extreme;
-}
-
-template <class Function>
-Extreme largest(const Motion& motion, const std::vector<TrajectoryPoint>& rows,
-                Function&& f) {
-  Extreme extreme = smallest(motion, rows, false,
-                             [&](const TrajectoryPoint& p) { return -f(p); });
-  extreme.value = -extreme.value;
-  return extreme;
-}
+using Rows = std::vector<TrajectoryPoint>;
+using Figure = double (*)(const TrajectoryPoint&);
 
 double normal_force(const TrajectoryPoint& p) {
   return p.motion.R_n;
 }
+double less_normal_force(const TrajectoryPoint& p) {
+  return -p.motion.R_n;
+}
 double curvature(const TrajectoryPoint& p) {
   return p.motion.kappa_b;
+}
+double less_curvature(const TrajectoryPoint& p) {
+  return -p.motion.kappa_b;
 }
 double fold_margin(const TrajectoryPoint& p) {
   return p.motion.fold_margin;
 }
 
+/// The samples of a path, narrower next to the start, where forces rise from
+/// zero and their sign decides.
+Rows sample_path(const Motion& motion) {
+  Rows rows = motion.fine_sample(0);
+  const double first = rows[1].sigma;
+  Rows next_to_start;
+  for (const double share : {0.0625, 0.125, 0.25, 0.5, 0.75}) {
+    next_to_start.push_back(motion.at(share * first));
+  }
+  rows.insert(rows.begin() + 1, next_to_start.begin(), next_to_start.end());
+  return rows;
+}
+
+/// A figure of the path at its samples, the first one replaced by its limit.
+std::vector<math::Sample> samples_of(const Rows& rows, double at_start,
+                                     Figure f) {
+  std::vector<math::Sample> samples;
+  samples.reserve(rows.size());
+  for (const TrajectoryPoint& row : rows)
+    samples.push_back({row.sigma, f(row)});
+  samples.front().value = at_start;
+  return samples;
+}
+
+/// The smallest value behind the first sample.
+Extreme smallest_behind(const Motion& motion,
+                        std::span<const math::Sample> samples, Figure f) {
+  math::Sample lowest = samples.back();
+  for (const math::Sample& sample : samples.subspan(1)) {
+    // Written so that a NaN counts as smallest and stays.
+    if (!(sample.value >= lowest.value)) lowest = sample;
+  }
+  const auto figure = [&](double sigma) { return f(motion.at(sigma)); };
+  for (const math::Sample& found :
+       math::minima_below(lowest.value, samples, figure)) {
+    if (found.value < lowest.value) lowest = found;
+  }
+  return {lowest.value, motion.at(lowest.at).motion.contact.x};
+}
+
+/// The infimum for u > 0 of what tends to `at_start`.
+Extreme infimum(const Motion& motion, const Rows& rows, double at_start,
+                Figure f) {
+  const Extreme behind =
+      smallest_behind(motion, samples_of(rows, at_start, f), f);
+  if (!(at_start <= behind.value)) return behind;
+  return {at_start, rows.front().motion.contact.x, true};
+}
+
+Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
+                 Figure negative) {
+  Extreme extreme = infimum(motion, rows, -at_start, negative);
+  extreme.value = -extreme.value;
+  return extreme;
+}
+
+/// The smallest value after the stretch from the start on which f only rises.
+Extreme after_rise(const Motion& motion, const Rows& rows, double at_start,
+                   Figure f) {
+  const std::vector<math::Sample> samples = samples_of(rows, at_start, f);
+  std::size_t top = 0;
+  while (top + 2 < samples.size() &&
+         samples[top + 1].value > samples[top].value) {
+    ++top;
+  }
+  return smallest_behind(motion, std::span(samples).subspan(top), f);
+}
+
 }  // namespace
 
 PathDiagnostics Motion::diagnose() const {
-  const std::vector<TrajectoryPoint> rows = fine_sample(0);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Rows rows = sample_path(*this);
   PathDiagnostics out;
-  out.min_normal_force = smallest(*this, rows, true, normal_force);
-  out.max_normal_force = largest(*this, rows, normal_force);
-  out.min_curvature = smallest(*this, rows, true, curvature);
-  out.max_curvature = largest(*this, rows, curvature);
-  out.min_fold_margin = smallest(*this, rows, false, fold_margin);
+  out.at_start = at_start();
+  const double force = out.at_start.normal_force;
+  out.min_normal_force = infimum(*this, rows, force, normal_force);
+  if (out.at_start.lifts_off() && out.min_normal_force.at_start) {
+    // It falls and has risen again before the first sample.
+    const math::Sample dip = math::find_minimum(
+        [this](double sigma) { return at(sigma).motion.R_n; }, 0.0,
+        rows[1].sigma);
+    out.min_normal_force = {dip.value, at(dip.at).motion.contact.x};
+  }
+  out.max_normal_force = supremum(*this, rows, force, less_normal_force);
+  out.normal_force_after_rise = after_rise(*this, rows, force, normal_force);
+  out.min_fold_margin =
+      infimum(*this, rows, out.at_start.fold_margin, fold_margin);
+  const double kappa = out.at_start.curvature;
+  out.min_curvature = infimum(*this, rows, kappa, curvature);
+  out.max_curvature = supremum(*this, rows, kappa, less_curvature);
+  out.curvature_after_rise = after_rise(*this, rows, kappa, curvature);
+  if (!(out.min_fold_margin.value > 0.0)) {
+    out.min_curvature = {-kInfinity, out.min_fold_margin.x};
+    out.max_curvature = {kInfinity, out.min_fold_margin.x};
+  }
   out.max_abs_slope = std::abs(rows.front().beta);
   std::vector<Point> track{rows.front().motion.contact};
   for (std::size_t i = 1; i < rows.size(); ++i) {

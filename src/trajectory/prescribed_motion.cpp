@@ -25,6 +25,7 @@ constexpr int kGaussPoints = 12;
 constexpr int kFewestCells = 16;
 constexpr double kTolerance = 1e-13;  // of T, relative
 constexpr int kFineSamplesPerCell = 8;
+constexpr double kNextToStart = 1e-8;  // q there has the limits of the start
 
 const math::QuadratureRule& rule() {
   static const math::QuadratureRule gauss = math::gauss_legendre(kGaussPoints);
@@ -84,8 +85,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
   const Body& body = scene_.body;
   // s = ½ s'' q² and E = a s at the start, so that w = q √(g a s'').
   const double a = energy_slope(body, body.theta_m, start_.beta);
-  constexpr double kSmall = 1e-8;
-  const double s_bend = curve_->pace(kSmall).speed / kSmall;
+  const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
   } else if (!(a > 0.0)) {
@@ -228,7 +228,7 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   if (moves) state.w = fall_speed(scene_.gravity, E);
   // dβ/du; at the start the limit of dq/du.
   state.beta_rate =
-      place.turning * (moves ? state.w / place.speed : 1.0 / start_rate_);
+      moves ? place.turning * state.w / place.speed : start_slope_rate();
   out.motion = kinematics(body, scene_.gravity, state);
   return out;
 }
@@ -239,6 +239,15 @@ double PrescribedMotion::start_angle() const {
 
 double PrescribedMotion::end_angle() const {
   return curve_->at(1.0).beta;
+}
+
+StartLimits PrescribedMotion::at_start() const {
+  if (start_.turning != 0.0) {
+    return start_limits(scene_.body, start_.beta, start_slope_rate());
+  }
+  const CurvePlace next = curve_->at(kNextToStart);
+  return start_limits_of_curvature(scene_.body, start_.beta,
+                                   next.turning / next.speed);
 }
 
 TrajectoryPoint PrescribedMotion::at(double q) const {

@@ -35,6 +35,15 @@ double Trajectory::end_angle() const {
   return curve_.at(1.0).beta;
 }
 
+StartLimits Trajectory::at_start() const {
+  const Scene& natural = curve_.scene();
+  const ExtremalPoint start = curve_.at(0.0);
+  const double beta_rate =
+      slope_rate(natural.body, natural.gravity, {start.theta, start.w}, start.p,
+                 start.beta);
+  return start_limits(scene_.body, start_angle(), beta_rate / units_.time);
+}
+
 TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
                                     double sigma) const {
   const Scene& natural = curve_.scene();

@@ -138,7 +138,8 @@ TEST(BodyVerb, RefusesAPartWithItsNameAndWhatIsAllowed) {
 
     EXPECT_EQ(output.code, 2) << each[0];
     EXPECT_EQ(output.out, "") << each[0];
-    EXPECT_TRUE(output.err.starts_with(each[0] + ": ")) << output.err;
+    EXPECT_TRUE(output.err.starts_with("brachisto body: " + each[0] + ": "))
+        << output.err;
     EXPECT_TRUE(says(output.err, each[1])) << output.err;
   }
 }

@@ -45,9 +45,9 @@ TEST(SolveProgress, TellsOfEveryPhaseOnceItIsLong) {
   watched.note(2600, "certificate", "of 100 nodes");
 
   EXPECT_EQ(watched.lines,
-            (std::vector<std::string>{"[   2 s] continuation: last\n",
-                                      "[   2 s] mesh: solved\n",
-                                      "[   3 s] certificate: of 100 nodes\n"}));
+            (std::vector<std::string>{"[   2 s] continuation: last",
+                                      "[   2 s] mesh: solved",
+                                      "[   3 s] certificate: of 100 nodes"}));
 }
 
 TEST(SolveProgress, TellsOfAPhaseNowAndThen) {
@@ -59,8 +59,8 @@ TEST(SolveProgress, TellsOfAPhaseNowAndThen) {
 
   EXPECT_EQ(watched.lines,
             (std::vector<std::string>{
-                "[   5 s] continuation: 5\n", "[  10 s] continuation: 10\n",
-                "[  15 s] continuation: 15\n", "[  20 s] continuation: 20\n"}));
+                "[   5 s] continuation: 5", "[  10 s] continuation: 10",
+                "[  15 s] continuation: 15", "[  20 s] continuation: 20"}));
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 // What goes wrong in a sweep costs as little as it can, and is told.
 
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -17,6 +18,7 @@
 
 #include "app/command.hpp"
 #include "app/sweep_command.hpp"
+#include "app/tiny_disk.hpp"
 
 namespace brachisto {
 namespace {
@@ -31,6 +33,12 @@ using testing::ScratchDirectory;
 using testing::small_sweep;
 using testing::sweep;
 using testing::table_of;
+using testing::TinyDisk;
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 /// A program that does `mischief` the first `times` that it is run, and is a
 /// good worker afterwards.
@@ -45,25 +53,6 @@ std::string bad_worker(const ScratchDirectory& scratch,
   fs::permissions(path, fs::perms::owner_all);
   return path;
 }
-
-/// A file system of some kilobytes in a directory, where that is allowed.
-class TinyDisk {
- public:
-  explicit TinyDisk(const fs::path& directory)
-      : directory_(directory),
-        mounted_(::mount("tmpfs", directory.c_str(), "tmpfs", 0, "size=96k") ==
-                 0) {}
-  ~TinyDisk() {
-    if (mounted_) ::umount2(directory_.c_str(), MNT_DETACH);
-  }
-  TinyDisk(const TinyDisk&) = delete;
-  TinyDisk& operator=(const TinyDisk&) = delete;
-  explicit operator bool() const { return mounted_; }
-
- private:
-  fs::path directory_;
-  bool mounted_;
-};
 
 struct Mischief {
   std::string name;
@@ -91,6 +80,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mischief{"answers_for_another_scene",
                  R"(echo '{"scene":5,"result":{"status":"solved",)"
                  R"("verified":false},"state":""}'; exec sleep 1000)",
+                 "worker_rubbish"},
+        Mischief{"answers_without_end",
+                 "yes '{\"a\":' | tr -d '\\n' | head -c 100000000; "
+                 "exec sleep 1000",
+                 "worker_timeout"},
+        Mischief{"answers_without_end_in_short_lines", "exec yes",
+                 "worker_rubbish"},
+        Mischief{"answers_in_too_many_brackets",
+                 "printf '{\"scene\":0,\"state\":\"\",\"result\":{"
+                 "\"status\":\"x\",\"message\":\"\",\"verified\":false,"
+                 "\"a\":'; yes '[' | tr -d '\\n' | head -c 300000; "
+                 "yes ']' | tr -d '\\n' | head -c 300000; echo '}}'; "
+                 "exec sleep 1000",
                  "worker_rubbish"},
         Mischief{"writes_half_a_line", "printf '{\"scene\":0,'; exit 0",
                  "worker_lost"}),
@@ -192,11 +194,114 @@ TEST(SweepFaults, AForeignOrTruncatedStoreIsLeftAlone) {
             6);
 }
 
+/// Changes a digit of the τ of the n-th scene that has one, as a disk might.
+void damage(const fs::path& store, int n) {
+  std::string bytes = content(store);
+  std::size_t place = 0;
+  for (int i = 0; i <= n; ++i) place = bytes.find("\"tau\":", place + 1);
+  ASSERT_NE(place, std::string::npos);
+  char& digit = bytes[place + std::string("\"tau\":5.12").size()];
+  digit = digit == '7' ? '8' : '7';
+  std::ofstream(store, std::ios::binary) << bytes;
+}
+
+TEST(SweepFaults, ADamagedResultIsNamedAndSolvedAgain) {
+  // Of a warm chain too, whose scenes begin with the ones before them.
+  for (const std::string start : {"false", "true"}) {
+    const ScratchDirectory scratch;
+    const std::vector<std::string> set{"--set", "sweep.warm_start=" + start};
+    ASSERT_EQ(sweep(scratch, "out", set).code, 0);
+    const std::string out = (scratch.path() / "out").string();
+    const std::string calm = table_of(scratch, "out");
+    damage(scratch.path() / "out" / "sweep.sqlite", 7);
+
+    const Output exported = run({"export", out, "--json"});
+    const Output drawn = run({"report", out});
+    const Output merged = run({"merge", out, "--out", out + "2"});
+
+    const json document = json::parse(exported.out);
+    ASSERT_EQ(document["damaged"].size(), 1U);
+    const auto scene = document["damaged"][0].get<int>();
+    for (const Output& output : {exported, drawn, merged}) {
+      EXPECT_EQ(output.code, 6) << output.err;
+      EXPECT_NE(output.err.find(out +
+                                "/sweep.sqlite: damaged: the results of "
+                                "scene " +
+                                std::to_string(scene) + " do not match"),
+                std::string::npos)
+          << output.err;
+    }
+    EXPECT_EQ(document["rows"].size(), kScenes - 1U);
+    EXPECT_NE(calm, table_of(scratch, "out"));
+
+    std::vector<std::string> resume{"--resume", "--json"};
+    resume.insert(resume.end(), set.begin(), set.end());
+    const Output mended = sweep(scratch, "out", resume);
+    EXPECT_EQ(mended.code, 0) << mended.err;
+    EXPECT_NE(mended.err.find("scene " + std::to_string(scene)),
+              std::string::npos)
+        << mended.err;
+    EXPECT_EQ(json::parse(mended.out)["new"], 1);
+    EXPECT_EQ(table_of(scratch, "out"), calm);
+    EXPECT_EQ(run({"export", out, "--csv"}).code, 0);
+    // Where another part is sound, merging mends as well.
+    EXPECT_EQ(run({"merge", out, "--out", out + "2"}).code, 0);
+    EXPECT_EQ(table_of(scratch, "out2"), calm);
+  }
+}
+
+TEST(SweepFaults, AStoreThatLostItsContentIsNotBegunAnewUnasked) {
+  const ScratchDirectory scratch;
+  fs::create_directories(scratch.path() / "out");
+  const fs::path store = scratch.path() / "out" / "sweep.sqlite";
+  std::ofstream{store};
+  const std::string out = (scratch.path() / "out").string();
+
+  for (const Output& output :
+       {sweep(scratch, "out", {"--resume"}), sweep(scratch, "out"),
+        run({"export", out, "--csv"}), run({"report", out}),
+        run({"merge", out, "--out", out + "2"})}) {
+    EXPECT_EQ(output.code, 6);
+    EXPECT_NE(output.err.find(store.string() + ": is empty"), std::string::npos)
+        << output.err;
+  }
+  EXPECT_EQ(fs::file_size(store), 0U);
+  EXPECT_EQ(sweep(scratch, "out", {"--force"}).code, 0);
+}
+
+TEST(SweepFaults, AJournalThatIsGoneIsTold) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "calm").code, 0);
+  const fs::path out = scratch.path() / "out";
+  {
+    Process killed({"sweep", small_sweep(scratch), "--out", out.string(),
+                    "--worker", bad_worker(scratch, "exec sleep 1000", 1000)});
+    while (!fs::exists(scratch.path() / "runs")) {  // of the worker
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    killed.signal(SIGKILL);
+    ASSERT_TRUE(killed.wait(std::chrono::seconds(5)));
+  }
+  fs::remove(out / "sweep.sqlite-wal");
+  fs::remove(out / "sweep.sqlite-shm");
+
+  for (int i = 0; i < 2; ++i) {
+    const Output output = run({"export", out.string(), "--csv"});
+    EXPECT_EQ(output.code, 6);
+    EXPECT_NE(output.err.find("-wal"), std::string::npos) << output.err;
+  }
+  const Output resumed = sweep(scratch, "out", {"--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_NE(resumed.err.find("-wal"), std::string::npos) << resumed.err;
+  EXPECT_EQ(table_of(scratch, "out"), table_of(scratch, "calm"));
+  EXPECT_EQ(run({"export", out.string(), "--csv"}).code, 0);
+}
+
 TEST(SweepFaults, AFullDiskIsToldAndCostsNothing) {
   const ScratchDirectory scratch;
   const fs::path disk = scratch.path() / "out";
   fs::create_directories(disk);
-  const TinyDisk mounted(disk);
+  const TinyDisk mounted(disk, "96k");
   if (!mounted) GTEST_SKIP() << "no file system can be mounted here";
 
   const Output output = sweep(scratch, "out");

@@ -80,6 +80,20 @@ TEST(Expression, FunctionsAreThoseOfTheStandardLibrary) {
   EXPECT_EQ(evaluate("pow(2, 0.5)"), std::pow(2.0, 0.5));
 }
 
+TEST(Expression, AFunctionNeedsItsArgument) {
+  const std::string reason =
+      " is a function, whose argument follows in parentheses";
+
+  for (const std::string text :
+       {"sin", "2*sin", "sin + 1", "sin (1)", "abs(sin)", "min, 1"}) {
+    const std::string word = text[0] == 'm' ? "min" : "sin";
+    EXPECT_EQ(refusal(text), '"' + word + '"' + reason) << text;
+    EXPECT_THROW(Expression(text, Unit::None, Names::Quantities),
+                 ExpressionError)
+        << text;
+  }
+}
+
 TEST(Expression, DegreesAgreeWithFractionsOfPiToTheLastBit) {
   EXPECT_EQ(evaluate("-30 deg", Unit::Angle), -kPi / 6.0);
   EXPECT_EQ(evaluate("45deg", Unit::Angle), kPi / 4.0);

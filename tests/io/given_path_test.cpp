@@ -4,11 +4,13 @@
 // The section scene.path.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <numbers>
 #include <string>
 
 #include "brachisto/io/problem_file.hpp"
+#include "io/path_points.hpp"
 #include "support/scratch_directory.hpp"
 
 namespace brachisto::io {
@@ -116,16 +118,57 @@ TEST(GivenPath, RefusesPointsThatAreNone) {
   EXPECT_NE(refusal("x,z\n0,0\n3,1.1\n").find("last point"), std::string::npos);
 }
 
-TEST(GivenPath, RefusesAFileThatIsNotThereOrNotWanted) {
-  EXPECT_NE(errors(problem("{curve: track, shape: points}"))
-                .find("scene.path.file: missing"),
+TEST(GivenPath, RefusesNoFileOrOneThatIsNotWanted) {
+  EXPECT_EQ(errors(problem("{curve: track, shape: points}")),
+            "p.yaml:4:3: scene.path.file: missing; shape: points needs a CSV "
+            "file with the columns x,z");
+  EXPECT_EQ(errors(problem("{shape: straight, file: none.csv}")),
+            "p.yaml:4:33: scene.path.file: only shape: points has a file");
+}
+
+/// What is said of a file of points that cannot be read.
+std::string failure(const std::string& name) {
+  try {
+    (void)read_problem_text(
+        problem("{curve: track, shape: points, file: " + name + "}"), "p.yaml");
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GivenPath, OfPointsThatCannotBeReadIsNoMistakeOfTheFile) {
+  EXPECT_EQ(failure("none.csv"),
+            "p.yaml: scene.path.file: none.csv: cannot be opened: No such file "
+            "or directory");
+  const ScratchDirectory scratch;
+  EXPECT_NE(failure(scratch.path().string()).find("is a directory"),
             std::string::npos);
-  EXPECT_NE(errors(problem("{curve: track, shape: points, file: none.csv}"))
-                .find("cannot be read"),
-            std::string::npos);
-  EXPECT_NE(
-      errors(problem("{shape: points, file: none.csv}")).find("scene.path"),
-      std::string::npos);
+  EXPECT_NE(failure("/dev/zero").find("is a device"), std::string::npos);
+  const std::string pipe = (scratch.path() / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(failure(pipe).find("is a pipe"), std::string::npos);
+}
+
+std::string refusal(const std::string& points) {
+  try {
+    (void)parse_points(points);
+  } catch (const PointsError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Points, AreBounded) {
+  std::string most = "x,z\n";
+  for (std::size_t i = 0; i < kMostPoints; ++i) {
+    most += std::to_string(i) + ",0\n";
+  }
+  EXPECT_EQ(parse_points(most).size(), 100'000U);
+  EXPECT_EQ(refusal(most + "-1,0\n"),
+            "100002: \"-1,0\" is one point too many; 100000 are allowed");
+  EXPECT_EQ(refusal("x,z\n" + std::string(kMaxPointsSize, '\n')),
+            "1: longer than 16777216 bytes, which no 100000 points need");
 }
 
 TEST(GivenPath, HoldsTheEndsAgainstLAndHSeparately) {

@@ -97,6 +97,16 @@ TEST(Overrides, NeedAKeyAndAValue) {
   }
 }
 
+TEST(Overrides, OfKeysThatNestWithoutEndAreRefused) {
+  for (const std::string first : {"scene", "sweep"}) {
+    std::string key = first;
+    for (int i = 0; i < 50'000; ++i) key += ".a";
+    const std::string message = errors(kBead, {key + "=1"});
+    EXPECT_NE(message.find("nests more than 32 levels"), std::string::npos)
+        << message;
+  }
+}
+
 TEST(Overrides, DoNotHideThatTheFileHasNoMapThere) {
   EXPECT_EQ(errors(kBead + "solver: ipopt\n", {"solver.guess=straight"}),
             "p.yaml:2:9: solver: a single value was read; expected a map with "

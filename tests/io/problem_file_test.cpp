@@ -111,7 +111,9 @@ TEST(ProblemFile, MissingFilesAreIoErrors) {
 }
 
 TEST(ProblemFile, DirectoriesAreIoErrors) {
-  EXPECT_EQ(io_error("/"), "/: is a directory; expected a problem file");
+  EXPECT_EQ(io_error("/"),
+            "/: is a directory; expected a problem file, or - for standard "
+            "input");
 }
 
 TEST(ProblemFile, IsReadFromDisk) {

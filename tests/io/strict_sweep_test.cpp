@@ -16,6 +16,13 @@ namespace {
 const std::string kExpectedSweep =
     "expected a map of the keys that vary, as in {scene.body.eta_m: [0, 1/3]}";
 
+TEST(StrictSweep, AFunctionIsNoQuantity) {
+  EXPECT_EQ(sweep_errors({"scene.body.eta_m: [0, tan]"}),
+            "p.yaml:5:25: sweep.scene.body.eta_m: \"tan\" is not a number: "
+            "\"tan\" is a function, whose argument follows in parentheses; "
+            "expected a number, 0 ≤ η_m < 1");
+}
+
 TEST(StrictSweep, OneProblemHasNone) {
   EXPECT_EQ(errors(kCylinder + section({"scene.body.k: [0.1]"})),
             "p.yaml:4:1: sweep: this section makes the file a sweep of many "

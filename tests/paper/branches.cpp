@@ -43,7 +43,7 @@ TEST(SearchPrincipal, IsNotLeftForAFasterExtremal) {
   EXPECT_TRUE(solution.branches.empty());
 }
 
-TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastest) {
+TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastestOfThem) {
   SolveOptions options;
   options.search = Search::Global;
 

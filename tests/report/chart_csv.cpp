@@ -56,6 +56,21 @@ TEST(ChartCsv, ReturnsItsNumbers) {
   }
 }
 
+TEST(ChartCsv, NamesNoCurveByAFormula) {
+  Chart chart;
+  for (const char* id : {"-pi/6", "=1+1"}) {
+    chart.curves.push_back({.name = "curve", .points = {{-1.0, -2.0}}});
+    chart.curves.back().id = id;
+  }
+
+  const std::vector<Row> found = rows(chart_csv(chart));
+
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].curve, "'-pi/6");
+  EXPECT_EQ(found[1].curve, "'=1+1");
+  EXPECT_EQ(found[0].x, -1.0);
+}
+
 TEST(ChartCsv, HasARowPerPointAlsoWhereACurveIsInterrupted) {
   const std::vector<Row> found = rows(chart_csv(chart_of_everything()));
 

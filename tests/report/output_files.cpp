@@ -4,8 +4,12 @@
 #include "brachisto/report/output_files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -54,6 +58,27 @@ class OutputFiles : public ::testing::Test {
 };
 
 using Names = std::set<std::string>;
+
+/// No file may become larger as long as this lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes)
+      : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const struct rlimit limit = {bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  struct rlimit before_ {};
+};
 
 TEST_F(OutputFiles, AreThereInFull) {
   // Larger than any buffer, with bytes that a text mode would change.
@@ -150,6 +175,37 @@ TEST_F(OutputFiles, FailInADirectoryThatDoesNotExistUnderProc) {
   const std::string what = failure("/proc/brachisto", false, {{"x", "y"}});
 
   EXPECT_NE(what.find("/proc/brachisto"), std::string::npos) << what;
+}
+
+TEST_F(OutputFiles, AreNotWrittenIfOneOfThemCannotBe) {
+  write_files(directory, {{"first", "old"}, {"stale", "old"}}, false);
+  const std::vector<OutputFile> files{{"first", "new"},
+                                      {"large", std::string(100'000, 'x')}};
+  std::string what, what_of_new;
+  {
+    const FileSizeLimit limit(50'000);
+    try {
+      write_files(directory, files, true, {"stale"});
+    } catch (const OutputError& error) {
+      what = error.what();
+    }
+    what_of_new = failure(directory / "a" / "b", false, files);
+  }
+
+  EXPECT_NE(what.find("large"), std::string::npos) << what;
+  EXPECT_NE(what.find(std::strerror(EFBIG)), std::string::npos) << what;
+  EXPECT_EQ(names(directory), (Names{"first", "stale"}));
+  EXPECT_EQ(content(directory / "first"), "old");
+  EXPECT_NE(what_of_new, "");
+  EXPECT_FALSE(fs::exists(directory / "a"));
+}
+
+TEST_F(OutputFiles, TakeThePlaceOfWhatIsObsolete) {
+  write_files(directory, {{"kept", "old"}, {"stale", "old"}}, false);
+
+  write_files(directory, {{"new", "text"}}, false, {"stale", "never there"});
+
+  EXPECT_EQ(names(directory), (Names{"kept", "new"}));
 }
 
 TEST_F(OutputFiles, CheckedBeforehandRefuseTheSame) {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "report/solutions.hpp"
@@ -52,6 +53,24 @@ TEST(PathSvg, HasACurveForEachPathThatIsAnotherOne) {
 TEST(PathSvg, TellsTauInItsTitle) {
   EXPECT_NE(path_svg(*bead_solution().trajectory).find("4.51056314"),
             std::string::npos);
+}
+
+TEST(PathSvg, SaysInItsTitleWhatTheTrackIs) {
+  Scene given = off_centred_solution().scene;
+  given.path = std::make_shared<const GivenPath>();
+  Scene between_centres = off_centred_solution().scene;
+  between_centres.contact = Contact::Centre;
+  const auto title = [](const Solution& solution, const std::string& words) {
+    return path_svg(*solution.motion()).find(">" + words + ": τ = ") !=
+           std::string::npos;
+  };
+
+  EXPECT_TRUE(title(off_centred_solution(), "Smooth-contact extremal"));
+  EXPECT_TRUE(title(uniform_solution(), "Smooth-contact extremal"));
+  EXPECT_TRUE(title(bead_solution(), "Brachistochrone of a bead"));
+  EXPECT_TRUE(title(solve(given), "Given path"));
+  EXPECT_TRUE(title(solve(between_centres),
+                    "Extremal between fixed ends of the centre's path"));
 }
 
 TEST(PathSvg, DrawsToScaleWithZDown) {

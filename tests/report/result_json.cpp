@@ -28,7 +28,7 @@ using testing::unverified_solution;
 const std::vector<std::string> kPathKeys{
     "tau",         "transit_time", "centre_path_length", "rail_length",
     "start_angle", "end_angle",    "rotation",           "normal_force",
-    "friction",    "curvature",    "fold_margin"};
+    "friction",    "curvature",    "fold_margin",        "at_start"};
 const std::vector<std::string> kOtherKeys{"schema_version",
                                           "status",
                                           "verified",
@@ -87,16 +87,23 @@ TEST(ResultJson, HasEveryKeyWhateverTheOutcome) {
 TEST(ResultJson, NamesTheMembersOfItsObjects) {
   const json document = json::parse(result_json(off_centred_solution()));
 
-  for (const char* key : {"min", "max", "x_at_max"}) {
+  for (const char* key : {"min", "max", "x_at_max", "min_after_rise"}) {
     EXPECT_TRUE(document["normal_force"][key].is_number()) << key;
   }
   for (const char* key :
        {"share_above_0.3", "share_above_0.5", "share_above_1"}) {
     EXPECT_TRUE(document["friction"][key].is_number()) << key;
   }
-  for (const char* key : {"min", "max"}) {
+  for (const char* key : {"min", "max", "min_after_rise"}) {
     EXPECT_TRUE(document["curvature"][key].is_number()) << key;
   }
+  for (const char* object : {"normal_force", "curvature"}) {
+    EXPECT_EQ(document[object]["min_at_start"], true) << object;
+    EXPECT_EQ(document[object]["max_at_start"], false) << object;
+  }
+  EXPECT_EQ(document["at_start"]["normal_force"], 0.0);
+  EXPECT_EQ(document["at_start"]["curvature"],
+            -1.0 / off_centred_solution().scene.body.radius);
   EXPECT_TRUE(document["fold_margin"].is_number());
   for (const char* key : {"brachisto", "ipopt", "mumps", "blas", "suitesparse",
                           "compiler", "options"}) {

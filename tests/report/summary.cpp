@@ -25,6 +25,20 @@ TEST(Summary, OfAVerifiedSolutionHasTheAnswer) {
   EXPECT_TRUE(says(text, "verified, feasible")) << text;
 }
 
+TEST(Summary, SaysWhatTheTrackIs) {
+  Solution solution = testing::off_centred_solution();
+  EXPECT_TRUE(says(summary(solution),
+                   "smooth-contact extremal (docs/theory.md, section 3)"))
+      << summary(solution);
+
+  solution.options.search = Search::Global;
+  solution.branches.resize(3);
+
+  EXPECT_TRUE(says(summary(solution),
+                   "fastest feasible of the 3 smooth contacts found"))
+      << summary(solution);
+}
+
 TEST(Summary, OfAnUnverifiedSolutionHasTheFailedCheckAndNoAnswer) {
   const std::string text = summary(testing::unverified_solution());
 
@@ -77,6 +91,34 @@ TEST(Summary, ListsTheBranchesOfASearch) {
   EXPECT_TRUE(says(text, "NOT VERIFIED, not a minimum, INFEASIBLE")) << text;
 }
 
+TEST(Summary, SaysWhyAFasterBranchIsNotTheAnswer) {
+  Solution solution = testing::off_centred_solution();
+  const double answer = solution.motion()->tau();
+  Branch saddle, slower;
+  saddle.tau = answer - 0.125;
+  saddle.remarks = {"no answer: it is stationary, but no minimum"};
+  slower.tau = answer + 0.125;
+  slower.remarks = {"the body would lift off"};
+  solution.branches = {saddle, slower};
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "no answer: it is stationary")) << text;
+  EXPECT_FALSE(says(text, "lift off")) << text;
+}
+
+TEST(Summary, SaysWhatToTryWhereTheExtremalIsASaddle) {
+  Solution solution = testing::off_centred_solution();
+  EXPECT_FALSE(says(summary(solution), "to try")) << summary(solution);
+  solution.certificate.checks.clear();
+  solution.certificate.add("second_order", 1.0, 0.0, "");
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "NOT VERIFIED")) << text;
+  EXPECT_TRUE(says(text, "search: global")) << text;
+}
+
 TEST(Summary, HasTheSecondOpinion) {
   Solution solution = testing::off_centred_solution();
   ExtremalOpinion opinion;
@@ -89,6 +131,11 @@ TEST(Summary, HasTheSecondOpinion) {
   solution.extremal->message = "it did not converge";
 
   EXPECT_TRUE(says(summary(solution), "none: it did not converge"));
+}
+
+TEST(Summary, SaysThatTheLeastForceIsALimit) {
+  EXPECT_TRUE(says(summary(testing::off_centred_solution()),
+                   "from 0, its limit at the start, to "));
 }
 
 TEST(Summary, TellsWhyABodyCouldNotRun) {

@@ -60,5 +60,32 @@ TEST(BeadBoundary, TheFastestOrientationAdmitsMoreInertia) {
   EXPECT_GT(best.front().k, fixed.front().k);
 }
 
+TEST(BeadBoundary, OnTheRimTooTheOrientationIsTheBest) {
+  const auto best = bead_boundary(paper_scene(), {0.9, 0.95}, true, kNoSignal);
+
+  ASSERT_EQ(best.size(), 2U);
+  for (const BoundaryBody& body : best) {
+    Scene scene = paper_scene();
+    scene.body.eta_m = body.eta_m;
+    scene.body.k = body.k;
+    const auto tau = [&](double offset) {
+      scene.body.theta_m = body.theta_m.value + offset;
+      return verified_tau(scene, kNoSignal);
+    };
+    // A fourth-order difference of the slope: its error is h⁴ τ⁗'/30, with τ of
+    // order one below 1e-8, and noise of 1e-11 / h below 1e-9.
+    constexpr double h = 0.02;
+    const double left = tau(-h);
+    const double right = tau(h);
+    const double slope =
+        (8.0 * (right - left) - (tau(2 * h) - tau(-2 * h))) / (12.0 * h);
+    const double bend = (left - 2.0 * tau(0.0) + right) / (h * h);
+    EXPECT_GT(bend, 0.0);
+    EXPECT_NEAR(slope / bend, 0.0, 1e-6) << body.eta_m;
+    EXPECT_LT(body.theta_m.error, 1e-6);
+    EXPECT_NEAR(tau(0.0), 4.510563136746752, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::reproduction

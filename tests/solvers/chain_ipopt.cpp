@@ -118,6 +118,31 @@ TEST(ChainInIpopt, CorrectsTheInertiaWhereItIsWrong) {
   EXPECT_NE(chain.log.find("lg(rg)"), std::string::npos);
 }
 
+TEST(ChainInIpopt, GoesByItsOwnNameInTheLog) {
+  RollingTime problem(natural(off_centred_scene()), uniform_mesh(3, 12), -0.1);
+  const PrimalDual start = first_point(problem, -0.1);
+  IpoptOptions options;
+  options.verbose = true;
+  const auto log = [&](LinearSolver solver) {
+    options.linear_solver = solver;
+    return solve_with_ipopt(problem, start, options).log;
+  };
+
+  const std::string chain = log(LinearSolver::Chain);
+  const std::string mumps = log(LinearSolver::Mumps);
+
+  // Ipopt knows it as MA97, into whose place it is put.
+  for (const char* other : {"ma97", "MA97", "Ma97"}) {
+    EXPECT_EQ(chain.find(other), std::string::npos) << chain;
+  }
+  EXPECT_NE(chain.find("running with linear solver chain."), std::string::npos)
+      << chain;
+  EXPECT_NE(chain.find("that name is replaced"), std::string::npos) << chain;
+  EXPECT_NE(mumps.find("running with linear solver mumps."), std::string::npos)
+      << mumps;
+  EXPECT_EQ(mumps.find("replaced"), std::string::npos) << mumps;
+}
+
 TEST(ChainInIpopt, IsWhatAutoTakesForAChain) {
   RollingTime problem(natural(bead_scene()), uniform_mesh(3, 10), -0.1);
 

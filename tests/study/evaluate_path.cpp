@@ -51,16 +51,16 @@ TEST(EvaluatePath, KnowsTheCycloidOfTheUniformCylinder) {
   EXPECT_TRUE(solution.feasible());
 }
 
-TEST(EvaluatePath, IsNeverFasterThanTheFastest) {
+TEST(EvaluatePath, OfStandardCurvesIsSlowerThanTheExtremal) {
   const Scene scene = reference_case();
-  const double fastest = solve(scene).motion()->tau();
+  const double extremal = solve(scene).motion()->tau();
   for (const Curve curve : {Curve::Centre, Curve::Track}) {
     for (const Shape shape :
          {Shape::Straight, Shape::Parabola, Shape::CircularArc}) {
       const Solution solution = solve(with_path(scene, curve, shape));
       if (solution.status == Status::Stalled) continue;
       ASSERT_TRUE(solution.verified()) << solution.message;
-      EXPECT_GT(solution.motion()->tau(), fastest);
+      EXPECT_GT(solution.motion()->tau(), extremal);
     }
   }
 }
@@ -77,10 +77,10 @@ TEST(EvaluatePath, TouchesTheTrackAtBothEnds) {
   }
 }
 
-TEST(EvaluatePath, FindsTheFastestTrackAgainFromItsPoints) {
+TEST(EvaluatePath, FindsTheExtremalAgainFromItsPoints) {
   const Scene scene = reference_case();
-  const Solution fastest = solve(scene);
-  ASSERT_TRUE(fastest.verified());
+  const Solution extremal = solve(scene);
+  ASSERT_TRUE(extremal.verified());
   double before = 1.0;
   for (const int n : {100, 400}) {
     auto path = std::make_shared<GivenPath>();
@@ -88,7 +88,7 @@ TEST(EvaluatePath, FindsTheFastestTrackAgainFromItsPoints) {
     path->shape = Shape::Points;
     for (int i = 0; i <= n; ++i) {
       path->points.push_back(
-          fastest.trajectory->at(static_cast<double>(i) / n).motion.contact);
+          extremal.trajectory->at(static_cast<double>(i) / n).motion.contact);
     }
     Scene given = scene;
     given.path = path;
@@ -96,7 +96,7 @@ TEST(EvaluatePath, FindsTheFastestTrackAgainFromItsPoints) {
     ASSERT_NE(again.motion(), nullptr) << again.message;
     // Of a stationary T an error of the path shows in second order, but for
     // the ends, where the curvature of the track is known to first order only.
-    const double excess = again.motion()->tau() / fastest.motion()->tau() - 1.0;
+    const double excess = again.motion()->tau() / extremal.motion()->tau() - 1.0;
     EXPECT_LT(std::abs(excess), 0.5 * before);
     before = std::abs(excess);
   }

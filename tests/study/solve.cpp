@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -150,6 +151,48 @@ TEST(InfeasibleBody, IsVerifiedAndSaysWhatWouldHappen) {
   ASSERT_FALSE(solution.infeasible_because().empty());
   EXPECT_NE(solution.infeasible_because().front().find("lift off"),
             std::string::npos);
+}
+
+Scene leaving_upwards(double L, double r, double eta, double theta_m,
+                      double k) {
+  Scene scene;
+  scene.body = Body::cylinder(r, eta, theta_m, k);
+  scene.L = L;
+  scene.H = 1.0;
+  return scene;
+}
+
+TEST(InfeasibleBody, LiftsOffAtTheStartWhereTheSlopeGrowsThere) {
+  // β′(0) > 0, found by an independent integration. Of both the normal force is
+  // negative up to the first node at most.
+  for (const Scene& scene :
+       {leaving_upwards(1.4909, 0.4325, 0.8057, -1.8984, 0.3464),
+        leaving_upwards(3.7418, 0.4052, 0.83, -2.8464, 0.2303)}) {
+    const Solution solution = solve(scene);
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_TRUE(solution.diagnostics->at_start.lifts_off());
+    EXPECT_LT(solution.diagnostics->min_normal_force.value, 0.0);
+    EXPECT_EQ(solution.diagnostics->min_fold_margin.value,
+              -std::numeric_limits<double>::infinity());
+    const std::vector<std::string> reasons = solution.infeasible_because();
+    ASSERT_GE(reasons.size(), 2u);
+    EXPECT_NE(reasons[0].find("lift off at the start"), std::string::npos);
+    EXPECT_NE(reasons[1].find("folds at the start"), std::string::npos);
+  }
+}
+
+TEST(InfeasibleBody, IsNotPreferredToAFasterOneThatIsNoWorse) {
+  // A slower contact that lifts off at its start as well.
+  const Scene scene = leaving_upwards(1.6311, 0.1168, 0.8914, -1.3704, 0.193);
+  SolveOptions options;
+  options.search = Search::Global;
+
+  const Solution solution = solve(scene, options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_NEAR(solution.motion()->tau(), 3.59745, 5e-6);
+  EXPECT_FALSE(solution.feasible());
 }
 
 TEST(InfeasibleBody, IsNeverABeadForItIsHeldByItsWire) {

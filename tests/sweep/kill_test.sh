@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Kills the manager or a worker of a sweep at random moments, again and again,
-# and checks that nothing that was stored is lost, changed or done twice, and
-# that the table in the end is that of an undisturbed run, except for times.
+# Kills the manager and workers of a sweep by turns, at random moments, again and
+# again, and checks that nothing that was stored is lost, changed, damaged or done
+# twice, and that the table in the end is that of an undisturbed run, except for
+# times.
 #
 #   kill_test.sh BRACHISTO PROBLEM KILLS [SEED]
 set -euo pipefail
@@ -13,7 +14,11 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 die() { echo "kill_test: $*" >&2; exit 1; }
 
+start=$(date +%s%N)
 "$brachisto" sweep "$problem" --out "$scratch/calm" --quiet
+# Kills come at any moment of a run, its beginning and its end included.
+range=$(($(date +%s%N) / 1000000 - start / 1000000))
+[ "$range" -lt 700 ] || range=700
 table "$scratch/calm" >"$scratch/calm.csv"
 
 round=0 done_kills=0 of_manager=0 of_worker=0
@@ -24,11 +29,11 @@ while [ "$done_kills" -lt "$kills" ]; do
   while true; do
     "$brachisto" sweep "$problem" --out "$out" --resume --quiet &
     manager=$!
-    sleep "0.$(printf '%03d' $((RANDOM % 700 + 50)))"
+    sleep "0.$(printf '%03d' $((RANDOM % range)))"
     if [ "$done_kills" -lt "$kills" ] && kill -0 "$manager" 2>/dev/null; then
       read -r -a workers \
         <<<"$(cat "/proc/$manager/task/$manager/children" 2>/dev/null || true)"
-      if [ $((RANDOM % 2)) -eq 0 ] || [ ${#workers[@]} -eq 0 ]; then
+      if [ "$of_manager" -le "$of_worker" ] || [ ${#workers[@]} -eq 0 ]; then
         kill -KILL "$manager" 2>/dev/null && of_manager=$((of_manager + 1))
       else
         victim=${workers[RANDOM % ${#workers[@]}]}
@@ -43,7 +48,10 @@ while [ "$done_kills" -lt "$kills" ]; do
     fi
     code=0
     wait "$manager" 2>/dev/null || code=$?
-    if [ -e "$out/sweep.sqlite" ] && table "$out" >"$scratch/after.csv"; then
+    if [ -e "$out/sweep.sqlite" ]; then
+      "$brachisto" export "$out" --csv >/dev/null 2>"$scratch/said" ||
+        die "a store cannot be read: $(cat "$scratch/said")"
+      table "$out" >"$scratch/after.csv"
       # Stored rows stay as they are: those of before are among those of after.
       lost=$(sort "$scratch/before.csv" |
         comm -23 - <(sort "$scratch/after.csv") | wc -l)

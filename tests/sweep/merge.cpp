@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::answer;
+using testing::content;
 using testing::info_of;
 using testing::ScratchDirectory;
 using testing::small_job;
@@ -56,7 +57,7 @@ TEST_F(MergeTest, JoinsPartsAndListsGaps) {
   const MergeReport report = merge_parts({a, b}, whole);
 
   EXPECT_EQ(report.added, 38U);
-  EXPECT_EQ(whole.num_results(), 38U);
+  EXPECT_EQ(content(whole).size(), 38U);
   EXPECT_EQ(report.gaps, (std::vector<std::size_t>{10, 11}));
   EXPECT_TRUE(report.overlaps.empty());
   EXPECT_TRUE(report.conflicts.empty());
@@ -70,7 +71,7 @@ TEST_F(MergeTest, IsIdempotent) {
   const MergeReport again = merge_parts({a, b}, whole);
 
   EXPECT_EQ(again.added, 0U);
-  EXPECT_EQ(whole.num_results(), 40U);
+  EXPECT_EQ(content(whole).size(), 40U);
   EXPECT_TRUE(again.conflicts.empty());
 }
 
@@ -103,7 +104,7 @@ TEST_F(MergeTest, BringsTheStateOfAnUnfinishedChain) {
 
   (void)merge_parts({a}, whole);
 
-  EXPECT_EQ(whole.state_of(0), "state");
+  EXPECT_EQ(whole.state_after(0, 3), "state");
 }
 
 TEST_F(MergeTest, LeavesAFailedSceneWithoutTheStateOfAnotherPart) {
@@ -112,7 +113,7 @@ TEST_F(MergeTest, LeavesAFailedSceneWithoutTheStateOfAnotherPart) {
 
   (void)merge_parts({a, b}, whole);
 
-  EXPECT_EQ(whole.state_of(0), "") << "scene 3 of part a left nothing";
+  EXPECT_EQ(whole.state_after(0, 3), "") << "scene 3 of part a left nothing";
 }
 
 TEST_F(MergeTest, MakesTheTargetAMergedStore) {
@@ -132,7 +133,7 @@ TEST_F(MergeTest, RefusesPartsOfAnotherSweepAndAddsNothing) {
   Store whole = target();
 
   EXPECT_THROW((void)merge_parts({a, other}, whole), StoreError);
-  EXPECT_EQ(whole.num_results(), 0U);
+  EXPECT_EQ(content(whole).size(), 0U);
 }
 
 }  // namespace

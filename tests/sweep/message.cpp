@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "brachisto/study/solve.hpp"
 #include "sweep/outcome.hpp"
@@ -69,6 +71,25 @@ TEST(State, OfAnotherSceneIsRefused) {
   EXPECT_ANY_THROW((void)neighbour_from_state("", uniform));
 }
 
+TEST(State, OfNoMeshIsRefused) {
+  const Neighbour& sound = *solved().as_neighbour;
+  const auto refused = [&](auto change) {
+    Neighbour neighbour = sound;
+    change(neighbour);
+    EXPECT_THROW((void)neighbour_from_state(to_state(neighbour), sound.scene),
+                 std::invalid_argument);
+  };
+  refused([](Neighbour& n) { n.mesh.degree = 0; });
+  refused([](Neighbour& n) { n.mesh.degree = -3; });
+  refused([](Neighbour& n) { n.mesh.degree = 1'000'000'000; });
+  refused([](Neighbour& n) { n.mesh.boundaries.clear(); });
+  refused([](Neighbour& n) { n.mesh.boundaries = {0.0}; });
+  refused([](Neighbour& n) { n.mesh.boundaries.back() = 2.0; });
+  refused([](Neighbour& n) { n.mesh.boundaries[1] = 0.0; });
+  refused([](Neighbour& n) { n.point.x.pop_back(); });
+  refused([](Neighbour& n) { n.point.lambda.clear(); });
+}
+
 TEST(Request, SurvivesALine) {
   const Request request{3, 16, "{\"phi\": 1}\n\"quoted\""};
   const std::string line = to_line(request);
@@ -114,6 +135,35 @@ TEST(Answer, IsNotReadFromAnythingElse) {
   }
 }
 
+TEST(Answer, IsNotReadFromWhatNestsWithoutEnd) {
+  for (const auto& [open, close] : {std::pair{"[", "]"}, {"{\"a\":", "}"}}) {
+    std::string deep;
+    for (int i = 0; i < 300'000; ++i) deep += open;
+    deep += "0";
+    const std::string half = deep;
+    for (int i = 0; i < 300'000; ++i) deep += close;
+    EXPECT_FALSE(answer_from_line(deep));
+    EXPECT_FALSE(answer_from_line(half));
+    EXPECT_FALSE(answer_from_line(
+        R"({"scene":1,"state":"","result":{"status":"","message":"",)"
+        R"("verified":false,"a":)" +
+        deep + "}}"));
+    EXPECT_FALSE(answer_from_line(R"({"scene":1,"state":)" + deep + "}"));
+  }
+}
+
+TEST(Answer, IsNotReadFromMoreThanAnyResultHas) {
+  std::string wide =
+      R"({"scene":1,"state":"","result":{"status":"","message":"",)"
+      R"("verified":false)";
+  for (int i = 0; i < 300'000; ++i) wide += ",\"" + std::to_string(i) + "\":0";
+  EXPECT_FALSE(answer_from_line(wide + "}}"));
+  EXPECT_FALSE(answer_from_line(
+      R"({"scene":1,"state":"","result":{"status":"","verified":false,)"
+      R"("message":")" +
+      std::string(2'000'000, 'm') + "\"}}"));
+}
+
 TEST(Outcome, TellsWhatTheSolutionTold) {
   const SweepOutcome outcome = read_outcome(outcome_json(solved()));
 
@@ -123,6 +173,19 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
   EXPECT_EQ(outcome.transit_time, solved().trajectory->transit_time());
   EXPECT_EQ(outcome.estimated_error, solved().estimated_error);
   EXPECT_EQ(outcome.feasible, solved().feasible());
+}
+
+TEST(Outcome, OfASaddleSaysWhatToTry) {
+  Solution solution = solve(off_centred(0.0));
+  ASSERT_TRUE(solution.verified());
+  solution.certificate.checks.clear();
+  solution.certificate.add("second_order", 1.0, 0.0, "");
+
+  const SweepOutcome outcome = read_outcome(outcome_json(solution));
+
+  EXPECT_EQ(outcome.status, "not_verified");
+  EXPECT_NE(outcome.message.find("search: global"), std::string::npos)
+      << outcome.message;
 }
 
 TEST(Outcome, OfAFailureHasNoNumbers) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sweep/job.hpp"
@@ -37,7 +38,18 @@ namespace brachisto::testing {
           .input_hash = sweep::input_hash(job.file),
           .version = "1.2.3",
           .shard = "1/1",
-          .provenance = "{}"};
+          .provenance = "{}",
+          .num_scenes = job.file.num_scenes()};
+}
+
+/// What a store has, in its order.
+[[nodiscard]] inline std::vector<std::pair<std::size_t, std::string>> content(
+    sweep::Store& store) {
+  std::vector<std::pair<std::size_t, std::string>> rows;
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    rows.emplace_back(scene, document);
+  });
+  return rows;
 }
 
 /// An answer as a worker might give it; `value` stands for its numbers.

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::answer;
+using testing::content;
 using testing::info_of;
 using testing::ScratchDirectory;
 using testing::small_job;
@@ -37,14 +38,6 @@ class StoreTest : public ::testing::Test {
       Database::Access access = Database::Access::ReadWrite) const {
     return Store::open(scratch_.path(), access);
   }
-  [[nodiscard]] static std::vector<std::pair<std::size_t, std::string>> content(
-      Store& store) {
-    std::vector<std::pair<std::size_t, std::string>> rows;
-    store.for_each_result([&](std::size_t scene, const std::string& document) {
-      rows.emplace_back(scene, document);
-    });
-    return rows;
-  }
 };
 
 TEST_F(StoreTest, KeepsWhatItWasGiven) {
@@ -58,12 +51,11 @@ TEST_F(StoreTest, KeepsWhatItWasGiven) {
                                 {1, answer(1).result},
                                 {2, answer(2).result},
                                 {3, answer(3).result}}));
-  EXPECT_EQ(store.num_results(), 3U);
   EXPECT_EQ(store.info().job, to_line(job_));
   EXPECT_EQ(store.info().input_hash, input_hash(job_.file));
-  const std::vector<bool> finished = store.finished(40);
-  EXPECT_TRUE(finished[1] && finished[2] && finished[3]);
-  EXPECT_FALSE(finished[0] || finished[4]);
+  EXPECT_EQ(store.info().num_scenes, 40U);
+  store.check();
+  EXPECT_FALSE(store.damage()) << store.damage_text();
 }
 
 TEST_F(StoreTest, RefusesASecondResultAndKeepsTheFirst) {
@@ -85,11 +77,23 @@ TEST_F(StoreTest, RemembersTheStateOfTheLastSceneOfAChain) {
   store.record(std::vector{answer(chain.first, 0, "one"),
                            answer(chain.first + 1, 0, "two")},
                plan_);
-  EXPECT_EQ(store.state_of(1), "two");
-  EXPECT_EQ(store.state_of(0), "");
+  EXPECT_EQ(store.state_after(1, chain.first + 1), "two");
+  EXPECT_EQ(store.state_after(1, chain.first), std::nullopt);
+  EXPECT_EQ(store.state_after(0, 0), std::nullopt);
 
   store.record(std::vector{answer(chain.first + 2, 0, "")}, plan_);
-  EXPECT_EQ(store.state_of(1), "") << "a failure leaves nothing to start from";
+  EXPECT_EQ(store.state_after(1, chain.first + 2), "")
+      << "after a failure the next scene starts from the cycloid";
+}
+
+TEST_F(StoreTest, KeepsTheStateOfALaterSceneOfTheChain) {
+  Store store = create();
+  store.record(std::vector{answer(5, 0, "five")}, plan_);
+
+  store.record(std::vector{answer(3, 0, "three")}, plan_);
+
+  EXPECT_EQ(store.state_after(0, 5), "five");
+  EXPECT_EQ(store.state_after(0, 3), std::nullopt);
 }
 
 TEST_F(StoreTest, ForgetsTheStateOfAFinishedChain) {
@@ -98,7 +102,7 @@ TEST_F(StoreTest, ForgetsTheStateOfAFinishedChain) {
   for (std::size_t scene = chain.first; scene < chain.last; ++scene) {
     store.record(std::vector{answer(scene, 0, "state")}, plan_);
   }
-  EXPECT_EQ(store.state_of(0), "");
+  EXPECT_EQ(store.state_after(0, chain.last - 1), std::nullopt);
 }
 
 TEST_F(StoreTest, CanBeReadWhileItIsWritten) {
@@ -106,7 +110,7 @@ TEST_F(StoreTest, CanBeReadWhileItIsWritten) {
   writer.record(std::vector{answer(0)}, plan_);
   Store reader = open(Database::Access::ReadOnly);
   writer.record(std::vector{answer(1)}, plan_);
-  EXPECT_EQ(reader.num_results(), 2U);
+  EXPECT_EQ(content(reader).size(), 2U);
 }
 
 TEST_F(StoreTest, IsNotThereBeforeItIsMade) {
@@ -119,13 +123,25 @@ TEST_F(StoreTest, IsNotThereBeforeItIsMade) {
   EXPECT_TRUE(fs::is_empty(scratch_.path()));
 }
 
-TEST_F(StoreTest, AnEmptyFileIsNoStoreYet) {
-  // What a process leaves that was killed before its first transaction.
-  (void)scratch_.file(Store::kFileName, "");
+TEST_F(StoreTest, IsMadeInFullOrNotAtAll) {
+  // What a process leaves that was killed on the way.
+  (void)scratch_.file("sweep.sqlite.new", "half of it");
   EXPECT_FALSE(Store::exists(scratch_.path()));
-  Store store = create();
-  store.record(std::vector{answer(0)}, plan_);
-  EXPECT_EQ(store.num_results(), 1U);
+  (void)create();
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch_.path()), {}), 1);
+}
+
+TEST_F(StoreTest, IsOneFileOnceItIsClosed) {
+  {
+    Store store = create();
+    store.record(std::vector{answer(0)}, plan_);
+    EXPECT_TRUE(fs::exists(scratch_.path() / "sweep.sqlite-wal"));
+  }
+  {
+    Store reader = open(Database::Access::ReadOnly);
+    EXPECT_EQ(content(reader).size(), 1U);
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch_.path()), {}), 1);
 }
 
 TEST_F(StoreTest, RefusesAFileOfSomethingElse) {
@@ -165,7 +181,17 @@ TEST(DirectoryLock, IsHeldByOneAtATime) {
     EXPECT_THROW(DirectoryLock second(directory), StoreError);
   }
   EXPECT_NO_THROW(DirectoryLock third(directory));
-  EXPECT_TRUE(fs::is_empty(directory));
+  EXPECT_TRUE(fs::is_empty(scratch.path())) << "nothing came into it";
+}
+
+TEST(DirectoryLock, KeepsADirectoryThatSomethingCameInto) {
+  const ScratchDirectory scratch;
+  const fs::path directory = scratch.path() / "new" / "one";
+  {
+    const DirectoryLock lock(directory);
+    (void)scratch.file("new/one/file", "text");
+  }
+  EXPECT_TRUE(fs::exists(directory / "file"));
 }
 
 TEST(InputHash, IsTheSameForFilesThatMeanTheSame) {

@@ -56,8 +56,24 @@ TEST_F(TableTest, HasTheValuesOfEverySceneAndWhatCameOut) {
   EXPECT_EQ(table.outcomes[21].tau, 5.09344446659778);
 }
 
+TEST_F(TableTest, ExportsNoFormulasAndKeepsSigns) {
+  store_.record(
+      std::vector<Answer>{
+          {5,
+           R"({"status":"solved","message":"=cmd|'/c calc'!A1",)"
+           R"("verified":false,"end_angle":-0.25})",
+           ""}},
+      ChainPlan(job_.file));
+
+  const std::string csv = export_csv(store_, job_).text;
+
+  EXPECT_EQ(csv.find(",="), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",'=cmd|'/c calc'!A1\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",-0.25,"), std::string::npos) << csv;
+}
+
 TEST_F(TableTest, ExportsCsv) {
-  std::istringstream csv(export_csv(store_, job_));
+  std::istringstream csv(export_csv(store_, job_).text);
   std::string head, first, second, rest;
   std::getline(csv, head);
   std::getline(csv, first);
@@ -79,7 +95,7 @@ TEST_F(TableTest, ExportsCsv) {
 }
 
 TEST_F(TableTest, ExportsJson) {
-  const auto document = nlohmann::json::parse(export_json(store_, job_));
+  const auto document = nlohmann::json::parse(export_json(store_, job_).text);
 
   EXPECT_EQ(document["scenes"], 40);
   EXPECT_EQ(document["finished"], 2);

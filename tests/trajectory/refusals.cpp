@@ -130,7 +130,7 @@ TEST(Refused, IsATrackWithItsLastSlopesBent) {
   }
 }
 
-/// The fastest track of a body with the speed w at its start, contact closed.
+/// The smooth-contact extremal of a body with the speed w at its start, contact closed.
 Answer with_start_speed(const Scene& scene, double start_speed) {
   Answer answer = answer_to(scene, uniform_mesh(5, 24));
   RollingTime& problem = answer.problem;

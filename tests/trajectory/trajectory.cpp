@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -352,18 +353,29 @@ TEST(Diagnostics, AreThoseOfThePathAndNotOfTheMesh) {
       // At an extreme the value is blind to the place: a root of the tolerance.
       EXPECT_NEAR(a.x, b.x, std::sqrt(kTolerance)) << row->name;
     };
-    expect_same(coarse.min_normal_force, fine.min_normal_force);
+    expect_same(coarse.normal_force_after_rise, fine.normal_force_after_rise);
     expect_same(coarse.max_normal_force, fine.max_normal_force);
     expect_same(coarse.max_curvature, fine.max_curvature);
-    expect_same(coarse.min_curvature, fine.min_curvature);
+    expect_same(coarse.curvature_after_rise, fine.curvature_after_rise);
     expect_same(coarse.min_fold_margin, fine.min_fold_margin);
   }
 }
 
-TEST(Diagnostics, TheNormalForceCountsFromTheEndOfItsFirstRise) {
+TEST(Diagnostics, TheNormalForceRisesFromItsLimitAtTheStart) {
   const Trajectory path = fine_path(reference("reference_case"));
   const PathDiagnostics found = path.diagnose();
-  // R_n = 0 at the start says nothing; from there it first rises.
+
+  EXPECT_EQ(found.min_normal_force.value, 0.0);
+  EXPECT_TRUE(found.min_normal_force.at_start);
+  EXPECT_FALSE(found.max_normal_force.at_start);
+  EXPECT_FALSE(found.at_start.lifts_off());
+  EXPECT_NEAR(found.min_curvature.value, -3.0, 1e-15);
+  EXPECT_TRUE(found.min_curvature.at_start);
+}
+
+TEST(Diagnostics, TheNormalForceAfterItsFirstRiseIsThatOfADenseSample) {
+  const Trajectory path = fine_path(reference("reference_case"));
+  const PathDiagnostics found = path.diagnose();
   std::vector<double> forces;
   for (int i = 0; i <= 20000; ++i) {
     forces.push_back(path.at(i / 20000.0).motion.R_n);
@@ -374,8 +386,8 @@ TEST(Diagnostics, TheNormalForceCountsFromTheEndOfItsFirstRise) {
       forces.begin() + static_cast<std::ptrdiff_t>(first), forces.end());
 
   // A sample misses the minimum by its step squared, times some 30².
-  EXPECT_NEAR(found.min_normal_force.value, expected, 1e-5);
-  EXPECT_GT(found.min_normal_force.value, 0.1);
+  EXPECT_NEAR(found.normal_force_after_rise.value, expected, 1e-5);
+  EXPECT_GT(found.normal_force_after_rise.value, 0.1);
   EXPECT_LT(forces[1], 0.01);
 }
 
@@ -386,10 +398,12 @@ TEST(Diagnostics, AForceThatOnlyRisesFromTheStartIsSmallestAtTheEnd) {
 
   const PathDiagnostics found = path.diagnose();
 
-  EXPECT_NEAR(found.min_normal_force.value, 2.0 * std::cos(path.end_angle()),
-              1e-9);
-  EXPECT_NEAR(found.min_normal_force.x, 3.0, 1e-9);
+  EXPECT_NEAR(found.normal_force_after_rise.value,
+              2.0 * std::cos(path.end_angle()), 1e-9);
+  EXPECT_NEAR(found.normal_force_after_rise.x, 3.0, 1e-9);
   EXPECT_NEAR(found.max_normal_force.value, 2.0, 1e-9);
+  EXPECT_EQ(found.min_curvature.value,
+            -std::numeric_limits<double>::infinity());
 }
 
 TEST(Diagnostics, SeeNoCrossingWhereNoneIs) {

@@ -57,8 +57,8 @@ TEST(Costates, OfACycloidConvergeWithTwiceTheDegree) {
   }
 }
 
-/// T of the fastest path to an end moved by (dx, dz), found from the path to
-/// where it was before.
+/// Least T to an end moved by (dx, dz), found from the path to where it was
+/// before.
 double transit_time(const SolvedProblem& near, double dx, double dz) {
   Scene scene = near.problem.scene();
   scene.L += dx;

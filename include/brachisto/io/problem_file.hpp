@@ -41,11 +41,13 @@ inline constexpr std::size_t kMaxNesting = 32;
 
 /// Reads a problem file.
 ///
-/// \param path       of the file, which is UTF-8 with any line ends
+/// \param path       of the file, which is UTF-8 with any line ends; "-" is
+///                   standard input
 /// \param overrides  "dotted.key=VALUE", VALUE in YAML; each replaces or adds
 ///                   its key, the last one wins
 /// \return a scene that satisfies validate(), and options within their bounds
-/// \throws IoError     if the file cannot be read
+/// \throws IoError     if the file, or the one that scene.path names, cannot be
+///                     read
 /// \throws InputError  with every mistake of its content; a syntax error ends
 ///                     the reading and comes alone
 [[nodiscard]] ProblemFile read_problem_file(
@@ -53,7 +55,7 @@ inline constexpr std::size_t kMaxNesting = 32;
     const std::vector<std::string>& overrides = {});
 
 /// Reads a problem from memory; `name` stands for the file in messages.
-/// \throws InputError  as read_problem_file()
+/// \throws IoError, InputError  as read_problem_file()
 [[nodiscard]] ProblemFile read_problem_text(
     std::string_view text, const std::string& name,
     const std::vector<std::string>& overrides = {});

@@ -86,10 +86,14 @@ class SweepFile {
     const std::vector<std::string>& overrides = {});
 
 /// Reads a sweep from memory; `name` stands for the file in messages.
-/// \throws InputError  as read_sweep_file()
+///
+/// \param points  those of scene.path, where the file that it names was read
+///                before; nullptr: it is read now
+/// \throws IoError, InputError  as read_sweep_file()
 [[nodiscard]] SweepFile read_sweep_text(
     std::string_view text, const std::string& name,
-    const std::vector<std::string>& overrides = {});
+    const std::vector<std::string>& overrides = {},
+    const std::vector<Point>* points = nullptr);
 
 /// Reads a file once, as a sweep if it has a section `sweep`.
 /// \throws IoError, InputError  as read_problem_file() and read_sweep_file()

@@ -17,7 +17,7 @@ namespace brachisto {
 /// A curve of the centre with Contact::Smooth starts where the body touches the
 /// track at A, and ends where it touches it at B: at C_B(φ), φ being the slope
 /// angle that the curve itself has there, the root nearest to level if there
-/// are several. Of a cycloid that is the optimum of the uniform cylinder.
+/// are several. Of a cycloid that is the extremal of the uniform cylinder.
 ///
 /// \param scene  one with a path that satisfies validate()
 /// \throws std::invalid_argument  if there is no such curve; what() says why

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Paths that a scene states instead of asking for the fastest one.
+/// Paths that a scene states instead of asking for the extremal.
 
 #pragma once
 

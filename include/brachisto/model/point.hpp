@@ -12,6 +12,8 @@ namespace brachisto {
 struct Point {
   double x = 0.0;
   double z = 0.0;
+
+  friend bool operator==(const Point&, const Point&) = default;
 };
 
 }  // namespace brachisto

@@ -22,14 +22,14 @@ enum class Contact {
   Centre,  ///< of the path of the centre, which starts at A and ends at B
 };
 
-/// Everything that determines the fastest track. z points down.
+/// Everything that determines the track. z points down.
 struct Scene {
   Body body;
   double L = 0.0;         ///< horizontal distance from A to B [m]
   double H = 0.0;         ///< drop from A to B [m]
   double gravity = 9.81;  ///< g [m/s²]
   Contact contact = Contact::Smooth;
-  /// To be evaluated; none: find the fastest.
+  /// To be evaluated; none: the extremal is sought.
   std::shared_ptr<const GivenPath> path;
 };
 

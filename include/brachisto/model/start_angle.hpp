@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The direction in which the fastest track leaves the start.
+/// The direction in which every extremal leaves the start.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace brachisto {
 
-/// Start angle β₀ [rad]: the direction in which the fastest track leaves the
+/// Start angle β₀ [rad]: the direction in which every extremal leaves the
 /// start.
 ///
 /// From rest w = √(2 g E) grows in time like g a/√A, and β₀ makes that growth

@@ -25,24 +25,23 @@ struct OutputFile {
   std::string content;
 };
 
-/// Writes files into a directory, made if need be. Each is written under a
-/// temporary name, flushed to disk and renamed, in the given order: whoever
-/// sees the last file sees all of them whole.
+/// Writes files into a directory, made if need be: all of them or none. They
+/// are written under temporary names and flushed to disk; then they get their
+/// names in the given order, so that whoever sees the last one sees all of them
+/// whole. Signals that ask the process to end wait meanwhile.
 ///
-/// \param force  replace files that exist; otherwise they are an error, and
-///               nothing is written
-/// \throws OutputError
+/// \param force     replace files that exist; otherwise they are an error
+/// \param obsolete  names of files that go, if they are there, when the others
+///                  come
+/// \throws OutputError  and leaves the directory as it was, not made if it was
+///                      not there
 void write_files(const std::filesystem::path& directory,
-                 const std::vector<OutputFile>& files, bool force);
+                 const std::vector<OutputFile>& files, bool force,
+                 const std::vector<std::string>& obsolete = {});
 
 /// Checks beforehand what write_files() would refuse, as far as it can be
 /// known. \throws OutputError
 void check_writable(const std::filesystem::path& directory,
                     const std::vector<std::string>& names, bool force);
-
-/// Removes files of that name if they are there.
-/// \throws OutputError
-void remove_files(const std::filesystem::path& directory,
-                  const std::vector<std::string>& names);
 
 }  // namespace brachisto::report

@@ -14,7 +14,7 @@ namespace brachisto::report {
 
 /// Version of the layout of result documents; grows when a key changes its
 /// meaning. New keys may come at any time.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// The document of one solve. Numbers of the path are null unless the result is
 /// verified; so is whatever the scene does not have.

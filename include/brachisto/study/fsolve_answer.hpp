@@ -18,7 +18,7 @@
 namespace brachisto {
 
 /// What one run on the paper's discrete system came to. Its equations may hold
-/// to rounding; how far their solution is from the fastest track is another
+/// to rounding; how far their solution is from the extremal is another
 /// matter, which nothing here knows.
 struct FsolveAnswer {
   Status status = Status::InternalError;

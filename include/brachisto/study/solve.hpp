@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A scene in, the fastest track out.
+/// A scene in, its smooth-contact extremal out.
 
 #pragma once
 
@@ -87,6 +87,9 @@ struct Solution {
   [[nodiscard]] bool verified() const;
   /// See brachisto::not_verified_because(); empty if nothing is solved.
   [[nodiscard]] std::vector<std::string> not_verified_because() const;
+  /// What to try where the extremal that was found is no minimum between its
+  /// fixed ends; empty otherwise, and where there is nothing to try.
+  [[nodiscard]] std::string advice() const;
   /// See brachisto::infeasible_because(); empty as long as nothing is solved.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   /// The motion, found or given; null if there is none.
@@ -111,7 +114,8 @@ struct SolveHooks {
   const Neighbour* neighbour = nullptr;
 };
 
-/// Finds the fastest track of a scene, or evaluates the path that it states.
+/// Finds the smooth-contact extremal of a scene (docs/theory.md, section 3),
+/// or evaluates the path that it states.
 /// Method::Fsolve solves the paper's discrete system instead, compares its time
 /// with that of the extremal method, and is never verified.
 ///

@@ -46,6 +46,7 @@ class ArcLengthMotion final : public Motion {
   [[nodiscard]] double centre_path_length() const override { return length_; }
   [[nodiscard]] double start_angle() const override;
   [[nodiscard]] double end_angle() const override { return end_angle_; }
+  [[nodiscard]] StartLimits at_start() const override;
   [[nodiscard]] TrajectoryPoint at(double sigma) const override {
     return on_curve_.at(sigma);
   }

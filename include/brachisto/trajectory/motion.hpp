@@ -12,6 +12,7 @@
 
 #include "brachisto/model/kinematics.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/model/start_limits.hpp"
 
 namespace brachisto {
 
@@ -27,26 +28,33 @@ struct TrajectoryPoint {
   Kinematics motion;   ///< SI units, forces in m g
 };
 
-/// Extreme value and where it is taken.
+/// Extreme value over u > 0 and where it is taken.
 struct Extreme {
   double value = 0.0;
   double x = 0.0;  ///< x_b, of the point of the track [m]
+  /// It is the limit at the start, which the path approaches and does not take.
+  bool at_start = false;
 };
 
-/// What a path does to the body. At the start itself R_n = 0, the friction
-/// needed is infinite if k > 0, and the track's curvature tends to −1/r. These
-/// limits say nothing about the path, so R_n and κ_b count from the end of
-/// their first monotone rise; what remains are true extrema, found by
-/// minimisation between samples.
+/// What a path does to the body for u > 0; what the start itself tends to
+/// stands apart, in `at_start`. On every extremal R_n → 0 there, κ_b → −1/r (a
+/// bead's −∞), and the friction needed grows without bound if k > 0. Extremes
+/// are minimised between samples.
 struct PathDiagnostics {
+  StartLimits at_start;
   Extreme min_normal_force, max_normal_force;  ///< of R_n [m g]
+  /// The smallest R_n after its first monotone rise from the start [m g].
+  Extreme normal_force_after_rise;
   double friction_above_0_3 = 0.0;  ///< share of T with |R_t| > 0.3 R_n
   double friction_above_0_5 = 0.0;
   double friction_above_1 = 0.0;
-  Extreme min_curvature, max_curvature;  ///< of κ_b [1/m]
-  Extreme min_fold_margin;               ///< of 1 − r κ_c
-  double max_abs_slope = 0.0;            ///< of the continuous β [rad]
-  std::optional<Point> self_crossing;    ///< of the track [m]
+  /// Of κ_b [1/m]; ∓∞ if the track folds, where κ_b has a pole.
+  Extreme min_curvature, max_curvature;
+  /// The smallest κ_b after its first monotone rise from the start [1/m].
+  Extreme curvature_after_rise;
+  Extreme min_fold_margin;             ///< of 1 − r κ_c
+  double max_abs_slope = 0.0;          ///< of the continuous β [rad]
+  std::optional<Point> self_crossing;  ///< of the track [m]
 };
 
 /// A motion from A to B.
@@ -58,7 +66,8 @@ class Motion {
   [[nodiscard]] virtual double transit_time() const = 0;        ///< T [s]
   [[nodiscard]] virtual double centre_path_length() const = 0;  ///< S [m]
   [[nodiscard]] virtual double start_angle() const = 0;         ///< β₀ [rad]
-  [[nodiscard]] virtual double end_angle() const = 0;  ///< β_end [rad]
+  [[nodiscard]] virtual double end_angle() const = 0;      ///< β_end [rad]
+  [[nodiscard]] virtual StartLimits at_start() const = 0;  ///< as u → 0
   /// At σ ∈ [0, 1], which grows along the path, from rest like the speed.
   [[nodiscard]] virtual TrajectoryPoint at(double sigma) const = 0;
   /// The rows of its table.

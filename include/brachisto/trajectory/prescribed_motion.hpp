@@ -50,6 +50,10 @@ class PrescribedMotion final : public Motion {
   }
 
   [[nodiscard]] const PlaneCurve& curve() const { return *curve_; }
+  /// dβ/du at the start [rad/s]; 0 where the curvature is finite.
+  [[nodiscard]] double start_slope_rate() const {
+    return start_.turning / start_rate_;
+  }
   /// The place q that the centre reaches after the arc length s ∈ [0, S].
   [[nodiscard]] double place_at_length(double s) const;
 
@@ -60,6 +64,7 @@ class PrescribedMotion final : public Motion {
   }
   [[nodiscard]] double start_angle() const override;
   [[nodiscard]] double end_angle() const override;
+  [[nodiscard]] StartLimits at_start() const override;
   [[nodiscard]] TrajectoryPoint at(double q) const override;
   [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override;
   [[nodiscard]] std::vector<TrajectoryPoint> fine_sample(

@@ -31,6 +31,7 @@ class Trajectory final : public Motion {
   [[nodiscard]] double centre_path_length() const override;
   [[nodiscard]] double start_angle() const override;
   [[nodiscard]] double end_angle() const override;
+  [[nodiscard]] StartLimits at_start() const override;
   [[nodiscard]] TrajectoryPoint at(double sigma) const override;
   /// At every node of the mesh.
   [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The fastest track as a nonlinear program in the rolling time.
+/// The least time between fixed end points as a nonlinear program in the
+/// rolling time.
 
 #pragma once
 

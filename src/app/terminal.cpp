@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "app/terminal.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+#include "io/visible_text.hpp"
+#include "report/letters.hpp"
+#include "report/terminal.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+void write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) < bytes.size()) {
+    throw std::system_error(errno, std::generic_category(),
+                            "cannot write to stdout");
+  }
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  write(io::visible_lines(text));
+}
+
+void print_data(std::string_view data) {
+  if (::isatty(STDOUT_FILENO) == 1) return print(data);
+  write(data);
+}
+
+void tell(std::string_view text) {
+  std::fputs(io::visible_lines(text).c_str(), stderr);
+}
+
+void tell_progress(std::string_view line) {
+  tell(report::shortened(io::visible(line), report::columns_for_a_line()) +
+       "\n");
+}
+
+bool flush_results() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// All that the command says to people goes this way. Names and words of others
+// are part of it: no control character of theirs gets through.
+
+#pragma once
+
+#include <string_view>
+
+namespace brachisto::app {
+
+/// Results for people, to stdout, control characters escaped.
+/// \throws std::system_error  if they cannot be written
+void print(std::string_view text);
+
+/// Data for programs, to stdout, byte by byte; to a terminal like print().
+/// \throws std::system_error  if they cannot be written
+void print_data(std::string_view data);
+
+/// Everything else, to stderr, control characters escaped. Nobody may listen.
+void tell(std::string_view text);
+
+/// A line on how it gets on, without its line feed: no longer than the terminal
+/// is wide.
+void tell_progress(std::string_view line);
+
+/// Writes out what stdout still buffers.
+/// \return false if any of it was lost: a full disk, a closed pipe
+[[nodiscard]] bool flush_results();
+
+}  // namespace brachisto::app

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/visible_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace brachisto::io {
+
+namespace {
+
+/// Whether a terminal would obey a character instead of showing it.
+bool is_obeyed(std::string_view character) {
+  const auto byte = static_cast<unsigned char>(character.front());
+  const bool c0 = byte < 0x20 || byte == 0x7F;
+  const bool c1 = character >= "\u0080" && character <= "\u009F";
+  const bool separates = character == "\u2028" || character == "\u2029";
+  const bool turns = (character >= "\u202A" && character <= "\u202E") ||
+                     (character >= "\u2066" && character <= "\u2069");
+  return c0 || c1 || separates || turns;
+}
+
+std::string shown(std::string_view text, std::string_view kept,
+                  std::size_t most) {
+  std::string out;
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == most) return out + "…";
+    const std::size_t length = character_length(text);
+    const std::string_view character = text.substr(0, length > 0 ? length : 1);
+    const bool stays = kept.find(character) != std::string_view::npos;
+    if (length > 0 && (stays || !is_obeyed(character))) {
+      out += character;
+    } else {
+      for (const char c : character) {
+        out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      }
+    }
+    text.remove_prefix(character.size());
+  }
+  return out;
+}
+
+}  // namespace
+
+std::size_t character_length(std::string_view text) {
+  struct Form {
+    unsigned char first_low, first_high, second_low, second_high;
+    std::size_t length;
+  };
+  static constexpr std::array<Form, 9> kForms{{{0x00, 0x7F, 0, 0, 1},
+                                               {0xC2, 0xDF, 0x80, 0xBF, 2},
+                                               {0xE0, 0xE0, 0xA0, 0xBF, 3},
+                                               {0xE1, 0xEC, 0x80, 0xBF, 3},
+                                               {0xED, 0xED, 0x80, 0x9F, 3},
+                                               {0xEE, 0xEF, 0x80, 0xBF, 3},
+                                               {0xF0, 0xF0, 0x90, 0xBF, 4},
+                                               {0xF1, 0xF3, 0x80, 0xBF, 4},
+                                               {0xF4, 0xF4, 0x80, 0x8F, 4}}};
+  const auto within = [&](std::size_t i, unsigned char low,
+                          unsigned char high) {
+    if (i >= text.size()) return false;
+    const auto byte = static_cast<unsigned char>(text[i]);
+    return low <= byte && byte <= high;
+  };
+  for (const Form& form : kForms) {
+    if (!within(0, form.first_low, form.first_high)) continue;
+    if (form.length > 1 && !within(1, form.second_low, form.second_high)) {
+      return 0;
+    }
+    for (std::size_t i = 2; i < form.length; ++i) {
+      if (!within(i, 0x80, 0xBF)) return 0;
+    }
+    return form.length;
+  }
+  return 0;
+}
+
+std::string visible(std::string_view text, std::size_t most) {
+  return shown(text, "", most);
+}
+
+std::string visible_lines(std::string_view text) {
+  return shown(text, "\t\n", std::numeric_limits<std::size_t>::max());
+}
+
+}  // namespace brachisto::io

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Words of others as a terminal may show them.
+
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace brachisto::io {
+
+/// Length in bytes of the UTF-8 character at the beginning of `text`, 0 if
+/// there is none: Unicode standard, table 3-7 (no overlong forms, no
+/// surrogates, nothing above U+10FFFF).
+[[nodiscard]] std::size_t character_length(std::string_view text);
+
+/// A name or a word of the input, safe to show: every byte of a control
+/// character (C0, DEL, C1), of a separator of lines or of a mark that turns the
+/// direction of text, and every byte that is not UTF-8, stands as "\x1b".
+///
+/// \param most  characters; what follows is cut off, which an ellipsis tells
+[[nodiscard]] std::string visible(
+    std::string_view text,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// The same for a text of several lines, whose tabs and line feeds stay.
+[[nodiscard]] std::string visible_lines(std::string_view text);
+
+}  // namespace brachisto::io

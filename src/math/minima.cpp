@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/math/minima.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <cstdint>
+
+namespace brachisto::math {
+
+namespace {
+
+/// How far the parabola through three samples, the middle one lowest, falls
+/// below it.
+double drop_below(const Sample& a, const Sample& b, const Sample& c) {
+  const double left = (a.value - b.value) / (b.at - a.at);
+  const double right = (c.value - b.value) / (c.at - b.at);
+  // With t = x − b: f = b + slope t + bend t², f(a) and f(c) as given.
+  const double bend = (left + right) / (c.at - a.at);
+  const double slope =
+      (right * (b.at - a.at) - left * (c.at - b.at)) / (c.at - a.at);
+  return bend > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
+}
+
+}  // namespace
+
+Sample find_minimum(const std::function<double(double)>& f, double lower,
+                    double upper) {
+  constexpr int kHalfTheBits = 26;
+  std::uintmax_t evaluations = 40;
+  const auto [at, value] = boost::math::tools::brent_find_minima(
+      f, lower, upper, kHalfTheBits, evaluations);
+  return {at, value};
+}
+
+std::vector<Sample> minima_below(double bound, std::span<const Sample> samples,
+                                 const std::function<double(double)>& f) {
+  std::vector<Sample> minima;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const Sample& before = samples[i - 1];
+    const Sample& here = samples[i];
+    const Sample& after = samples[i + 1];
+    // Of equal neighbours the first one counts.
+    if (!(here.value < before.value) || !(here.value <= after.value)) continue;
+    if (here.value - 2.0 * drop_below(before, here, after) > bound) continue;
+    Sample lowest = find_minimum(f, before.at, after.at);
+    if (here.value < lowest.value) lowest = here;
+    if (lowest.value <= bound) minima.push_back(lowest);
+  }
+  return minima;
+}
+
+}  // namespace brachisto::math

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What a track is, in words.
+
+#pragma once
+
+#include <string_view>
+
+#include "brachisto/model/scene.hpp"
+
+namespace brachisto::report {
+
+/// "smooth-contact extremal", "given path", …: how titles and summaries call the
+/// track of a scene. It is the fastest one for a bead only: where the body
+/// rolls, bending the track next to B makes it faster still (docs/theory.md,
+/// section 3).
+[[nodiscard]] std::string_view track_kind(const Scene& scene);
+
+}  // namespace brachisto::report

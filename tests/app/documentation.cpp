@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What the documentation shows is what the command does.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/command.hpp"
+
+namespace brachisto {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Output;
+using testing::paper_problem;
+using testing::run;
+using testing::ScratchDirectory;
+
+const fs::path kRoot = fs::path(BRACHISTO_PROBLEMS_DIR).parent_path();
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A line cut into its numbers and what stands between them.
+struct Parts {
+  std::vector<std::string> words{""}, numbers;
+};
+
+Parts parts_of(const std::string& line) {
+  Parts parts;
+  for (std::size_t i = 0; i < line.size();) {
+    const std::size_t end = line.find_first_not_of("0123456789.", i);
+    const std::string number = line.substr(i, end - i);
+    if (number.find_first_of("0123456789") != std::string::npos) {
+      parts.numbers.push_back(number);
+      parts.words.emplace_back();
+      i += number.size();
+    } else {
+      parts.words.back() += line[i++];
+    }
+  }
+  return parts;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Lines of the answer of the reference case in the README.
+std::vector<std::string> shown_answer() {
+  const std::string readme = content(kRoot / "README.md");
+  const std::size_t begin = readme.find("\ncylinder r = ") + 1;
+  return lines_of(readme.substr(begin, readme.find("```", begin) - begin));
+}
+
+TEST(Readme, ShowsTheAnswerThatTheCommandGives) {
+  const std::vector<std::string> shown = shown_answer();
+  const std::vector<std::string> answer =
+      lines_of(run({"solve", paper_problem("fig04_reference_case")}).out);
+
+  ASSERT_EQ(shown.size(), answer.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const Parts ours = parts_of(answer[i]);
+    const Parts theirs = parts_of(shown[i]);
+    EXPECT_EQ(theirs.words, ours.words) << shown[i] << "\n" << answer[i];
+    // Iterations and seconds, and the size of an error, are not the same
+    // everywhere.
+    if (shown[i].starts_with("  work ")) continue;
+    const bool has_error = shown[i].find("error about") != std::string::npos;
+    const std::size_t compared = has_error ? 1 : ours.numbers.size();
+    ASSERT_EQ(theirs.numbers.size(), ours.numbers.size()) << answer[i];
+    for (std::size_t j = 0; j < compared; ++j) {
+      // The wanted accuracy; numbers of few digits are the same.
+      constexpr double kAccuracy = 1e-10;
+      constexpr std::size_t kFew = 8;
+      if (ours.numbers[j].size() <= kFew) {
+        EXPECT_EQ(theirs.numbers[j], ours.numbers[j]) << answer[i];
+      } else {
+        const double number = std::stod(ours.numbers[j]);
+        EXPECT_NEAR(std::stod(theirs.numbers[j]), number, kAccuracy * number)
+            << answer[i];
+      }
+    }
+  }
+}
+
+/// Without limits there is none, and what is computed is another one
+/// (docs/theory.md, section 3).
+TEST(Words, NothingIsCalledTheFastestTrack) {
+  std::vector<std::string> texts{run({"--help"}).out,
+                                 run({"solve", "--help"}).out};
+  for (const char* file : {"README.md", "CMakeLists.txt", "CITATION.cff",
+                           "docs/images/reference_case.svg"}) {
+    texts.push_back(content(kRoot / file));
+    EXPECT_FALSE(texts.back().empty()) << file;
+  }
+  for (const std::string& text : texts) {
+    EXPECT_NE(text.find("mooth-contact extremal"), std::string::npos) << text;
+  }
+  for (const auto& page : fs::directory_iterator(kRoot / "docs")) {
+    if (page.path().extension() == ".md") {
+      texts.push_back(content(page.path()));
+    }
+  }
+  for (const std::string& text : texts) {
+    const std::string words = "astest track";
+    for (std::size_t at = text.find(words); at != std::string::npos;
+         at = text.find(words, at + 1)) {
+      constexpr std::size_t kBefore = 4;  // "no f"
+      ASSERT_GE(at, kBefore);
+      EXPECT_EQ(text.substr(at - kBefore, kBefore), "no f")
+          << text.substr(at - kBefore, 80);
+    }
+  }
+}
+
+/// All Python of a page, one block after the other.
+std::string python_of(const std::string& page) {
+  const std::string fence = "```python\n";
+  std::string code;
+  for (std::size_t at = page.find(fence); at != std::string::npos;
+       at = page.find(fence, at + 1)) {
+    const std::size_t begin = at + fence.size();
+    code += page.substr(begin, page.find("```", begin) - begin) + "\n";
+  }
+  return code;
+}
+
+TEST(PythonPage, RunsTwiceInTheSamePlace) {
+  if (std::system("python3 --version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "no python3";
+  }
+  const ScratchDirectory scratch;
+  fs::create_directory_symlink(kRoot / "problems", scratch.path() / "problems");
+  const std::string script =
+      scratch.file("page.py", python_of(content(kRoot / "docs/python.md")));
+  const std::string command = "cd '" + scratch.path().string() + "' && PATH='" +
+                              fs::path(BRACHISTO_APP).parent_path().string() +
+                              "':$PATH python3 '" + script + "' > out 2>&1";
+
+  for (int time = 1; time <= 2; ++time) {
+    const int status = std::system(command.c_str());
+
+    const std::string out = content(scratch.path() / "out");
+    EXPECT_EQ(status, 0) << "time " << time << ": " << out;
+    // By the indirect method: the reference case, and with L = 4.
+    EXPECT_NE(out.find("tau = 5.093444466"), std::string::npos) << out;
+    EXPECT_NE(out.find("6.33555708"), std::string::npos) << out;
+  }
+}
+
+}  // namespace
+}  // namespace brachisto

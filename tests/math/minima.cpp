@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/math/minima.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace brachisto::math {
+namespace {
+
+// Values tell a place x to half the bits only, x 2⁻²⁶, and a minimum with f″ =
+// 1 to half the square of that.
+constexpr double kPlace = 3e-8;
+
+std::vector<Sample> sample(double from, double to, int count,
+                           const std::function<double(double)>& f) {
+  std::vector<Sample> samples;
+  for (int i = 0; i <= count; ++i) {
+    const double at = from + (to - from) * i / count;
+    samples.push_back({at, f(at)});
+  }
+  return samples;
+}
+
+TEST(FindMinimum, FindsTheVertexOfAParabola) {
+  const Sample found = find_minimum(
+      [](double x) { return 3.0 + (x - 0.3) * (x - 0.3); }, 0.0, 1.0);
+
+  EXPECT_NEAR(found.at, 0.3, kPlace);
+  EXPECT_NEAR(found.value, 3.0, 1e-14);
+}
+
+TEST(MinimaBelow, FindsEveryMinimumOfACosine) {
+  const auto f = [](double x) { return std::cos(x); };
+  // Seven samples per period: a minimum never lies at one of them.
+  const std::vector<Sample> samples = sample(0.0, 20.0, 22, f);
+
+  const std::vector<Sample> found = minima_below(0.0, samples, f);
+
+  ASSERT_EQ(found.size(), 3u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double at = (2.0 * static_cast<double>(i) + 1.0) * std::numbers::pi;
+    EXPECT_NEAR(found[i].at, at, kPlace * at);
+    EXPECT_NEAR(found[i].value, -1.0, 0.5 * kPlace * at * kPlace * at);
+  }
+}
+
+TEST(MinimaBelow, SeesADipBelowTheBoundThatNoSampleReaches) {
+  // (x − ½)² − 1/100 is negative for |x − ½| < 1/10, samples are at 0.39 and
+  // 0.61 …
+  const auto f = [](double x) { return (x - 0.5) * (x - 0.5) - 0.01; };
+  const std::vector<Sample> samples{
+      {0.17, f(0.17)}, {0.39, f(0.39)}, {0.61, f(0.61)}, {0.83, f(0.83)}};
+
+  const std::vector<Sample> found = minima_below(0.0, samples, f);
+
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at, 0.5, kPlace);
+  EXPECT_NEAR(found[0].value, -0.01, 1e-14);
+}
+
+TEST(MinimaBelow, LeavesOutWhatStaysAboveTheBound) {
+  const auto f = [](double x) { return std::cos(x) + 2.0; };
+  int evaluations = 0;
+  const auto counted = [&](double x) {
+    ++evaluations;
+    return f(x);
+  };
+
+  EXPECT_TRUE(minima_below(0.0, sample(0.0, 20.0, 22, f), counted).empty());
+  EXPECT_EQ(evaluations, 0);
+}
+
+TEST(MinimaBelow, TheEndsAreNoMinimaAndMayBeInfinite) {
+  const auto f = [](double x) { return 1.0 / x + x; };
+  std::vector<Sample> samples = sample(0.0, 0.9, 9, f);
+  ASSERT_EQ(samples.front().value, std::numeric_limits<double>::infinity());
+
+  EXPECT_TRUE(minima_below(10.0, samples, f).empty());
+  samples = sample(0.0, 3.0, 10, f);
+  const std::vector<Sample> found = minima_below(10.0, samples, f);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at, 1.0, kPlace);
+}
+
+}  // namespace
+}  // namespace brachisto::math

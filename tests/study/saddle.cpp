@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// A principal extremal that is a saddle between its fixed ends (scene 418 of
+// docs/robustness.md) is refused, and whoever asked learns what to try.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto {
+namespace {
+
+Scene scene_of_a_saddle() {
+  Scene scene;
+  scene.body = Body::cylinder(0.38522, 0.63445, -1.2318, 0.50532);
+  scene.L = 2.9236;
+  scene.H = 1.0;
+  return scene;
+}
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+struct Way {
+  const char* name;
+  std::function<void(SolveOptions&)> choose;
+  const char* advice;
+};
+
+const std::vector<Way>& ways() {
+  static const std::vector<Way> all = {
+      {"ipopt", [](SolveOptions&) {}, "search: global looks"},
+      {"newton_kkt", [](SolveOptions& o) { o.method = Method::NewtonKkt; },
+       "search: global looks"},
+      {"extremal", [](SolveOptions& o) { o.method = Method::Extremal; },
+       "search: global with method: ipopt looks"},
+      {"another start", [](SolveOptions& o) { o.guess = Guess::Straight; },
+       "search: global looks"},
+      {"straight pieces",
+       [](SolveOptions& o) {
+         o.discretisation.formulation = Formulation::ArcLength;
+         o.discretisation.elements = 200;
+       },
+       "search: global with formulation: rolling_time looks"},
+      {"another check fails too",
+       [](SolveOptions& o) {
+         o.discretisation.tolerance = 1e-12;
+         o.discretisation.degree = 5;
+         o.discretisation.elements = 12;
+       },
+       "search: global looks"}};
+  return all;
+}
+
+TEST(Saddle, IsRefusedWithAdviceThatItsOptionsAllow) {
+  for (const Way& way : ways()) {
+    SolveOptions options;
+    way.choose(options);
+
+    const Solution solution = solve(scene_of_a_saddle(), options);
+
+    EXPECT_FALSE(solution.verified()) << way.name;
+    ASSERT_NE(solution.certificate.find("second_order"), nullptr) << way.name;
+    EXPECT_FALSE(solution.certificate.find("second_order")->passed) << way.name;
+    EXPECT_TRUE(says(solution.advice(), way.advice))
+        << way.name << ": " << solution.advice();
+    EXPECT_TRUE(says(solution.message, solution.advice()))
+        << way.name << ": " << solution.message;
+  }
+}
+
+TEST(Saddle, TheAdviceIsGood) {
+  SolveOptions options;
+  options.search = Search::Global;
+
+  const Solution solution = solve(scene_of_a_saddle(), options);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_EQ(solution.advice(), "");
+  const double answer = solution.motion()->tau();
+  int saddles = 0;
+  for (const Branch& branch : solution.branches) {
+    if (branch.minimum) continue;
+    ++saddles;
+    ASSERT_FALSE(branch.remarks.empty());
+    EXPECT_TRUE(says(branch.remarks.back(), "no answer: it is stationary"))
+        << branch.remarks.back();
+  }
+  EXPECT_GE(saddles, 1);
+  EXPECT_GT(answer, 0.0);
+}
+
+TEST(Saddle, BetweenCentresIsNoReasonToSearchForContacts) {
+  Solution solution;
+  solution.certificate.add("second_order", 1.0, 0.0, "");
+  EXPECT_NE(solution.advice(), "");
+
+  solution.scene.contact = Contact::Centre;
+
+  EXPECT_EQ(solution.advice(), "");
+}
+
+TEST(Saddle, IsNotAssumedWhereAMinimumIsFound) {
+  Scene scene = scene_of_a_saddle();
+  scene.body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
+  SolveOptions options;
+  options.discretisation.tolerance = 1e-12;
+  options.discretisation.degree = 2;
+  options.discretisation.elements = 8;
+
+  const Solution solution = solve(scene, options);
+
+  EXPECT_FALSE(solution.verified());
+  EXPECT_EQ(solution.advice(), "");
+}
+
+}  // namespace
+}  // namespace brachisto

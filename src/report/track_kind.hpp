@@ -12,8 +12,8 @@
 
 namespace brachisto::report {
 
-/// "smooth-contact extremal", "given path", …: how titles and summaries call the
-/// track of a scene. It is the fastest one for a bead only: where the body
+/// "smooth-contact extremal", "given path", …: how titles and summaries call
+/// the track of a scene. It is the fastest one for a bead only: where the body
 /// rolls, bending the track next to B makes it faster still (docs/theory.md,
 /// section 3).
 [[nodiscard]] std::string_view track_kind(const Scene& scene);

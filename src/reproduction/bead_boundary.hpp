@@ -24,9 +24,9 @@ struct BoundaryBody {
   [[nodiscard]] bool has_orientation() const { return eta_m > 0.0; }
 };
 
-/// For each η_m the k at which both take the same time, each on its extremal, as
-/// long as that is possible, k ≤ 1 − η_m²; then the body on the rim, k = 1 − η_m², with
-/// which the boundary ends.
+/// For each η_m the k at which both take the same time, each on its extremal,
+/// as long as that is possible, k ≤ 1 − η_m²; then the body on the rim, k = 1 −
+/// η_m², with which the boundary ends.
 ///
 /// \param scene  radius, L, H and, if `best` is false, θ_m of the cylinders
 /// \param eta_m  ascending, the last one beyond that end

@@ -74,7 +74,7 @@ void SolveRun::add_minima_below(std::vector<ContactCandidate>& known) {
 }
 
 void SolveRun::find_by_search(const CycloidArc& arc,
-                            const Continuation& principal) {
+                              const Continuation& principal) {
   // As a multiple of the path of the uniform cylinder.
   constexpr double kLongest = 3.0;
   std::vector<ContactCandidate> known;

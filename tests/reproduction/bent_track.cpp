@@ -50,12 +50,11 @@ TEST(BentTrack, IsFasterThanTheSmoothContactAndFeasible) {
 TEST(BentTrack, IsTheFasterTheSharperItBends) {
   double last = kSmoothContact;
   for (const double radius : {0.4, 0.2, 0.1, 0.06}) {
-    const double tau =
-        verified_solution(
-            bent_track(reference_scene(), -0.8, radius, kNoSignal), kNoSignal,
-            kTolerance)
-            .motion()
-            ->tau();
+    const double tau = verified_solution(bent_track(reference_scene(), -0.8,
+                                                    radius, kNoSignal),
+                                         kNoSignal, kTolerance)
+                           .motion()
+                           ->tau();
 
     EXPECT_LT(tau, last) << radius;
     last = tau;

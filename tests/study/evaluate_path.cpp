@@ -96,7 +96,8 @@ TEST(EvaluatePath, FindsTheExtremalAgainFromItsPoints) {
     ASSERT_NE(again.motion(), nullptr) << again.message;
     // Of a stationary T an error of the path shows in second order, but for
     // the ends, where the curvature of the track is known to first order only.
-    const double excess = again.motion()->tau() / extremal.motion()->tau() - 1.0;
+    const double excess =
+        again.motion()->tau() / extremal.motion()->tau() - 1.0;
     EXPECT_LT(std::abs(excess), 0.5 * before);
     before = std::abs(excess);
   }

@@ -130,7 +130,8 @@ TEST(Refused, IsATrackWithItsLastSlopesBent) {
   }
 }
 
-/// The smooth-contact extremal of a body with the speed w at its start, contact closed.
+/// The smooth-contact extremal of a body with the speed w at its start, contact
+/// closed.
 Answer with_start_speed(const Scene& scene, double start_speed) {
   Answer answer = answer_to(scene, uniform_mesh(5, 24));
   RollingTime& problem = answer.problem;

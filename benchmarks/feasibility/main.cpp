@@ -47,7 +47,7 @@ Record examine(const Scene& scene) {
   out.least_force = found.min_normal_force.value;
   out.force_rate = found.at_start.normal_force_rate;
   out.least_margin = found.min_fold_margin.value;
-  out.dense = look_densely(solution.trajectory->curve());
+  out.dense = look_densely(solution.trajectory()->curve());
   return out;
 }
 

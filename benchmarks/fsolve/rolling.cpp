@@ -72,9 +72,9 @@ RollingRun time_whole(const Scene& scene, const SolveOptions& options,
   run.way = {Work::Whole, options.method};
   run.cpu_seconds = time.seconds;
   run.repetitions = time.repetitions;
-  run.solved = solution->status == Status::Solved && solution->trajectory;
+  run.solved = solution->status == Status::Solved && solution->trajectory();
   if (run.solved) {
-    const Mesh& mesh = solution->trajectory->curve().mesh();
+    const Mesh& mesh = solution->trajectory()->curve().mesh();
     run.degree = mesh.degree;
     run.elements = mesh.num_elements();
     run.nodes = mesh.num_nodes();

@@ -53,11 +53,11 @@ Row run(const std::string& path) {
   row.iterations = solution.effort.iterations;
   row.newton_steps = solution.effort.newton_steps;
   row.folds = static_cast<int>(solution.folds.size());
-  if (solution.trajectory) {
-    row.tau = solution.trajectory->tau();
+  if (solution.trajectory()) {
+    row.tau = solution.trajectory()->tau();
     row.estimated_error = solution.estimated_error.value_or(0.0);
-    row.degree = solution.trajectory->curve().mesh().degree;
-    row.elements = solution.trajectory->curve().mesh().num_elements();
+    row.degree = solution.trajectory()->curve().mesh().degree;
+    row.elements = solution.trajectory()->curve().mesh().num_elements();
   }
   return judge(objection(criterion, solution));
 }

@@ -31,11 +31,11 @@ Measurement measure(const KnownScene& known, double tolerance) {
   measured.tolerance = tolerance;
   measured.verified = solution.verified();
   measured.reason = FixedText<300>(why_not_verified(solution));
-  if (solution.trajectory) {
+  if (solution.trajectory()) {
     measured.true_error =
-        std::abs(solution.trajectory->tau() - known.tau) / known.tau;
-    measured.degree = solution.trajectory->curve().mesh().degree;
-    measured.elements = solution.trajectory->curve().mesh().num_elements();
+        std::abs(solution.trajectory()->tau() - known.tau) / known.tau;
+    measured.degree = solution.trajectory()->curve().mesh().degree;
+    measured.elements = solution.trajectory()->curve().mesh().num_elements();
   }
   if (solution.estimated_error) measured.estimate = *solution.estimated_error;
   measured.meshes = static_cast<int>(solution.effort.meshes.size());

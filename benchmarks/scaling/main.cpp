@@ -101,7 +101,7 @@ Record run(const Task& task) {
   const Solution solution = solve(reference_case(), options);
   Record record{};
   record.verified = solution.verified();
-  record.nodes = solution.nodes;
+  record.nodes = solution.program() ? solution.program()->nodes : 0;
   record.iterations = solution.effort.iterations;
   record.newton_steps = solution.effort.newton_steps;
   if (solution.motion() != nullptr) record.tau = solution.motion()->tau();

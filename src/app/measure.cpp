@@ -60,15 +60,16 @@ std::vector<double> repeat(const io::ProblemFile& problem,
 /// τ, verified or not.
 Json tau_of(const Solution& solution) {
   if (solution.status != Status::Solved) return nullptr;
-  if (solution.discrete) return solution.discrete->tau;
+  if (solution.discrete()) return solution.discrete()->tau;
   return solution.motion() ? Json(solution.motion()->tau()) : Json(nullptr);
 }
 
 /// Those that the method itself solves for.
 Json unknowns_of(const Solution& solution) {
-  if (solution.discrete) return solution.discrete->unknowns;
+  if (solution.discrete()) return solution.discrete()->unknowns;
   if (solution.options.method == Method::Extremal) return nullptr;
-  return solution.variables > 0 ? Json(solution.variables) : Json(nullptr);
+  const ProgramSize* program = solution.program();
+  return program != nullptr ? Json(program->variables) : Json(nullptr);
 }
 
 int run(const MeasureFlags& flags) {

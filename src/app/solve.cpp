@@ -112,7 +112,7 @@ int run(const SolveFlags& flags) {
     solution.warnings.push_back(io::to_string(warning));
   }
   const std::string json = report::result_json(solution);
-  if (flags.verbose) tell(solution.log);
+  if (flags.verbose) tell(solution.effort.log);
   if (!flags.out.empty()) {
     write_results(flags, solution, json, signal);
   }

@@ -26,4 +26,10 @@ Scene in_natural_units(const Scene& scene) {
   return in_units_of(natural_units(scene).length, scene);
 }
 
+PosedScene::PosedScene(const Scene& original)
+    : asked(original),
+      scene(without_whole_turns(original)),
+      natural(in_natural_units(scene)),
+      units(natural_units(scene)) {}
+
 }  // namespace brachisto

@@ -57,8 +57,8 @@ Json fsolve_options_json(const FsolveOptions& options) {
 }
 
 Json fsolve_json(const Solution& solution) {
-  if (!solution.discrete) return nullptr;
-  const FsolveAnswer& answer = *solution.discrete;
+  if (!solution.discrete()) return nullptr;
+  const FsolveAnswer& answer = *solution.discrete();
   Json json = {{"solved", answer.solved()},
                {"nodes", answer.nodes},
                {"unknowns", answer.unknowns},

@@ -127,7 +127,8 @@ Json options_json(const SolveOptions& options) {
 Json provenance_json(const Solution& solution) {
   Json json = Json::parse(report::provenance_json());
   json["options"] = options_json(solution.options);
-  const std::optional<LinearSolver>& used = solution.effort.linear_solver;
+  const std::optional<LinearSolver> used =
+      solution.effort.final_mesh().linear_solver;
   json["linear_solver"] = used ? Json(name(*used)) : Json(nullptr);
   return json;
 }
@@ -159,7 +160,7 @@ Json certificate_json(const Solution& solution) {
                {"second_order", nullptr}};
   // Both times of a second opinion, for nobody to have to compute their
   // difference anew.
-  const std::optional<ExtremalOpinion>& opinion = solution.extremal;
+  const std::optional<CrossCheck>& opinion = solution.extremal;
   const bool both = opinion && opinion->solved && solution.motion() != nullptr;
   json["tau"] = both ? Json(solution.motion()->tau()) : Json(nullptr);
   json["extremal_tau"] = both ? Json(opinion->tau) : Json(nullptr);
@@ -220,7 +221,7 @@ Json cold_start_json(const std::optional<ColdStart>& cold) {
           {"principal", cold->principal}};
 }
 
-Json extremal_json(const std::optional<ExtremalOpinion>& opinion) {
+Json extremal_json(const std::optional<CrossCheck>& opinion) {
   if (!opinion) return nullptr;
   if (!opinion->solved) {
     return {{"solved", false}, {"message", opinion->message}};
@@ -284,14 +285,13 @@ void add_path(Json& json, const Motion* motion, const PathDiagnostics* path,
 
 std::string result_json(const Solution& solution) {
   const bool verified = solution.verified();
-  const bool solved = solution.trajectory || solution.through_nodes;
   Json json;
   json["schema_version"] = kSchemaVersion;
   json["status"] = name(solution.status);
   json["message"] = solution.message;
   json["warnings"] = solution.warnings;
   json["verified"] = verified;
-  const bool judged = solution.motion() != nullptr || solution.discrete;
+  const bool judged = solution.motion() != nullptr || solution.discrete();
   json["not_verified_because"] =
       judged ? Json(solution.not_verified_because()) : Json(nullptr);
   json["feasible"] = verified ? Json(solution.feasible()) : Json(nullptr);
@@ -302,22 +302,25 @@ std::string result_json(const Solution& solution) {
            solution.scene.body.rolls());
   json["estimated_error"] = or_null(solution.estimated_error);
 
-  const auto size = [&](int count) { return solved ? Json(count) : Json(); };
-  json["nodes"] = size(solution.nodes);
-  json["variables"] = size(solution.variables);
-  json["constraints"] = size(solution.constraints);
-  if (solution.trajectory) {
-    const Mesh& mesh = solution.trajectory->curve().mesh();
+  const ProgramSize* program = solution.program();
+  const auto size = [&](int ProgramSize::*count) {
+    return program != nullptr ? Json(program->*count) : Json();
+  };
+  json["nodes"] = size(&ProgramSize::nodes);
+  json["variables"] = size(&ProgramSize::variables);
+  json["constraints"] = size(&ProgramSize::constraints);
+  if (const Trajectory* found = solution.trajectory()) {
+    const Mesh& mesh = found->curve().mesh();
     json["mesh"] = {{"degree", mesh.degree}, {"elements", mesh.num_elements()}};
-  } else if (solution.through_nodes) {
-    json["mesh"] = {{"degree", nullptr}, {"elements", solution.nodes - 1}};
+  } else if (program != nullptr) {
+    json["mesh"] = {{"degree", nullptr}, {"elements", program->nodes - 1}};
   } else {
     json["mesh"] = nullptr;
   }
   const Effort& effort = solution.effort;
   json["iterations"] = effort.iterations;
-  json["first_iterations"] = effort.first_iterations;
-  json["closure_passes"] = effort.closure_passes;
+  json["first_iterations"] = effort.final_mesh().first_iterations;
+  json["closure_passes"] = effort.final_mesh().passes;
   json["passes"] = effort.passes;
   json["newton_steps"] = effort.newton_steps;
   json["continuation"] = continuation_json(effort.continuation);

@@ -92,7 +92,7 @@ void add_answer(std::string& out, const Solution& solution) {
 
 void add_second_opinion(std::string& out, const Solution& solution) {
   if (!solution.extremal) return;
-  const ExtremalOpinion& opinion = *solution.extremal;
+  const CrossCheck& opinion = *solution.extremal;
   line(
       out, "second opinion",
       opinion.solved
@@ -104,8 +104,8 @@ void add_second_opinion(std::string& out, const Solution& solution) {
 
 /// Not under the answer's label: it is the answer to another problem.
 void add_discrete_system(std::string& out, const Solution& solution) {
-  if (!solution.discrete) return;
-  const FsolveAnswer& answer = *solution.discrete;
+  if (!solution.discrete()) return;
+  const FsolveAnswer& answer = *solution.discrete();
   line(out, "discrete system",
        fmt::format("{} nodes, {} unknowns, ‖F‖ = {:.1e}, {} evaluations, "
                    "{:.3f} s CPU",
@@ -178,22 +178,23 @@ std::string summary(const Solution& solution) {
   add_second_opinion(out, solution);
   add_branches(out, solution);
   const Effort& effort = solution.effort;
-  if (solution.trajectory) {
-    const Mesh& mesh = solution.trajectory->curve().mesh();
+  const ProgramSize* program = solution.program();
+  if (const Trajectory* found = solution.trajectory()) {
+    const Mesh& mesh = found->curve().mesh();
     line(out, "mesh",
          fmt::format("degree {}, {} elements, {} nodes; {} variables, {} "
                      "constraints",
-                     mesh.degree, mesh.num_elements(), solution.nodes,
-                     solution.variables, solution.constraints));
-  } else if (solution.through_nodes) {
+                     mesh.degree, mesh.num_elements(), program->nodes,
+                     program->variables, program->constraints));
+  } else if (program != nullptr) {
     line(out, "mesh",
          fmt::format("{} straight pieces; {} variables, {} constraints",
-                     solution.nodes - 1, solution.variables,
-                     solution.constraints));
+                     program->nodes - 1, program->variables,
+                     program->constraints));
   }
   line(out, "work",
        fmt::format("{} {} iterations in {} passes, {} Newton steps, {:.3f} s",
-                   effort.iterations, solution.discrete ? "solver" : "Ipopt",
+                   effort.iterations, solution.discrete() ? "solver" : "Ipopt",
                    effort.passes, effort.newton_steps, effort.seconds));
   return out;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/available_memory.hpp"
+#include "study/size.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -10,7 +10,6 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/model/units.hpp"
 #include "brachisto/study/certification.hpp"
 #include "brachisto/trajectory/feasibility.hpp"
 #include "brachisto/trajectory/trajectory.hpp"
@@ -19,9 +18,9 @@ namespace brachisto {
 
 namespace {
 
-Branch judge(const Scene& scene, const Discretisation& wanted,
+Branch judge(const PosedScene& scene, const Discretisation& wanted,
              MeshAnswer& answer) {
-  const Trajectory trajectory(answer.curve(), scene, natural_units(scene));
+  const Trajectory trajectory(answer.curve(), scene.scene, scene.units);
   const Certificate checks = certify_answer(answer, wanted);
   Branch branch;
   branch.tau = trajectory.tau();
@@ -32,7 +31,7 @@ Branch judge(const Scene& scene, const Discretisation& wanted,
   branch.verified = checks.verified();
   const Check* second_order = checks.find("second_order");
   branch.minimum = second_order != nullptr && second_order->passed;
-  branch.remarks = infeasible_because(scene, trajectory.diagnose());
+  branch.remarks = infeasible_because(scene.scene, trajectory.diagnose());
   branch.feasible = branch.remarks.empty();
   for (const Check& check : checks.checks) {
     if (check.passed) continue;
@@ -53,11 +52,11 @@ bool same(const Branch& a, const Branch& b) {
 
 }  // namespace
 
-JudgedBranches judge_branches(const Scene& scene, const Discretisation& wanted,
+JudgedBranches judge_branches(const PosedScene& scene,
+                              const Discretisation& wanted,
                               const std::vector<ContactCandidate>& candidates,
                               bool first_is_principal,
                               const MeshOptions& options) {
-  const Scene natural = in_natural_units(scene);
   JudgedBranches out;
   MeshOptions quietly = options;  // a line for each branch is enough
   quietly.progress = {};
@@ -67,7 +66,7 @@ JudgedBranches judge_branches(const Scene& scene, const Discretisation& wanted,
       options.progress("branches",
                        fmt::format("{} of {}", i + 1, candidates.size()));
     }
-    Refinement refinement = refine(natural, wanted, candidates[i].curve,
+    Refinement refinement = refine(scene.natural, wanted, candidates[i].curve,
                                    candidates[i].phi, quietly);
     out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
                       refinement.meshes.end());

@@ -60,36 +60,44 @@ Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
   return certificate;
 }
 
-ExtremalOpinion ask_extremal(const Scene& scene, const MeshAnswer& answer,
-                             const StopCondition& stop,
-                             Certificate& certificate) {
-  const ExtremalCurve curve = answer.curve();
-  return ask_extremal(scene, curve, answer.solution.closure.phi,
-                      curve.transit_time() * natural_units(scene).time,
-                      answer.estimated_error.value_or(0.0), stop, certificate);
+CrossCheck compare_with(const ExtremalSolution& extremal, double ratio) {
+  CrossCheck check;
+  check.solved = extremal.usable();
+  check.message = extremal.message;
+  if (check.solved) {
+    check.tau = extremal.tau;
+    check.error_estimate = extremal.error_estimate;
+    check.difference = std::abs(ratio - 1.0);
+  }
+  return check;
 }
 
-ExtremalOpinion ask_extremal(const Scene& scene, const ExtremalCurve& nearby,
-                             double phi, double T, double error,
-                             const StopCondition& stop,
-                             Certificate& certificate) {
+CrossCheck cross_check(const PosedScene& scene, const ExtremalCurve& nearby,
+                       double phi, double T, double error,
+                       const StopCondition& stop, Certificate& certificate) {
   ExtremalOptions options;
   options.stop = stop;
-  const ExtremalSolution other = solve_extremal(
-      scene, as_guess(nearby, natural_units(scene), phi), options);
-  ExtremalOpinion opinion;
-  opinion.solved = other.usable();
-  opinion.message = other.message;
-  double difference = kUnknown;
-  if (opinion.solved) {
-    opinion.tau = other.tau;
-    opinion.error_estimate = other.error_estimate;
-    difference = std::abs(T / other.transit_time - 1.0);
-    opinion.difference = difference;
-  }
-  certificate.add("extremal", difference, error + opinion.error_estimate,
-                  other.message);
-  return opinion;
+  const ExtremalSolution other =
+      solve_extremal(scene.scene, as_guess(nearby, scene.units, phi), options);
+  CrossCheck check = compare_with(other, T / other.transit_time);
+  certificate.add("extremal", check.solved ? check.difference : kUnknown,
+                  error + check.error_estimate, check.message);
+  return check;
+}
+
+Certificate certify_discrete(const FsolveAnswer& answer,
+                             const CrossCheck& check) {
+  Certificate certificate;
+  certificate.add("discrete_residual", answer.residual,
+                  FsolveOptions{}.tolerance);
+  certificate.add(
+      "discretisation", check.solved ? check.difference : kUnknown,
+      kDefaultTolerance,
+      check.solved
+          ? fmt::format("τ = {:.6f} of {} nodes, {:.6f} of the extremal",
+                        answer.tau, answer.nodes, check.tau)
+          : check.message);
+  return certificate;
 }
 
 }  // namespace brachisto

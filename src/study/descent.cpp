@@ -40,9 +40,7 @@ Descent descend(const Scene& scene, const ContactCandidate& saddle,
     }
     const MeshSolution found = solve_on_mesh(
         problem, {std::move(start), there.closure.phi, -1.0}, options);
-    out.iterations += found.iterations;
-    out.passes += found.closure.passes;
-    out.log += found.log;
+    out.work += {found.iterations, found.closure.passes, 0, found.log};
     if (options.ipopt.stop.met()) return out;
     if (!found.solved() || !is_minimum(problem, found.point)) continue;
     // Both ways may lead to the same one.

@@ -6,20 +6,18 @@
 
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "brachisto/study/global_search.hpp"
 #include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/study/solution.hpp"
 
 namespace brachisto {
 
 /// What lies below a saddle, and what it took to get there.
 struct Descent {
   std::vector<ContactCandidate> minima;
-  int iterations = 0;  ///< of Ipopt
-  int passes = 0;      ///< solves between fixed end points
-  std::string log;     ///< of Ipopt
+  Work work;
 };
 
 /// If the extremal is no minimum between its fixed ends, pushes all slopes of

@@ -30,9 +30,24 @@ double excess(RollingTime& problem, const PrimalDual& point) {
 
 }  // namespace
 
-MeshAnswer answer_from_extremal(const Scene& natural, const Units& units,
-                                const ExtremalSolution& extremal,
-                                const StopCondition& stop) {
+ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
+  ExtremalOptions options;
+  options.follow_folds = true;
+  options.tolerance = tolerance;
+  options.stop = posed.stop();
+  return solve_extremal(posed.scene, options);
+}
+
+Outcome outcome_of(const ExtremalSolution& extremal) {
+  const Status status = extremal.usable() ? Status::Solved
+                        : extremal.status == ExtremalStatus::NoCycloid
+                            ? Status::NoAdmissiblePath
+                            : Status::NotConverged;
+  return {status, extremal.message};
+}
+
+MeshAnswer answer_from_extremal(const PosedProblem& posed,
+                                const ExtremalSolution& extremal) {
   // Halving divides the residual by 2^9 once the elements resolve the path; a
   // tenth of what passes leaves room for a judge who computes it otherwise.
   constexpr double kWanted = 0.1;
@@ -40,14 +55,16 @@ MeshAnswer answer_from_extremal(const Scene& natural, const Units& units,
   constexpr int kMostHalvings = 6;
   const double phi = extremal.phi;
   const auto sampled_on = [&](const Mesh& mesh) {
-    MeshAnswer answer{RollingTime(natural, mesh, phi), {}, {}, {}, phi};
-    answer.solution.point = sample_extremal(extremal, units, answer.problem);
+    MeshAnswer answer{RollingTime(posed.natural, mesh, phi), {}, {}, {}, phi};
+    answer.solution.point =
+        sample_extremal(extremal, posed.units, answer.problem);
     return answer;
   };
-  MeshAnswer answer = sampled_on(
-      fine_mesh(natural.body, extremal.centre_path_length / units.length));
+  MeshAnswer answer = sampled_on(fine_mesh(
+      posed.natural.body, extremal.centre_path_length / posed.units.length));
   double now = excess(answer.problem, answer.solution.point);
-  for (int i = 0; i < kMostHalvings && !(now <= kWanted) && !stop.met(); ++i) {
+  for (int i = 0; i < kMostHalvings && !(now <= kWanted) && !posed.stop().met();
+       ++i) {
     const Mesh& mesh = answer.problem.mesh();
     MeshAnswer finer = sampled_on(stretch(mesh, 2 * mesh.num_elements()));
     const double then = excess(finer.problem, finer.solution.point);
@@ -59,7 +76,7 @@ MeshAnswer answer_from_extremal(const Scene& natural, const Units& units,
   answer.solution.message = extremal.message;
   answer.solution.closure.phi = phi;
   answer.solution.closure.closed = true;
-  const double T = answer.curve().transit_time() * units.time;
+  const double T = answer.curve().transit_time() * posed.units.time;
   answer.estimated_error =
       std::abs(T / extremal.transit_time - 1.0) + extremal.error_estimate;
   return answer;

@@ -7,10 +7,17 @@
 #pragma once
 
 #include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/adaptive_mesh.hpp"
+#include "study/pose.hpp"
 
 namespace brachisto {
+
+/// The principal extremal, through folds, by the indirect method.
+/// \param tolerance  relative, of T
+[[nodiscard]] ExtremalSolution shoot(const PosedProblem& posed,
+                                     double tolerance);
+
+/// How the indirect method ended.
+[[nodiscard]] Outcome outcome_of(const ExtremalSolution& extremal);
 
 /// The extremal on a mesh fine enough for the finite problem's conditions,
 /// which it must satisfy, to be its certificate: elements are halved until the
@@ -19,12 +26,8 @@ namespace brachisto {
 /// The estimated error is what T by quadrature on the mesh and by the indirect
 /// method differ by, and the error of the latter.
 ///
-/// \param natural   the scene in natural units
-/// \param units     of `natural`
 /// \param extremal  usable()
-[[nodiscard]] MeshAnswer answer_from_extremal(const Scene& natural,
-                                              const Units& units,
-                                              const ExtremalSolution& extremal,
-                                              const StopCondition& stop);
+[[nodiscard]] MeshAnswer answer_from_extremal(const PosedProblem& posed,
+                                              const ExtremalSolution& extremal);
 
 }  // namespace brachisto

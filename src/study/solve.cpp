@@ -1,66 +1,261 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+// The way of a scene: pose → start → refine → answer → certify → verdict. A
+// stage is a function from values to a value. What it returns is recorded in
+// the solution here, and only here, so that a solve that is stopped between two
+// stages still tells how far it came.
+
 #include "brachisto/study/solve.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/angle.hpp"
-#include "brachisto/study/evaluate_path.hpp"
-#include "study/option_errors.hpp"
-#include "study/solve_run.hpp"
+#include "study/answer.hpp"
+#include "study/descent.hpp"
+#include "study/record.hpp"
+#include "study/shooting_answer.hpp"
+#include "study/size.hpp"
+#include "study/start.hpp"
+#include "study/turn_meshes.hpp"
+#include "study/within_limits.hpp"
 
 namespace brachisto {
 
 namespace {
 
-/// \throws std::invalid_argument  with all that is wrong, unless it is nothing
-void refuse(std::string what, const std::vector<std::string>& errors) {
-  if (errors.empty()) return;
-  throw std::invalid_argument(
-      fmt::format("{}:\n  {}", what, fmt::join(errors, "\n  ")));
-}
-
-std::vector<std::string> warnings_of(const Scene& scene) {
-  const double theta_m = scene.body.theta_m;
-  const double within = math::within_a_turn(theta_m);
-  if (within == theta_m) return {};
-  return {
-      fmt::format("scene.body.theta_m: {} rad is more than a turn; whole "
-                  "turns mean nothing, and {:.10g} rad is solved for",
-                  theta_m, within)};
-}
-
-Solution solve_valid(const Scene& scene, const SolveOptions& options,
-                     const SolveHooks& hooks) {
-  if (scene.path) return evaluate_path(scene, options, hooks);
-  if (hooks.neighbour != nullptr && follows_the_branch(options) &&
-      can_continue(*hooks.neighbour, scene)) {
-    Solution beside = SolveRun(scene, options, hooks).execute(hooks.neighbour);
-    if (beside.verified()) return beside;
-  }
-  return SolveRun(scene, options, hooks).execute(nullptr);
-}
+void solve_posed(const PosedProblem& posed, Solution& out);
+void solve_program(const PosedProblem& posed, const Start& start,
+                   Solution& out);
+void solve_by_shooting(const PosedProblem& posed, Solution& out);
+void solve_discrete_system(const PosedProblem& posed, Solution& out);
+void follow_given_path(const PosedProblem& posed, Solution& out);
+void search_contacts(const PosedProblem& posed, const Start& principal,
+                     Solution& out);
+void refine_elements(const PosedProblem& posed, const Start& start,
+                     Solution& out);
+void refine_pieces(const PosedProblem& posed, const Start& start,
+                   Solution& out);
+void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
+              std::optional<double> transit_time = std::nullopt);
+void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
+              const Start& start, Solution& out);
 
 }  // namespace
 
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
-  std::vector<std::string> errors;
-  for (const SceneError& error : validate(scene)) {
-    errors.push_back(fmt::format("{}: {}", error.key, error.message));
+  PosedProblem posed = pose(scene, options, hooks);
+  if (hooks.neighbour != nullptr && can_start_beside(posed, *hooks.neighbour)) {
+    Solution beside = within_limits(posed, [&](Solution& out) {
+      solve_program(posed, start_beside(posed, *hooks.neighbour), out);
+    });
+    if (beside.verified()) return beside;
+    posed = pose(scene, options, hooks);  // the clock begins anew
   }
-  refuse("the scene is not valid", errors);
-  refuse("the options are not valid", option_errors(options));
-  Solution solution = solve_valid(scene, options, hooks);
-  solution.warnings = warnings_of(scene);
-  return solution;
+  return within_limits(posed, [&](Solution& out) { solve_posed(posed, out); });
 }
+
+namespace {
+
+void solve_posed(const PosedProblem& posed, Solution& out) {
+  if (posed.scene.path) return follow_given_path(posed, out);
+  if (auto outcome = too_large(posed)) return record(*std::move(outcome), out);
+  switch (posed.options.method) {
+    case Method::Ipopt:
+    case Method::NewtonKkt:
+      return solve_program(posed, start_from_cycloid(posed), out);
+    case Method::Extremal:
+      return solve_by_shooting(posed, out);
+    case Method::Fsolve:
+      return solve_discrete_system(posed, out);
+  }
+}
+
+// ---- The ways, one for each kind of answer.
+
+/// The nonlinear program.
+void solve_program(const PosedProblem& posed, const Start& start,
+                   Solution& out) {
+  record(start, out);
+  if (posed.stop().met() || !posed.cycloid) return;
+  if (posed.searches()) return search_contacts(posed, start, out);
+  if (!start.curve) return;
+  if (posed.options.guess != Guess::Cycloid) {
+    record(start_elsewhere(posed, start, out.effort), out);
+  }
+  if (posed.options.discretisation.formulation == Formulation::ArcLength) {
+    return refine_pieces(posed, start, out);
+  }
+  refine_elements(posed, start, out);
+}
+
+/// Method::Extremal: the numbers come from the indirect method; the collocation
+/// problem on a fine mesh, which they must satisfy, is their certificate.
+void solve_by_shooting(const PosedProblem& posed, Solution& out) {
+  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  record(extremal, out);
+  record(outcome_of(extremal), out);
+  if (!extremal.usable()) return;
+  MeshAnswer found = [&] {
+    const CertificateTimer timer(out.effort);
+    return answer_from_extremal(posed, extremal);
+  }();
+  conclude(posed, found, out, extremal.transit_time);
+}
+
+/// Method::Fsolve: an answer to other equations, and its distance from this
+/// one.
+void solve_discrete_system(const PosedProblem& posed, Solution& out) {
+  // n where a problem does not say, as in the paper.
+  constexpr int kNodes = 100;
+  const SolveOptions& options = posed.options;
+  const FsolveAnswer found =
+      fsolve_answer(posed.scene, options.discretisation.nodes.value_or(kNodes),
+                    options.fsolve, options.limits.iterations, posed.stop());
+  out.effort.iterations = found.iterations;
+  out.answer = found;
+  record(Outcome{found.status, found.message}, out);
+  if (!found.solved()) return;
+  const CertificateTimer timer(out.effort);
+  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  record(extremal, out);
+  const CrossCheck check = compare_with(extremal, found.tau / extremal.tau);
+  record(Certified{certify_discrete(found, check), check}, out);
+  out.message = fmt::format("the discrete equations hold, but: {}",
+                            fmt::join(out.not_verified_because(), "; "));
+}
+
+/// The path that the scene states, evaluated.
+void follow_given_path(const PosedProblem& posed, Solution& out) {
+  try {
+    Answered answered = answer_on_given_path(posed);
+    const auto& motion = std::get<PrescribedMotion>(answered.answer);
+    if (motion.stall()) {
+      return record(Outcome{Status::Stalled, motion.stall()->message()}, out);
+    }
+    {
+      const CertificateTimer timer(out.effort);
+      record(certify_given_path(posed, motion), out);
+    }
+    record(std::move(answered), out);
+    record(
+        Outcome{Status::Solved, "the given path was evaluated, not optimised"},
+        out);
+  } catch (const std::invalid_argument& error) {
+    record(Outcome{Status::NoAdmissiblePath, error.what()}, out);
+  }
+}
+
+// ---- From a start to an answer.
+
+/// All smooth contacts that can be found; the fastest of them is the answer. A
+/// search starts from what is cheap to know: the principal extremal, and where
+/// it is a saddle, the minima beside it.
+void search_contacts(const PosedProblem& posed, const Start& principal,
+                     Solution& out) {
+  // As a multiple of the path of the uniform cylinder.
+  constexpr double kLongest = 3.0;
+  const double uniform = posed.cycloid->arc_length(posed.cycloid->psi_end);
+  // Each of the extremals may take what the limit allows.
+  const MeshOptions each = posed.mesh_options_after(out.effort);
+  std::vector<ContactCandidate> known;
+  if (principal.curve) {
+    known.push_back({*principal.curve, principal.phi});
+    Descent descent = descend(posed.natural, known.front(), each);
+    out.effort += descent.work;
+    std::move(descent.minima.begin(), descent.minima.end(),
+              std::back_inserter(known));
+  }
+  const ContactSearch search = find_contacts(
+      posed.natural, kLongest * uniform,
+      [&](double length) { return sampled_mesh(posed.natural.body, length); },
+      std::move(known), posed.stop(), posed.progress());
+  record(search, out);
+  JudgedBranches judged =
+      judge_branches(posed, posed.options.discretisation, search.contacts,
+                     principal.curve.has_value(), each);
+  record(judged, out);
+  JudgedBranch* best = best_branch(judged.branches);
+  if (best == nullptr) {
+    return record(
+        Outcome{judged.failure,
+                fmt::format(
+                    "of {} smooth contacts that the search found, none could "
+                    "be solved for as accurately as wanted",
+                    search.contacts.size())},
+        out);
+  }
+  record_way(best->refinement, out);
+  conclude(posed, *best->refinement.answer, out);
+}
+
+/// Refines until T is as accurate as wanted and, where the path bends sharply,
+/// until it is resolved between the nodes too.
+void refine_elements(const PosedProblem& posed, const Start& start,
+                     Solution& out) {
+  constexpr int kRounds = 3;
+  constexpr double kTighter = 1e-2;
+  Discretisation wanted = posed.options.discretisation;
+  ExtremalCurve curve = *start.curve;
+  double phi = start.phi;
+  for (int round = 0; round < kRounds; ++round) {
+    Refinement refinement = refine(posed.natural, wanted, curve, phi,
+                                   posed.mesh_options_after(out.effort));
+    record(refinement, out);
+    if (!refinement.answer || posed.stop().met()) return;
+    // A better answer than the best one was still wanted.
+    if (refinement.status == Status::IterationLimit) return;
+    conclude(posed, *refinement.answer, out);
+    if (wanted.fixed() || !under_resolved(out.certificate)) return;
+    curve = refinement.answer->curve();
+    phi = refinement.answer->solution.closure.phi;
+    wanted.tolerance = kTighter * wanted.tolerance.value_or(kDefaultTolerance);
+  }
+}
+
+/// The same by straight pieces, in the paper's variables.
+void refine_pieces(const PosedProblem& posed, const Start& start,
+                   Solution& out) {
+  ArcLengthRefinement refinement = refine_arc_length(
+      posed.natural, posed.options.discretisation, *start.curve, start.phi,
+      posed.mesh_options_after(out.effort));
+  record(refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
+  conclude(posed, *refinement.answer, start, out);
+}
+
+// ---- Answer, certify, verdict.
+
+void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
+              std::optional<double> transit_time) {
+  record(answer_of(posed, found, transit_time), out);
+  {
+    const CertificateTimer timer(out.effort);
+    record(certify(posed, found), out);
+  }
+  record(verdict(out, found.solution.message), out);
+}
+
+void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
+              const Start& start, Solution& out) {
+  record(answer_of(posed, found), out);
+  {
+    const CertificateTimer timer(out.effort);
+    const auto& motion = std::get<PiecewiseAnswer>(out.answer).motion;
+    record(certify(posed, found, motion, *start.curve, start.phi), out);
+  }
+  // Of a motion that stalls the certificate says so.
+  if (!out.diagnostics) out.answer = {};
+  record(verdict(out, found.solution.message), out);
+}
+
+}  // namespace
 
 }  // namespace brachisto

@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace brachisto {
 
@@ -24,14 +25,12 @@ void end_by_memory(Solution& out) {
       "memory ran out before the end. Try a coarser mesh, or a larger radius");
 }
 
-}  // namespace
-
-void within_limits(Solution& out, const StopCondition& stop,
-                   const std::function<void()>& work) {
+void work_until(const StopCondition& stop, Solution& out,
+                const std::function<void(Solution&)>& work) {
   const StopScope scope(stop);
   bool stopped = false;
   try {
-    work();
+    work(out);
     // An iteration limit is the one that was reached first.
     stopped = stop.met() && out.status != Status::IterationLimit;
   } catch (const Stopped&) {
@@ -47,6 +46,29 @@ void within_limits(Solution& out, const StopCondition& stop,
       stop.interrupted() ? "stopped by a signal before the end"
                          : fmt::format("the limit of {:g} s was reached",
                                        out.options.limits.seconds));
+}
+
+}  // namespace
+
+Solution within_limits(const PosedProblem& posed,
+                       const std::function<void(Solution&)>& work) {
+  const auto begin = StopCondition::Clock::now();
+  const double cpu_begin = process_cpu_seconds();
+  const PhaseSeconds phases_begin = phase_seconds();
+  Solution out;
+  out.scene = posed.asked;
+  out.options = posed.options;
+  out.warnings = posed.warnings;
+  work_until(posed.stop(), out, work);
+  Effort& effort = out.effort;
+  effort.seconds =
+      std::chrono::duration<double>(StopCondition::Clock::now() - begin)
+          .count();
+  effort.cpu_seconds =
+      process_cpu_seconds() - cpu_begin - effort.certificate_cpu_seconds;
+  effort.phases = phase_seconds();
+  effort.phases -= phases_begin;
+  return out;
 }
 
 }  // namespace brachisto

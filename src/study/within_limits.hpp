@@ -2,20 +2,43 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// within_limits().
+/// Limits and clocks of a solve.
 
 #pragma once
 
 #include <functional>
 
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/study/solve.hpp"
+#include "brachisto/math/phase_clock.hpp"
+#include "math/cpu_clock.hpp"
+#include "study/pose.hpp"
 
 namespace brachisto {
 
-/// Does the work that fills `out`, with `stop` in force. If that was met, or
-/// memory ran out, `out` says so and has no answer.
-void within_limits(Solution& out, const StopCondition& stop,
-                   const std::function<void()>& work);
+/// Does the work that fills a solution, with the limits in force, and times it.
+/// If they were met, or memory ran out, the solution says so and has no answer,
+/// but what was recorded of its search.
+[[nodiscard]] Solution within_limits(
+    const PosedProblem& posed, const std::function<void(Solution&)>& work);
+
+/// Adds the time for which it lives to that of the certificate.
+class CertificateTimer {
+ public:
+  /// \param effort  must outlive it
+  explicit CertificateTimer(Effort& effort) : effort_(effort) {}
+  ~CertificateTimer() {
+    effort_.certificate_seconds +=
+        std::chrono::duration<double>(StopCondition::Clock::now() - begin_)
+            .count();
+    effort_.certificate_cpu_seconds += process_cpu_seconds() - cpu_begin_;
+  }
+  CertificateTimer(const CertificateTimer&) = delete;
+  CertificateTimer& operator=(const CertificateTimer&) = delete;
+
+ private:
+  Effort& effort_;
+  StopCondition::Clock::time_point begin_ = StopCondition::Clock::now();
+  double cpu_begin_ = process_cpu_seconds();
+  PhaseTimer phase_{Phase::Certificate};
+};
 
 }  // namespace brachisto

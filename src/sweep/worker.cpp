@@ -27,11 +27,12 @@ Answer solve_scene(const io::SweepFile& file, std::size_t scene,
   const bool warm = file.warm_start() && neighbour.has_value();
   try {
     const io::ProblemFile problem = file.problem(scene);
-    Solution solution = solve(problem.scene, problem.options,
-                              {.neighbour = warm ? &*neighbour : nullptr});
+    const Solution solution =
+        solve(problem.scene, problem.options,
+              {.neighbour = warm ? &*neighbour : nullptr});
     answer.result = outcome_json(solution);
     neighbour.reset();
-    if (solution.verified()) neighbour = std::move(solution.as_neighbour);
+    if (solution.verified()) neighbour = solution.as_neighbour();
   } catch (const std::exception& error) {
     answer.result = failure_json("internal_error", error.what());
     neighbour.reset();

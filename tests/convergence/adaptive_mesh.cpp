@@ -71,7 +71,7 @@ TEST_P(AdaptiveMesh, MeetsItsToleranceAndKnowsIt) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   ASSERT_TRUE(solution.estimated_error);
   const double estimate = *solution.estimated_error;
-  const double error = std::abs(solution.trajectory->tau() / exact - 1.0);
+  const double error = std::abs(solution.trajectory()->tau() / exact - 1.0);
   EXPECT_LE(error, estimate + kReferenceError);
   EXPECT_LE(estimate, c.tolerance);
   // The estimate has a factor 2 and adds what may cancel in T: some ten times
@@ -85,10 +85,10 @@ TEST_P(AdaptiveMesh, KeepsARecordOfItsMeshes) {
   const std::vector<MeshRecord>& meshes = solution.effort.meshes;
   ASSERT_FALSE(meshes.empty());
   EXPECT_EQ(meshes.back().estimated_error, solution.estimated_error);
-  const Mesh& mesh = solution.trajectory->curve().mesh();
+  const Mesh& mesh = solution.trajectory()->curve().mesh();
   EXPECT_EQ(meshes.back().degree, mesh.degree);
   EXPECT_EQ(meshes.back().elements, mesh.num_elements());
-  EXPECT_EQ(solution.nodes, mesh.num_nodes());
+  EXPECT_EQ(solution.program()->nodes, mesh.num_nodes());
   // Each one refines the mesh before it; few are needed.
   EXPECT_LE(meshes.size(), 4u);
   int iterations = 0;
@@ -112,8 +112,9 @@ TEST(AdaptiveMesh, SpendsMoreOnMoreDigits) {
       const Solution solution = solve(row->scene(), options);
 
       ASSERT_TRUE(solution.verified()) << row->name << " to " << tolerance;
-      EXPECT_GT(solution.nodes, before) << row->name << " to " << tolerance;
-      before = solution.nodes;
+      EXPECT_GT(solution.program()->nodes, before)
+          << row->name << " to " << tolerance;
+      before = solution.program()->nodes;
     }
   }
 }
@@ -130,7 +131,7 @@ TEST(AdaptiveMesh, NeedsFewerNodesThanAUniformOne) {
   SolveOptions uniform;
   uniform.discretisation.degree = 3;
   uniform.discretisation.elements =
-      adaptive.trajectory->curve().mesh().num_elements();
+      adaptive.trajectory()->curve().mesh().num_elements();
 
   const Solution even = solve(row.scene(), uniform);
 

@@ -98,8 +98,10 @@ TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
 
   ASSERT_TRUE(solution.verified()) << solution.message;
   const double error = std::abs(solution.motion()->tau() / row.tau - 1.0);
-  EXPECT_NEAR(solution.through_nodes->on_curve().tau() / row.tau, 1.0,
-              0.1 * error);
+  EXPECT_NEAR(
+      std::get<PiecewiseAnswer>(solution.answer).motion.on_curve().tau() /
+          row.tau,
+      1.0, 0.1 * error);
   // κ_b and R_n are second derivatives of the curve: compared to collocation.
   const Solution smooth = solve(row.scene());
   ASSERT_TRUE(smooth.verified());

@@ -81,12 +81,12 @@ TEST_P(RollingTimeOrder, IsTwiceTheDegree) {
     options.discretisation.degree = c.degree;
     options.discretisation.elements = c.elements[i];
     const Solution solution = solve(c.row->scene(), options);
-    ASSERT_TRUE(solution.trajectory) << solution.message;
+    ASSERT_TRUE(solution.trajectory()) << solution.message;
     h[i] = 1.0 / c.elements[i];
     error[i] =
         c.figure == Figure::Tau
-            ? std::abs(solution.trajectory->tau() / c.row->tau - 1.0)
-            : std::abs(solution.trajectory->end_angle() - c.row->end_angle);
+            ? std::abs(solution.trajectory()->tau() / c.row->tau - 1.0)
+            : std::abs(solution.trajectory()->end_angle() - c.row->end_angle);
   }
 
   EXPECT_NEAR(observed_order(h, error), 2.0 * c.degree, kSlopeTolerance)
@@ -105,9 +105,9 @@ TEST(ClosedForm, IsMetToRoundingByAModestMesh) {
 
   const Solution solution = solve(row.scene(), options);
 
-  ASSERT_TRUE(solution.trajectory);
-  EXPECT_NEAR(solution.trajectory->tau(), row.tau, kRounding * row.tau);
-  EXPECT_NEAR(solution.trajectory->end_angle(), row.end_angle, kRounding);
+  ASSERT_TRUE(solution.trajectory());
+  EXPECT_NEAR(solution.trajectory()->tau(), row.tau, kRounding * row.tau);
+  EXPECT_NEAR(solution.trajectory()->end_angle(), row.end_angle, kRounding);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(Reintegration, InPhysicalTimeArrivesOnTimeWithTheSameSpeed) {
   const Solution solution =
       solve(testing::reference("theta_-30").scene(), options);
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory;
+  const Trajectory& path = *solution.trajectory();
   const double T = path.transit_time();
   constexpr double kIntegrator = 1e-11;
   constexpr double kRelease = 1e-5;  // share of T

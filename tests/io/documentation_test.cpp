@@ -191,9 +191,9 @@ TEST(KeyTable, TheDegreeOfAFixedMeshIsTheOneItTells) {
 
   const Solution solution = solve(bead, fixed);
 
-  ASSERT_TRUE(solution.trajectory);
+  ASSERT_TRUE(solution.trajectory());
   EXPECT_EQ(degree->fallback, "follows the tolerance, 5 on a fixed mesh");
-  EXPECT_EQ(solution.trajectory->curve().mesh().degree, 5);
+  EXPECT_EQ(solution.trajectory()->curve().mesh().degree, 5);
 }
 
 TEST(KeyTable, IsComplete) {

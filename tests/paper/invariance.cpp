@@ -28,8 +28,8 @@ void expect_same_path(const Solution& solution, const Solution& expected,
                       double scale) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   ASSERT_TRUE(expected.verified()) << expected.message;
-  const Trajectory& path = *solution.trajectory;
-  const Trajectory& other = *expected.trajectory;
+  const Trajectory& path = *solution.trajectory();
+  const Trajectory& other = *expected.trajectory();
   EXPECT_NEAR(path.tau(), other.tau(), kTimeRounding * other.tau());
   EXPECT_NEAR(path.end_angle(), other.end_angle(), kPathRounding);
   EXPECT_NEAR(path.centre_path_length() / scale, other.centre_path_length(),
@@ -48,8 +48,8 @@ TEST(Tau, IsFreeOfGravity) {
 
     expect_same_path(elsewhere, earth, 1.0);
     // T ~ 1/√g, the law of free fall.
-    EXPECT_NEAR(elsewhere.trajectory->transit_time() * std::sqrt(gravity),
-                earth.trajectory->transit_time() * std::sqrt(9.81),
+    EXPECT_NEAR(elsewhere.trajectory()->transit_time() * std::sqrt(gravity),
+                earth.trajectory()->transit_time() * std::sqrt(9.81),
                 kTimeRounding * 10.0);
   }
 }
@@ -67,8 +67,8 @@ TEST(Tau, IsFreeOfTheUnitOfLength) {
 
     expect_same_path(scaled, expected, scale);
     // T ~ √length.
-    EXPECT_NEAR(scaled.trajectory->transit_time() / std::sqrt(scale),
-                expected.trajectory->transit_time(), kTimeRounding * 2.0);
+    EXPECT_NEAR(scaled.trajectory()->transit_time() / std::sqrt(scale),
+                expected.trajectory()->transit_time(), kTimeRounding * 2.0);
   }
 }
 
@@ -80,7 +80,7 @@ TEST(Tau, IsFreeOfTheMass) {
   const Solution heavy = solve(scene);
 
   // The mass is no part of the equations: not even a rounding differs.
-  EXPECT_EQ(heavy.trajectory->tau(), massless.trajectory->tau());
+  EXPECT_EQ(heavy.trajectory()->tau(), massless.trajectory()->tau());
 }
 
 TEST(Tau, IsFreeOfTheStartingAngleOfACentredCylinder) {

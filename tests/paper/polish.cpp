@@ -41,7 +41,7 @@ TEST(Polish, LeavesTheTransitTimeAsItIs) {
     ASSERT_TRUE(plain.verified()) << row->name << plain.message;
     const double open = plain.certificate.find("closure")->value;
     EXPECT_LE(open, 1e-10) << row->name;
-    EXPECT_NEAR(polished.trajectory->tau() / plain.trajectory->tau(), 1.0,
+    EXPECT_NEAR(polished.trajectory()->tau() / plain.trajectory()->tau(), 1.0,
                 kTolerance + std::min(open, kOpenContact))
         << row->name;
     const double before = plain.certificate.find("kkt_residual")->value;
@@ -63,15 +63,15 @@ TEST(Polish, NeverLeavesALargerResidual) {
       SolveOptions options;
       options.discretisation.tolerance = 1e-6;
       const Solution coarse = solve(row->scene(), options);
-      ASSERT_TRUE(coarse.trajectory) << row->name;
-      const ExtremalCurve& curve = coarse.trajectory->curve();
+      ASSERT_TRUE(coarse.trajectory()) << row->name;
+      const ExtremalCurve& curve = coarse.trajectory()->curve();
       RollingTime problem(scene, uniform_mesh(degree, 30),
-                          coarse.trajectory->end_angle());
+                          coarse.trajectory()->end_angle());
       MeshOptions mesh_options;
 
       const MeshSolution solution = solve_on_mesh(
           problem,
-          {prolong(curve, problem), coarse.trajectory->end_angle(), -1.0},
+          {prolong(curve, problem), coarse.trajectory()->end_angle(), -1.0},
           mesh_options);
 
       ASSERT_TRUE(solution.solved()) << row->name << solution.message;

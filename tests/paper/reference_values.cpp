@@ -47,7 +47,7 @@ TEST_P(ReferenceValues, AreReproducedAndVerified) {
   const Solution solution = solve(expected.scene());
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory;
+  const Trajectory& path = *solution.trajectory();
   const double tolerance = expected.source == Source::ClosedForm
                                ? kClosedFormTolerance
                                : kTimeTolerance;
@@ -66,9 +66,9 @@ TEST_P(ReferenceValues, TheEstimatedErrorIsNeitherTooSmallNorFarTooGreat) {
 
   const Solution solution = solve(expected.scene());
 
-  ASSERT_TRUE(solution.trajectory && solution.estimated_error);
+  ASSERT_TRUE(solution.trajectory() && solution.estimated_error);
   const double error =
-      std::abs(solution.trajectory->tau() / expected.tau - 1.0);
+      std::abs(solution.trajectory()->tau() / expected.tau - 1.0);
   EXPECT_GE(*solution.estimated_error, error - kReferenceDigits);
   EXPECT_LE(*solution.estimated_error,
             std::max(kGreatestRatio * error, kReferenceDigits));
@@ -88,10 +88,10 @@ TEST(HalfAnArchOfTheCycloid, TakesTheTimeOfTheClosedForm) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory->transit_time(), expected,
+    EXPECT_NEAR(solution.trajectory()->transit_time(), expected,
                 kClosedFormTolerance * expected)
         << "r = " << r;
-    EXPECT_NEAR(solution.trajectory->end_angle(), 0.0, kClosedFormTolerance)
+    EXPECT_NEAR(solution.trajectory()->end_angle(), 0.0, kClosedFormTolerance)
         << "r = " << r;
   }
 }
@@ -110,7 +110,7 @@ TEST(AVanishingCylinder, IsABeadWithMoreInertia) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    const double slope = (solution.trajectory->tau() - limit) / r;
+    const double slope = (solution.trajectory()->tau() - limit) / r;
     // The slope of τ over r tends to a constant, with an error of O(r).
     if (previous != 0.0) {
       EXPECT_NEAR(slope / previous, 1.0, 1e-2);

@@ -51,7 +51,7 @@ TEST_P(SecondOpinion, IsTheSameAnswerIfAskedFirst) {
   const Solution solution = solve(GetParam().scene(), options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory;
+  const Trajectory& path = *solution.trajectory();
   EXPECT_NEAR(path.tau(), GetParam().tau, 1e-11 * GetParam().tau);
   EXPECT_NEAR(path.end_angle(), GetParam().end_angle, 1e-9);
   EXPECT_NEAR(path.centre_path_length(), GetParam().centre_path_length,

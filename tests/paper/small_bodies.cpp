@@ -86,7 +86,7 @@ TEST(SmallBodies, TendToTheLimitLikeTheRootOfTheRadius) {
         solve(scene_of(Body::cylinder(r, kEta, 0.0, kInertia)));
     ASSERT_TRUE(solution.verified()) << r << ": " << solution.message;
 
-    const double missing = limit - solution.trajectory->tau();
+    const double missing = limit - solution.trajectory()->tau();
 
     EXPECT_GT(missing, 0.0) << r;
     EXPECT_LT(missing / std::sqrt(r), by_root) << r;
@@ -134,7 +134,7 @@ TEST(SmallBodies, KeepTheActionOfTheirRotation) {
     const Solution solution =
         solve(scene_of(Body::cylinder(kRadius, eta, 0.0, kInertia)));
     ASSERT_TRUE(solution.verified()) << solution.message;
-    const ExtremalCurve& curve = solution.trajectory->curve();
+    const ExtremalCurve& curve = solution.trajectory()->curve();
 
     const Turn first = mean_over_a_turn(curve, 0.3);
 
@@ -154,7 +154,7 @@ TEST(SmallBodies, OfThePrincipalBranchNeedNotHaveTheBestNumberOfTurns) {
       solve(scene_of(Body::cylinder(0.02, 2.0 / 3.0, 0.0, 0.5)));
   ASSERT_TRUE(solution.verified()) << solution.message;
 
-  EXPECT_GT(mean_over_a_turn(solution.trajectory->curve(), 0.5).J_per_r, 0.3);
+  EXPECT_GT(mean_over_a_turn(solution.trajectory()->curve(), 0.5).J_per_r, 0.3);
 }
 
 }  // namespace

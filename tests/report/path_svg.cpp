@@ -34,7 +34,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(PathSvg, IsWellFormed) {
   for (const Solution* solution :
        {&off_centred_solution(), &uniform_solution(), &bead_solution()}) {
-    const std::string text = path_svg(*solution->trajectory);
+    const std::string text = path_svg(*solution->trajectory());
 
     EXPECT_EQ(xml_flaw(text), "");
     EXPECT_TRUE(text.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
@@ -44,14 +44,14 @@ TEST(PathSvg, IsWellFormed) {
 }
 
 TEST(PathSvg, HasACurveForEachPathThatIsAnotherOne) {
-  EXPECT_EQ(count(path_svg(*off_centred_solution().trajectory), "<polyline"),
+  EXPECT_EQ(count(path_svg(*off_centred_solution().trajectory()), "<polyline"),
             3u);
-  EXPECT_EQ(count(path_svg(*uniform_solution().trajectory), "<polyline"), 2u);
-  EXPECT_EQ(count(path_svg(*bead_solution().trajectory), "<polyline"), 1u);
+  EXPECT_EQ(count(path_svg(*uniform_solution().trajectory()), "<polyline"), 2u);
+  EXPECT_EQ(count(path_svg(*bead_solution().trajectory()), "<polyline"), 1u);
 }
 
 TEST(PathSvg, TellsTauInItsTitle) {
-  EXPECT_NE(path_svg(*bead_solution().trajectory).find("4.51056314"),
+  EXPECT_NE(path_svg(*bead_solution().trajectory()).find("4.51056314"),
             std::string::npos);
 }
 
@@ -74,7 +74,7 @@ TEST(PathSvg, SaysInItsTitleWhatTheTrackIs) {
 }
 
 TEST(PathSvg, DrawsToScaleWithZDown) {
-  const std::string text = path_svg(*bead_solution().trajectory);
+  const std::string text = path_svg(*bead_solution().trajectory());
   const std::string before = "points=\"";
   const std::size_t begin = text.find(before, text.find("<polyline"));
   ASSERT_NE(begin, std::string::npos);

@@ -113,7 +113,7 @@ TEST(ResultJson, NamesTheMembersOfItsObjects) {
 
 TEST(ResultJson, NumbersComeBackBitForBit) {
   const Solution& solution = off_centred_solution();
-  const Trajectory& path = *solution.trajectory;
+  const Trajectory& path = *solution.trajectory();
 
   const json document = json::parse(result_json(solution));
 
@@ -139,7 +139,7 @@ TEST(ResultJson, OfAVerifiedSolutionSaysSo) {
   EXPECT_EQ(document["feasible"], true);
   EXPECT_EQ(document["infeasible_because"], json::array());
   EXPECT_EQ(document["not_verified_because"], json::array());
-  EXPECT_EQ(document["nodes"], off_centred_solution().nodes);
+  EXPECT_EQ(document["nodes"], off_centred_solution().program()->nodes);
 }
 
 TEST(ResultJson, OfAnUnverifiedSolutionHasNoNumbersOfThePath) {
@@ -187,7 +187,7 @@ TEST(ResultJson, TellsHowTheSolutionWasFound) {
   branch.tau = 5.5;
   branch.remarks = {"failed check slope"};
   solution.branches = {branch};
-  ExtremalOpinion opinion;
+  CrossCheck opinion;
   opinion.solved = true;
   opinion.tau = 5.125;
   opinion.difference = 0.5;

@@ -121,7 +121,7 @@ TEST(Summary, SaysWhatToTryWhereTheExtremalIsASaddle) {
 
 TEST(Summary, HasTheSecondOpinion) {
   Solution solution = testing::off_centred_solution();
-  ExtremalOpinion opinion;
+  CrossCheck opinion;
   opinion.solved = true;
   opinion.tau = 5.125;
   solution.extremal = opinion;

@@ -36,7 +36,7 @@ std::vector<std::vector<std::string>> cells(const std::string& text) {
 }
 
 TEST(TrajectoryCsv, HasTheHeaderThatOtherProgramsRelyOn) {
-  const std::string text = trajectory_csv(*off_centred_solution().trajectory);
+  const std::string text = trajectory_csv(*off_centred_solution().trajectory());
 
   EXPECT_EQ(
       text.substr(0, text.find('\n')),
@@ -45,15 +45,16 @@ TEST(TrajectoryCsv, HasTheHeaderThatOtherProgramsRelyOn) {
 
 TEST(TrajectoryCsv, HasOneRowPerNode) {
   for (const Solution* solution : {&off_centred_solution(), &bead_solution()}) {
-    const auto table = cells(trajectory_csv(*solution->trajectory));
+    const auto table = cells(trajectory_csv(*solution->trajectory()));
 
-    ASSERT_EQ(table.size(), static_cast<std::size_t>(solution->nodes) + 1);
+    ASSERT_EQ(table.size(),
+              static_cast<std::size_t>(solution->program()->nodes) + 1);
     for (const auto& row : table) EXPECT_EQ(row.size(), 15u);
   }
 }
 
 TEST(TrajectoryCsv, NumbersComeBackBitForBit) {
-  const Trajectory& path = *off_centred_solution().trajectory;
+  const Trajectory& path = *off_centred_solution().trajectory();
   const std::vector<TrajectoryPoint> rows = path.at_nodes();
 
   const auto table = cells(trajectory_csv(path));
@@ -85,7 +86,7 @@ TEST(TrajectoryCsv, NumbersComeBackBitForBit) {
 
 TEST(TrajectoryCsv, EveryNumberOfARollingBodyIsFinite) {
   for (const auto& row :
-       cells(trajectory_csv(*off_centred_solution().trajectory))) {
+       cells(trajectory_csv(*off_centred_solution().trajectory()))) {
     if (row[0] == "u") continue;
     for (const std::string& cell : row) {
       EXPECT_TRUE(std::isfinite(std::stod(cell))) << cell;
@@ -94,7 +95,7 @@ TEST(TrajectoryCsv, EveryNumberOfARollingBodyIsFinite) {
 }
 
 TEST(TrajectoryCsv, LeavesEmptyWhatABeadDoesNotHave) {
-  const auto table = cells(trajectory_csv(*bead_solution().trajectory));
+  const auto table = cells(trajectory_csv(*bead_solution().trajectory()));
 
   for (std::size_t i = 1; i < table.size(); ++i) {
     for (std::size_t c = 0; c < table[i].size(); ++c) {
@@ -107,7 +108,7 @@ TEST(TrajectoryCsv, LeavesEmptyWhatABeadDoesNotHave) {
 }
 
 TEST(TrajectoryCsv, RunsFromRestAtAToBInTheTransitTime) {
-  const Trajectory& path = *off_centred_solution().trajectory;
+  const Trajectory& path = *off_centred_solution().trajectory();
 
   const auto table = cells(trajectory_csv(path));
 

@@ -62,8 +62,8 @@ TEST_P(Factorisations, TheChainNeedsNoMoreIterations) {
   // iteration on each of the meshes.
   const auto meshes = static_cast<int>(chain.effort.meshes.size());
   EXPECT_LE(chain.effort.iterations, mumps.effort.iterations + meshes);
-  EXPECT_EQ(chain.effort.linear_solver, LinearSolver::Chain);
-  EXPECT_EQ(mumps.effort.linear_solver, LinearSolver::Mumps);
+  EXPECT_EQ(chain.effort.final_mesh().linear_solver, LinearSolver::Chain);
+  EXPECT_EQ(mumps.effort.final_mesh().linear_solver, LinearSolver::Mumps);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Descent, LeadsFromTheSaddleOfALongWayToTheMinimaBesideIt) {
 
   const Descent descent = descend(scene, saddle, {});
 
-  EXPECT_GT(descent.passes, 0);
+  EXPECT_GT(descent.work.passes, 0);
   for (const Expected& expected : {Expected{62.284256, -1.0445, 0.5},
                                    Expected{62.351526, -1.0415, -0.5}}) {
     const auto found = std::find_if(
@@ -81,7 +81,7 @@ TEST(Descent, HasNowhereToGoFromAMinimum) {
   const Descent descent = descend(scene, principal(scene), {});
 
   EXPECT_TRUE(descent.minima.empty());
-  EXPECT_EQ(descent.passes, 0);
+  EXPECT_EQ(descent.work.passes, 0);
 }
 
 }  // namespace

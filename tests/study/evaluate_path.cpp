@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/evaluate_path.hpp"
+#include "brachisto/study/solve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(EvaluatePath, FindsTheExtremalAgainFromItsPoints) {
     path->shape = Shape::Points;
     for (int i = 0; i <= n; ++i) {
       path->points.push_back(
-          extremal.trajectory->at(static_cast<double>(i) / n).motion.contact);
+          extremal.trajectory()->at(static_cast<double>(i) / n).motion.contact);
     }
     Scene given = scene;
     given.path = path;

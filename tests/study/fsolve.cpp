@@ -28,9 +28,9 @@ TEST(MethodFsolve, SolvesAndIsNotVerified) {
       solve(off_centred_scene(), fsolve_options(FsolveVariant::Hybrid));
 
   EXPECT_EQ(solution.status, Status::Solved) << solution.message;
-  ASSERT_TRUE(solution.discrete);
-  EXPECT_EQ(solution.discrete->nodes, 100);
-  EXPECT_NEAR(solution.discrete->tau, 5.0802, 1e-4);  // computed elsewhere
+  ASSERT_TRUE(solution.discrete());
+  EXPECT_EQ(solution.discrete()->nodes, 100);
+  EXPECT_NEAR(solution.discrete()->tau, 5.0802, 1e-4);  // computed elsewhere
   EXPECT_FALSE(solution.verified());
   EXPECT_EQ(solution.motion(), nullptr);
   EXPECT_FALSE(solution.diagnostics);
@@ -43,13 +43,13 @@ TEST(MethodFsolve, StatesItsTrueError) {
   const Solution solution = solve(off_centred_scene(), options);
 
   const double exact = testing::reference("reference_case").tau;
-  ASSERT_TRUE(solution.discrete);
+  ASSERT_TRUE(solution.discrete());
   ASSERT_TRUE(solution.extremal);
   const Check* check = solution.certificate.find("discretisation");
   ASSERT_NE(check, nullptr);
   EXPECT_FALSE(check->passed);
   // The extremal method has ten digits and more.
-  EXPECT_NEAR(check->value, std::abs(solution.discrete->tau / exact - 1.0),
+  EXPECT_NEAR(check->value, std::abs(solution.discrete()->tau / exact - 1.0),
               1e-10);
   ASSERT_EQ(solution.not_verified_because().size(), 1u);
   EXPECT_NE(solution.message.find(solution.not_verified_because().front()),
@@ -61,7 +61,7 @@ TEST(MethodFsolve, IsNotVerifiedEvenIfEveryCheckPassed) {
   Solution solution;
   solution.status = Status::Solved;
   solution.certificate.add("discretisation", 0.0, 1e-10);
-  solution.discrete.emplace();
+  solution.answer = FsolveAnswer{};
 
   EXPECT_FALSE(solution.verified());
 }
@@ -88,7 +88,7 @@ TEST(MethodFsolve, KeepsLimits) {
   options.limits.seconds = 1e-9;
   const Solution late = solve(off_centred_scene(), options);
   EXPECT_EQ(late.status, Status::TimeLimit);
-  EXPECT_FALSE(late.discrete);
+  EXPECT_FALSE(late.discrete());
 }
 
 }  // namespace

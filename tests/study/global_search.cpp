@@ -57,8 +57,8 @@ TEST(GlobalSearch, FindsTheFeasibleContactBeyondTheFolds) {
 
   ASSERT_TRUE(solution.verified()) << solution.message;
   EXPECT_TRUE(solution.feasible());
-  EXPECT_NEAR(solution.trajectory->tau(), 5.671362, kSixDecimals);
-  EXPECT_NEAR(solution.trajectory->end_angle(), -0.28541, 5e-6);
+  EXPECT_NEAR(solution.trajectory()->tau(), 5.671362, kSixDecimals);
+  EXPECT_NEAR(solution.trajectory()->end_angle(), -0.28541, 5e-6);
   const Branch* principal = find_branch(solution, 5.609105, kSixDecimals);
   ASSERT_NE(principal, nullptr);
   EXPECT_TRUE(principal->principal);
@@ -103,7 +103,7 @@ TEST(GlobalSearch, ListsThreeContactsOfTheExampleAndBooksTheirWork) {
       search(scene_of(Body::cylinder(0.4041, 0.458, -0.0867, 0.2594), 4.6395));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory->tau(), 6.2360317459, kAccuracy);
+  EXPECT_NEAR(solution.trajectory()->tau(), 6.2360317459, kAccuracy);
   EXPECT_NE(find_branch(solution, 6.2360317459, kAccuracy), nullptr);
   const Branch* principal = find_branch(solution, 6.3038676047, kAccuracy);
   ASSERT_NE(principal, nullptr);

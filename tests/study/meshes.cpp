@@ -28,12 +28,12 @@ TEST(FixedMesh, IsTakenAsItIs) {
   const Solution solution = solve(kScene, options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_EQ(solution.trajectory->curve().mesh().degree, 3);
-  EXPECT_EQ(solution.trajectory->curve().mesh().num_elements(), 17);
-  EXPECT_EQ(solution.nodes, 3 * 17 + 1);
+  EXPECT_EQ(solution.trajectory()->curve().mesh().degree, 3);
+  EXPECT_EQ(solution.trajectory()->curve().mesh().num_elements(), 17);
+  EXPECT_EQ(solution.program()->nodes, 3 * 17 + 1);
   // Four states and β at N p nodes and points, and U.
-  EXPECT_EQ(solution.variables, 4 * 52 + 51 + 1);
-  EXPECT_EQ(solution.constraints, 4 * 51);
+  EXPECT_EQ(solution.program()->variables, 4 * 52 + 51 + 1);
+  EXPECT_EQ(solution.program()->constraints, 4 * 51);
 }
 
 TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {
@@ -44,8 +44,8 @@ TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_EQ(solution.variables, 3 * 52 + 51 + 1) << row->name;
-    EXPECT_EQ(solution.constraints, 3 * 51) << row->name;
+    EXPECT_EQ(solution.program()->variables, 3 * 52 + 51 + 1) << row->name;
+    EXPECT_EQ(solution.program()->constraints, 3 * 51) << row->name;
   }
 }
 
@@ -61,8 +61,8 @@ TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
   const Solution other = solve(kScene, nodes);
 
   ASSERT_TRUE(one.verified() && other.verified());
-  EXPECT_EQ(other.nodes, 81);
-  EXPECT_EQ(other.trajectory->tau(), one.trajectory->tau());
+  EXPECT_EQ(other.program()->nodes, 81);
+  EXPECT_EQ(other.trajectory()->tau(), one.trajectory()->tau());
 }
 
 TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
@@ -74,7 +74,7 @@ TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
   const Solution solution = solve(kScene, options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_LE(std::abs(solution.trajectory->tau() / kTau - 1.0),
+  EXPECT_LE(std::abs(solution.trajectory()->tau() / kTau - 1.0),
             solution.estimated_error.value());
 }
 
@@ -88,7 +88,7 @@ KnownTau tau_of_extremal_method() {
   options.method = Method::Extremal;
   const Solution solution = solve(kScene, options);
   EXPECT_EQ(solution.status, Status::Solved) << solution.message;
-  return {solution.trajectory->tau(), *solution.estimated_error};
+  return {solution.trajectory()->tau(), *solution.estimated_error};
 }
 
 SolveOptions fine_mesh(int degree, int elements) {
@@ -105,14 +105,14 @@ TEST(AFineMesh, IsJudgedByOneOfAnEighthOfTheElements) {
   const Solution solution = solve(kScene, fine_mesh(5, 4000));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_EQ(solution.nodes, 20'001);
+  EXPECT_EQ(solution.program()->nodes, 20'001);
   const Check* agreement = solution.certificate.find("agreement");
   ASSERT_NE(agreement, nullptr);
   EXPECT_NE(agreement->where.find("4000 elements against 500"),
             std::string::npos)
       << agreement->where;
   EXPECT_EQ(agreement->value, *solution.estimated_error);
-  EXPECT_LE(std::abs(solution.trajectory->tau() / known.tau - 1.0),
+  EXPECT_LE(std::abs(solution.trajectory()->tau() / known.tau - 1.0),
             *solution.estimated_error + known.error);
 }
 
@@ -121,12 +121,12 @@ TEST(AFineMesh, OfDegreeOneIsJudgedByDegreeTwo) {
   const Solution solution = solve(kScene, fine_mesh(1, 4000));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_EQ(solution.nodes, 4001);
+  EXPECT_EQ(solution.program()->nodes, 4001);
   const Check* agreement = solution.certificate.find("agreement");
   ASSERT_NE(agreement, nullptr);
   EXPECT_NE(agreement->where.find("degree 1 against 2"), std::string::npos)
       << agreement->where;
-  const double error = std::abs(solution.trajectory->tau() / kTau - 1.0);
+  const double error = std::abs(solution.trajectory()->tau() / kTau - 1.0);
   EXPECT_LE(error, *solution.estimated_error);
   // Order 2 from there: a four-hundredth.
   EXPECT_GT(error, 1e-9);
@@ -146,9 +146,9 @@ TEST(AFineMesh, ReportsHonestlyIfMoreIsWantedThanRoundingAllows) {
         std::to_string(degree) + " × " + std::to_string(elements);
     ASSERT_EQ(solution.status, Status::Solved)
         << what << ": " << solution.message;
-    ASSERT_TRUE(solution.trajectory && solution.estimated_error) << what;
-    EXPECT_EQ(solution.nodes, degree * elements + 1) << what;
-    EXPECT_LE(std::abs(solution.trajectory->tau() / known.tau - 1.0),
+    ASSERT_TRUE(solution.trajectory() && solution.estimated_error) << what;
+    EXPECT_EQ(solution.program()->nodes, degree * elements + 1) << what;
+    EXPECT_LE(std::abs(solution.trajectory()->tau() / known.tau - 1.0),
               *solution.estimated_error + known.error)
         << what;
     EXPECT_EQ(solution.verified(), solution.not_verified_because().empty());
@@ -173,7 +173,8 @@ TEST(EveryDegree, FindsTheSameAnswer) {
     const Solution solution = solve(kScene, options);
 
     ASSERT_TRUE(solution.verified()) << degree << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau(), kTau, expected_error(degree) * kTau)
+    EXPECT_NEAR(solution.trajectory()->tau(), kTau,
+                expected_error(degree) * kTau)
         << "degree " << degree;
   }
 }
@@ -187,7 +188,7 @@ TEST(HighestDegree, SolvesWithTheMeshOfItsOwnChoice) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau(), row->tau, 1e-9 * row->tau)
+    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, 1e-9 * row->tau)
         << row->name;
   }
 }
@@ -204,10 +205,10 @@ TEST(WantedTolerance, IsMetByEveryDegreeAndPaidForInNodes) {
 
       ASSERT_TRUE(solution.verified())
           << degree << ", " << tolerance << ": " << solution.message;
-      EXPECT_NEAR(solution.trajectory->tau(), kTau, 10.0 * tolerance * kTau);
+      EXPECT_NEAR(solution.trajectory()->tau(), kTau, 10.0 * tolerance * kTau);
       EXPECT_LE(*solution.estimated_error, tolerance);
-      EXPECT_GE(solution.nodes, nodes);
-      nodes = solution.nodes;
+      EXPECT_GE(solution.program()->nodes, nodes);
+      nodes = solution.program()->nodes;
     }
   }
 }
@@ -222,9 +223,9 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
   fixed.discretisation.degree = 8;
   fixed.discretisation.elements = 60;
   const Solution known = solve(scene, fixed);
-  ASSERT_TRUE(known.trajectory) << known.message;
+  ASSERT_TRUE(known.trajectory()) << known.message;
   ASSERT_LT(*known.estimated_error, 1e-8);
-  const double tau = known.trajectory->tau();
+  const double tau = known.trajectory()->tau();
 
   for (const double tolerance : {1e-6, kDefaultTolerance}) {
     SolveOptions options;
@@ -233,7 +234,7 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
     const Solution solution = solve(scene, options);
 
     ASSERT_TRUE(solution.verified()) << tolerance << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau(), tau,
+    EXPECT_NEAR(solution.trajectory()->tau(), tau,
                 (tolerance + *known.estimated_error) * tau);
   }
 }
@@ -251,7 +252,7 @@ TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
 
     ASSERT_TRUE(solution.verified())
         << degree << "×" << elements << ": " << solution.message;
-    EXPECT_LE(std::abs(solution.trajectory->tau() / kTau - 1.0),
+    EXPECT_LE(std::abs(solution.trajectory()->tau() / kTau - 1.0),
               *solution.estimated_error)
         << degree << "×" << elements;
     for (const Check& check : solution.certificate.checks) {
@@ -292,7 +293,7 @@ TEST(ACoarseMesh, IsNeverVerifiedFarFromTheAnswer) {
       const Solution solution = solve(kScene, options);
 
       if (!solution.verified()) continue;
-      EXPECT_NEAR(solution.trajectory->tau(), kTau, 0.03 * kTau)
+      EXPECT_NEAR(solution.trajectory()->tau(), kTau, 0.03 * kTau)
           << "degree " << degree << ", " << elements << " elements";
     }
   }

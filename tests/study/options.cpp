@@ -185,13 +185,13 @@ TEST_P(BrokenNeighbour, IsNotUsed) {
   const auto& row = reference("reference_case");
   Scene near = row.scene();
   near.body.eta_m -= 0.01;
-  Neighbour neighbour = solve(near).as_neighbour.value();
+  Neighbour neighbour = solve(near).as_neighbour().value();
   GetParam().spoil(neighbour);
 
   const Solution solution = solve(row.scene(), {}, {.neighbour = &neighbour});
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory->tau(), row.tau,
+  EXPECT_NEAR(solution.trajectory()->tau(), row.tau,
               2.0 * kDefaultTolerance * row.tau);
   // From the cycloid.
   EXPECT_EQ(solution.effort.continuation.front().eta_m, 0.0);
@@ -228,7 +228,7 @@ TEST(GoodNeighbour, IsUsed) {
   const auto& row = reference("reference_case");
   Scene near = row.scene();
   near.body.eta_m -= 0.01;
-  const Neighbour neighbour = solve(near).as_neighbour.value();
+  const Neighbour neighbour = solve(near).as_neighbour().value();
 
   const Solution solution = solve(row.scene(), {}, {.neighbour = &neighbour});
 

@@ -12,8 +12,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
-#include "study/available_memory.hpp"
-#include "study/size_estimate.hpp"
+#include "study/size.hpp"
 #include "support/scenes.hpp"
 
 namespace brachisto {

@@ -30,7 +30,7 @@ TEST(StraightGuess, LeadsToTheSameAnswer) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau(), row->tau, kTolerance * row->tau)
+    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, kTolerance * row->tau)
         << row->name;
   }
 }
@@ -60,8 +60,8 @@ TEST(BetweenCentres, ABeadTakesTheTimeOfTheCycloid) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory->transit_time(), expected, 1e-11) << r;
-    EXPECT_EQ(solution.effort.closure_passes, 1);
+    EXPECT_NEAR(solution.trajectory()->transit_time(), expected, 1e-11) << r;
+    EXPECT_EQ(solution.effort.final_mesh().passes, 1);
   }
 }
 
@@ -72,8 +72,8 @@ TEST(BetweenCentres, AnOffCentredCylinderIsSolvedFromPointToPoint) {
   const Solution solution = solve(scene);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const TrajectoryPoint start = solution.trajectory->at(0.0);
-  const TrajectoryPoint end = solution.trajectory->at(1.0);
+  const TrajectoryPoint start = solution.trajectory()->at(0.0);
+  const TrajectoryPoint end = solution.trajectory()->at(1.0);
   // The end points of the centre are fixed variables: exact but for units.
   EXPECT_NEAR(start.centre.x, 0.0, 1e-15);
   EXPECT_NEAR(start.centre.z, 0.0, 1e-15);
@@ -88,8 +88,8 @@ TEST(BetweenCentres, TheSmoothContactIsTheCaseOfItsOwnEndPoints) {
   const Scene smooth = reference("reference_case").scene();
   const Solution expected = solve(smooth);
   ASSERT_TRUE(expected.verified()) << expected.message;
-  const Point from = expected.trajectory->at(0.0).centre;
-  const Point to = expected.trajectory->at(1.0).centre;
+  const Point from = expected.trajectory()->at(0.0).centre;
+  const Point to = expected.trajectory()->at(1.0).centre;
   Scene centre = smooth;
   centre.contact = Contact::Centre;
   centre.L = to.x - from.x;
@@ -98,11 +98,11 @@ TEST(BetweenCentres, TheSmoothContactIsTheCaseOfItsOwnEndPoints) {
   const Solution solution = solve(centre);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory->transit_time(),
-              expected.trajectory->transit_time(),
-              kTolerance * expected.trajectory->transit_time());
-  EXPECT_NEAR(solution.trajectory->end_angle(),
-              expected.trajectory->end_angle(), 100.0 * kTolerance);
+  EXPECT_NEAR(solution.trajectory()->transit_time(),
+              expected.trajectory()->transit_time(),
+              kTolerance * expected.trajectory()->transit_time());
+  EXPECT_NEAR(solution.trajectory()->end_angle(),
+              expected.trajectory()->end_angle(), 100.0 * kTolerance);
 }
 
 TEST(PrincipalBranch, IsFollowedFromTheCycloidToTheBodyOfTheScene) {
@@ -110,7 +110,7 @@ TEST(PrincipalBranch, IsFollowedFromTheCycloidToTheBodyOfTheScene) {
     const Solution solution = solve(row->scene());
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau(), row->tau, kTolerance * row->tau);
+    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, kTolerance * row->tau);
     const std::vector<ContinuationStep>& steps = solution.effort.continuation;
     ASSERT_FALSE(steps.empty()) << row->name;
     EXPECT_EQ(steps.front().eta_m, 0.0);
@@ -223,8 +223,8 @@ TEST(Effort, AddsUp) {
   const Solution solution = solve(reference("reference_case").scene());
 
   const Effort& effort = solution.effort;
-  EXPECT_GE(effort.iterations, effort.first_iterations);
-  EXPECT_GE(effort.passes, effort.closure_passes);
+  EXPECT_GE(effort.iterations, effort.final_mesh().first_iterations);
+  EXPECT_GE(effort.passes, effort.final_mesh().passes);
   EXPECT_GT(effort.seconds, 0.0);
   EXPECT_GT(effort.certificate_seconds, 0.0);
   EXPECT_LT(effort.certificate_seconds, effort.seconds);
@@ -233,8 +233,8 @@ TEST(Effort, AddsUp) {
 TEST(Log, IsKeptIfAskedForOnly) {
   const Scene scene = reference("uniform_L3").scene();
 
-  EXPECT_EQ(solve(scene).log, "");
-  EXPECT_NE(solve(scene, {}, {.verbose = true}).log, "");
+  EXPECT_EQ(solve(scene).effort.log, "");
+  EXPECT_NE(solve(scene, {}, {.verbose = true}).effort.log, "");
 }
 
 TEST(Solve, GivesTheSameNumbersEveryTime) {
@@ -243,7 +243,7 @@ TEST(Solve, GivesTheSameNumbersEveryTime) {
   const Solution first = solve(scene);
   const Solution second = solve(scene);
 
-  EXPECT_EQ(first.trajectory->tau(), second.trajectory->tau());
+  EXPECT_EQ(first.trajectory()->tau(), second.trajectory()->tau());
   EXPECT_EQ(first.effort.iterations, second.effort.iterations);
 }
 

@@ -94,8 +94,8 @@ TEST(ContinuationByTurns, LeadsToAnAnswerAboveTheHomogenisedLimit) {
   const Solution solution = solve(base(0.002));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory->tau(), 5.852381, kPrinted);
-  EXPECT_GT(solution.trajectory->tau(), kLimit);
+  EXPECT_NEAR(solution.trajectory()->tau(), 5.852381, kPrinted);
+  EXPECT_GT(solution.trajectory()->tau(), kLimit);
 }
 
 TEST(AnOffsetNextToNothing, ChangesTheTimeByNextToNothing) {
@@ -105,14 +105,14 @@ TEST(AnOffsetNextToNothing, ChangesTheTimeByNextToNothing) {
   scene.body.eta_m = 0.0;
   const Solution uniform = solve(scene);
   ASSERT_TRUE(uniform.verified());
-  const double tau = uniform.trajectory->tau();
+  const double tau = uniform.trajectory()->tau();
   for (const double eta : {1e-6, 1e-7, 1e-8, 1e-14, 1e-50}) {
     scene.body.eta_m = eta;
 
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << eta << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory->tau() / tau, 1.0,
+    EXPECT_NEAR(solution.trajectory()->tau() / tau, 1.0,
                 eta + 2.0 * kDefaultTolerance)
         << eta;
   }

@@ -46,9 +46,9 @@ TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
     options.discretisation.degree = 8;
     options.discretisation.elements = 30;
     const Solution solution = solve(off_centred_scene(theta_m), options);
-    ASSERT_TRUE(solution.trajectory) << solution.message;
+    ASSERT_TRUE(solution.trajectory()) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory->curve());
+    const Reintegration motion = reintegrate(solution.trajectory()->curve());
 
     ASSERT_TRUE(motion.arrived()) << theta_m;
     EXPECT_LE(motion.time_error, 1e-9) << theta_m;
@@ -65,9 +65,9 @@ TEST(Reintegration, ImprovesWithTheMesh) {
     options.discretisation.degree = 3;
     options.discretisation.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
-    ASSERT_TRUE(solution.trajectory) << solution.message;
+    ASSERT_TRUE(solution.trajectory()) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory->curve());
+    const Reintegration motion = reintegrate(solution.trajectory()->curve());
 
     ASSERT_TRUE(motion.arrived()) << elements;
     const double error = std::max(motion.time_error, motion.position_error);
@@ -87,9 +87,9 @@ TEST(Reintegration, OfAPolygonOfSpeedsIsThatOfOneAndTheSamePath) {
     options.discretisation.degree = 1;
     options.discretisation.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
-    ASSERT_TRUE(solution.trajectory) << solution.message;
+    ASSERT_TRUE(solution.trajectory()) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory->curve());
+    const Reintegration motion = reintegrate(solution.trajectory()->curve());
 
     ASSERT_TRUE(motion.arrived()) << elements << describe(motion.end);
     EXPECT_LT(motion.corrected_time_error, *solution.estimated_error);

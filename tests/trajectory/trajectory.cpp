@@ -32,7 +32,7 @@ SolveOptions mesh(int degree, int elements) {
 /// On a mesh so fine that values between nodes are good to some 1e-11.
 Trajectory fine_path(const testing::ReferenceValue& row) {
   Solution solution = solve(row.scene(), mesh(8, 40));
-  return *solution.trajectory;
+  return *solution.trajectory();
 }
 
 TEST(Trajectory, TheNormalForceVanishesAtTheStartAndFrictionDoesNot) {
@@ -113,9 +113,9 @@ TEST(EnergyDrift, FallsWithTwiceTheDegree) {
     for (std::size_t i = 0; i < h.size(); ++i) {
       const Solution solution =
           solve(reference("reference_case").scene(), mesh(degree, elements));
-      ASSERT_TRUE(solution.trajectory) << solution.message;
+      ASSERT_TRUE(solution.trajectory()) << solution.message;
       h[i] = 1.0 / elements;
-      drift[i] = energy_drift(*solution.trajectory);
+      drift[i] = energy_drift(*solution.trajectory());
       elements = elements * 3 / 2;
     }
 
@@ -133,9 +133,9 @@ TEST(EnergyDrift, IsNothingButRoundingOnceTheCylinderIsCentred) {
   for (const int degree : {1, 2, 5}) {
     const Solution solution =
         solve(reference("uniform_L3").scene(), mesh(degree, 12));
-    ASSERT_TRUE(solution.trajectory) << solution.message;
+    ASSERT_TRUE(solution.trajectory()) << solution.message;
 
-    EXPECT_LE(energy_drift(*solution.trajectory), kTolerance) << degree;
+    EXPECT_LE(energy_drift(*solution.trajectory()), kTolerance) << degree;
   }
 }
 
@@ -287,12 +287,12 @@ TEST(Rotation, IsTheArcLengthOverTheRadius) {
 TEST(Sampling, NodesAreInOrderFromAToB) {
   const Solution solution = solve(reference("theta_-30").scene(), mesh(5, 20));
 
-  const std::vector<TrajectoryPoint> rows = solution.trajectory->at_nodes();
+  const std::vector<TrajectoryPoint> rows = solution.trajectory()->at_nodes();
 
   ASSERT_EQ(rows.size(), 101u);
   EXPECT_EQ(rows.front().u, 0.0);
   EXPECT_EQ(rows.front().t, 0.0);
-  EXPECT_DOUBLE_EQ(rows.back().t, solution.trajectory->transit_time());
+  EXPECT_DOUBLE_EQ(rows.back().t, solution.trajectory()->transit_time());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     EXPECT_GT(rows[i].u, rows[i - 1].u) << i;
     EXPECT_GT(rows[i].t, rows[i - 1].t) << i;
@@ -343,9 +343,9 @@ TEST(Diagnostics, AreThoseOfThePathAndNotOfTheMesh) {
   constexpr double kTolerance = 1e-4;
   for (const auto* row : {&reference("reference_case"), &reference("fast")}) {
     const PathDiagnostics coarse =
-        solve(row->scene(), mesh(5, 20)).trajectory->diagnose();
+        solve(row->scene(), mesh(5, 20)).trajectory()->diagnose();
     const PathDiagnostics fine =
-        solve(row->scene(), mesh(5, 80)).trajectory->diagnose();
+        solve(row->scene(), mesh(5, 80)).trajectory()->diagnose();
 
     const auto expect_same = [&](const Extreme& a, const Extreme& b) {
       EXPECT_NEAR(a.value, b.value, kTolerance * std::abs(b.value))

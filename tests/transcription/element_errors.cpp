@@ -41,7 +41,7 @@ const ExtremalCurve& exact_curve(double theta_m) {
   options.discretisation.degree = 8;
   options.discretisation.elements = 40;
   const Solution solution = solve(between_centres(theta_m), options);
-  return curves.emplace(theta_m, solution.trajectory->curve()).first->second;
+  return curves.emplace(theta_m, solution.trajectory()->curve()).first->second;
 }
 
 /// The same extremal on another mesh, by Newton's method, which stays near.

@@ -29,4 +29,14 @@ struct Units {
 /// The same scene, its numbers measured in natural_units(scene).
 [[nodiscard]] Scene in_natural_units(const Scene& scene);
 
+/// A scene as it is asked for and as it is solved.
+struct PosedScene {
+  explicit PosedScene(const Scene& original);
+
+  Scene asked;    ///< in SI units
+  Scene scene;    ///< the same without_whole_turns()
+  Scene natural;  ///< `scene` in natural units
+  Units units;    ///< those of `natural`
+};
+
 }  // namespace brachisto

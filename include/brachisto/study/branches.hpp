@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/model/units.hpp"
 #include "brachisto/study/global_search.hpp"
 #include "brachisto/study/refinement.hpp"
 
@@ -44,11 +45,10 @@ struct JudgedBranches {
 /// Refines every candidate and judges it; those that turn out to be the same
 /// extremal count once.
 ///
-/// \param scene               in SI units
 /// \param first_is_principal  whether candidates[0] is the principal one
 /// \param options             the limit on iterations is for each candidate
 [[nodiscard]] JudgedBranches judge_branches(
-    const Scene& scene, const Discretisation& wanted,
+    const PosedScene& scene, const Discretisation& wanted,
     const std::vector<ContactCandidate>& candidates, bool first_is_principal,
     const MeshOptions& options);
 

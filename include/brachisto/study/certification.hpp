@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The certificate of an answer, and a second opinion on it.
+/// The certificate of an answer, and its cross-check.
 
 #pragma once
 
 #include <string>
 
+#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/units.hpp"
 #include "brachisto/study/adaptive_mesh.hpp"
+#include "brachisto/study/fsolve_answer.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
@@ -20,8 +22,8 @@ namespace brachisto {
 /// for its numbers to mean anything.
 inline constexpr double kCoarsestAgreement = 1e-2;
 
-/// A second opinion from the indirect method.
-struct ExtremalOpinion {
+/// The answer of the indirect method beside another.
+struct CrossCheck {
   bool solved = false;  ///< ExtremalSolution::usable()
   std::string message;
   double tau = 0.0;
@@ -38,20 +40,27 @@ struct ExtremalOpinion {
 /// mends.
 [[nodiscard]] bool under_resolved(const Certificate& certificate);
 
-/// Solves `scene` by multiple shooting, started from `answer`, and adds the
-/// check "extremal": two right answers differ by no more than both their
-/// errors.
-[[nodiscard]] ExtremalOpinion ask_extremal(const Scene& scene,
-                                           const MeshAnswer& answer,
-                                           const StopCondition& stop,
-                                           Certificate& certificate);
+/// \param ratio  of a time to that of the extremal; of no matter if that is not
+///               usable()
+[[nodiscard]] CrossCheck compare_with(const ExtremalSolution& extremal,
+                                      double ratio);
 
-/// The same of a time T [s] with the given relative error, started from an
-/// extremal nearby that need not be accurate.
-[[nodiscard]] ExtremalOpinion ask_extremal(const Scene& scene,
-                                           const ExtremalCurve& nearby,
-                                           double phi, double T, double error,
-                                           const StopCondition& stop,
-                                           Certificate& certificate);
+/// Solves the scene by multiple shooting, started from an extremal nearby that
+/// need not be accurate, compares its time with T [s], and adds the check
+/// "extremal": two right answers differ by no more than both their errors.
+/// \param nearby  in natural units, with the end angle φ
+/// \param error   relative, of T
+[[nodiscard]] CrossCheck cross_check(const PosedScene& scene,
+                                     const ExtremalCurve& nearby, double phi,
+                                     double T, double error,
+                                     const StopCondition& stop,
+                                     Certificate& certificate);
+
+/// The checks "discrete_residual" and "discretisation", the relative error of
+/// τ. The latter is held against the accuracy that the other methods have by
+/// default, which a discretisation of order one cannot reach: its solution is
+/// compared with the extremal and never taken for it.
+[[nodiscard]] Certificate certify_discrete(const FsolveAnswer& answer,
+                                           const CrossCheck& check);
 
 }  // namespace brachisto

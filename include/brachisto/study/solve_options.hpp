@@ -50,7 +50,7 @@ enum class Guess {
   Random,    ///< the cycloid with random slopes and speeds
 };
 
-/// Who gives a second opinion.
+/// What an answer is cross-checked by.
 enum class Certify {
   None,
   Extremal,  ///< Pontryagin's conditions solved by multiple shooting
@@ -81,6 +81,16 @@ struct SolveOptions {
   std::uint64_t seed = 1;  ///< of Guess::Random
   Limits limits;
   FsolveOptions fsolve;  ///< of Method::Fsolve
+
+  /// Whether the method poses the nonlinear program.
+  [[nodiscard]] bool solves_the_program() const {
+    return method == Method::Ipopt || method == Method::NewtonKkt;
+  }
+  /// True if the answer is the end of one branch that is followed.
+  [[nodiscard]] bool follows_the_branch() const {
+    return solves_the_program() && search == Search::Principal &&
+           guess == Guess::Cycloid;
+  }
 };
 
 }  // namespace brachisto

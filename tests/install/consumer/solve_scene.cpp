@@ -9,6 +9,6 @@ int main() {
   scene.H = 1.0;
   const brachisto::Solution solution = brachisto::solve(scene);
   if (!solution.verified()) return 1;
-  std::printf("tau = %.12f\n", solution.trajectory->tau());
+  std::printf("tau = %.12f\n", solution.motion()->tau());
 }
 // [solve a scene]

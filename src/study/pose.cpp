@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/option_errors.hpp"
+#include "study/pose.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
-#include "study/solve_run.hpp"
+#include "brachisto/math/angle.hpp"
 
 namespace brachisto {
 
@@ -75,8 +79,7 @@ void check_arc_length(const SolveOptions& options, Checker& check) {
                      : mesh.nodes  ? *mesh.nodes - 1
                                    : kFewestPieces;
   check.require(
-      !mesh.degree && pieces >= kFewestPieces &&
-          solves_the_program(options.method) &&
+      !mesh.degree && pieces >= kFewestPieces && options.solves_the_program() &&
           options.search == Search::Principal &&
           options.guess == Guess::Cycloid &&
           mesh.wanted_tolerance() >= kSmallestArcLengthTolerance,
@@ -99,8 +102,32 @@ void check_fsolve(const FsolveOptions& options, Checker& check) {
                std::numeric_limits<double>::min(), 1.0);
 }
 
-}  // namespace
+/// \throws std::invalid_argument  with all that is wrong, unless it is nothing
+void refuse(const char* what, const std::vector<std::string>& errors) {
+  if (errors.empty()) return;
+  throw std::invalid_argument(
+      fmt::format("{}:\n  {}", what, fmt::join(errors, "\n  ")));
+}
 
+std::vector<std::string> errors_of(const Scene& scene) {
+  std::vector<std::string> errors;
+  for (const SceneError& error : validate(scene)) {
+    errors.push_back(fmt::format("{}: {}", error.key, error.message));
+  }
+  return errors;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene) {
+  const double theta_m = scene.body.theta_m;
+  const double within = math::within_a_turn(theta_m);
+  if (within == theta_m) return {};
+  return {
+      fmt::format("scene.body.theta_m: {} rad is more than a turn; whole "
+                  "turns mean nothing, and {:.10g} rad is solved for",
+                  theta_m, within)};
+}
+
+/// Options from a problem file have passed the same bounds before.
 std::vector<std::string> option_errors(const SolveOptions& options) {
   Checker check;
   check.known("method", options.method, Method::Fsolve);
@@ -119,6 +146,32 @@ std::vector<std::string> option_errors(const SolveOptions& options) {
   check_arc_length(options, check);
   check_fsolve(options.fsolve, check);
   return check.take();
+}
+
+}  // namespace
+
+MeshOptions PosedProblem::mesh_options_after(const Work& done) const {
+  MeshOptions left = mesh_options;
+  left.ipopt.max_iterations =
+      std::max(0, options.limits.iterations - done.iterations);
+  return left;
+}
+
+PosedProblem pose(const Scene& scene, const SolveOptions& options,
+                  const SolveHooks& hooks) {
+  refuse("the scene is not valid", errors_of(scene));
+  refuse("the options are not valid", option_errors(options));
+  PosedProblem out{PosedScene(scene), options, {}, {}, warnings_of(scene)};
+  MeshOptions& mesh = out.mesh_options;
+  mesh.ipopt.tolerance = options.tolerance;
+  mesh.ipopt.linear_solver = options.linear_solver;
+  mesh.ipopt.verbose = hooks.verbose;
+  mesh.ipopt.stop = StopCondition(options.limits.seconds, hooks.interrupt);
+  mesh.polish = options.polish;
+  mesh.progress = hooks.progress;
+  mesh.newton_alone = options.method == Method::NewtonKkt;
+  if (!scene.path) out.cycloid = axisymmetric_optimum(out.natural);
+  return out;
 }
 
 }  // namespace brachisto

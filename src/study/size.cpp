@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/size_estimate.hpp"
+#include "study/size.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "study/turn_meshes.hpp"
 
 namespace brachisto {
 
@@ -64,8 +66,8 @@ SizeEstimate estimate_size(double turns, const SolveOptions& options) {
   return size;
 }
 
-std::optional<TooLarge> too_large(const SizeEstimate& size,
-                                  double available_bytes, double seconds) {
+std::optional<Outcome> too_large(const SizeEstimate& size,
+                                 double available_bytes, double seconds) {
   const bool too_much = size.bytes > available_bytes;
   if (!too_much && !(size.seconds > seconds)) return std::nullopt;
   const bool by_turns = kBytesPerTurn * size.turns >= size.bytes;
@@ -73,7 +75,7 @@ std::optional<TooLarge> too_large(const SizeEstimate& size,
       by_turns ? fmt::format("the body turns about {:.2g} times on its way",
                              size.turns)
                : fmt::format("the mesh has {:.3g} nodes", size.nodes);
-  return TooLarge{
+  return Outcome{
       too_much ? Status::OutOfMemory : Status::TimeLimit,
       fmt::format("{}, which takes at least {} of memory and {:.2g} s; there "
                   "are {}, and limits.seconds is {:g}. Nothing was computed. "
@@ -84,6 +86,14 @@ std::optional<TooLarge> too_large(const SizeEstimate& size,
                   seconds,
                   by_turns ? "Try a larger radius, or a nearer point B"
                            : "Try fewer nodes")};
+}
+
+std::optional<Outcome> too_large(const PosedProblem& posed) {
+  if (!posed.cycloid) return std::nullopt;
+  const double number = turns(
+      posed.natural.body, posed.cycloid->arc_length(posed.cycloid->psi_end));
+  return too_large(estimate_size(number, posed.options), available_memory(),
+                   posed.options.limits.seconds);
 }
 
 }  // namespace brachisto

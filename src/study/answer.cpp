@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+#include "brachisto/model/centre_curve.hpp"
+#include "brachisto/trajectory/path_certificate.hpp"
+#include "brachisto/transcription/arc_contact.hpp"
+
+namespace brachisto {
+
+namespace {
+
+void tell_of_certificate(const PosedProblem& posed, int nodes) {
+  if (!posed.progress()) return;
+  posed.progress()("certificate", fmt::format("of {} nodes", nodes));
+}
+
+}  // namespace
+
+Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
+                   std::optional<double> transit_time) {
+  const PhaseTimer timer(Phase::Diagnosis);
+  Trajectory trajectory(found.curve(), posed.asked, posed.units, transit_time);
+  PathDiagnostics diagnostics = trajectory.diagnose();
+  return {CollocationAnswer{
+              std::move(trajectory),
+              {found.problem.mesh().num_nodes(), found.problem.num_variables(),
+               found.problem.num_constraints()},
+              found.solution.point,
+              found.solution.closure.phi},
+          found.estimated_error, std::move(diagnostics)};
+}
+
+Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
+  const PhaseTimer timer(Phase::Diagnosis);
+  const PrimalDual& point = found.solution.point;
+  const double end_angle = end_slope(found.problem, point.x, point.lambda);
+  ArcLengthMotion motion(found.problem, point.x, found.transit_time, end_angle,
+                         posed.asked, posed.units);
+  std::optional<PathDiagnostics> diagnostics;
+  if (!motion.on_curve().stall()) diagnostics = motion.diagnose();
+  return {PiecewiseAnswer{
+              std::move(motion),
+              {found.problem.layout().num_nodes(),
+               found.problem.num_variables(), found.problem.num_constraints()}},
+          found.estimated_error, std::move(diagnostics)};
+}
+
+Answered answer_on_given_path(const PosedProblem& posed) {
+  const PhaseTimer timer(Phase::Diagnosis);
+  PrescribedMotion motion(posed.scene, centre_curve(posed.asked));
+  std::optional<PathDiagnostics> diagnostics;
+  if (!motion.stall()) diagnostics = motion.diagnose();
+  const double error = motion.error_estimate();
+  return {std::move(motion), error, std::move(diagnostics)};
+}
+
+Certified certify(const PosedProblem& posed, MeshAnswer& found) {
+  tell_of_certificate(posed, found.problem.mesh().num_nodes());
+  Certified out{certify_answer(found, posed.options.discretisation), {}};
+  if (posed.options.certify == Certify::Extremal) {
+    const ExtremalCurve curve = found.curve();
+    out.cross_check = cross_check(posed, curve, found.solution.closure.phi,
+                                  curve.transit_time() * posed.units.time,
+                                  found.estimated_error.value_or(0.0),
+                                  posed.stop(), out.certificate);
+  }
+  return out;
+}
+
+Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
+                  const ArcLengthMotion& motion, const ExtremalCurve& nearby,
+                  double phi) {
+  tell_of_certificate(posed, found.problem.layout().num_nodes());
+  Certified out{certify_answer(found, motion, posed.options.discretisation),
+                {}};
+  if (posed.options.certify == Certify::Extremal) {
+    out.cross_check = cross_check(posed, nearby, phi, motion.transit_time(),
+                                  found.estimated_error.value_or(0.0),
+                                  posed.stop(), out.certificate);
+  }
+  return out;
+}
+
+Certified certify_given_path(const PosedProblem& posed,
+                             const PrescribedMotion& motion) {
+  return {certify_path(motion, posed.options.discretisation.tolerance.value_or(
+                                   kDefaultTolerance)),
+          std::nullopt};
+}
+
+Outcome verdict(const Solution& certified, const std::string& found) {
+  if (certified.certificate.verified()) return {Status::Solved, found};
+  Outcome outcome{certified.status, certified.message};
+  if (outcome.status == Status::Solved) {
+    outcome.message =
+        fmt::format("solved, but not verified: {}",
+                    fmt::join(certified.not_verified_because(), "; "));
+  }
+  const std::string advice = certified.advice();
+  if (!advice.empty()) outcome.message += ". To try: " + advice;
+  return outcome;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The first stage of a solve: what is solved, and with what.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto {
+
+/// A scene with all that its solve goes by; no stage changes it.
+struct PosedProblem : PosedScene {
+  SolveOptions options;
+  MeshOptions mesh_options;  ///< as if nothing had been done
+  /// Of the uniform cylinder, in natural units; nothing if there is none.
+  std::optional<CycloidArc> cycloid;
+  std::vector<std::string> warnings;  ///< see Solution::warnings
+
+  [[nodiscard]] const StopCondition& stop() const {
+    return mesh_options.ipopt.stop;
+  }
+  [[nodiscard]] const ProgressHook& progress() const {
+    return mesh_options.progress;
+  }
+  /// The options with the iterations that are left.
+  [[nodiscard]] MeshOptions mesh_options_after(const Work& done) const;
+  /// Whether all smooth contacts are looked for.
+  [[nodiscard]] bool searches() const {
+    return options.search == Search::Global &&
+           natural.contact == Contact::Smooth;
+  }
+};
+
+/// Checks and poses a problem. The limit of time begins here.
+/// \throws std::invalid_argument  see solve()
+[[nodiscard]] PosedProblem pose(const Scene& scene, const SolveOptions& options,
+                                const SolveHooks& hooks);
+
+}  // namespace brachisto

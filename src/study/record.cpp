@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/record.hpp"
+
+#include <utility>
+
+namespace brachisto {
+
+namespace {
+
+void add_work(const std::vector<MeshRecord>& meshes, Solution& out) {
+  for (const MeshRecord& mesh : meshes) {
+    out.effort += {mesh.iterations, mesh.passes, mesh.newton_steps, {}};
+  }
+}
+
+}  // namespace
+
+void record(Outcome outcome, Solution& out) {
+  out.status = outcome.status;
+  out.message = std::move(outcome.message);
+}
+
+void record(const Start& start, Solution& out) {
+  out.effort.newton_steps += start.newton_steps;
+  out.effort.continuation = start.steps;
+  out.folds = start.folds;
+  record(Outcome{start.status, start.message}, out);
+}
+
+void record(const OtherStart& other, Solution& out) {
+  out.effort += other.work;
+  out.cold_start = other.cold;
+}
+
+void record(const ExtremalSolution& extremal, Solution& out) {
+  out.effort.newton_steps += extremal.newton_steps;
+  if (extremal.usable()) out.folds = extremal.continuation.folds;
+}
+
+void record(const ContactSearch& search, Solution& out) {
+  out.effort.newton_steps += search.newton_steps;
+  out.search_remark = search.remark;
+}
+
+void record(const JudgedBranches& judged, Solution& out) {
+  add_work(judged.meshes, out);
+  for (const JudgedBranch& one : judged.branches) {
+    out.branches.push_back(one.branch);
+  }
+}
+
+void record(const RefinementProtocol& refinement, Solution& out) {
+  add_work(refinement.meshes, out);
+  record_way(refinement, out);
+}
+
+void record_way(const RefinementProtocol& refinement, Solution& out) {
+  Effort& effort = out.effort;
+  effort.meshes.insert(effort.meshes.end(), refinement.meshes.begin(),
+                       refinement.meshes.end());
+  effort.log += refinement.log;
+  record(Outcome{refinement.status, refinement.message}, out);
+}
+
+void record(Answered answered, Solution& out) {
+  out.answer = std::move(answered.answer);
+  out.estimated_error = answered.estimated_error;
+  out.diagnostics = std::move(answered.diagnostics);
+}
+
+void record(Certified certified, Solution& out) {
+  out.certificate = std::move(certified.certificate);
+  out.extremal = std::move(certified.cross_check);
+}
+
+}  // namespace brachisto

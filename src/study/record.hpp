@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Of what the stages of a solve return, what the solution keeps.
+
+#pragma once
+
+#include <vector>
+
+#include "brachisto/extremal/shooting.hpp"
+#include "brachisto/study/refinement.hpp"
+#include "study/answer.hpp"
+#include "study/start.hpp"
+
+namespace brachisto {
+
+void record(Outcome outcome, Solution& out);
+void record(const Start& start, Solution& out);
+void record(const OtherStart& other, Solution& out);
+void record(const ExtremalSolution& extremal, Solution& out);
+void record(const ContactSearch& search, Solution& out);
+void record(const JudgedBranches& judged, Solution& out);
+/// The work on meshes, and how the answer was refined.
+void record(const RefinementProtocol& refinement, Solution& out);
+/// Only the latter, of work that is recorded already.
+void record_way(const RefinementProtocol& refinement, Solution& out);
+void record(Answered answered, Solution& out);
+void record(Certified certified, Solution& out);
+
+}  // namespace brachisto

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The second stage of a solve: an extremal on a coarse mesh.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/pose.hpp"
+
+namespace brachisto {
+
+/// Where refinement starts, and how that was found.
+struct Start : Continuation {
+  std::vector<double> folds;  ///< see Solution::folds
+};
+
+/// The principal branch. Where its continuation in natural parameters is stuck,
+/// pseudo-arclength continuation of the indirect method goes on: through folds,
+/// and past near meetings of branches.
+[[nodiscard]] Start start_from_cycloid(const PosedProblem& posed);
+
+/// Whether the answer is the end of one branch, which the neighbour's extremal
+/// can_continue() to.
+[[nodiscard]] bool can_start_beside(const PosedProblem& posed,
+                                    const Neighbour& neighbour);
+
+[[nodiscard]] Start start_beside(const PosedProblem& posed,
+                                 const Neighbour& neighbour);
+
+/// A start of Guess::Straight or Guess::Random and the work it took.
+struct OtherStart {
+  ColdStart cold;
+  Work work;
+};
+
+/// Runs the solver from the guess that the options ask for, on the mesh of the
+/// principal branch, and says where it led. The principal branch stays the
+/// answer.
+///
+/// \param principal  with a curve
+/// \param done       before; it may take half of what is left
+[[nodiscard]] OtherStart start_elsewhere(const PosedProblem& posed,
+                                         const Start& principal,
+                                         const Work& done);
+
+/// What to ask for where the principal extremal is no answer: "search: global",
+/// with the key that has to change for it to be allowed; empty if that search
+/// was made, or there is none with Contact::Centre.
+[[nodiscard]] std::string wider_search(Contact contact,
+                                       const SolveOptions& options);
+
+}  // namespace brachisto

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/transcription/element_errors.hpp"
+#include "study/shooting.hpp"
 
 namespace brachisto {
 

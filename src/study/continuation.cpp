@@ -29,8 +29,8 @@ namespace {
 constexpr int kMostNewtonSteps = 6;
 // How far a slope angle may end from its prediction [rad], and how far is
 // wanted: the secant predicts to second order in the step.
-constexpr double kLargestSurprise = 0.1;
-constexpr double kWantedSurprise = 0.03;
+constexpr double kLargestPredictorError = 0.1;
+constexpr double kWantedPredictorError = 0.03;
 // Good enough to tell where the branch runs; the final mesh does the rest.
 constexpr double kTolerance = 1e-8;
 
@@ -38,8 +38,9 @@ constexpr double kTolerance = 1e-8;
 constexpr double kMostTurned = 0.5;
 
 /// How far slope angles ended from their prediction, φ included [rad].
-double largest_surprise(const VariableLayout& layout, const NewtonResult& found,
-                        const BranchPoint& predicted) {
+double largest_slope_error(const VariableLayout& layout,
+                           const NewtonResult& found,
+                           const BranchPoint& predicted) {
   double worst = std::abs(found.phi - predicted.phi);
   for (int c = 0; c < layout.num_points(); ++c) {
     const auto i = static_cast<std::size_t>(layout.beta(c));
@@ -49,9 +50,9 @@ double largest_surprise(const VariableLayout& layout, const NewtonResult& found,
 }
 
 /// The same for θ at the nodes [rad].
-double rotation_surprise(const VariableLayout& layout,
-                         const NewtonResult& found,
-                         const BranchPoint& predicted) {
+double largest_rotation_error(const VariableLayout& layout,
+                              const NewtonResult& found,
+                              const BranchPoint& predicted) {
   double worst = 0.0;
   for (int n = 0; n < layout.num_nodes(); ++n) {
     const auto i =
@@ -122,8 +123,8 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
     const BranchPoint predicted = history.predict(fraction);
     const Scene scene = scene_at(fraction);
     NewtonResult corrected;
-    double surprise = 0.0;
-    double turned = 0.0;
+    double slope_error = 0.0;
+    double rotation_error = 0.0;
     bool on_branch = in_order(predicted.mesh);
     std::optional<RollingTime> problem;
     if (on_branch) {
@@ -136,12 +137,15 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
       }
       // A point without a Newton step is the prediction itself.
       const int sign = corrected.determinant_sign;
-      surprise = largest_surprise(problem->layout(), corrected, predicted);
+      slope_error =
+          largest_slope_error(problem->layout(), corrected, predicted);
       if (way.prediction.moving_mesh) {
-        turned = rotation_surprise(problem->layout(), corrected, predicted);
+        rotation_error =
+            largest_rotation_error(problem->layout(), corrected, predicted);
       }
       on_branch = corrected.status == Status::Solved &&
-                  surprise <= kLargestSurprise && turned <= kMostTurned &&
+                  slope_error <= kLargestPredictorError &&
+                  rotation_error <= kMostTurned &&
                   (sign == orientation || orientation == 0 || sign == 0) &&
                   moves_forward(ExtremalCurve(*problem, corrected.point));
     }
@@ -159,12 +163,14 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
     if (corrected.determinant_sign != 0) {
       orientation = corrected.determinant_sign;
     }
-    // The surprise is of the order that follows the prediction's.
+    // The predictor's error is of the order that follows the prediction's.
     const int order = std::max(history.degree(), 1) + 1;
-    step = gone * std::clamp(std::pow(kWantedSurprise /
-                                          std::max({surprise, turned, 1e-6}),
-                                      1.0 / order),
-                             0.5, way.largest_growth);
+    step =
+        gone *
+        std::clamp(std::pow(kWantedPredictorError /
+                                std::max({slope_error, rotation_error, 1e-6}),
+                            1.0 / order),
+                   0.5, way.largest_growth);
     result.steps.push_back(
         {scene.body.eta_m, corrected.phi, corrected.iterations});
     if (progress) {

@@ -20,7 +20,7 @@
 #include "study/answer.hpp"
 #include "study/descent.hpp"
 #include "study/record.hpp"
-#include "study/shooting_answer.hpp"
+#include "study/shooting.hpp"
 #include "study/size.hpp"
 #include "study/start.hpp"
 #include "study/turn_meshes.hpp"

@@ -10,9 +10,8 @@
 #include <numbers>
 #include <utility>
 
-#include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
-#include "study/shooting_answer.hpp"
+#include "study/shooting.hpp"
 #include "study/turn_meshes.hpp"
 
 namespace brachisto {

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/shooting_answer.hpp"
+#include "study/shooting.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "brachisto/study/extremal_bridge.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/extended_residual.hpp"
 #include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/transcription/prolongation.hpp"
 #include "study/turn_meshes.hpp"
 
 namespace brachisto {
@@ -29,6 +29,48 @@ double excess(RollingTime& problem, const PrimalDual& point) {
 }
 
 }  // namespace
+
+ExtremalGuess as_guess(const ExtremalCurve& curve, const Units& units,
+                       double phi) {
+  // Costates are minus the gradient of the time: p_x in s/m, p_θ in s, p_w in
+  // s per m/s.
+  const double per_length = units.time / units.length;
+  ExtremalGuess guess;
+  guess.rolling_time = curve.rolling_time() * units.time;
+  guess.phi = phi;
+  guess.p_x = curve.p_x() * per_length;
+  guess.p_z = curve.p_z() * per_length;
+  guess.state = [&curve, units](double sigma) {
+    const ExtremalPoint at = curve.at(sigma);
+    return ExtremalState{.x = at.centre.x * units.length,
+                         .z = at.centre.z * units.length,
+                         .theta = at.theta,
+                         .w = at.w * units.speed(),
+                         .p_theta = at.p.p_theta * units.time,
+                         .p_w = at.p.p_w * units.time / units.speed(),
+                         .beta = at.beta,
+                         .t = at.t * units.time};
+  };
+  return guess;
+}
+
+PrimalDual sample_extremal(const ExtremalSolution& extremal, const Units& units,
+                           const RollingTime& problem) {
+  const double per_length = units.time / units.length;
+  return sample_at_mesh(
+      problem, extremal.rolling_time / units.time, [&](double sigma) {
+        const ExtremalState at = extremal.path.at(sigma);
+        ExtremalPoint point;
+        point.centre = {at.x / units.length, at.z / units.length};
+        point.theta = at.theta;
+        point.w = at.w / units.speed();
+        point.beta = at.beta;
+        point.p = {extremal.p_x / per_length, extremal.p_z / per_length,
+                   at.p_theta / units.time,
+                   at.p_w * units.speed() / units.time};
+        return point;
+      });
+}
 
 ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
   ExtremalOptions options;

@@ -2,14 +2,28 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Method::Extremal: an extremal of the indirect method as an answer.
+/// Between collocation and the indirect method, whose extremal may be a start,
+/// a witness, and with Method::Extremal the answer.
 
 #pragma once
 
 #include "brachisto/extremal/shooting.hpp"
+#include "brachisto/model/units.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {
+
+/// A collocation solution, in natural units, as the start of a shooting.
+/// \param curve  must outlive the guess
+[[nodiscard]] ExtremalGuess as_guess(const ExtremalCurve& curve,
+                                     const Units& units, double phi);
+
+/// An extremal, in SI units, as unknowns and multipliers of a collocation
+/// problem in natural units.
+[[nodiscard]] PrimalDual sample_extremal(const ExtremalSolution& extremal,
+                                         const Units& units,
+                                         const RollingTime& problem);
 
 /// The principal extremal, through folds, by the indirect method.
 /// \param tolerance  relative, of T

@@ -72,9 +72,11 @@ Start start_from_cycloid(const PosedProblem& posed) {
   }();
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
   if (start.curve) return start;
-  start.message += slow_at_end(arc);
+  const std::string slow = slow_at_end(arc);
   const std::string search = wider_search(posed.scene.contact, posed.options);
-  if (!search.empty()) {
+  if (!slow.empty()) {
+    start.message += slow;
+  } else if (!search.empty()) {
     start.message += ". Try " + search + ", which looks for other extremals";
   }
   return start;

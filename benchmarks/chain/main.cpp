@@ -23,6 +23,7 @@
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 #include "solvers/chain_kkt.hpp"
+#include "solvers/inequality_problems.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -99,7 +100,7 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
   problem.eval_hess_lag(1.0, point.lambda, hess);
   problem.eval_jac_g(jac);
   const double evaluation = lap();
-  const auto chain = make_chain_ldlt(problem);
+  const auto chain = make_chain_ldlt(problem, nlp::equations_only(problem));
   const double analysis = lap();
   bool factorised = chain->factorise(values);
   const double first = lap();
@@ -130,6 +131,29 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
       (entries + state) / speed, 2.0 * state / speed);
 }
 
+/// A program with inequalities from a cold start, N pieces.
+template <class Problem>
+void inequalities(int num_pieces, bool as_constraints, LinearSolver solver) {
+  Problem problem(num_pieces, as_constraints);
+  IpoptOptions options;
+  // Forces are differences of N y: no less is left of 1e5 pieces by rounding.
+  options.tolerance = 1e-9;
+  options.linear_solver = solver;
+  const double start = cpu_seconds();
+  const SolverResult result =
+      solve_with_ipopt(problem, {problem.start(), {}}, options);
+  const double seconds = cpu_seconds() - start;
+  fmt::print(
+      "{} unknowns: {}, {:.3f} s, {:.2e} s for each unknown and "
+      "iteration, peak {:.3f} GB\n",
+      problem.num_variables() + problem.num_constraints(), result.message,
+      seconds,
+      seconds /
+          (result.iterations * static_cast<double>(problem.num_variables() +
+                                                   problem.num_constraints())),
+      peak_gigabytes());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -140,7 +164,11 @@ int main(int argc, char** argv) {
   int degree = 5;
   int elements = 200;
   app.add_option("task", task, "what to time")
-      ->check(CLI::IsMember({"factor", "newton", "ipopt"}));
+      ->check(CLI::IsMember(
+          {"factor", "newton", "ipopt", "obstacle", "bang-bang"}));
+  bool as_constraints = false;
+  app.add_flag("--constraints", as_constraints,
+               "obstacle, bang-bang: inequalities as constraints, not bounds");
   app.add_flag("--general", general, "sparse LU or MUMPS instead");
   app.add_flag(
       "--floor", with_floor,
@@ -151,6 +179,14 @@ int main(int argc, char** argv) {
 
   const LinearSolver solver =
       general ? LinearSolver::Mumps : LinearSolver::Chain;
+  if (task == "obstacle") {
+    inequalities<testing::Obstacle>(elements, as_constraints, solver);
+    return 0;
+  }
+  if (task == "bang-bang") {
+    inequalities<testing::DoubleIntegrator>(elements, as_constraints, solver);
+    return 0;
+  }
   const Scene scene = testing::natural(testing::off_centred_scene());
   const Coarse coarse = solve_coarse(scene);
   RollingTime problem(scene, uniform_mesh(degree, elements), coarse.phi);

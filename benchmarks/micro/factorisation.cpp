@@ -33,7 +33,8 @@ void chain_factorisation(benchmark::State& state) {
   ExtremalOnMesh at = extremal_for(state);
   const Values values(at);
   const std::array<std::span<const double>, 2> both = {values.hess, values.jac};
-  const auto chain = make_chain_ldlt(at.problem);
+  const auto chain =
+      make_chain_ldlt(at.problem, nlp::equations_only(at.problem));
   for (auto _ : state) {
     if (!chain->factorise(both)) {
       state.SkipWithError("singular");
@@ -48,7 +49,8 @@ void chain_solution(benchmark::State& state) {
   ExtremalOnMesh at = extremal_for(state);
   const Values values(at);
   const std::array<std::span<const double>, 2> both = {values.hess, values.jac};
-  const auto chain = make_chain_ldlt(at.problem);
+  const auto chain =
+      make_chain_ldlt(at.problem, nlp::equations_only(at.problem));
   if (!chain->factorise(both)) state.SkipWithError("singular");
   std::vector<double> x(at.point.x.size() + at.point.lambda.size(), 1.0);
   for (auto _ : state) {
@@ -63,7 +65,7 @@ void chain_solution(benchmark::State& state) {
 /// As Newton's method has it where there is no chain; pattern analysed before.
 void sparse_lu_factorisation(benchmark::State& state) {
   ExtremalOnMesh at = extremal_for(state);
-  KktSystem system(at.problem, nullptr);
+  KktSystem system(at.problem, nullptr, nlp::equations_only(at.problem));
   if (!system.evaluate(at.point.x, at.point.lambda, at.phi)) return;
   system.evaluate_jacobian();
   std::vector<double> values;

@@ -12,63 +12,150 @@
 
 namespace brachisto::nlp {
 
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void check_size(const char* name, const std::vector<double>& values,
+                int expected) {
+  if (values.size() == at(expected)) return;
+  throw std::invalid_argument(fmt::format("{} has {} entries, expected {}",
+                                          name, values.size(), expected));
+}
+
+/// Keeps the largest value; true if this is one. A NaN must not hide behind a
+/// comparison that it fails.
+bool worse(double value, double& worst) {
+  if (std::isnan(worst) || value <= worst) return false;
+  worst = value;
+  return true;
+}
+
+/// Conditions on the multipliers of bounds, one at a time.
+class Multipliers {
+ public:
+  explicit Multipliers(KktResidual& residual) : residual_(residual) {}
+
+  /// \param distance    from the bound; infinite if there is none
+  /// \param multiplier  ≥ 0 at a minimum
+  /// \return whether the complementarity is the worst so far
+  bool see(double distance, double multiplier, double weight) {
+    const double value = multiplier / weight;
+    if (std::isinf(distance)) {
+      worse(std::abs(value), residual_.sign);
+      return false;
+    }
+    worse(-value, residual_.sign);
+    sum_ += std::abs(multiplier * distance);
+    ++count_;
+    return worse(std::abs(value * distance), residual_.complementarity);
+  }
+  [[nodiscard]] double mean() const {
+    return count_ == 0 ? 0.0 : sum_ / count_;
+  }
+
+ private:
+  KktResidual& residual_;
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+}  // namespace
+
 double KktResidual::max() const {
   // All are ≥ 0, so their sum is not a number iff one of them is not; std::max
   // would pass over it.
-  const double sum = stationarity + infeasibility + bound_violation;
+  const double sum =
+      stationarity + infeasibility + bound_violation + complementarity + sign;
   if (std::isnan(sum)) return sum;
-  return std::max({stationarity, infeasibility, bound_violation});
+  return std::max(
+      {stationarity, infeasibility, bound_violation, complementarity, sign});
 }
 
-KktResidual kkt_residual(Problem& problem, std::span<const double> x,
-                         std::span<const double> lambda) {
-  const auto m = static_cast<std::size_t>(problem.num_constraints());
-  if (lambda.size() != m) {
-    throw std::invalid_argument(
-        fmt::format("lambda has {} entries, expected {}", lambda.size(), m));
-  }
-  if (!problem.set_point(x)) {
-    throw std::domain_error("KKT residual: " + problem.refusal());
-  }
-  // Sums in long double, so that what is reported is the residual of the point
-  // and not of this summation.
-  const auto n = static_cast<std::size_t>(problem.num_variables());
-  std::vector<double> grad_f(n);
+std::vector<long double> lagrangian_gradient(
+    const Problem& problem, const std::vector<double>& lambda) {
+  std::vector<double> grad_f(at(problem.num_variables()));
   problem.eval_grad_f(grad_f);
   std::vector<long double> grad(grad_f.begin(), grad_f.end());
   const SparsityPattern& pattern = problem.jac_g_pattern();
   std::vector<double> values(pattern.num_entries());
   problem.eval_jac_g(values);
   for (std::size_t e = 0; e < values.size(); ++e) {
-    grad[static_cast<std::size_t>(pattern.cols[e])] +=
-        static_cast<long double>(values[e]) *
-        lambda[static_cast<std::size_t>(pattern.rows[e])];
+    grad[at(pattern.cols[e])] +=
+        static_cast<long double>(values[e]) * lambda[at(pattern.rows[e])];
   }
+  return grad;
+}
+
+KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
+  const int n = problem.num_variables();
+  const int m = problem.num_constraints();
+  check_size("lambda", point.lambda, m);
+  const bool no_z = point.z_lower.empty() && point.z_upper.empty();
+  if (!no_z) {
+    check_size("z_lower", point.z_lower, n);
+    check_size("z_upper", point.z_upper, n);
+  }
+  if (!problem.set_point(point.x)) {
+    throw std::domain_error("KKT residual: " + problem.refusal());
+  }
+  // Sums in long double, so that what is reported is the residual of the point
+  // and not of this summation.
+  const std::vector<long double> grad =
+      lagrangian_gradient(problem, point.lambda);
+  const std::span<const double> weights = problem.weights();
+  const auto weight = [&](int i) {
+    return weights.empty() ? 1.0 : weights[at(i)];
+  };
 
   KktResidual residual;
-  // A NaN must not hide behind a comparison that it fails.
-  const auto worse = [](double value, double& worst) {
-    if (std::isnan(worst) || value <= worst) return false;
-    worst = value;
-    return true;
-  };
+  Multipliers multipliers(residual);
   int worst_variable = -1;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double lower = problem.lower()[i];
-    if (lower == problem.upper()[i]) {
-      worse(std::abs(x[i] - lower), residual.bound_violation);
-    } else if (worse(std::abs(static_cast<double>(grad[i])),
-                     residual.stationarity)) {
-      worst_variable = static_cast<int>(i);
+  int worst_multiplier = -1;
+  for (int i = 0; i < n; ++i) {
+    const Range range = problem.variable_range(i);
+    const double x = point.x[at(i)];
+    if (range.single()) {
+      worse(std::abs(x - range.lower), residual.bound_violation);
+      continue;
     }
+    const double z_lower = no_z ? 0.0 : point.z_lower[at(i)];
+    const double z_upper = no_z ? 0.0 : point.z_upper[at(i)];
+    const auto slope = static_cast<double>(grad[at(i)] - z_lower + z_upper);
+    if (worse(std::abs(slope) / weight(i), residual.stationarity)) {
+      worst_variable = i;
+    }
+    if (!range.bounded() && no_z) continue;
+    worse(range.lower - x, residual.bound_violation);
+    worse(x - range.upper, residual.bound_violation);
+    const bool at_lower = multipliers.see(x - range.lower, z_lower, weight(i));
+    const bool at_upper = multipliers.see(range.upper - x, z_upper, weight(i));
+    if (at_lower || at_upper) worst_multiplier = i;
   }
-  std::vector<double> g(static_cast<std::size_t>(problem.num_constraints()));
+  std::vector<double> g(at(m));
   problem.eval_g(g);
   int worst_constraint = -1;
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    if (worse(std::abs(g[i]), residual.infeasibility)) {
-      worst_constraint = static_cast<int>(i);
+  for (int i = 0; i < m; ++i) {
+    const Range range = problem.constraint_range(i);
+    const double value = g[at(i)];
+    if (range.single()) {
+      if (worse(std::abs(value - range.lower), residual.infeasibility)) {
+        worst_constraint = i;
+      }
+      continue;
     }
+    const bool below = worse(range.lower - value, residual.infeasibility);
+    const bool above = worse(value - range.upper, residual.infeasibility);
+    if (below || above) worst_constraint = i;
+    // A λ that is not a number is neither > 0 nor < 0 and counts for both.
+    const double lambda = point.lambda[at(i)];
+    const bool at_lower = multipliers.see(
+        value - range.lower, lambda > 0.0 ? 0.0 : -lambda, weight(n + i));
+    const bool at_upper = multipliers.see(
+        range.upper - value, lambda < 0.0 ? 0.0 : lambda, weight(n + i));
+    if (at_lower || at_upper) worst_multiplier = n + i;
   }
   if (worst_variable >= 0) {
     residual.worst_variable = problem.variable_name(worst_variable);
@@ -76,6 +163,12 @@ KktResidual kkt_residual(Problem& problem, std::span<const double> x,
   if (worst_constraint >= 0) {
     residual.worst_constraint = problem.constraint_name(worst_constraint);
   }
+  if (worst_multiplier >= 0) {
+    residual.worst_multiplier =
+        worst_multiplier < n ? problem.variable_name(worst_multiplier)
+                             : problem.constraint_name(worst_multiplier - n);
+  }
+  residual.barrier_parameter = multipliers.mean();
   return residual;
 }
 

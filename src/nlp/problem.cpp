@@ -32,6 +32,26 @@ std::size_t size(int count) {
 
 }  // namespace
 
+Range Problem::variable_range(int index) const {
+  return {lower()[size(index)], upper()[size(index)]};
+}
+
+Range Problem::constraint_range(int index) const {
+  const std::span<const double> lowest = constraint_lower();
+  if (lowest.empty()) return {};
+  return {lowest[size(index)], constraint_upper()[size(index)]};
+}
+
+bool Problem::has_inequalities() const {
+  const std::span<const double> lowest = lower();
+  const std::span<const double> highest = upper();
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
+    const Range range{lowest[i], highest[i]};
+    if (!range.single() && range.bounded()) return true;
+  }
+  return !std::ranges::equal(constraint_lower(), constraint_upper());
+}
+
 EliminationOrder Problem::elimination_order() const {
   EliminationOrder order;
   order.columns.resize(size(num_variables() + num_constraints()));

@@ -24,7 +24,8 @@ std::size_t at(int i) {
 }  // namespace
 
 std::unique_ptr<BorderedChain> BorderedChain::make(const KktSystem& system) {
-  std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(system.problem());
+  std::unique_ptr<ChainLdlt> chain =
+      make_chain_ldlt(system.problem(), system.active());
   if (!chain) return nullptr;
   return std::unique_ptr<BorderedChain>(
       new BorderedChain(system, std::move(chain)));
@@ -41,9 +42,8 @@ BorderedChain::BorderedChain(const KktSystem& system,
   const nlp::Problem& problem = system.problem();
   const int n = problem.num_variables();
   const auto see = [&](int i, int j, int array, std::size_t e) {
-    if (i < n && system.fixed(i)) return;
-    if (system.fixed(j))
-      couplings_.push_back({i, j, array, static_cast<int>(e)});
+    if (system.given(i) || !system.given(j)) return;
+    couplings_.push_back({i, j, array, static_cast<int>(e)});
   };
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
   for (std::size_t e = 0; e < hess.num_entries(); ++e) {
@@ -55,10 +55,11 @@ BorderedChain::BorderedChain(const KktSystem& system,
   for (std::size_t e = 0; e < jac.num_entries(); ++e) {
     check_stop(e);
     see(n + jac.rows[e], jac.cols[e], 1, e);
+    see(jac.cols[e], n + jac.rows[e], 1, e);
   }
 }
 
-/// rhs −= C v, v the fixed variables in x.
+/// rhs −= C v, v the given unknowns in x.
 void BorderedChain::couple(std::span<const double> x,
                            std::span<long double> rhs) const {
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
@@ -66,7 +67,7 @@ void BorderedChain::couple(std::span<const double> x,
   for (const Coupling& c : couplings_) {
     rhs[at(c.row)] -=
         static_cast<long double>(values[at(c.array)][at(c.entry)]) *
-        x[at(c.fixed)];
+        x[at(c.given)];
   }
 }
 
@@ -105,9 +106,8 @@ bool BorderedChain::factorise() {
     reduced_[i] = static_cast<double>(wide_[i]);
   }
   chain_->solve(reduced_);
-  const int n = system_.problem().num_variables();
-  for (int i = 0; i < system_.size() - 1; ++i) {
-    if (i >= n || !system_.fixed(i)) column_[at(i)] = reduced_[at(i)];
+  for (int i = 0; i < system_.num_unknowns(); ++i) {
+    if (!system_.given(i)) column_[at(i)] = reduced_[at(i)];
   }
   pivot_ = static_cast<double>(system_.closing_row().by_parameter -
                                closing_product(column_));
@@ -121,14 +121,14 @@ int BorderedChain::determinant_sign() const {
 }
 
 void BorderedChain::solve_once(std::span<const double> b, std::span<double> x) {
-  const int n = system_.problem().num_variables();
   std::copy(b.begin(), b.end(), wide_.begin());
   couple(b, wide_);
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = static_cast<double>(wide_[i]);
   }
-  for (int i = 0; i < n; ++i) {
-    if (system_.fixed(i)) x[at(i)] = b[at(i)];
+  const int unknowns = system_.num_unknowns();
+  for (int i = 0; i < unknowns; ++i) {
+    if (system_.given(i)) x[at(i)] = b[at(i)];
   }
   chain_->solve(x);
   if (system_.closing() == nullptr) return;
@@ -144,9 +144,9 @@ void BorderedChain::residual(std::span<const double> b,
   std::copy(b.begin(), b.end(), out.begin());
   chain_->subtract_product(x, out);
   couple(x, out);
-  const int n = system_.problem().num_variables();
-  for (int i = 0; i < n; ++i) {
-    if (system_.fixed(i)) out[at(i)] -= x[at(i)];
+  const int unknowns = system_.num_unknowns();
+  for (int i = 0; i < unknowns; ++i) {
+    if (system_.given(i)) out[at(i)] -= x[at(i)];
   }
   if (system_.closing() == nullptr) return;
   const nlp::SparseVector& rates = system_.closing()->fixed_rates();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The Newton system of a problem that is a chain, with its fixed variables and
-// its closing equation around the symmetric chain.
+// The Newton system of a problem that is a chain, with the unknowns whose
+// values are given and its closing equation around the symmetric chain.
 
 #pragma once
 
@@ -15,8 +15,9 @@
 
 namespace brachisto {
 
-/// With u the free variables and multipliers, v the fixed variables and φ the
-/// parameter, the Jacobian of a KktSystem is
+/// With u the free variables and the multipliers of constraints that are held,
+/// v the unknowns whose values are given and φ the parameter, the Jacobian of a
+/// KktSystem is
 ///
 ///     K u + C v        = b_u
 ///           v − ρ φ    = b_v
@@ -45,7 +46,7 @@ class BorderedChain {
 
  private:
   struct Coupling {  ///< an entry of C
-    int row, fixed, array, entry;
+    int row, given, array, entry;
   };
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
   void couple(std::span<const double> x, std::span<long double> rhs) const;
@@ -57,7 +58,7 @@ class BorderedChain {
   const KktSystem& system_;
   std::unique_ptr<ChainLdlt> chain_;
   std::vector<Coupling> couplings_;
-  std::vector<double> column_;     ///< K⁻¹Cρ, and −ρ for fixed variables
+  std::vector<double> column_;     ///< K⁻¹Cρ, and −ρ for v
   double pivot_ = 1.0;             ///< σ
   std::vector<long double> wide_;  ///< scratch
   std::vector<double> correction_, reduced_;

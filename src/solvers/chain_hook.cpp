@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -48,23 +49,6 @@ namespace {
 /// The hook in force; OneAtATime keeps other threads from it.
 ChainHook* current = nullptr;
 
-nlp::ChainStructure in_ipopt_numbering(const nlp::Problem& problem) {
-  // Ipopt drops the fixed variables (fixed_variable_treatment make_parameter)
-  // and keeps the order of the others. There are no inequalities, hence no
-  // slacks, and the multipliers follow in the order of the constraints.
-  nlp::ChainStructure chain = chain_of_free_unknowns(problem);
-  if (!chain.scale.empty()) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < chain.block.size(); ++i) {
-      if (chain.block[i] == nlp::ChainStructure::kAbsent) continue;
-      chain.scale[kept++] = chain.scale[i];
-    }
-    chain.scale.resize(kept);
-  }
-  std::erase(chain.block, nlp::ChainStructure::kAbsent);
-  return chain;
-}
-
 #if BRACHISTO_HAS_CHAIN_HOOK
 
 constexpr int kSingular = -7;
@@ -75,7 +59,27 @@ struct Matrix {
   std::unique_ptr<ChainLdlt> ldlt;
   int size = 0;
   std::size_t num_entries = 0;
+  std::vector<double> scale;  ///< as the problem states it; empty: ones
+  /// Unknowns with bounds, and where their diagonal entries are.
+  std::vector<std::pair<std::size_t, std::size_t>> barrier;
 };
+
+/// Scales the unknowns with bounds by powers of two for their diagonal entries
+/// to be at most of order one. Next to a bound the barrier's share of them
+/// grows like 1/μ; unscaled, it would hide all other entries behind the
+/// rounding of the largest one.
+void scale_barrier(Matrix& matrix, const double val[]) {
+  if (matrix.barrier.empty()) return;
+  std::vector<double> scale = matrix.scale;
+  scale.resize(static_cast<std::size_t>(matrix.size), 1.0);
+  for (const auto& [unknown, entry] : matrix.barrier) {
+    double& s = scale[unknown];
+    const double diagonal = std::abs(val[entry]) * s * s;
+    if (!(diagonal > 1.0) || !std::isfinite(diagonal)) continue;
+    s = std::ldexp(s, -(std::ilogb(diagonal) + 1) / 2);
+  }
+  matrix.ldlt->set_scale(std::move(scale));
+}
 
 Matrix& matrix_of(void** akeep) {
   return *static_cast<Matrix*>(*akeep);
@@ -100,12 +104,20 @@ static void chain_default_control(ma97_control_d*) {}
 static void chain_analyse(int, int n, const int ptr[], const int row[],
                           double[], void** akeep, const ma97_control_d*,
                           ma97_info_d* info, int[]) {
-  *info = {};
+  // Nothing else of the struct is touched before the release is known.
   info->flag = kGivenUp;
   *akeep = nullptr;
   const PhaseTimer timer(Phase::SetUp);
   if (current == nullptr) return;
   kept([&] {
+    if (!current->right_release()) {
+      current->refuse("it works with Ipopt " +
+                      std::string(current->wanted_release()) +
+                      ", and this is " +
+                      (current->release().empty() ? "another release"
+                                                  : current->release()));
+      return;
+    }
     if (static_cast<std::size_t>(n) != current->structure().block.size()) {
       current->refuse("Ipopt's KKT matrix has another size than the problem's");
       return;
@@ -130,7 +142,17 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
       current->refuse("Ipopt's KKT matrix is not the chain the problem states");
       return;
     }
-    info->flag = 0;
+    if (!current->bounded().empty()) {
+      matrix->scale = current->structure().scale;
+    }
+    for (const int unknown : current->bounded()) {
+      for (int e = ptr[unknown] - 1; e < ptr[unknown + 1] - 1; ++e) {
+        if (row[e] - 1 == unknown) {
+          matrix->barrier.emplace_back(unknown, e);
+        }
+      }
+    }
+    *info = {};
     *akeep = matrix.release();
   });
 }
@@ -145,6 +167,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
     if (current != nullptr) current->count_factorisation();
+    scale_barrier(matrix, val);
     const bool factorised = matrix.ldlt->factorise(values);
     const Inertia& inertia = matrix.ldlt->inertia();
     // Ipopt answers both with a perturbation and another try.
@@ -198,8 +221,45 @@ bool ChainHook::available() {
   return BRACHISTO_HAS_CHAIN_HOOK != 0;
 }
 
-ChainHook::ChainHook(const nlp::Problem& problem)
-    : structure_(in_ipopt_numbering(problem)) {
+ChainHook::ChainHook(const nlp::Problem& problem, std::string_view release)
+    : wanted_(release) {
+  // Ipopt drops the fixed variables (fixed_variable_treatment make_parameter)
+  // and keeps the order of the others.
+  const nlp::ChainStructure chain = problem.chain_structure();
+  structure_.num_links = chain.num_links;
+  const auto put = [&](int block, double scale) {
+    structure_.block.push_back(block);
+    if (!chain.scale.empty()) structure_.scale.push_back(scale);
+  };
+  const auto put_unknown = [&](int unknown) {
+    const auto i = static_cast<std::size_t>(unknown);
+    put(chain.block[i], chain.scale.empty() ? 1.0 : chain.scale[i]);
+  };
+  const int n = problem.num_variables();
+  for (int i = 0; i < n; ++i) {
+    const nlp::Range range = problem.variable_range(i);
+    if (range.single()) continue;
+    if (range.bounded()) {
+      bounded_.push_back(static_cast<int>(structure_.block.size()));
+    }
+    put_unknown(i);
+  }
+  std::vector<int> equations, inequalities;
+  for (int i = n; i < n + problem.num_constraints(); ++i) {
+    const bool equation = problem.constraint_range(i - n).single();
+    (equation ? equations : inequalities).push_back(i);
+  }
+  // A slack has no other neighbour than its multiplier, with the entry −1:
+  // inside a link, the chain stays what it is.
+  for (const int unknown : inequalities) {
+    const auto i = static_cast<std::size_t>(unknown);
+    const int block = std::max(0, chain.block[i]);
+    bounded_.push_back(static_cast<int>(structure_.block.size()));
+    put(std::min(block | 1, 2 * chain.num_links - 1),
+        chain.scale.empty() ? 1.0 : 1.0 / chain.scale[i]);
+  }
+  for (const int unknown : equations) put_unknown(unknown);
+  for (const int unknown : inequalities) put_unknown(unknown);
 #if BRACHISTO_HAS_CHAIN_HOOK
   LSL_setMA97(chain_default_control, chain_analyse, chain_factor,
               chain_factor_solve, chain_solve, chain_finalise, chain_free);

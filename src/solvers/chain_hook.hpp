@@ -8,9 +8,12 @@
 
 #include <exception>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/ipopt.hpp"
 
 namespace brachisto {
 
@@ -22,13 +25,15 @@ namespace brachisto {
 /// it lives within a OneAtATime, as MUMPS has to.
 class ChainHook {
  public:
-  /// Whether the Ipopt this was compiled against has the hook, with structs
-  /// known here: release 3.11.9.
+  /// The release of Ipopt whose structs are known here, and whose KKT matrix.
+  static constexpr std::string_view kRelease = "3.11.9";
+  /// Whether the Ipopt this was compiled against is that release.
   [[nodiscard]] static bool available();
 
+  /// \param release  the one to insist on, kRelease but in tests
   /// \pre available(), the problem states a chain structure, and no other hook
   ///      lives
-  explicit ChainHook(const nlp::Problem& problem);
+  ChainHook(const nlp::Problem& problem, std::string_view release);
   ~ChainHook();
   ChainHook(const ChainHook&) = delete;
   ChainHook& operator=(const ChainHook&) = delete;
@@ -38,10 +43,19 @@ class ChainHook {
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   [[nodiscard]] int factorisations() const { return factorisations_; }
 
-  /// In Ipopt's numbering of the KKT matrix: free variables, multipliers.
+  /// The release of the Ipopt that runs, by its own words; empty until then.
+  [[nodiscard]] const std::string& release() const { return release_; }
+  void set_release(std::string release) { release_ = std::move(release); }
+  [[nodiscard]] bool right_release() const { return release_ == wanted_; }
+  [[nodiscard]] std::string_view wanted_release() const { return wanted_; }
+
+  /// In Ipopt's numbering of the KKT matrix: free variables, slacks of
+  /// inequalities, multipliers of equations, multipliers of inequalities.
   [[nodiscard]] const nlp::ChainStructure& structure() const {
     return structure_;
   }
+  /// Of these the ones with bounds, whose diagonal entries grow without limit.
+  [[nodiscard]] const std::vector<int>& bounded() const { return bounded_; }
   void refuse(const std::string& why) { refusal_ = why; }
   /// What the factorisation threw, if it did.
   [[nodiscard]] std::exception_ptr exception() const { return exception_; }
@@ -50,9 +64,18 @@ class ChainHook {
 
  private:
   nlp::ChainStructure structure_;
+  std::vector<int> bounded_;
+  std::string_view wanted_;
+  std::string release_;
   std::string refusal_;
   std::exception_ptr exception_;
   int factorisations_ = 0;
 };
+
+/// The same as without a release, for the chain to insist on another one.
+[[nodiscard]] SolverResult solve_with_ipopt(nlp::Problem& problem,
+                                            const PrimalDual& start,
+                                            const IpoptOptions& options,
+                                            std::string_view release);
 
 }  // namespace brachisto

@@ -10,23 +10,19 @@
 
 namespace brachisto {
 
-nlp::ChainStructure chain_of_free_unknowns(const nlp::Problem& problem) {
-  nlp::ChainStructure chain = problem.chain_structure();
-  if (chain.empty()) return chain;
-  const auto n = static_cast<std::size_t>(problem.num_variables());
-  for (std::size_t i = 0; i < n; ++i) {
-    if (problem.lower()[i] == problem.upper()[i]) {
-      chain.block[i] = nlp::ChainStructure::kAbsent;
-      if (!chain.scale.empty()) chain.scale[i] = 1.0;
-    }
-  }
-  return chain;
-}
-
-std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem) {
+std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
+                                           const nlp::ActiveSet& active) {
   const PhaseTimer timer(Phase::SetUp);
-  const nlp::ChainStructure chain = chain_of_free_unknowns(problem);
+  nlp::ChainStructure chain = problem.chain_structure();
   if (chain.empty()) return nullptr;
+  const std::size_t n = active.variables.size();
+  for (std::size_t i = 0; i < chain.block.size(); ++i) {
+    const bool present = i < n ? active.variables[i] == nlp::Held::No
+                               : active.constraints[i - n] != nlp::Held::No;
+    if (present) continue;
+    chain.block[i] = nlp::ChainStructure::kAbsent;
+    if (!chain.scale.empty()) chain.scale[i] = 1.0;
+  }
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
   const nlp::SparsityPattern& jac = problem.jac_g_pattern();
   const std::array<EntryPositions, 2> positions = {

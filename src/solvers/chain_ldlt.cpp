@@ -19,9 +19,9 @@ namespace {
 constexpr int kJoinTo = 45;
 // To choose pivots takes as long as some dense fronts.
 constexpr int kFewLinks = 6;
-// A link passes the replay if the Frobenius norm of its multipliers is at most
-// this: rounding errors are then magnified by less than its square, and one
-// step of refinement makes up for them.
+// The factorisation of a link is taken if the Frobenius norm of its multipliers
+// is at most this: rounding errors are then magnified by less than its square,
+// and one step of refinement makes up for them.
 constexpr double kLargestGrowth = 1e3;
 // A pivot below this many units of rounding of the largest entry is zero.
 constexpr double kZeroUnits = 64.0;
@@ -85,7 +85,7 @@ void ChainLdlt::link_matrix(const Run& run, int link,
 }
 
 /// Takes the sequence for the pattern of the run's sample, or chooses one.
-void ChainLdlt::choose_program(const Run& run, Plan& plan) {
+void ChainLdlt::analyse_run(const Run& run, Plan& plan) {
   plan.chosen = nullptr;
   if (run.num_links < kFewLinks) return;
   const std::size_t n = run.unknowns.size();
@@ -108,26 +108,26 @@ void ChainLdlt::choose_program(const Run& run, Plan& plan) {
   if (found != plan.known.end()) {
     plan.chosen = found->get();
   } else {
-    std::optional<PivotProgram> program =
-        PivotProgram::choose(matrix_, run.size(), run.interior);
-    if (!program) return;
+    std::optional<SymbolicAnalysis> analysis =
+        SymbolicAnalysis::make(matrix_, run.size(), run.interior);
+    if (!analysis) return;
     constexpr std::size_t kMostKnown = 4;
     if (plan.known.size() == kMostKnown) plan.known.erase(plan.known.begin());
     plan.known.push_back(std::make_unique<Known>());
     plan.known.back()->pattern = std::move(pattern);
-    plan.known.back()->program = std::move(*program);
+    plan.known.back()->analysis = std::move(*analysis);
     plan.chosen = plan.known.back().get();
   }
   plan.slots.clear();
   for (const ChainMap::Entry& entry : run.entries) {
-    plan.slots.push_back(plan.chosen->program.slot(entry.row, entry.col));
+    plan.slots.push_back(plan.chosen->analysis.slot(entry.row, entry.col));
   }
 }
 
 /// Chooses sequences for all runs, and lays out their lanes.
-void ChainLdlt::choose_programs() {
+void ChainLdlt::analyse_runs() {
   for (std::size_t r = 0; r < plans_.size(); ++r) {
-    choose_program(map_.runs()[r], plans_[r]);
+    analyse_run(map_.runs()[r], plans_[r]);
   }
   std::size_t size = 0;
   std::size_t tail = 0;
@@ -136,10 +136,10 @@ void ChainLdlt::choose_programs() {
     Plan& plan = plans_[r];
     plan.storage = size;
     if (plan.chosen == nullptr) continue;
-    const PivotProgram& program = plan.chosen->program;
-    size += at(batches(run.num_links)) * at(program.num_factor_slots);
+    const SymbolicAnalysis& analysis = plan.chosen->analysis;
+    size += at(batches(run.num_links)) * at(analysis.num_factor_slots);
     // The Schur complement of a batch lies where the next batch will.
-    tail = std::max(tail, at(program.num_slots));
+    tail = std::max(tail, at(analysis.num_slots));
   }
   if (size + tail <= storage_size_) return;
   storage_.reset();
@@ -152,7 +152,7 @@ void ChainLdlt::choose_programs() {
 bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
                      Lanes* slots) {
   std::fill_n(&slots[0].lane[0],
-              at(plan.chosen->program.num_slots) * at(kLanes), 0.0);
+              at(plan.chosen->analysis.num_slots) * at(kLanes), 0.0);
   double largest = largest_;
   bool as_assumed = true;
   for (std::size_t k = 0; k < run.entries.size(); ++k) {
@@ -181,7 +181,7 @@ bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
   largest_ = largest;
   // Idle lanes repeat the last one.
   if (count < kLanes) {
-    for (int s = 0; s < plan.chosen->program.num_slots; ++s) {
+    for (int s = 0; s < plan.chosen->analysis.num_slots; ++s) {
       for (int b = count; b < kLanes; ++b) {
         slots[s].lane[b] = slots[s].lane[count - 1];
       }
@@ -220,7 +220,7 @@ bool ChainLdlt::factorise(EntryValues values) {
 }
 
 void ChainLdlt::factorise_links() {
-  choose_programs();
+  analyse_runs();
   fronts_.clear();
   negative_ = 0;
   num_dense_links_ = 0;
@@ -256,11 +256,11 @@ void ChainLdlt::factorise_run(std::size_t r) {
     std::uint8_t& failed = failed_[plan.failed + at(first / kLanes)];
     failed = 0xff;
     Lanes* slots = nullptr;
-    ReplayOutcome outcome;
+    FactorisationOutcome outcome;
     if (plan.chosen != nullptr) {
       slots = &storage_[plan.storage +
                         at(first / kLanes) *
-                            at(plan.chosen->program.num_factor_slots)];
+                            at(plan.chosen->analysis.num_factor_slots)];
       const bool as_assumed = fill(run, plan, first, count, slots);
       if (!std::isfinite(largest_)) return;
       if (!as_assumed) {
@@ -268,7 +268,7 @@ void ChainLdlt::factorise_run(std::size_t r) {
         restart_ = may_restart_;
         if (restart_) return;
       } else {
-        replay_factor(plan.chosen->program, slots, outcome);
+        numeric_factorisation(plan.chosen->analysis, slots, outcome);
         failed = 0;
         for (int b = 0; b < count; ++b) {
           if (outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth) {
@@ -286,7 +286,7 @@ void ChainLdlt::factorise_run(std::size_t r) {
         dense_link(run, first + b);
         if (++failures == 1) first_failure = first + b;
       }
-      separator(run, first + b, dense ? nullptr : &plan.chosen->program, slots,
+      separator(run, first + b, dense ? nullptr : &plan.chosen->analysis, slots,
                 b);
       if (overflow_) return;
     }
@@ -318,9 +318,10 @@ void ChainLdlt::dense_link(const Run& run, int link) {
 /// Eliminates the separator on the left of a link, with what was left over
 /// before it and in the link.
 ///
-/// \param program  null: the link's Schur complement is in link_front_
-void ChainLdlt::separator(const Run& run, int link, const PivotProgram* program,
-                          const Lanes* slots, int lane) {
+/// \param analysis  null: the link's Schur complement is in link_front_
+void ChainLdlt::separator(const Run& run, int link,
+                          const SymbolicAnalysis* analysis, const Lanes* slots,
+                          int lane) {
   const int border = static_cast<int>(map_.border().size());
   // carried_: delayed | left separator | border
   if (carried_.size() == 0) {
@@ -333,7 +334,7 @@ void ChainLdlt::separator(const Run& run, int link, const PivotProgram* program,
               carried_.unknowns.begin() + run.left);
   }
   const int old = carried_.size() - border;
-  const int rejects = program == nullptr ? rejects_ : 0;
+  const int rejects = analysis == nullptr ? rejects_ : 0;
   const int candidates = old + rejects;
   const int first_right = candidates;
   const int first_border = candidates + run.right;
@@ -362,8 +363,8 @@ void ChainLdlt::separator(const Run& run, int link, const PivotProgram* program,
     front_.unknowns[at(from_link(i))] =
         static_cast<int>(run.unknowns[at(run.interior + i)].at(link));
   }
-  if (program != nullptr) {
-    for (const PivotProgram::SchurEntry& entry : program->schur) {
+  if (analysis != nullptr) {
+    for (const SymbolicAnalysis::SchurEntry& entry : analysis->schur) {
       const int i = from_link(entry.row - run.interior);
       const int j = from_link(entry.col - run.interior);
       const double value = slots[entry.slot].lane[lane];

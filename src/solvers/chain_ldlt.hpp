@@ -9,14 +9,15 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brachisto/nlp/chain_structure.hpp"
 #include "brachisto/solvers/inertia.hpp"
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
-#include "solvers/pivot_program.hpp"
-#include "solvers/pivot_replay.hpp"
+#include "solvers/numeric_factorisation.hpp"
+#include "solvers/symbolic_analysis.hpp"
 
 namespace brachisto {
 
@@ -26,9 +27,10 @@ using EntryValues = std::span<const std::span<const double>>;
 /// Factorisation in two stages, each with pivoting:
 ///
 /// 1. The interiors of the links, independent of each other. Links that look
-///    alike share one sequence of 1×1 and 2×2 pivots, chosen on one of them and
-///    replayed on several at once. A link in which the multipliers of that
-///    sequence grow is factorised on its own as a dense front.
+///    alike share one symbolic analysis, a sequence of 1×1 and 2×2 pivots
+///    chosen on one of them, and are factorised several at once. A link in
+///    which the multipliers of that sequence grow is factorised on its own as a
+///    dense front.
 /// 2. The Schur complement on the separators, a sweep of dense fronts along the
 ///    chain. Pivots that are too small for the rows below them are delayed to
 ///    the next separator. The border comes last.
@@ -44,6 +46,9 @@ class ChainLdlt {
   [[nodiscard]] static std::unique_ptr<ChainLdlt> make(
       const nlp::ChainStructure& structure,
       std::span<const EntryPositions> positions);
+
+  /// Replaces the scale of the structure, for the factorisations to come.
+  void set_scale(std::vector<double> scale) { scale_ = std::move(scale); }
 
   /// False if a value is not finite or the pivots could not be found. The
   /// values must stay until the next call.
@@ -73,7 +78,7 @@ class ChainLdlt {
   /// on.
   struct Known {
     std::vector<char> pattern;
-    PivotProgram program;
+    SymbolicAnalysis analysis;
     bool stale = false;
   };
   /// How the links of a run are factorised at the moment.
@@ -103,8 +108,8 @@ class ChainLdlt {
   }
   void apply_scale(std::span<double> x) const;
 
-  void choose_programs();
-  void choose_program(const Run& run, Plan& plan);
+  void analyse_runs();
+  void analyse_run(const Run& run, Plan& plan);
   void factorise_links();
   void extend_pattern(const Run& run, Plan& plan, int first, int count);
   void link_matrix(const Run& run, int link, std::vector<double>& matrix) const;
@@ -112,7 +117,7 @@ class ChainLdlt {
   [[nodiscard]] bool fill(const Run& run, const Plan& plan, int first,
                           int count, Lanes* slots);
   void dense_link(const Run& run, int link);
-  void separator(const Run& run, int link, const PivotProgram* program,
+  void separator(const Run& run, int link, const SymbolicAnalysis* analysis,
                  const Lanes* slots, int lane);
   void last_front();
   template <class Visit>

@@ -20,23 +20,23 @@ std::size_t at(int i) {
 
 }  // namespace
 
-/// visit(run, program, slots, first link, number of links, flags of failure).
+/// visit(run, analysis, slots, first link, number of links, flags of failure).
 template <class Visit>
 void ChainLdlt::for_each_batch(Visit&& visit) const {
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     const Run& run = map_.runs()[r];
     const Plan& plan = plans_[r];
     if (plan.chosen == nullptr) continue;
-    const PivotProgram& program = plan.chosen->program;
+    const SymbolicAnalysis& analysis = plan.chosen->analysis;
     const Lanes* slots = storage_.get() + plan.storage;
     for (int first = 0; first < run.num_links; first += kLanes) {
       check_stop(first);
       const unsigned failed = failed_[plan.failed + at(first / kLanes)];
       if (failed != 0xffU) {
-        visit(run, program, slots, first,
+        visit(run, analysis, slots, first,
               std::min(kLanes, run.num_links - first), failed);
       }
-      slots += program.num_factor_slots;
+      slots += analysis.num_factor_slots;
     }
   }
 }
@@ -48,7 +48,7 @@ void ChainLdlt::apply_scale(std::span<double> x) const {
 void ChainLdlt::solve(std::span<double> x) const {
   apply_scale(x);
   std::vector<Lanes> local;
-  for_each_batch([&](const Run& run, const PivotProgram& program,
+  for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
                      const Lanes* slots, int first, int count,
                      unsigned failed) {
     local.assign(run.unknowns.size(), Lanes{});
@@ -57,7 +57,7 @@ void ChainLdlt::solve(std::span<double> x) const {
         local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
       }
     }
-    replay_forward(program, slots, local.data());
+    forward_substitution(analysis, slots, local.data());
     for (int b = 0; b < count; ++b) {
       if (((failed >> b) & 1U) != 0) continue;
       for (int i = 0; i < run.interior; ++i) {
@@ -71,7 +71,7 @@ void ChainLdlt::solve(std::span<double> x) const {
   check_stop();
   fronts_.forward(x);
   fronts_.backward(x);
-  for_each_batch([&](const Run& run, const PivotProgram& program,
+  for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
                      const Lanes* slots, int first, int count,
                      unsigned failed) {
     local.assign(run.unknowns.size(), Lanes{});
@@ -80,7 +80,7 @@ void ChainLdlt::solve(std::span<double> x) const {
         local[i].lane[b] = x[run.unknowns[i].at(first + b)];
       }
     }
-    replay_backward(program, slots, local.data());
+    backward_substitution(analysis, slots, local.data());
     for (int b = 0; b < count; ++b) {
       if (((failed >> b) & 1U) != 0) continue;
       for (int i = 0; i < run.interior; ++i) {

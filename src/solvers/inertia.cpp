@@ -6,11 +6,12 @@
 #include <dmumps_c.h>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
-#include "solvers/blas_threads.hpp"
+#include "brachisto/nlp/active_set.hpp"
 #include "solvers/chain_kkt.hpp"
 #include "solvers/one_at_a_time.hpp"
 
@@ -76,43 +77,46 @@ class Mumps {
 };
 
 /// The inertia from the two arrays of values, by MUMPS.
-Inertia mumps_inertia(const nlp::Problem& problem, std::span<const double> hess,
+Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
+                      std::span<const double> hess,
                       std::span<const double> jac) {
   const OneAtATime one_at_a_time;
-  const SingleThreadedBlas single_threaded;
-  // Numbers of the free variables; fixed ones drop out.
-  std::vector<int> number(at(problem.num_variables()), 0);
-  int free = 0;
-  for (std::size_t i = 0; i < number.size(); ++i) {
-    if (problem.lower()[i] != problem.upper()[i]) number[i] = ++free;
+  // Numbers of the unknowns from 1 on; 0 for what is no part of the matrix.
+  int size = 0;
+  std::vector<int> variable, row;
+  for (const nlp::Held held : active.variables) {
+    variable.push_back(held == nlp::Held::No ? ++size : 0);
+  }
+  for (const nlp::Held held : active.constraints) {
+    row.push_back(held == nlp::Held::No ? 0 : ++size);
   }
   std::vector<int> rows;
   std::vector<int> cols;
   std::vector<double> values;
-  const auto put = [&](int row, int col, double value) {
-    if (row == 0 || col == 0) return;
-    rows.push_back(row);
-    cols.push_back(col);
+  const auto put = [&](int i, int j, double value) {
+    if (i == 0 || j == 0) return;
+    rows.push_back(i);
+    cols.push_back(j);
     values.push_back(value);
   };
   const auto& hess_pattern = problem.hess_lag_pattern();
   for (std::size_t e = 0; e < hess.size(); ++e) {
-    put(number[at(hess_pattern.rows[e])], number[at(hess_pattern.cols[e])],
+    put(variable[at(hess_pattern.rows[e])], variable[at(hess_pattern.cols[e])],
         hess[e]);
   }
   const auto& jac_pattern = problem.jac_g_pattern();
   for (std::size_t e = 0; e < jac.size(); ++e) {
-    put(free + 1 + jac_pattern.rows[e], number[at(jac_pattern.cols[e])],
+    put(row[at(jac_pattern.rows[e])], variable[at(jac_pattern.cols[e])],
         jac[e]);
   }
-  return Mumps().factorise(free + problem.num_constraints(), rows, cols,
-                           values);
+  return Mumps().factorise(size, rows, cols, values);
 }
 
 }  // namespace
 
 Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
                     LinearSolver solver) {
+  const nlp::ActiveSet active = nlp::active_set(problem, point);
   if (!problem.set_point(point.x)) {
     throw std::domain_error("KKT inertia: " + problem.refusal());
   }
@@ -123,12 +127,12 @@ Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
 
   Inertia inertia;
   if (solver != LinearSolver::Mumps) {
-    const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem);
+    const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem, active);
     const std::array<std::span<const double>, 2> values = {hess, jac};
     if (chain && chain->factorise(values)) inertia = chain->inertia();
   }
   if (!inertia.known && solver != LinearSolver::Chain) {
-    inertia = mumps_inertia(problem, hess, jac);
+    inertia = mumps_inertia(problem, active, hess, jac);
   }
   return inertia;
 }

@@ -12,6 +12,9 @@
 #include <IpTimingStatistics.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstdio>
 #include <exception>
 #include <optional>
 #include <sstream>
@@ -19,7 +22,7 @@
 #include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
-#include "solvers/blas_threads.hpp"
+#include "brachisto/nlp/kkt_residual.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
 #include "solvers/one_at_a_time.hpp"
@@ -46,8 +49,33 @@ void set_linear_solver(Ipopt::OptionsList& list, LinearSolver solver) {
   list.SetIntegerValue("mumps_permuting_scaling", 0);
 }
 
+/// What inequalities need besides.
+void set_barrier_options(Ipopt::OptionsList& list, const IpoptOptions& options,
+                         nlp::Problem& problem, const PrimalDual& start) {
+  // Bounds hold as they are given, and complementarity like all conditions.
+  list.SetNumericValue("bound_relax_factor", 0.0);
+  list.SetNumericValue("compl_inf_tol", options.tolerance);
+  // Where a cold start begins, and a warm one at most.
+  constexpr double kLargestBarrier = 0.1;
+  double barrier = kLargestBarrier;
+  if (!start.lambda.empty() && problem.set_point(start.x)) {
+    const double there = nlp::kkt_residual(problem, start).barrier_parameter;
+    barrier =
+        std::min(std::max(0.1 * options.tolerance, there), kLargestBarrier);
+    // So far may the start be moved away from its bounds; multipliers and
+    // distances of order one have this as their partners.
+    for (const char* push :
+         {"warm_start_bound_push", "warm_start_bound_frac",
+          "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
+          "warm_start_mult_bound_push"}) {
+      list.SetNumericValue(push, barrier);
+    }
+  }
+  list.SetNumericValue("mu_init", barrier);
+}
+
 void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
-                 bool warm) {
+                 nlp::Problem& problem, const PrimalDual& start) {
   list.SetStringValue("sb", "yes");
   list.SetIntegerValue("print_level", 0);
   list.SetNumericValue("tol", options.tolerance);
@@ -62,9 +90,15 @@ void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
   list.SetStringValue("fixed_variable_treatment", "make_parameter");
   // Without it a NaN in the Hessian surfaces as a failed restoration.
   list.SetStringValue("check_derivatives_for_naninf", "yes");
-  // There are no inequalities, so there is no barrier to follow.
-  list.SetNumericValue("mu_init", 1e-11);
-  if (warm) list.SetStringValue("warm_start_init_point", "yes");
+  if (problem.has_inequalities()) {
+    set_barrier_options(list, options, problem, start);
+  } else {
+    // There is no barrier to follow.
+    list.SetNumericValue("mu_init", 1e-11);
+  }
+  if (!start.lambda.empty()) {
+    list.SetStringValue("warm_start_init_point", "yes");
+  }
   if (options.check_derivatives) {
     list.SetStringValue("derivative_test", "second-order");
     list.SetNumericValue("derivative_test_tol", 1e-5);
@@ -203,12 +237,46 @@ void rethrow(const std::exception_ptr& thrown, const StopCondition& stop) {
   }
 }
 
+/// Reads from the first line of the journal which release of Ipopt is at work,
+/// before the hook is called: what was compiled against need not be what was
+/// loaded.
+class ReleaseReader final : public Ipopt::Journal {
+ public:
+  explicit ReleaseReader(ChainHook& hook)
+      : Ipopt::Journal("release", Ipopt::J_ITERSUMMARY), hook_(hook) {}
+
+  bool IsAccepted(Ipopt::EJournalCategory category,
+                  Ipopt::EJournalLevel level) const override {
+    return hook_.release().empty() && category == Ipopt::J_MAIN &&
+           level == Ipopt::J_ITERSUMMARY;
+  }
+
+ private:
+  void PrintImpl(Ipopt::EJournalCategory, Ipopt::EJournalLevel,
+                 const char* line) override {
+    int version[3];
+    if (std::sscanf(line, "This is Ipopt version %d.%d.%d", &version[0],
+                    &version[1], &version[2]) == 3) {
+      hook_.set_release(
+          fmt::format("{}.{}.{}", version[0], version[1], version[2]));
+    }
+  }
+  void PrintfImpl(Ipopt::EJournalCategory category, Ipopt::EJournalLevel level,
+                  const char* format, va_list arguments) override {
+    std::array<char, 256> line{};
+    std::vsnprintf(line.data(), line.size(), format, arguments);
+    PrintImpl(category, level, line.data());
+  }
+  void FlushBufferImpl() override {}
+
+  ChainHook& hook_;
+};
+
 /// One run with the chain, if its hook is in force, or MUMPS.
 SolverResult run(nlp::Problem& problem, const PrimalDual& start,
-                 const IpoptOptions& options, const ChainHook* hook) {
+                 const IpoptOptions& options, ChainHook* hook) {
   const LinearSolver solver =
       hook != nullptr ? LinearSolver::Chain : LinearSolver::Mumps;
-  const bool warm = !start.lambda.empty();
   Ipopt::SmartPtr<IpoptAdapter> adapter =
       new IpoptAdapter(problem, start, options.stop);
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
@@ -222,7 +290,11 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   journal->SetOutputStream(&log);
   application->Jnlst()->AddJournal(Ipopt::GetRawPtr(journal));
 
-  set_options(*application->Options(), options, warm);
+  if (hook != nullptr) {
+    application->Jnlst()->AddJournal(new ReleaseReader(*hook));
+  }
+
+  set_options(*application->Options(), options, problem, start);
   set_linear_solver(*application->Options(), solver);
   SolverResult result;
   result.linear_solver = solver;
@@ -271,9 +343,8 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
 
 /// solve_with_ipopt(), but that it may be stopped on the way to a run.
 SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
-                   const IpoptOptions& options) {
+                   const IpoptOptions& options, std::string_view release) {
   const OneAtATime one_at_a_time;
-  const SingleThreadedBlas single_threaded;
   std::string why_not;
   if (options.linear_solver != LinearSolver::Mumps) {
     if (!ChainHook::available()) {
@@ -281,7 +352,7 @@ SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
     } else if (problem.chain_structure().empty()) {
       why_not = "the problem states no chain structure";
     } else {
-      const ChainHook hook(problem);
+      ChainHook hook(problem, release);
       SolverResult result = run(problem, start, options, &hook);
       if (hook.refusal().empty()) return result;
       why_not = hook.refusal();
@@ -305,9 +376,15 @@ SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
 
 SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
                               const IpoptOptions& options) {
+  return solve_with_ipopt(problem, start, options, ChainHook::kRelease);
+}
+
+SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
+                              const IpoptOptions& options,
+                              std::string_view release) {
   const StopScope scope(options.stop);
   try {
-    return solve(problem, start, options);
+    return solve(problem, start, options, release);
   } catch (const Stopped&) {
     if (!options.stop.met()) throw;
     SolverResult result;

@@ -71,8 +71,11 @@ bool IpoptAdapter::get_bounds_info(Index n, Number* x_l, Number* x_u, Index m,
     x_l[i] = std::max(problem_.lower()[i], -kNoBound);
     x_u[i] = std::min(problem_.upper()[i], kNoBound);
   }
-  std::fill_n(g_l, m, 0.0);
-  std::fill_n(g_u, m, 0.0);
+  for (Index i = 0; i < m; ++i) {
+    const nlp::Range range = problem_.constraint_range(i);
+    g_l[i] = std::max(range.lower, -kNoBound);
+    g_u[i] = std::min(range.upper, kNoBound);
+  }
   return true;
 }
 
@@ -82,9 +85,17 @@ bool IpoptAdapter::get_starting_point(Index n, bool init_x, Number* x,
                                       Number* lambda) {
   if (init_x) std::copy_n(start_.x.begin(), n, x);
   if (init_z) {
-    // No bounds but those of fixed variables, which are no variables to Ipopt.
-    std::fill_n(z_L, n, 0.0);
-    std::fill_n(z_U, n, 0.0);
+    // Without inequalities there are no bounds but those of fixed variables,
+    // which are no variables to Ipopt.
+    const auto copy = [n](const std::vector<double>& z, Number* to) {
+      if (z.empty()) {
+        std::fill_n(to, n, 0.0);
+      } else {
+        std::copy_n(z.begin(), n, to);
+      }
+    };
+    copy(start_.z_lower, z_L);
+    copy(start_.z_upper, z_U);
   }
   if (init_lambda) std::copy_n(start_.lambda.begin(), m, lambda);
   return true;
@@ -146,13 +157,16 @@ bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
 }
 
 void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,
-                                     const Number* x, const Number*,
-                                     const Number*, Index m, const Number*,
+                                     const Number* x, const Number* z_L,
+                                     const Number* z_U, Index m, const Number*,
                                      const Number* lambda, Number,
                                      const Ipopt::IpoptData*,
                                      Ipopt::IpoptCalculatedQuantities*) {
   final_point_.x.assign(x, x + n);
   final_point_.lambda.assign(lambda, lambda + m);
+  if (!problem_.has_inequalities()) return;
+  final_point_.z_lower.assign(z_L, z_L + n);
+  final_point_.z_upper.assign(z_U, z_U + n);
 }
 
 }  // namespace brachisto

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
 
@@ -18,12 +19,14 @@ std::size_t at(int i) {
 
 }  // namespace
 
-KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing)
+KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
+                     nlp::ActiveSet active)
     : problem_(problem),
       closing_(closing),
+      active_(std::move(active)),
       n_(problem.num_variables()),
       m_(problem.num_constraints()),
-      fixed_(at(n_)),
+      given_(at(n_ + m_)),
       x_(at(n_)),
       lambda_(at(m_)),
       grad_f_(at(n_)),
@@ -32,7 +35,10 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing)
       hess_lag_(problem.hess_lag_pattern().num_entries()),
       residual_(at(size())) {
   for (int i = 0; i < n_; ++i) {
-    fixed_[at(i)] = problem.lower()[at(i)] == problem.upper()[at(i)] ? 1 : 0;
+    given_[at(i)] = active_.variables[at(i)] != nlp::Held::No ? 1 : 0;
+  }
+  for (int i = 0; i < m_; ++i) {
+    given_[at(n_ + i)] = active_.constraints[at(i)] == nlp::Held::No ? 1 : 0;
   }
   if (closing_ != nullptr) closing_at_ = closing_->linearise(x_, lambda_);
 }
@@ -66,11 +72,26 @@ bool KktSystem::evaluate(std::span<const double> x,
     wide_[at(jac.cols[e])] +=
         static_cast<long double>(jac_g_[e]) * lambda_[at(jac.rows[e])];
   }
+  const auto bound = [](nlp::Held held, std::span<const double> lower,
+                        std::span<const double> upper, int i) {
+    return held == nlp::Held::AtUpper ? upper[at(i)] : lower[at(i)];
+  };
+  const std::span<const double> x_l = problem_.lower();
+  const std::span<const double> x_u = problem_.upper();
   for (int i = 0; i < n_; ++i) {
-    residual_[at(i)] = fixed(i) ? x_[at(i)] - problem_.lower()[at(i)]
-                                : static_cast<double>(wide_[at(i)]);
+    residual_[at(i)] =
+        given(i) ? x_[at(i)] - bound(active_.variables[at(i)], x_l, x_u, i)
+                 : static_cast<double>(wide_[at(i)]);
   }
+  const std::span<const double> g_l = problem_.constraint_lower();
+  const std::span<const double> g_u = problem_.constraint_upper();
   std::copy(g_.begin(), g_.end(), residual_.begin() + n_);
+  for (int i = 0; !g_l.empty() && i < m_; ++i) {
+    double& value = residual_[at(n_ + i)];
+    value = given(n_ + i)
+                ? lambda_[at(i)]
+                : value - bound(active_.constraints[at(i)], g_l, g_u, i);
+  }
   if (closing_ != nullptr) {
     closing_at_ = closing_->linearise(x_, lambda_);
     residual_.back() = closing_at_.residual;
@@ -93,18 +114,18 @@ void KktSystem::visit(Put&& put) const {
   for (std::size_t e = 0; e < hess.num_entries(); ++e) {
     const int i = hess.rows[e];
     const int j = hess.cols[e];
-    if (!fixed(i)) put(i, j, hess_lag_[e]);
-    if (i != j && !fixed(j)) put(j, i, hess_lag_[e]);
+    if (!given(i)) put(i, j, hess_lag_[e]);
+    if (i != j && !given(j)) put(j, i, hess_lag_[e]);
   }
   const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
   for (std::size_t e = 0; e < jac.num_entries(); ++e) {
     const int row = jac.rows[e];
     const int col = jac.cols[e];
-    put(n_ + row, col, jac_g_[e]);
-    if (!fixed(col)) put(col, n_ + row, jac_g_[e]);
+    if (!given(n_ + row)) put(n_ + row, col, jac_g_[e]);
+    if (!given(col)) put(col, n_ + row, jac_g_[e]);
   }
-  for (int i = 0; i < n_; ++i) {
-    if (fixed(i)) put(i, i, 1.0);
+  for (int i = 0; i < n_ + m_; ++i) {
+    if (given(i)) put(i, i, 1.0);
   }
   if (closing_ == nullptr) return;
   const int last = n_ + m_;

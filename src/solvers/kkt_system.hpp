@@ -9,21 +9,27 @@
 #include <span>
 #include <vector>
 
+#include "brachisto/nlp/active_set.hpp"
 #include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto {
 
-/// Rows: stationarity of free variables or the value of fixed ones (n), then
-/// constraints (m), then the closing equation. Columns: x (n), λ (m), φ.
+/// Rows: stationarity of free variables or the value of those that are held
+/// (n), then constraints that are held, or λ_i = 0 for others (m), then the
+/// closing equation. Columns: x (n), λ (m), φ.
 class KktSystem {
  public:
   /// \param closing  may be null; both must outlive this
-  KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing);
+  KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
+            nlp::ActiveSet active);
 
   [[nodiscard]] int size() const { return n_ + m_ + (closing_ ? 1 : 0); }
+  /// Variables and multipliers, without φ.
+  [[nodiscard]] int num_unknowns() const { return n_ + m_; }
   [[nodiscard]] const nlp::Problem& problem() const { return problem_; }
   [[nodiscard]] const nlp::ClosingEquation* closing() const { return closing_; }
+  [[nodiscard]] const nlp::ActiveSet& active() const { return active_; }
 
   /// That of the problem, φ and the closing equation at the end.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const;
@@ -47,8 +53,10 @@ class KktSystem {
   [[nodiscard]] nlp::SparsityPattern pattern() const;
   void jacobian(std::vector<double>& values) const;
 
-  [[nodiscard]] bool fixed(int variable) const {
-    return fixed_[static_cast<std::size_t>(variable)] != 0;
+  /// Whether the value of a variable or, from num_variables() on, of a
+  /// multiplier is given: its row says so, and has no other entry but by φ.
+  [[nodiscard]] bool given(int unknown) const {
+    return given_[static_cast<std::size_t>(unknown)] != 0;
   }
 
  private:
@@ -58,8 +66,9 @@ class KktSystem {
 
   nlp::Problem& problem_;
   nlp::ClosingEquation* closing_;
+  nlp::ActiveSet active_;
   int n_, m_;
-  std::vector<char> fixed_;
+  std::vector<char> given_;
   std::vector<double> x_, lambda_;
   std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_;
   std::vector<long double> wide_;  ///< scratch

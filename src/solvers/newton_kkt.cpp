@@ -3,11 +3,14 @@
 
 #include "brachisto/solvers/newton_kkt.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "brachisto/nlp/active_set.hpp"
+#include "brachisto/nlp/kkt_residual.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
 #include "solvers/sparse_lu.hpp"
@@ -85,10 +88,31 @@ class StepSolver {
   bool by_chain_ = false;
 };
 
+/// Completes the multipliers of a solution of the equations, and sees whether
+/// it is one of the inequalities: those held at their bound have multipliers of
+/// the right sign, the others keep to it.
+void check_active_set(nlp::Problem& problem, const KktSystem& system,
+                      const NewtonOptions& options, NewtonResult& result) {
+  if (result.residual > options.tolerance ||
+      !problem.set_point(result.point.x)) {
+    return;
+  }
+  nlp::set_bound_multipliers(problem, system.active(), result.point);
+  const nlp::KktResidual kkt = nlp::kkt_residual(problem, result.point);
+  result.active_set_holds =
+      std::max({kkt.sign, kkt.infeasibility, kkt.bound_violation}) <=
+      options.tolerance;
+}
+
 /// From the point in `result`, which holds the best one seen all along.
 void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
              const NewtonOptions& options, NewtonResult& result) {
-  KktSystem system(problem, closing);
+  const bool inequalities = problem.has_inequalities();
+  if (inequalities && !problem.set_point(result.point.x)) {
+    result.status = Status::NotEvaluable;
+    return;
+  }
+  KktSystem system(problem, closing, nlp::active_set(problem, result.point));
   Iterate now{result.point, result.phi};
   if (!system.evaluate(now.point.x, now.point.lambda, now.phi)) {
     result.status = Status::NotEvaluable;
@@ -134,6 +158,7 @@ void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
     }
     if (!moved) break;
   }
+  if (inequalities) check_active_set(problem, system, options, result);
 }
 
 }  // namespace
@@ -156,7 +181,9 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
     return result;
   }
   if (closing != nullptr) closing->set_parameter(result.phi);
-  if (result.residual <= options.tolerance) result.status = Status::Solved;
+  if (result.residual <= options.tolerance && result.active_set_holds) {
+    result.status = Status::Solved;
+  }
   return result;
 }
 

@@ -13,14 +13,22 @@ namespace brachisto {
 
 /// The place in which these libraries may be called, held as long as it lives.
 /// Not to be asked for again by a thread that holds it.
+///
+/// A threaded BLAS, if that is what is loaded, has one thread meanwhile: the
+/// matrices are small, more would only burn processor time and blur its
+/// measurement.
 class OneAtATime {
  public:
   /// Waits for its turn.
   /// \throws Stopped  if a condition in force is met before it comes
   OneAtATime();
+  ~OneAtATime();
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
 
  private:
   std::unique_lock<std::timed_mutex> lock_;
+  int blas_threads_ = 0;  ///< to go back to; 0: none that can be set
 };
 
 }  // namespace brachisto

@@ -3,6 +3,8 @@
 
 #include "brachisto/solvers/status.hpp"
 
+#include "brachisto/solvers/linear_solver.hpp"
+
 namespace brachisto {
 
 std::string_view name(Status status) {
@@ -60,6 +62,18 @@ std::string_view describe(Status status) {
       return "The solver reported an internal error.";
   }
   return "Unknown status.";
+}
+
+std::string_view name(LinearSolver solver) {
+  switch (solver) {
+    case LinearSolver::Auto:
+      return "auto";
+    case LinearSolver::Chain:
+      return "chain";
+    case LinearSolver::Mumps:
+      return "mumps";
+  }
+  return "";
 }
 
 }  // namespace brachisto

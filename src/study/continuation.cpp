@@ -273,7 +273,8 @@ bool can_continue(const Neighbour& neighbour, const Scene& scene) {
     return false;
   }
   const VariableLayout layout(mesh.num_points(), scene.body.off_centred());
-  const auto& [x, lambda] = neighbour.point;
+  const std::vector<double>& x = neighbour.point.x;
+  const std::vector<double>& lambda = neighbour.point.lambda;
   return x.size() == static_cast<std::size_t>(layout.num_variables()) &&
          lambda.size() == static_cast<std::size_t>(layout.num_constraints()) &&
          finite(x) && finite(lambda) && std::isfinite(neighbour.phi);

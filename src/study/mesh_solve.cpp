@@ -27,8 +27,8 @@ bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
   if (result.point.x.empty() || !ends.problem.set_point(result.point.x)) {
     return false;
   }
-  return nlp::kkt_residual(ends.problem, result.point.x, result.point.lambda)
-             .max() <= ends.reachable(ends.rounding_residual, result.point);
+  return nlp::kkt_residual(ends.problem, result.point).max() <=
+         ends.reachable(ends.rounding_residual, result.point);
 }
 
 void polish(const FixedEnds& ends, const MeshOptions& options,

@@ -27,7 +27,8 @@ std::string line_of(const Json& json) {
 /// True if the mesh is one and the point one of the problem on it.
 bool is_of(const Scene& scene, const Neighbour& neighbour) {
   const auto& [degree, boundaries] = neighbour.mesh;
-  const auto& [x, lambda] = neighbour.point;
+  const std::vector<double>& x = neighbour.point.x;
+  const std::vector<double>& lambda = neighbour.point.lambda;
   const bool increasing =
       std::ranges::adjacent_find(boundaries, std::greater_equal<>{}) ==
       boundaries.end();

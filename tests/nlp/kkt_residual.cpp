@@ -27,7 +27,7 @@ const std::vector<double> kMultipliers{-0.5, -1.5};
 TEST(KktResidual, VanishesAtASolution) {
   TinyProblem problem;
 
-  const KktResidual residual = kkt_residual(problem, kSolution, kMultipliers);
+  const KktResidual residual = kkt_residual(problem, {kSolution, kMultipliers});
 
   EXPECT_EQ(residual.stationarity, 0.0);
   EXPECT_EQ(residual.infeasibility, 0.0);
@@ -40,7 +40,7 @@ TEST(KktResidual, NamesTheWorstVariableAndConstraint) {
   const std::vector<double> x{0.5, 3.0, 2.0};
   const std::vector<double> lambda{1.0, 2.0};
 
-  const KktResidual residual = kkt_residual(problem, x, lambda);
+  const KktResidual residual = kkt_residual(problem, {x, lambda});
 
   // Stationarity 2·½ + 1 + 2·3 = 8 and 2·3 + 1 + 2·½ = 8 …
   EXPECT_DOUBLE_EQ(residual.stationarity, 8.0);
@@ -52,7 +52,7 @@ TEST(KktResidual, NamesTheWorstVariableAndConstraint) {
 
   problem.spoil_grad_f = {0.0, 0.25, 0.0};
   problem.spoil_g = {0.0, -3.0};
-  const KktResidual spoiled = kkt_residual(problem, x, lambda);
+  const KktResidual spoiled = kkt_residual(problem, {x, lambda});
   EXPECT_DOUBLE_EQ(spoiled.stationarity, 8.25);
   EXPECT_EQ(spoiled.worst_variable, "x[1]");
   EXPECT_DOUBLE_EQ(spoiled.infeasibility, 2.5);
@@ -63,7 +63,7 @@ TEST(KktResidual, AsksAFixedVariableForItsValueOnly) {
   TinyProblem problem;
   const std::vector<double> x{1.0, 1.0, 2.0 + 0.125};
 
-  const KktResidual residual = kkt_residual(problem, x, kMultipliers);
+  const KktResidual residual = kkt_residual(problem, {x, kMultipliers});
 
   // ∂(f + λᵀg)/∂x_2 = 5 + ½ does not count.
   EXPECT_EQ(residual.stationarity, 0.0);
@@ -87,7 +87,8 @@ TEST(KktResidual, NeverHidesANotANumber) {
     // The other one is not zero, be it before or after.
     problem.spoil_grad_f[1 - i] = 7.0;
 
-    const KktResidual residual = kkt_residual(problem, kSolution, kMultipliers);
+    const KktResidual residual =
+        kkt_residual(problem, {kSolution, kMultipliers});
 
     EXPECT_TRUE(std::isnan(residual.stationarity)) << "variable " << i;
     EXPECT_EQ(residual.worst_variable,
@@ -99,7 +100,8 @@ TEST(KktResidual, NeverHidesANotANumber) {
     problem.spoil_g[i] = kNaN;
     problem.spoil_g[1 - i] = 7.0;
 
-    const KktResidual residual = kkt_residual(problem, kSolution, kMultipliers);
+    const KktResidual residual =
+        kkt_residual(problem, {kSolution, kMultipliers});
 
     EXPECT_TRUE(std::isnan(residual.infeasibility)) << "constraint " << i;
     EXPECT_EQ(residual.worst_constraint,
@@ -112,7 +114,7 @@ TEST(KktResidual, NeverHidesAFixedVariableThatIsNotANumber) {
   TinyProblem problem;
   const std::vector<double> x{1.0, 1.0, kNaN};
 
-  const KktResidual residual = kkt_residual(problem, x, kMultipliers);
+  const KktResidual residual = kkt_residual(problem, {x, kMultipliers});
 
   EXPECT_TRUE(std::isnan(residual.bound_violation));
   EXPECT_TRUE(std::isnan(residual.max()));
@@ -134,7 +136,7 @@ TEST(KktResidual, SaysWhyAPointIsNotEvaluable) {
   const std::vector<double> x{-1.0, 1.0, 2.0};
 
   try {
-    static_cast<void>(kkt_residual(problem, x, kMultipliers));
+    static_cast<void>(kkt_residual(problem, {x, kMultipliers}));
     FAIL() << "no exception";
   } catch (const std::domain_error& error) {
     EXPECT_STREQ(error.what(), "KKT residual: x[0] is negative");
@@ -146,11 +148,11 @@ TEST(KktResidual, RefusesVectorsOfTheWrongLength) {
   const std::vector<double> one{1.0};
   const std::vector<double> three{1.0, 1.0, 1.0};
 
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, one, kMultipliers)),
+  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {one, kMultipliers})),
                std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, kSolution, one)),
+  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kSolution, one})),
                std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, kSolution, three)),
+  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kSolution, three})),
                std::invalid_argument);
 }
 

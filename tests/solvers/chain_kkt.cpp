@@ -89,7 +89,8 @@ TEST(ChainKkt, HasTheInertiaOfTheEigenvaluesAndOfMumps) {
         const std::vector<double> lambda =
             random.vector(problem.num_constraints(), -size, size);
         const Kkt kkt = kkt_at(problem, x, lambda);
-        const auto ldlt = make_chain_ldlt(problem);
+        const auto ldlt =
+            make_chain_ldlt(problem, nlp::equations_only(problem));
         ASSERT_NE(ldlt, nullptr);
 
         ASSERT_TRUE(kkt.factorise(*ldlt));
@@ -130,7 +131,7 @@ TEST(ChainKkt, SolvesToRounding) {
       const Kkt kkt =
           kkt_at(problem, random_point(problem, random),
                  random.vector(problem.num_constraints(), -0.1, 0.1));
-      const auto ldlt = make_chain_ldlt(problem);
+      const auto ldlt = make_chain_ldlt(problem, nlp::equations_only(problem));
       ASSERT_TRUE(kkt.factorise(*ldlt));
       const int size = problem.num_variables() + problem.num_constraints();
       const std::vector<double> b = random.vector(size, -1.0, 1.0);
@@ -155,7 +156,8 @@ TEST(ChainKkt, StructureFitsThePatterns) {
     for (int degree = 1; degree <= 8; ++degree) {
       for (const int elements : {1, 2, 3, 17}) {
         const RollingTime problem(c.scene, uniform_mesh(degree, elements), 0.2);
-        EXPECT_NE(make_chain_ldlt(problem), nullptr)
+        EXPECT_NE(make_chain_ldlt(problem, nlp::equations_only(problem)),
+                  nullptr)
             << c.name << ", p = " << degree << ", N = " << elements;
       }
     }
@@ -165,7 +167,7 @@ TEST(ChainKkt, StructureFitsThePatterns) {
 TEST(ChainKkt, OfAProblemThatStatesNoStructureIsNone) {
   const HockSchittkowski7 problem;
 
-  EXPECT_EQ(make_chain_ldlt(problem), nullptr);
+  EXPECT_EQ(make_chain_ldlt(problem, nlp::equations_only(problem)), nullptr);
 }
 
 TEST(ChainKkt, SeesARankDeficientJacobian) {
@@ -179,7 +181,7 @@ TEST(ChainKkt, SeesARankDeficientJacobian) {
     for (std::size_t e = 0; e < kkt.jac.size(); ++e) {
       if (problem.jac_g_pattern().rows[e] == row) kkt.jac[e] = 0.0;
     }
-    const auto ldlt = make_chain_ldlt(problem);
+    const auto ldlt = make_chain_ldlt(problem, nlp::equations_only(problem));
 
     ASSERT_TRUE(kkt.factorise(*ldlt));
 

@@ -31,8 +31,7 @@ TEST_P(ExtendedResidualOf, EveryProblemIsTheResidualOfItsOwnFunctions) {
                            random.vector(problem.num_constraints(), -1.0, 1.0)};
 
     const ExtendedResidual wide = extended_residual(problem, point);
-    const nlp::KktResidual plain =
-        nlp::kkt_residual(problem, point.x, point.lambda);
+    const nlp::KktResidual plain = nlp::kkt_residual(problem, point);
 
     // Sums of up to 4 N p products; entries of D below 6 p² times states below
     // 10, others below U w² (1/r + 1) < 3·7·4.

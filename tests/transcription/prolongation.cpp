@@ -73,8 +73,7 @@ TEST(Prolongation, ToAFinerMeshLeavesAResidualThatFallsWithTheMesh) {
 
         const PrimalDual start = prolong(curve, fine);
 
-        const nlp::KktResidual kkt =
-            nlp::kkt_residual(fine, start.x, start.lambda);
+        const nlp::KktResidual kkt = nlp::kkt_residual(fine, start);
         h[level] = 1.0 / elements;
         residual[level] = kkt.max();
         infeasibility[level] = kkt.infeasibility;

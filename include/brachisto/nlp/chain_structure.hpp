@@ -23,7 +23,9 @@ namespace brachisto::nlp {
 /// The unknowns of a KKT matrix are the variables, then the multipliers. Choose
 /// as interior what is determined once the separators are known, states
 /// together with the multipliers of the constraints that determine them: then
-/// the block of the interior is regular, and all pivots can be found in it.
+/// the block of the interior is regular, and all pivots can be found in it. The
+/// multiplier of an inequality belongs into the interior of a link that has its
+/// variables; the solver puts its slack beside it.
 struct ChainStructure {
   static constexpr int kBorder = -1;  ///< the unknown couples with all links
   static constexpr int kAbsent = -2;  ///< the unknown is not in the matrix

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,15 +26,28 @@ struct EliminationOrder {
   int border = 0;  ///< the last so many couple with everything and come last
 };
 
-/// A nonlinear program with equality constraints,
+/// What a variable or a constraint may be: ±infinity where there is no bound.
+struct Range {
+  double lower = 0.0, upper = 0.0;
+  /// A fixed variable or an equation.
+  [[nodiscard]] bool single() const { return lower == upper; }
+  [[nodiscard]] bool bounded() const {
+    return std::isfinite(lower) || std::isfinite(upper);
+  }
+};
+
+/// A nonlinear program,
 ///
-///     minimise f(x)  subject to  g(x) = 0,  lower ≤ x ≤ upper,
+///     minimise f(x)  subject to  g_l ≤ g(x) ≤ g_u,  x_l ≤ x ≤ x_u,
 ///
-/// where a variable is either free or fixed (lower = upper).
+/// where bounds may be infinite, a variable with x_l = x_u is fixed and a
+/// constraint with g_l = g_u an equation. Unless a problem says otherwise its
+/// constraints are the equations g(x) = 0.
 ///
 /// Evaluation has two steps. set_point() evaluates what all functions share and
 /// answers whether they are defined there; the eval_* functions then refer to
-/// that point. None of them allocates. The Lagrangian is f + λᵀg.
+/// that point. None of them allocates. The Lagrangian is f + λᵀg, with bounds
+/// of variables as PrimalDual has it.
 ///
 /// Public functions check their arguments and call the private virtual ones.
 class Problem {
@@ -46,6 +60,25 @@ class Problem {
   /// Bounds of the variables; num_variables() values each, ±infinity if free.
   [[nodiscard]] virtual std::span<const double> lower() const = 0;
   [[nodiscard]] virtual std::span<const double> upper() const = 0;
+  /// Bounds of the constraints; num_constraints() values each, ±infinity where
+  /// there is none. Both empty: all zero.
+  [[nodiscard]] virtual std::span<const double> constraint_lower() const {
+    return {};
+  }
+  [[nodiscard]] virtual std::span<const double> constraint_upper() const {
+    return {};
+  }
+  [[nodiscard]] Range variable_range(int index) const;
+  [[nodiscard]] Range constraint_range(int index) const;
+  /// Whether a variable that is not fixed has a bound, or a constraint is no
+  /// equation.
+  [[nodiscard]] bool has_inequalities() const;
+
+  /// How much of the path each variable, then each constraint stands for, such
+  /// as its weight in a quadrature: multipliers and stationarity divided by it
+  /// are functions of the path, the same on every mesh. All positive; empty:
+  /// ones.
+  [[nodiscard]] virtual std::span<const double> weights() const { return {}; }
 
   [[nodiscard]] virtual const SparsityPattern& jac_g_pattern() const = 0;
   /// Lower triangle of the Hessian of the Lagrangian.

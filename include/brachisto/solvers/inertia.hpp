@@ -21,14 +21,16 @@ struct Inertia {
 };
 
 /// Inertia of the KKT matrix [H Jᵀ; J 0] of the free variables and the
-/// constraints at (x, λ), without any regularisation, from an LDLᵀ
-/// factorisation with pivoting. With LinearSolver::Chain it is unknown for a
-/// problem that states no chain structure; Auto tries the chain, then MUMPS.
+/// constraints at a point, both as nlp::active_set() has it there, without any
+/// regularisation, from an LDLᵀ factorisation with pivoting. With
+/// LinearSolver::Chain it is unknown for a problem that states no chain
+/// structure; Auto tries the chain, then MUMPS.
 ///
 /// (n, m, 0) for n free variables and m constraints means that the Hessian of
 /// the Lagrangian is positive definite on the null space of J: at a stationary
-/// point, a strict local minimum. Of the *discrete* problem at fixed end
-/// points, no more.
+/// point, a strict local minimum if the inequalities that hold as equations
+/// have multipliers of the right sign, none zero. Of the *discrete* problem at
+/// fixed end points, no more.
 ///
 /// \throws std::domain_error if the problem is not evaluable at x
 [[nodiscard]] Inertia kkt_inertia(nlp::Problem& problem,

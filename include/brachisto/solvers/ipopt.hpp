@@ -31,11 +31,14 @@ struct IpoptOptions {
 /// Solves a problem with Ipopt from a primal–dual start.
 ///
 /// With an empty start.lambda the multipliers are estimated by least squares
-/// (a cold start); otherwise start.x and start.lambda are taken as they are (a
-/// warm start).
+/// (a cold start); otherwise the start is taken as it is, multipliers of bounds
+/// included (a warm start). With inequalities a cold start is moved into its
+/// bounds, and a warm one begins with the barrier parameter that it belongs to.
+/// Bounds are not relaxed: an interior has to exist.
 ///
 /// The chain factorisation is used if the problem states a chain structure and
-/// Ipopt is a release with a way in, 3.11.9; else LinearSolver::Auto means
+/// Ipopt is a release with a way in, 3.11.9, where this was compiled and where
+/// it runs; else LinearSolver::Auto means
 /// MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
 /// that says why. The result tells which one it was, the verbose log why not
 /// the chain.

@@ -44,6 +44,9 @@ struct NewtonResult {
   /// started: ±1, or 0 if it was singular or no step was made. It changes where
   /// a branch turns back, and between neighbouring branches.
   int determinant_sign = 0;
+  /// False if the inequalities taken for equations are not those that hold at
+  /// the point: then it is not solved.
+  bool active_set_holds = true;
 };
 
 /// Newton's method for the unknowns (x, λ, φ) on
@@ -51,8 +54,15 @@ struct NewtonResult {
 ///     ∂(f + λᵀg)/∂x_i = 0 (i free),  x_i = value_i(φ) (i fixed),
 ///     g(x) = 0,  F(x, λ, φ) = 0,
 ///
-/// with exact derivatives, the chain factorisation or sparse LU (KLU), and
-/// iterative refinement in long double. It converges quadratically near a
+/// where inequalities take part as nlp::active_set() has them at the start:
+/// those that hold as equations do so throughout, the others are left out, and
+/// at the end the signs of the multipliers and the bounds left out are checked.
+/// So it polishes what an interior-point method found, to values exactly on
+/// their bounds, and does not search for the active set: where that is another
+/// one the result says so and is not solved.
+///
+/// It works with exact derivatives, the chain factorisation or sparse LU (KLU),
+/// and iterative refinement in long double, converges quadratically near a
 /// solution and, unlike a minimiser, to any kind of stationary point: use it
 /// where the start is close.
 ///

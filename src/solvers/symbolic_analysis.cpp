@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "solvers/pivot_program.hpp"
+#include "solvers/symbolic_analysis.hpp"
 
 #include <algorithm>
 #include <bitset>
@@ -11,8 +11,8 @@ namespace brachisto {
 
 namespace {
 
-using Kind = PivotProgram::Kind;
-using Set = std::bitset<PivotProgram::kMaxSize>;
+using Kind = SymbolicAnalysis::Kind;
+using Set = std::bitset<SymbolicAnalysis::kMaxSize>;
 
 // Wanted of the multipliers, and what is still accepted where no pivot keeps
 // to it.
@@ -216,91 +216,91 @@ class Elimination {
 class Numbering {
  public:
   Numbering(int size, int interior) {
-    program.size = size;
-    program.interior = interior;
-    program.slot_of.assign(at(size) * at(size), 0);
+    analysis.size = size;
+    analysis.interior = interior;
+    analysis.slot_of.assign(at(size) * at(size), 0);
   }
 
   void columns(const Step& step) {
-    PivotProgram::Pivot pivot;
+    SymbolicAnalysis::Pivot pivot;
     pivot.kind = step.pivot.kind;
     pivot.p = step.pivot.p;
     pivot.q = step.pivot.q;
     if (step.has_d_pp) pivot.d_pp = add(pivot.p, pivot.p);
     if (pivot.kind != Kind::Single) pivot.d_pq = add(pivot.p, pivot.q);
     if (pivot.kind == Kind::Pair) pivot.d_qq = add(pivot.q, pivot.q);
-    pivot.rows_begin = static_cast<int>(program.rows.size());
+    pivot.rows_begin = static_cast<int>(analysis.rows.size());
     for (const int i : step.in_q) {
-      PivotProgram::Row row;
+      SymbolicAnalysis::Row row;
       row.unknown = i;
       row.in_q = add(i, pivot.q);
-      program.rows.push_back(row);
+      analysis.rows.push_back(row);
     }
-    pivot.q_rows_end = static_cast<int>(program.rows.size());
+    pivot.q_rows_end = static_cast<int>(analysis.rows.size());
     for (const int i : step.in_p) {
-      auto row = std::find_if(program.rows.begin() + pivot.rows_begin,
-                              program.rows.end(),
+      auto row = std::find_if(analysis.rows.begin() + pivot.rows_begin,
+                              analysis.rows.end(),
                               [&](const auto& r) { return r.unknown == i; });
-      if (row == program.rows.end()) {
-        row = program.rows.emplace(program.rows.end());
+      if (row == analysis.rows.end()) {
+        row = analysis.rows.emplace(analysis.rows.end());
         row->unknown = i;
       }
       row->in_p = add(i, pivot.p);
     }
-    pivot.rows_end = static_cast<int>(program.rows.size());
-    program.pivots.push_back(pivot);
+    pivot.rows_end = static_cast<int>(analysis.rows.size());
+    analysis.pivots.push_back(pivot);
   }
 
   void schur(const std::vector<Set>& adjacent) {
-    program.num_factor_slots = program.num_slots;
-    for (int j = program.interior; j < program.size; ++j) {
-      for (int i = j; i < program.size; ++i) {
-        if (adjacent[at(j)][at(i)]) program.schur.push_back({i, j, add(i, j)});
+    analysis.num_factor_slots = analysis.num_slots;
+    for (int j = analysis.interior; j < analysis.size; ++j) {
+      for (int i = j; i < analysis.size; ++i) {
+        if (adjacent[at(j)][at(i)]) analysis.schur.push_back({i, j, add(i, j)});
       }
     }
   }
 
   void targets() {
-    for (PivotProgram::Pivot& pivot : program.pivots) {
-      pivot.targets_begin = static_cast<int>(program.targets.size());
-      const auto row = [&](int r) -> PivotProgram::Row& {
-        return program.rows[at(r)];
+    for (SymbolicAnalysis::Pivot& pivot : analysis.pivots) {
+      pivot.targets_begin = static_cast<int>(analysis.targets.size());
+      const auto row = [&](int r) -> SymbolicAnalysis::Row& {
+        return analysis.rows[at(r)];
       };
       if (pivot.kind == Kind::Saddle) {
         for (int r = pivot.rows_begin; r < pivot.rows_end; ++r) {
           const int i = row(r).unknown;
           if (row(r).in_p == 0) continue;
-          if (row(r).in_q != 0) row(r).diagonal = program.slot(i, i);
+          if (row(r).in_q != 0) row(r).diagonal = analysis.slot(i, i);
           for (int s = pivot.rows_begin; s < pivot.q_rows_end; ++s) {
-            program.targets.push_back(program.slot(i, row(s).unknown));
+            analysis.targets.push_back(analysis.slot(i, row(s).unknown));
           }
         }
         continue;
       }
       for (int r = pivot.rows_end - 1; r >= pivot.rows_begin; --r) {
         for (int s = pivot.rows_begin; s <= r; ++s) {
-          program.targets.push_back(
-              program.slot(row(r).unknown, row(s).unknown));
+          analysis.targets.push_back(
+              analysis.slot(row(r).unknown, row(s).unknown));
         }
       }
     }
   }
 
-  PivotProgram program;
+  SymbolicAnalysis analysis;
 
  private:
   int add(int i, int j) {
-    const int slot = program.num_slots++;
-    program.slot_of[at(i) + at(program.size) * at(j)] = slot;
-    program.slot_of[at(j) + at(program.size) * at(i)] = slot;
+    const int slot = analysis.num_slots++;
+    analysis.slot_of[at(i) + at(analysis.size) * at(j)] = slot;
+    analysis.slot_of[at(j) + at(analysis.size) * at(i)] = slot;
     return slot;
   }
 };
 
 }  // namespace
 
-std::optional<PivotProgram> PivotProgram::choose(std::span<const double> matrix,
-                                                 int size, int interior) {
+std::optional<SymbolicAnalysis> SymbolicAnalysis::make(
+    std::span<const double> matrix, int size, int interior) {
   if (size > kMaxSize) return std::nullopt;
   Elimination elimination(matrix, size, interior);
   Numbering numbering(size, interior);
@@ -311,7 +311,7 @@ std::optional<PivotProgram> PivotProgram::choose(std::span<const double> matrix,
   }
   numbering.schur(elimination.adjacent());
   numbering.targets();
-  return std::move(numbering.program);
+  return std::move(numbering.analysis);
 }
 
 }  // namespace brachisto

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The elimination of the interior of a link, laid down once and replayed on
-// all links that look alike.
+// Symbolic analysis: in what order to eliminate the interior of a link, and the
+// sparsity that results, once for all links that look alike.
 
 #pragma once
 
@@ -17,7 +17,7 @@ namespace brachisto {
 /// factor and the Schur complement live in numbered slots.
 ///
 /// Slot 0 always holds zero.
-struct PivotProgram {
+struct SymbolicAnalysis {
   /// Single: d. Pair: [d_pp d_pq; d_pq d_qq]. Saddle: the same with d_qq = 0,
   /// where p's column needs to be full only where q's is.
   enum class Kind { Single, Pair, Saddle };
@@ -46,7 +46,7 @@ struct PivotProgram {
   std::vector<Pivot> pivots;
   std::vector<Row> rows;
   /// Slots that take the products of a pivot's rows, in the order in which the
-  /// replay visits them.
+  /// numeric factorisation visits them.
   std::vector<int> targets;
   std::vector<SchurEntry> schur;
   std::vector<int> slot_of;  ///< of (i, j) at i + size j; 0: always zero
@@ -64,9 +64,9 @@ struct PivotProgram {
   /// join an unknown to the multiplier of its equation, as pivots [h j; j 0].
   ///
   /// \param matrix  size × size, symmetric and full; its zeros are taken to be
-  ///                zeros of every matrix the program will meet
+  ///                zeros of every matrix that is factorised
   /// \return nothing if size > kMaxSize or no stable sequence exists
-  [[nodiscard]] static std::optional<PivotProgram> choose(
+  [[nodiscard]] static std::optional<SymbolicAnalysis> make(
       std::span<const double> matrix, int size, int interior);
 };
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// A pivot program carried out on several matrices at once, one to a lane.
+// Numeric factorisation of several matrices that share one symbolic analysis,
+// one to a lane, and solutions with them.
 
 #pragma once
 
-#include "solvers/pivot_program.hpp"
+#include "solvers/symbolic_analysis.hpp"
 
 namespace brachisto {
 
@@ -16,8 +17,8 @@ struct alignas(64) Lanes {
   double lane[kLanes];
 };
 
-/// What a replay found, lane by lane.
-struct ReplayOutcome {
+/// What a factorisation found, lane by lane.
+struct FactorisationOutcome {
   Lanes negative;  ///< number of negative pivots
   /// Σ of the squares of all multipliers; not finite if a pivot is zero. This
   /// measures how much the factorisation may have magnified rounding.
@@ -26,16 +27,18 @@ struct ReplayOutcome {
 
 /// Factorises: on entry the slots hold the matrix, zero elsewhere; on exit the
 /// factor and the Schur complement.
-void replay_factor(const PivotProgram& program, Lanes* slots,
-                   ReplayOutcome& outcome);
+void numeric_factorisation(const SymbolicAnalysis& analysis, Lanes* slots,
+                           FactorisationOutcome& outcome);
 
 /// Solves with the unit lower factor and the block diagonal one: `y`, one
 /// number to a local unknown, holds the right-hand side of the interior; on
 /// exit the solution so far there, and in the other unknowns what is to be
 /// added to their right-hand side.
-void replay_forward(const PivotProgram& program, const Lanes* slots, Lanes* y);
+void forward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
+                          Lanes* y);
 
 /// Solves with the transposed factor, the unknowns outside the interior known.
-void replay_backward(const PivotProgram& program, const Lanes* slots, Lanes* y);
+void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
+                           Lanes* y);
 
 }  // namespace brachisto

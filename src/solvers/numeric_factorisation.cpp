@@ -5,7 +5,7 @@
 // for several instruction sets, without contraction to fused operations, so
 // that every machine gets the same bits.
 
-#include "solvers/pivot_replay.hpp"
+#include "solvers/numeric_factorisation.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && \
     !defined(__SANITIZE_ADDRESS__)
@@ -19,7 +19,7 @@ namespace brachisto {
 
 namespace {
 
-using Kind = PivotProgram::Kind;
+using Kind = SymbolicAnalysis::Kind;
 
 typedef double Pack __attribute__((vector_size(sizeof(Lanes)), may_alias));
 static_assert(sizeof(Pack) == sizeof(Lanes));
@@ -27,17 +27,17 @@ static_assert(sizeof(Pack) == sizeof(Lanes));
 }  // namespace
 
 BRACHISTO_CLONES
-void replay_factor(const PivotProgram& program, Lanes* slots,
-                   ReplayOutcome& outcome) {
+void numeric_factorisation(const SymbolicAnalysis& analysis, Lanes* slots,
+                           FactorisationOutcome& outcome) {
   auto* const W = reinterpret_cast<Pack*>(slots);
-  const int* const targets = program.targets.data();
+  const int* const targets = analysis.targets.data();
   Pack growth = {};
   Pack negative = {};
   const Pack zero = {};
   const Pack one = zero + 1.0;
-  for (const PivotProgram::Pivot& pivot : program.pivots) {
-    const PivotProgram::Row* const begin =
-        program.rows.data() + pivot.rows_begin;
+  for (const SymbolicAnalysis::Pivot& pivot : analysis.pivots) {
+    const SymbolicAnalysis::Row* const begin =
+        analysis.rows.data() + pivot.rows_begin;
     const int num_rows = pivot.rows_end - pivot.rows_begin;
     const int* target = targets + pivot.targets_begin;
     if (pivot.kind == Kind::Saddle) {
@@ -48,7 +48,7 @@ void replay_factor(const PivotProgram& program, Lanes* slots,
       const Pack half = 0.5 * twice;
       const int num_q = pivot.q_rows_end - pivot.rows_begin;
       for (int r = 0; r < num_rows; ++r) {
-        const PivotProgram::Row& row = begin[r];
+        const SymbolicAnalysis::Row& row = begin[r];
         if (row.in_p == 0) continue;
         const Pack c_p = W[row.in_p];
         const Pack c_q = W[row.in_q];
@@ -117,13 +117,14 @@ void replay_factor(const PivotProgram& program, Lanes* slots,
 }
 
 BRACHISTO_CLONES
-void replay_forward(const PivotProgram& program, const Lanes* slots,
-                    Lanes* rhs) {
+void forward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
+                          Lanes* rhs) {
   const auto* const W = reinterpret_cast<const Pack*>(slots);
   auto* const y = reinterpret_cast<Pack*>(rhs);
-  for (const PivotProgram::Pivot& pivot : program.pivots) {
-    const PivotProgram::Row* row = program.rows.data() + pivot.rows_begin;
-    const PivotProgram::Row* const end = program.rows.data() + pivot.rows_end;
+  for (const SymbolicAnalysis::Pivot& pivot : analysis.pivots) {
+    const SymbolicAnalysis::Row* row = analysis.rows.data() + pivot.rows_begin;
+    const SymbolicAnalysis::Row* const end =
+        analysis.rows.data() + pivot.rows_end;
     const Pack y_p = y[pivot.p];
     const Pack y_q = y[pivot.q];
     switch (pivot.kind) {
@@ -151,14 +152,15 @@ void replay_forward(const PivotProgram& program, const Lanes* slots,
 }
 
 BRACHISTO_CLONES
-void replay_backward(const PivotProgram& program, const Lanes* slots,
-                     Lanes* solution) {
+void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
+                           Lanes* solution) {
   const auto* const W = reinterpret_cast<const Pack*>(slots);
   auto* const x = reinterpret_cast<Pack*>(solution);
-  for (std::size_t k = program.pivots.size(); k-- > 0;) {
-    const PivotProgram::Pivot& pivot = program.pivots[k];
-    const PivotProgram::Row* row = program.rows.data() + pivot.rows_begin;
-    const PivotProgram::Row* const end = program.rows.data() + pivot.rows_end;
+  for (std::size_t k = analysis.pivots.size(); k-- > 0;) {
+    const SymbolicAnalysis::Pivot& pivot = analysis.pivots[k];
+    const SymbolicAnalysis::Row* row = analysis.rows.data() + pivot.rows_begin;
+    const SymbolicAnalysis::Row* const end =
+        analysis.rows.data() + pivot.rows_end;
     Pack by_p = {};
     Pack by_q = {};
     for (; row != end; ++row) {

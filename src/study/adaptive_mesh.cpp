@@ -86,14 +86,15 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   // A looser one may hold at the start already, and nothing would be learnt.
   newton.tolerance =
       reachable(std::min(options.ipopt.tolerance, kRoundingResidual),
-                answer.solution.point);
+                answer.problem, answer.solution.point.x);
   newton.max_iterations = 10;
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
   answer.solution.polish.newton_steps += result.iterations;
-  if (result.residual > reachable(kRoundingResidual, result.point)) return;
+  if (result.residual > reachable(kRoundingResidual, finer, result.point.x))
+    return;
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
   constexpr double kSameSide = 2.0;

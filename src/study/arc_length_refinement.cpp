@@ -14,9 +14,7 @@
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/certification.hpp"
 #include "brachisto/trajectory/arc_length_certificate.hpp"
-#include "brachisto/trajectory/arc_length_residual.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
-#include "brachisto/transcription/arc_prolongation.hpp"
+#include "brachisto/transcription/prolongation.hpp"
 
 namespace brachisto {
 
@@ -54,11 +52,10 @@ std::vector<int> divisions(int n, int coarsest) {
 
 /// dT/dφ = −r (p_x cos φ + p_z sin φ) at the problem's current point.
 double time_per_radian(const ArcLengthAnswer& answer) {
-  const ArcLength::EndCostates p =
-      answer.problem.end_costates(answer.solution.point.lambda);
+  const Costates p = answer.problem.end_costates(answer.solution.point.lambda);
   const double phi = answer.solution.closure.phi;
   return -answer.problem.scene().body.radius *
-         (p.x.value * std::cos(phi) + p.z.value * std::sin(phi));
+         (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
 }
 
 /// One run of refine_arc_length().
@@ -88,21 +85,10 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
   // From so near, many iterations only mean that Ipopt went elsewhere.
   constexpr int kMostIterations = 60;
   constexpr double kLargestDeparture = 3e-2;
-  std::optional<ArcContactEquation> contact;
-  if (scene_.contact == Contact::Smooth) contact.emplace(problem);
-  const double rounding = rounding_of_residual(problem);
-  const FixedEnds ends{problem, contact ? &*contact : nullptr,
-                       [&](const PrimalDual& point) {
-                         return end_slope(problem, point.x, point.lambda);
-                       },
-                       [rounding](double tolerance, const PrimalDual&) {
-                         return std::max(tolerance, rounding);
-                       },
-                       std::max(kRoundingResidual, rounding)};
   MeshOptions near = options_;
   near.ipopt.max_iterations =
       std::min(near.ipopt.max_iterations, kMostIterations);
-  MeshSolution solution = solve_between(ends, start, near);
+  MeshSolution solution = solve_on_mesh(problem, start, near);
   if (options_.ipopt.stop.met()) return solution;
   if (solution.solved() &&
       std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
@@ -111,7 +97,7 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
   if (options_.newton_alone || solution.status == Status::OutOfMemory) {
     return solution;
   }
-  MeshSolution stayed = stay_between(ends, start, options_);
+  MeshSolution stayed = stay_on_mesh(problem, start, options_);
   if (!stayed.solved() ||
       std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {
     if (solution.solved()) {
@@ -152,10 +138,8 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
-  const ArcLength::EndCostates p =
-      finer.problem.end_costates(finer.solution.point.lambda);
-  const double ends =
-      rounding_of_ends(scene_, closure.phi, p.x.value, p.z.value);
+  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
+  const double ends = rounding_of_ends(scene_, closure.phi, p.p_x, p.p_z);
   // A sum of N terms, each rounded.
   const double rounding =
       2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
@@ -170,7 +154,7 @@ bool Sequence::climb(const std::vector<int>& pieces) {
     start.phi = first ? phi_ : out_.answer->solution.closure.phi;
     start.closure_slope = first ? -1.0 : out_.answer->solution.closure.slope;
     ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}, 0};
-    start.point = first ? sample(curve_, answer.problem)
+    start.point = first ? prolong(curve_, answer.problem)
                         : prolong(out_.answer->problem,
                                   out_.answer->solution.point, answer.problem);
     answer.solution = solve(answer.problem, start);

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "brachisto/study/extremal_bridge.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
 #include "math/cpu_clock.hpp"
 #include "study/certificate_timer.hpp"
 #include "study/within_limits.hpp"
@@ -164,7 +163,7 @@ void SolveRun::report(ArcLengthAnswer& answer, const Continuation& start) {
   tell_of_certificate(answer.problem.layout().num_nodes());
   std::optional<CertificateTimer> timer(std::in_place, out_.effort);
   const double end_angle =
-      end_slope(answer.problem, solution.point.x, solution.point.lambda);
+      answer.problem.end_slope(solution.point.x, solution.point.lambda);
   auto motion = std::make_shared<const ArcLengthMotion>(
       answer.problem, solution.point.x, answer.transit_time, end_angle,
       out_.scene, units_);

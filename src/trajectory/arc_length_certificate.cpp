@@ -17,7 +17,6 @@
 #include "brachisto/solvers/inertia.hpp"
 #include "brachisto/trajectory/arc_length_residual.hpp"
 #include "brachisto/trajectory/path_certificate.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
 
 namespace brachisto {
 
@@ -69,7 +68,8 @@ void check_slope(const ArcLength& problem, std::span<const double> x,
   double x_c = 0.0, z_c = 0.0;
   for (int node = 1; node <= problem.num_intervals(); ++node) {
     check_stop(node);
-    const auto i = static_cast<std::size_t>(problem.layout().x(node));
+    const auto i = static_cast<std::size_t>(
+        problem.layout().state(node, StateComponent::X));
     const double raw = std::atan2(x[i + 1] - z_c, x[i] - x_c);
     beta += std::remainder(raw - beta, kTurn);
     steepest.see(std::abs(beta), node);
@@ -104,8 +104,8 @@ double contact_error(const ArcLength& problem, std::span<const double> x,
                      double beta_end) {
   const Scene& scene = problem.scene();
   const Point start = start_of_centre(scene);
-  const auto i =
-      static_cast<std::size_t>(problem.layout().x(problem.num_intervals()));
+  const auto i = static_cast<std::size_t>(
+      problem.layout().state(problem.num_intervals(), StateComponent::X));
   const Point end{start.x + x[i], start.z + x[i + 1]};
   if (scene.contact == Contact::Centre) {
     return std::max(distance(start, {0.0, 0.0}),
@@ -154,7 +154,7 @@ Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
     return certificate;
   }
   certificate.add("speed", 0.0, 0.0);  // w > 0, or it had been refused
-  const double rounding = rounding_of_residual(problem);
+  const double rounding = problem.rounding(point.x);
   const ExtendedResidual residual = extended_residual(problem, point);
   certificate.add("kkt_residual", residual.stationarity,
                   std::max(thresholds.kkt_residual, rounding),
@@ -162,7 +162,7 @@ Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
   certificate.add("defects", std::max(residual.defects, residual.fixed_values),
                   thresholds.defects, residual.worst_constraint);
   const bool smooth = problem.scene().contact == Contact::Smooth;
-  const double beta_end = end_slope(problem, point.x, point.lambda);
+  const double beta_end = problem.end_slope(point.x, point.lambda);
   certificate.add("contact_error", contact_error(problem, point.x, beta_end),
                   std::max(thresholds.contact_error, rounding));
   if (smooth) {

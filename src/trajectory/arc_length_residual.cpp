@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "brachisto/math/jet1.hpp"
@@ -18,6 +17,7 @@ namespace brachisto {
 
 namespace {
 
+using enum StateComponent;
 using Real = long double;
 // x, z and the rotation of the node before and of the own one, and S.
 using Jet = math::Jet1<Real, 7>;
@@ -39,28 +39,21 @@ Jet speed(const Scene& scene, bool has_theta, const Node& node) {
 
 }  // namespace
 
-double rounding_of_residual(const ArcLength& problem) {
-  // A dozen terms, some with larger numbers.
-  constexpr double kTerms = 20.0;
-  return kTerms * std::numeric_limits<double>::epsilon() *
-         problem.num_intervals();
-}
-
 ExtendedResidual extended_residual(const ArcLength& problem,
                                    const PrimalDual& point) {
-  const ArcLengthLayout& layout = problem.layout();
+  const VariableLayout& layout = problem.layout();
   const Scene& scene = problem.scene();
   const Body& body = scene.body;
   const bool has_theta = layout.has_theta();
-  const int stride = layout.variables_per_node();
+  const int stride = layout.num_states();
   const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
   const auto node_at = [&](int node, int first) {
     Node out;
     if (node == 0) return out;
-    out.x = Jet::variable(x(layout.x(node)), first);
-    out.z = Jet::variable(x(layout.z(node)), first + 1);
+    out.x = Jet::variable(x(layout.state(node, X)), first);
+    out.z = Jet::variable(x(layout.state(node, Z)), first + 1);
     if (has_theta) {
-      out.turned = Jet::variable(x(layout.theta(node)), first + 2);
+      out.turned = Jet::variable(x(layout.state(node, Theta)), first + 2);
     }
     return out;
   };
@@ -112,8 +105,8 @@ ExtendedResidual extended_residual(const ArcLength& problem,
     }
     for (int i = 0; i < stride; ++i) {
       if (j > 1)
-        gradient[at(layout.x(j - 1) + i)] += lagrangian.gradient[at(i)];
-      gradient[at(layout.x(j) + i)] += lagrangian.gradient[at(3 + i)];
+        gradient[at(layout.state(j - 1, X) + i)] += lagrangian.gradient[at(i)];
+      gradient[at(layout.state(j, X) + i)] += lagrangian.gradient[at(3 + i)];
     }
     gradient[at(layout.arc_length())] += lagrangian.gradient[6];
   }

@@ -19,8 +19,4 @@ namespace brachisto {
 [[nodiscard]] ExtendedResidual extended_residual(const ArcLength& problem,
                                                  const PrimalDual& point);
 
-/// What rounding of the nodes alone leaves of the residual: lengths of order
-/// one known to ε, divided by those of pieces, S/N on average.
-[[nodiscard]] double rounding_of_residual(const ArcLength& problem);
-
 }  // namespace brachisto

@@ -22,9 +22,6 @@ namespace brachisto {
 
 namespace {
 
-constexpr const char* kNoMinimum =
-    "; Ipopt left it, so that it is not a minimum, or nearly none";
-
 /// What rounding leaves of T, relative: a few ulps of the sum of the integral,
 /// and half an ulp for each element, whose defect hands the state on with as
 /// much, and on equal elements to the same side.
@@ -124,13 +121,8 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   constexpr double kLargestDeparture = 3e-3;
   MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
   MeshSolution& solution = answer.solution;
-  // From so near, many iterations only mean that Ipopt went elsewhere.
-  constexpr int kMostIterations = 60;
-  MeshOptions near = options;
-  near.ipopt.max_iterations =
-      std::min(near.ipopt.max_iterations, kMostIterations);
-  solution = solve_on_mesh(answer.problem,
-                           {prolong(curve, answer.problem), phi, -1.0}, near);
+  const MeshStart start{prolong(curve, answer.problem), phi, -1.0};
+  solution = solve_near(answer.problem, start, options);
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
@@ -142,17 +134,10 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();
   if (away > kLargestDeparture && !options.newton_alone) {
-    MeshSolution stayed = stay_on_mesh(
-        answer.problem, {prolong(curve, answer.problem), phi, -1.0}, options);
+    MeshSolution stayed = stay_on_mesh(answer.problem, start, options);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
-      stayed.closure.passes = solution.closure.passes;
-      stayed.first_iterations = solution.first_iterations;
-      stayed.iterations = solution.iterations;
-      stayed.linear_solver = solution.linear_solver;
-      stayed.log = std::move(solution.log);
-      stayed.message += kNoMinimum;
-      solution = std::move(stayed);
+      take_instead(solution, std::move(stayed));
     } else {
       answer.problem.set_end_angle(solution.closure.phi);
       if (solution.status == Status::IterationLimit) {

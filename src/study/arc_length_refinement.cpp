@@ -8,13 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/certification.hpp"
-#include "brachisto/trajectory/arc_length_certificate.hpp"
 #include "brachisto/transcription/prolongation.hpp"
+#include "study/turn_meshes.hpp"
 
 namespace brachisto {
 
@@ -29,12 +27,9 @@ constexpr int kLargestDoubling = 30;
 
 /// A mesh to start with: all that the continuation's answer is needed for.
 int coarse_pieces(const Scene& scene, double length) {
-  const double turns =
-      scene.body.off_centred()
-          ? length / (2.0 * std::numbers::pi * scene.body.radius)
-          : 0.0;
-  return std::max(kFewestCoarse,
-                  static_cast<int>(std::ceil(kCoarsePerTurn * turns)));
+  return std::max(
+      kFewestCoarse,
+      static_cast<int>(std::ceil(kCoarsePerTurn * turns(scene.body, length))));
 }
 
 /// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
@@ -82,41 +77,29 @@ class Sequence {
 };
 
 MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
-  // From so near, many iterations only mean that Ipopt went elsewhere.
-  constexpr int kMostIterations = 60;
   constexpr double kLargestDeparture = 3e-2;
-  MeshOptions near = options_;
-  near.ipopt.max_iterations =
-      std::min(near.ipopt.max_iterations, kMostIterations);
-  MeshSolution solution = solve_on_mesh(problem, start, near);
-  if (options_.ipopt.stop.met()) return solution;
-  if (solution.solved() &&
-      std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
-    return solution;
-  }
-  if (options_.newton_alone || solution.status == Status::OutOfMemory) {
+  const auto is_near = [&](const MeshSolution& found) {
+    return found.solved() &&
+           std::abs(found.closure.phi - start.phi) <= kLargestDeparture;
+  };
+  MeshSolution solution = solve_near(problem, start, options_);
+  if (options_.ipopt.stop.met() || is_near(solution) || options_.newton_alone ||
+      solution.status == Status::OutOfMemory) {
     return solution;
   }
   MeshSolution stayed = stay_on_mesh(problem, start, options_);
-  if (!stayed.solved() ||
-      std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {
-    if (solution.solved()) {
-      solution.status = Status::NotConverged;
-      solution.message = "no solution near the coarser one";
-    }
-    solution.message = fmt::format("on {} pieces: {}", problem.num_intervals(),
-                                   solution.message);
+  if (is_near(stayed)) {
+    stayed.closure.slope = solution.closure.slope;
+    take_instead(solution, std::move(stayed));
     return solution;
   }
-  stayed.closure.passes = solution.closure.passes;
-  stayed.closure.slope = solution.closure.slope;
-  stayed.first_iterations = solution.first_iterations;
-  stayed.iterations = solution.iterations;
-  stayed.linear_solver = solution.linear_solver;
-  stayed.log = std::move(solution.log);
-  stayed.message +=
-      "; Ipopt left it, so that it is not a minimum, or nearly none";
-  return stayed;
+  if (solution.solved()) {
+    solution.status = Status::NotConverged;
+    solution.message = "no solution near the coarser one";
+  }
+  solution.message = fmt::format("on {} pieces: {}", problem.num_intervals(),
+                                 solution.message);
+  return solution;
 }
 
 double Sequence::estimate(const ArcLengthAnswer& finer) const {
@@ -159,11 +142,6 @@ bool Sequence::climb(const std::vector<int>& pieces) {
                                   out_.answer->solution.point, answer.problem);
     answer.solution = solve(answer.problem, start);
     MeshSolution& solution = answer.solution;
-    out_.status = solution.status;
-    out_.message = solution.message;
-    out_.log += solution.log;
-    options_.ipopt.max_iterations =
-        std::max(0, options_.ipopt.max_iterations - solution.iterations);
     const bool solved = solution.solved() && !options_.ipopt.stop.met() &&
                         answer.problem.set_point(solution.point.x);
     if (solved) {
@@ -173,11 +151,7 @@ bool Sequence::climb(const std::vector<int>& pieces) {
         answer.coarser_pieces = out_.answer->problem.num_intervals();
       }
     }
-    constexpr int kStraight = 1;
-    out_.meshes.push_back({kStraight, n, answer.estimated_error,
-                           solution.closure.passes, solution.first_iterations,
-                           solution.iterations, solution.polish.newton_steps,
-                           solution.linear_solver});
+    book(answer.problem, solution, answer.estimated_error, options_, out_);
     if (options_.progress) {
       options_.progress(fmt::format("{} pieces", n), solution.message);
     }
@@ -185,9 +159,8 @@ bool Sequence::climb(const std::vector<int>& pieces) {
       // A mesh that is too coarse tells nothing; the next one starts from the
       // curve again.
       out_.answer.reset();
-      const bool too_coarse = solution.status == Status::NotConverged ||
-                              solution.status == Status::NotEvaluable;
-      if (!too_coarse || options_.ipopt.stop.met() || n == pieces.back()) {
+      if (!too_coarse(solution) || options_.ipopt.stop.met() ||
+          n == pieces.back()) {
         return false;
       }
       continue;

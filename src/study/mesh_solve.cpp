@@ -191,4 +191,23 @@ MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
   return solution;
 }
 
+MeshSolution solve_near(Transcription& problem, const MeshStart& start,
+                        MeshOptions options) {
+  constexpr int kMostIterations = 60;
+  options.ipopt.max_iterations =
+      std::min(options.ipopt.max_iterations, kMostIterations);
+  return solve_on_mesh(problem, start, options);
+}
+
+void take_instead(MeshSolution& left, MeshSolution stayed) {
+  stayed.closure.passes = left.closure.passes;
+  stayed.first_iterations = left.first_iterations;
+  stayed.iterations = left.iterations;
+  stayed.linear_solver = left.linear_solver;
+  stayed.log = std::move(left.log);
+  stayed.message +=
+      "; Ipopt left it, so that it is not a minimum, or nearly none";
+  left = std::move(stayed);
+}
+
 }  // namespace brachisto

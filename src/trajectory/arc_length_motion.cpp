@@ -8,6 +8,7 @@
 
 #include "brachisto/model/contact.hpp"
 #include "brachisto/model/start_angle.hpp"
+#include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
 

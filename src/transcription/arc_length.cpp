@@ -152,8 +152,7 @@ bool ArcLength::set_pieces() {
       continue;
     }
     const double next_theta = x(layout().state(node, Theta));
-    const double turned =
-        last_theta + middle(node) * (next_theta - last_theta);
+    const double turned = last_theta + middle(node) * (next_theta - last_theta);
     const double length = body.radius * (next_theta - last_theta);
     last_theta = next_theta;
     const double sin_theta = std::sin(body.theta_m + turned);

@@ -11,8 +11,9 @@
 
 #include "brachisto/model/units.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/trajectory/arc_length_certificate.hpp"
-#include "brachisto/trajectory/arc_length_residual.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
+#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/extended_residual.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 #include "support/scenes.hpp"

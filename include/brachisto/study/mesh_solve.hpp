@@ -94,4 +94,14 @@ inline constexpr double kPolishedFrom = 1e-5;
                                         const MeshStart& start,
                                         const MeshOptions& options);
 
+/// solve_on_mesh() from so near that many iterations only mean that Ipopt went
+/// elsewhere.
+[[nodiscard]] MeshSolution solve_near(Transcription& problem,
+                                      const MeshStart& start,
+                                      MeshOptions options);
+
+/// Puts `stayed`, of stay_on_mesh(), in place of what Ipopt `left` for; the
+/// work of that counts all the same.
+void take_instead(MeshSolution& left, MeshSolution stayed);
+
 }  // namespace brachisto

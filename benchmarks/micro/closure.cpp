@@ -31,8 +31,7 @@ void closure_pass(benchmark::State& state) {
     }
     iterations = result.iterations;
     benchmark::DoNotOptimize(
-        end_slope(at.problem, result.point.x,
-                  costates(at.problem, result.point.x, result.point.lambda)));
+        at.problem.end_slope(result.point.x, result.point.lambda));
   }
   state.counters["iterations"] = iterations;
   per_node(state, at);

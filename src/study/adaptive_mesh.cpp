@@ -22,9 +22,6 @@ namespace brachisto {
 
 namespace {
 
-constexpr const char* kNoMinimum =
-    "; Ipopt left it, so that it is not a minimum, or nearly none";
-
 /// What rounding leaves of T, relative: a few ulps of the sum of the integral,
 /// and half an ulp for each element, whose defect hands the state on with as
 /// much, and on equal elements to the same side.
@@ -86,14 +83,15 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   // A looser one may hold at the start already, and nothing would be learnt.
   newton.tolerance =
       reachable(std::min(options.ipopt.tolerance, kRoundingResidual),
-                answer.solution.point);
+                answer.problem, answer.solution.point.x);
   newton.max_iterations = 10;
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
   const NewtonResult result = solve_with_newton(
       finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
   answer.solution.polish.newton_steps += result.iterations;
-  if (result.residual > reachable(kRoundingResidual, result.point)) return;
+  if (result.residual > reachable(kRoundingResidual, finer, result.point.x))
+    return;
   answer.finer.emplace(finer, result.point);
   answer.finer_phi = result.phi;
   constexpr double kSameSide = 2.0;
@@ -123,13 +121,8 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   constexpr double kLargestDeparture = 3e-3;
   MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
   MeshSolution& solution = answer.solution;
-  // From so near, many iterations only mean that Ipopt went elsewhere.
-  constexpr int kMostIterations = 60;
-  MeshOptions near = options;
-  near.ipopt.max_iterations =
-      std::min(near.ipopt.max_iterations, kMostIterations);
-  solution = solve_on_mesh(answer.problem,
-                           {prolong(curve, answer.problem), phi, -1.0}, near);
+  const MeshStart start{prolong(curve, answer.problem), phi, -1.0};
+  solution = solve_near(answer.problem, start, options);
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
@@ -141,17 +134,10 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();
   if (away > kLargestDeparture && !options.newton_alone) {
-    MeshSolution stayed = stay_on_mesh(
-        answer.problem, {prolong(curve, answer.problem), phi, -1.0}, options);
+    MeshSolution stayed = stay_on_mesh(answer.problem, start, options);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
-      stayed.closure.passes = solution.closure.passes;
-      stayed.first_iterations = solution.first_iterations;
-      stayed.iterations = solution.iterations;
-      stayed.linear_solver = solution.linear_solver;
-      stayed.log = std::move(solution.log);
-      stayed.message += kNoMinimum;
-      solution = std::move(stayed);
+      take_instead(solution, std::move(stayed));
     } else {
       answer.problem.set_end_angle(solution.closure.phi);
       if (solution.status == Status::IterationLimit) {

@@ -10,7 +10,6 @@
 
 #include "brachisto/model/centre_curve.hpp"
 #include "brachisto/trajectory/path_certificate.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
 
 namespace brachisto {
 
@@ -40,7 +39,7 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
 Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
   const PhaseTimer timer(Phase::Diagnosis);
   const PrimalDual& point = found.solution.point;
-  const double end_angle = end_slope(found.problem, point.x, point.lambda);
+  const double end_angle = found.problem.end_slope(point.x, point.lambda);
   ArcLengthMotion motion(found.problem, point.x, found.transit_time, end_angle,
                          posed.asked, posed.units);
   std::optional<PathDiagnostics> diagnostics;

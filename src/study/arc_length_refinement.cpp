@@ -8,15 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/certification.hpp"
-#include "brachisto/trajectory/arc_length_certificate.hpp"
-#include "brachisto/trajectory/arc_length_residual.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
-#include "brachisto/transcription/arc_prolongation.hpp"
+#include "brachisto/transcription/prolongation.hpp"
+#include "study/turn_meshes.hpp"
 
 namespace brachisto {
 
@@ -31,12 +27,9 @@ constexpr int kLargestDoubling = 30;
 
 /// A mesh to start with: all that the continuation's answer is needed for.
 int coarse_pieces(const Scene& scene, double length) {
-  const double turns =
-      scene.body.off_centred()
-          ? length / (2.0 * std::numbers::pi * scene.body.radius)
-          : 0.0;
-  return std::max(kFewestCoarse,
-                  static_cast<int>(std::ceil(kCoarsePerTurn * turns)));
+  return std::max(
+      kFewestCoarse,
+      static_cast<int>(std::ceil(kCoarsePerTurn * turns(scene.body, length))));
 }
 
 /// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
@@ -54,11 +47,10 @@ std::vector<int> divisions(int n, int coarsest) {
 
 /// dT/dφ = −r (p_x cos φ + p_z sin φ) at the problem's current point.
 double time_per_radian(const ArcLengthAnswer& answer) {
-  const ArcLength::EndCostates p =
-      answer.problem.end_costates(answer.solution.point.lambda);
+  const Costates p = answer.problem.end_costates(answer.solution.point.lambda);
   const double phi = answer.solution.closure.phi;
   return -answer.problem.scene().body.radius *
-         (p.x.value * std::cos(phi) + p.z.value * std::sin(phi));
+         (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
 }
 
 /// One run of refine_arc_length().
@@ -85,52 +77,29 @@ class Sequence {
 };
 
 MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
-  // From so near, many iterations only mean that Ipopt went elsewhere.
-  constexpr int kMostIterations = 60;
   constexpr double kLargestDeparture = 3e-2;
-  std::optional<ArcContactEquation> contact;
-  if (scene_.contact == Contact::Smooth) contact.emplace(problem);
-  const double rounding = rounding_of_residual(problem);
-  const FixedEnds ends{problem, contact ? &*contact : nullptr,
-                       [&](const PrimalDual& point) {
-                         return end_slope(problem, point.x, point.lambda);
-                       },
-                       [rounding](double tolerance, const PrimalDual&) {
-                         return std::max(tolerance, rounding);
-                       },
-                       std::max(kRoundingResidual, rounding)};
-  MeshOptions near = options_;
-  near.ipopt.max_iterations =
-      std::min(near.ipopt.max_iterations, kMostIterations);
-  MeshSolution solution = solve_between(ends, start, near);
-  if (options_.ipopt.stop.met()) return solution;
-  if (solution.solved() &&
-      std::abs(solution.closure.phi - start.phi) <= kLargestDeparture) {
+  const auto is_near = [&](const MeshSolution& found) {
+    return found.solved() &&
+           std::abs(found.closure.phi - start.phi) <= kLargestDeparture;
+  };
+  MeshSolution solution = solve_near(problem, start, options_);
+  if (options_.ipopt.stop.met() || is_near(solution) || options_.newton_alone ||
+      solution.status == Status::OutOfMemory) {
     return solution;
   }
-  if (options_.newton_alone || solution.status == Status::OutOfMemory) {
+  MeshSolution stayed = stay_on_mesh(problem, start, options_);
+  if (is_near(stayed)) {
+    stayed.closure.slope = solution.closure.slope;
+    take_instead(solution, std::move(stayed));
     return solution;
   }
-  MeshSolution stayed = stay_between(ends, start, options_);
-  if (!stayed.solved() ||
-      std::abs(stayed.closure.phi - start.phi) > kLargestDeparture) {
-    if (solution.solved()) {
-      solution.status = Status::NotConverged;
-      solution.message = "no solution near the coarser one";
-    }
-    solution.message = fmt::format("on {} pieces: {}", problem.num_intervals(),
-                                   solution.message);
-    return solution;
+  if (solution.solved()) {
+    solution.status = Status::NotConverged;
+    solution.message = "no solution near the coarser one";
   }
-  stayed.closure.passes = solution.closure.passes;
-  stayed.closure.slope = solution.closure.slope;
-  stayed.first_iterations = solution.first_iterations;
-  stayed.iterations = solution.iterations;
-  stayed.linear_solver = solution.linear_solver;
-  stayed.log = std::move(solution.log);
-  stayed.message +=
-      "; Ipopt left it, so that it is not a minimum, or nearly none";
-  return stayed;
+  solution.message = fmt::format("on {} pieces: {}", problem.num_intervals(),
+                                 solution.message);
+  return solution;
 }
 
 double Sequence::estimate(const ArcLengthAnswer& finer) const {
@@ -152,10 +121,8 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
-  const ArcLength::EndCostates p =
-      finer.problem.end_costates(finer.solution.point.lambda);
-  const double ends =
-      rounding_of_ends(scene_, closure.phi, p.x.value, p.z.value);
+  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
+  const double ends = rounding_of_ends(scene_, closure.phi, p.p_x, p.p_z);
   // A sum of N terms, each rounded.
   const double rounding =
       2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
@@ -170,16 +137,11 @@ bool Sequence::climb(const std::vector<int>& pieces) {
     start.phi = first ? phi_ : out_.answer->solution.closure.phi;
     start.closure_slope = first ? -1.0 : out_.answer->solution.closure.slope;
     ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}, 0};
-    start.point = first ? sample(curve_, answer.problem)
+    start.point = first ? prolong(curve_, answer.problem)
                         : prolong(out_.answer->problem,
                                   out_.answer->solution.point, answer.problem);
     answer.solution = solve(answer.problem, start);
     MeshSolution& solution = answer.solution;
-    out_.status = solution.status;
-    out_.message = solution.message;
-    out_.log += solution.log;
-    options_.ipopt.max_iterations =
-        std::max(0, options_.ipopt.max_iterations - solution.iterations);
     const bool solved = solution.solved() && !options_.ipopt.stop.met() &&
                         answer.problem.set_point(solution.point.x);
     if (solved) {
@@ -189,11 +151,7 @@ bool Sequence::climb(const std::vector<int>& pieces) {
         answer.coarser_pieces = out_.answer->problem.num_intervals();
       }
     }
-    constexpr int kStraight = 1;
-    out_.meshes.push_back({kStraight, n, answer.estimated_error,
-                           solution.closure.passes, solution.first_iterations,
-                           solution.iterations, solution.polish.newton_steps,
-                           solution.linear_solver});
+    book(answer.problem, solution, answer.estimated_error, options_, out_);
     if (options_.progress) {
       options_.progress(fmt::format("{} pieces", n), solution.message);
     }
@@ -201,9 +159,8 @@ bool Sequence::climb(const std::vector<int>& pieces) {
       // A mesh that is too coarse tells nothing; the next one starts from the
       // curve again.
       out_.answer.reset();
-      const bool too_coarse = solution.status == Status::NotConverged ||
-                              solution.status == Status::NotEvaluable;
-      if (!too_coarse || options_.ipopt.stop.met() || n == pieces.back()) {
+      if (!too_coarse(solution) || options_.ipopt.stop.met() ||
+          n == pieces.back()) {
         return false;
       }
       continue;

@@ -18,7 +18,41 @@ namespace brachisto {
 
 namespace {
 
-bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
+/// A problem with its tangency condition, if there is one, at an end angle.
+struct BetweenEnds {
+  Transcription& problem;
+  std::optional<ContactEquation> equation;
+
+  BetweenEnds(Transcription& transcription, double phi)
+      : problem(transcription) {
+    problem.set_end_angle(phi);
+    if (problem.scene().contact != Contact::Smooth) return;
+    equation.emplace(problem).set_parameter(phi);
+  }
+  [[nodiscard]] ContactEquation* contact() {
+    return equation ? &*equation : nullptr;
+  }
+  [[nodiscard]] double end_slope(const PrimalDual& point) {
+    return problem.end_slope(point.x, point.lambda);
+  }
+  [[nodiscard]] double reachable(double tolerance, const PrimalDual& point) {
+    return brachisto::reachable(tolerance, problem, point.x);
+  }
+  /// Newton's method, until rounding keeps the residual from falling.
+  [[nodiscard]] NewtonResult newton(const PrimalDual& start, double phi,
+                                    double tolerance,
+                                    const MeshOptions& options) {
+    NewtonOptions newton;
+    newton.tolerance = tolerance;
+    newton.to_rounding = true;
+    newton.rounding = reachable(0.0, start);
+    newton.linear_solver = options.ipopt.linear_solver;
+    newton.stop = options.ipopt.stop;
+    return solve_with_newton(problem, contact(), start, phi, newton);
+  }
+};
+
+bool solved_up_to_rounding(BetweenEnds& ends, const SolverResult& result) {
   if (result.status == Status::Solved) return true;
   if (result.status != Status::NotConverged &&
       result.status != Status::NotEvaluable) {
@@ -28,35 +62,26 @@ bool solved_up_to_rounding(const FixedEnds& ends, const SolverResult& result) {
     return false;
   }
   return nlp::kkt_residual(ends.problem, result.point).max() <=
-         ends.reachable(ends.rounding_residual, result.point);
+         ends.reachable(kRoundingResidual, result.point);
 }
 
-void polish(const FixedEnds& ends, const MeshOptions& options,
+void polish(BetweenEnds& ends, const MeshOptions& options,
             MeshSolution& solution) {
-  NewtonOptions newton;
-  newton.tolerance = options.ipopt.tolerance;
-  newton.to_rounding = true;
-  newton.rounding = ends.reachable(0.0, solution.point);
-  newton.linear_solver = options.ipopt.linear_solver;
-  newton.stop = options.ipopt.stop;
-  NewtonResult result = solve_with_newton(
-      ends.problem, ends.contact, solution.point, solution.closure.phi, newton);
+  NewtonResult result = ends.newton(solution.point, solution.closure.phi,
+                                    options.ipopt.tolerance, options);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   if (result.residual >= result.first_residual) return;
   solution.point = std::move(result.point);
   solution.closure.phi = result.phi;
-  if (ends.contact == nullptr) return;
+  if (!ends.equation) return;
   solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
 }
 
 }  // namespace
 
-double reachable(double tolerance, const PrimalDual& point) {
-  constexpr double kTerms = 64.0;
-  double largest = 1.0;
-  for (const double x : point.x) largest = std::max(largest, std::abs(x));
-  return std::max(tolerance,
-                  kTerms * std::numeric_limits<double>::epsilon() * largest);
+double reachable(double tolerance, const Transcription& problem,
+                 std::span<const double> x) {
+  return std::max(tolerance, problem.rounding(x));
 }
 
 double rounding_of_ends(const Scene& scene, double phi, double p_x,
@@ -73,64 +98,27 @@ double rounding_of_ends(const Scene& scene, double phi, double p_x,
          (1.0 + per_radian) * std::hypot(p_x, p_z);
 }
 
-namespace {
-
-/// Calls `solve` with a problem in the rolling time as one of fixed ends.
-template <class Solve>
-MeshSolution with_fixed_ends(RollingTime& problem, double phi, Solve&& solve) {
-  problem.set_end_angle(phi);
-  std::optional<ContactEquation> contact;
-  if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
-  const auto slope_at_end = [&](const PrimalDual& point) {
-    return end_slope(problem, point.x,
-                     costates(problem, point.x, point.lambda));
-  };
-  return solve(FixedEnds{problem, contact ? &*contact : nullptr, slope_at_end,
-                         reachable});
-}
-
-}  // namespace
-
-MeshSolution solve_on_mesh(RollingTime& problem, const MeshStart& start,
-                           const MeshOptions& options) {
-  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
-    return solve_between(ends, start, options);
-  });
-}
-
-MeshSolution stay_on_mesh(RollingTime& problem, const MeshStart& start,
+MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
                           const MeshOptions& options) {
-  return with_fixed_ends(problem, start.phi, [&](const FixedEnds& ends) {
-    return stay_between(ends, start, options);
-  });
-}
-
-MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
-                          const MeshOptions& options) {
+  BetweenEnds ends(problem, start.phi);
   MeshSolution solution;
-  NewtonOptions newton;
-  newton.tolerance = ends.reachable(options.ipopt.tolerance, start.point);
-  newton.to_rounding = true;
-  newton.rounding = ends.reachable(0.0, start.point);
-  newton.linear_solver = options.ipopt.linear_solver;
-  newton.stop = options.ipopt.stop;
-  if (ends.contact != nullptr) ends.contact->set_parameter(start.phi);
-  NewtonResult result = solve_with_newton(ends.problem, ends.contact,
-                                          start.point, start.phi, newton);
+  NewtonResult result = ends.newton(
+      start.point, start.phi,
+      ends.reachable(options.ipopt.tolerance, start.point), options);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   solution.point = std::move(result.point);
   solution.closure.phi = result.phi;
   solution.closure.slope = start.closure_slope;
-  if (ends.contact != nullptr) {
+  if (ends.equation) {
     solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
   }
   solution.closure.closed =
       std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
-  solution.status = result.residual <= ends.reachable(ends.rounding_residual,
-                                                      solution.point) &&
-                            solution.closure.closed
-                        ? Status::Solved
-                        : Status::NotConverged;
+  solution.status =
+      result.residual <= ends.reachable(kRoundingResidual, solution.point) &&
+              solution.closure.closed
+          ? Status::Solved
+          : Status::NotConverged;
   solution.message =
       solution.solved()
           ? "Newton's method: extremal found"
@@ -139,14 +127,15 @@ MeshSolution stay_between(const FixedEnds& ends, const MeshStart& start,
   return solution;
 }
 
-MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
+MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
                            const MeshOptions& options) {
-  if (options.newton_alone) return stay_between(ends, start, options);
-  const bool smooth = ends.contact != nullptr;
+  if (options.newton_alone) return stay_on_mesh(problem, start, options);
+  BetweenEnds ends(problem, start.phi);
+  const bool smooth = ends.equation.has_value();
   MeshSolution solution;
   solution.point = start.point;
   const auto pass = [&](double phi) -> std::optional<double> {
-    if (smooth) ends.contact->set_parameter(phi);
+    if (smooth) ends.equation->set_parameter(phi);
     IpoptOptions ipopt = options.ipopt;
     ipopt.tolerance = ends.reachable(ipopt.tolerance, solution.point);
     ipopt.max_iterations =
@@ -200,6 +189,25 @@ MeshSolution solve_between(const FixedEnds& ends, const MeshStart& start,
         solution.closure.passes);
   }
   return solution;
+}
+
+MeshSolution solve_near(Transcription& problem, const MeshStart& start,
+                        MeshOptions options) {
+  constexpr int kMostIterations = 60;
+  options.ipopt.max_iterations =
+      std::min(options.ipopt.max_iterations, kMostIterations);
+  return solve_on_mesh(problem, start, options);
+}
+
+void take_instead(MeshSolution& left, MeshSolution stayed) {
+  stayed.closure.passes = left.closure.passes;
+  stayed.first_iterations = left.first_iterations;
+  stayed.iterations = left.iterations;
+  stayed.linear_solver = left.linear_solver;
+  stayed.log = std::move(left.log);
+  stayed.message +=
+      "; Ipopt left it, so that it is not a minimum, or nearly none";
+  left = std::move(stayed);
 }
 
 }  // namespace brachisto

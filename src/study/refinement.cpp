@@ -38,19 +38,6 @@ Mesh fixed_mesh(const Discretisation& wanted) {
                                               : (*wanted.nodes - 1) / degree);
 }
 
-MeshRecord record_of(const MeshAnswer& answer) {
-  const Mesh& mesh = answer.problem.mesh();
-  const MeshSolution& solution = answer.solution;
-  return {mesh.degree,
-          mesh.num_elements(),
-          answer.estimated_error,
-          solution.closure.passes,
-          solution.first_iterations,
-          solution.iterations,
-          solution.polish.newton_steps,
-          solution.linear_solver};
-}
-
 std::string progress_text(const MeshSolution& solution,
                           const std::optional<double>& error) {
   if (!solution.solved()) return solution.message;
@@ -71,14 +58,10 @@ MeshAnswer booked_answer(const Scene& scene, const Mesh& mesh,
   if (options.progress) options.progress(name, "solving");
   MeshAnswer answer = answer_on_mesh(scene, mesh, curve, phi, options, coarser);
   const MeshSolution& solution = answer.solution;
-  out.meshes.push_back(record_of(answer));
-  out.log += solution.log;
-  out.status = solution.status;
-  out.message = solution.message;
+  book(answer.problem, solution, answer.estimated_error, options, out);
   if (options.progress) {
     options.progress(name, progress_text(solution, answer.estimated_error));
   }
-  options.ipopt.max_iterations -= solution.iterations;
   return answer;
 }
 
@@ -111,6 +94,26 @@ std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
 
 }  // namespace
 
+void book(const Transcription& problem, const MeshSolution& solution,
+          const std::optional<double>& error, MeshOptions& options,
+          RefinementProtocol& out) {
+  const Mesh& mesh = problem.mesh();
+  out.meshes.push_back({mesh.degree, mesh.num_elements(), error,
+                        solution.closure.passes, solution.first_iterations,
+                        solution.iterations, solution.polish.newton_steps,
+                        solution.linear_solver});
+  out.log += solution.log;
+  out.status = solution.status;
+  out.message = solution.message;
+  options.ipopt.max_iterations =
+      std::max(0, options.ipopt.max_iterations - solution.iterations);
+}
+
+bool too_coarse(const MeshSolution& solution) {
+  return solution.status == Status::NotConverged ||
+         solution.status == Status::NotEvaluable;
+}
+
 Refinement refine(const Scene& scene, const Discretisation& wanted,
                   const ExtremalCurve& curve, double phi, MeshOptions options) {
   Refinement out;
@@ -135,9 +138,7 @@ Refinement refine(const Scene& scene, const Discretisation& wanted,
     const MeshSolution& solution = answer.solution;
     if (options.ipopt.stop.met()) break;
     if (!solution.solved()) {
-      const bool too_coarse = solution.status == Status::NotConverged ||
-                              solution.status == Status::NotEvaluable;
-      if (!too_coarse || mesh.num_elements() > kLargestDoubled) break;
+      if (!too_coarse(solution) || mesh.num_elements() > kLargestDoubled) break;
       mesh = stretch(mesh, 2 * mesh.num_elements());
       continue;
     }

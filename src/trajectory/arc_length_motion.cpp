@@ -8,6 +8,7 @@
 
 #include "brachisto/model/contact.hpp"
 #include "brachisto/model/start_angle.hpp"
+#include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
 
@@ -35,7 +36,8 @@ PlaneCurvePtr curve_through(const ArcLength& problem, std::span<const double> x,
   std::vector<double> sigma;
   std::vector<Point> offsets;
   for (const int node : nodes_of_curve(problem.num_intervals())) {
-    const auto i = static_cast<std::size_t>(problem.layout().x(node));
+    const auto i = static_cast<std::size_t>(
+        problem.layout().state(node, StateComponent::X));
     sigma.push_back(problem.sigma(node));
     offsets.push_back({x[i] * units.length, x[i + 1] * units.length});
   }

@@ -16,7 +16,9 @@
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/start_angle.hpp"
 #include "brachisto/solvers/inertia.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/extended_residual.hpp"
+#include "brachisto/trajectory/path_certificate.hpp"
 #include "brachisto/trajectory/reintegration.hpp"
 
 namespace brachisto {
@@ -61,26 +63,53 @@ std::vector<std::string> not_verified_because(const Certificate& certificate) {
 
 namespace {
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.z - b.z);
 }
 
+/// Moves to the solution; the certificate of one that is refused says the
+/// reason instead of measuring what has no meaning.
+bool evaluable(Transcription& problem, const PrimalDual& point, double phi,
+               Certificate& certificate) {
+  problem.set_end_angle(phi);
+  if (problem.set_point(point.x)) return true;
+  certificate.add("speed", 1.0, 0.0, problem.refusal());
+  return false;
+}
+
+/// \param rounding  what residuals cannot fall below
+void check_residual(const ExtendedResidual& residual, double rounding,
+                    const CertificateThresholds& thresholds,
+                    Certificate& certificate) {
+  certificate.add("kkt_residual", residual.stationarity,
+                  std::max(thresholds.kkt_residual, rounding),
+                  residual.worst_variable);
+  certificate.add("defects", std::max(residual.defects, residual.fixed_values),
+                  thresholds.defects, residual.worst_constraint);
+}
+
 /// How far the ends of the track are from A and B, or with Contact::Centre how
-/// far the ends of the centre's path are.
-double contact_error(const ExtremalCurve& curve) {
-  const Scene& scene = curve.scene();
-  const ExtremalPoint start = curve.at(0.0);
-  const ExtremalPoint end = curve.at(1.0);
-  const Point A{0.0, 0.0};
-  const Point B{scene.L, scene.H};
-  if (scene.contact == Contact::Centre) {
-    return std::max(distance(start.centre, A), distance(end.centre, B));
-  }
+/// far the ends of the centre's path are, and how far β_end is from φ.
+void check_ends(const Scene& scene, Point start, Point end, double beta_end,
+                double phi, double rounding,
+                const CertificateThresholds& thresholds,
+                Certificate& certificate) {
+  const bool smooth = scene.contact == Contact::Smooth;
   const double r = scene.body.radius;
-  // At the start the slope is β₀ in closed form, not the curve's own.
-  return std::max(
-      distance(track_below(start.centre, r, start_angle(scene.body)), A),
-      distance(track_below(end.centre, r, end.beta), B));
+  if (smooth) {
+    // At the start the slope is β₀ in closed form, not the curve's own.
+    start = track_below(start, r, start_angle(scene.body));
+    end = track_below(end, r, beta_end);
+  }
+  certificate.add(
+      "contact_error",
+      std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H})),
+      std::max(thresholds.contact_error, rounding));
+  if (smooth) {
+    certificate.add("closure", std::abs(beta_end - phi), thresholds.closure);
+  }
 }
 
 void check_slope(const ExtremalCurve& curve, Certificate& certificate) {
@@ -112,20 +141,26 @@ void check_speed(const ExtremalCurve& curve, Certificate& certificate) {
                   0.0, where);
 }
 
-/// The largest of values that belong to places of the path; a NaN is larger.
+/// The largest of values that belong to places of the path, σ or the number of
+/// a piece; a NaN is larger.
 struct Largest {
   double value = 0.0;
-  double sigma = 0.0;
+  double place = 0.0;
 
   void see(double candidate, double at) {
     if (std::isnan(value) || candidate <= value) return;
     value = candidate;
-    sigma = at;
+    place = at;
   }
   [[nodiscard]] std::string where() const {
-    return fmt::format("σ = {:.6g}", sigma);
+    return fmt::format("σ = {:.6g}", place);
+  }
+  [[nodiscard]] std::string piece_of(const ArcLength& problem) const {
+    return fmt::format("piece {} of {}", static_cast<int>(place), problem.num_intervals());
   }
 };
+
+constexpr Largest kLeast{-std::numeric_limits<double>::infinity(), 0.0};
 
 /// 𝓗 and its derivatives between the nodes.
 void check_hamiltonian(const ExtremalCurve& curve, double interior,
@@ -133,7 +168,7 @@ void check_hamiltonian(const ExtremalCurve& curve, double interior,
   const Mesh& mesh = curve.mesh();
   const Scene& scene = curve.scene();
   Largest hamiltonian_off, slope_off;
-  Largest flattest{-std::numeric_limits<double>::infinity(), 0.0};
+  Largest flattest = kLeast;
   // Places that are neither nodes nor collocation points, both ends included.
   const int places = mesh.degree + 2;
   for (int e = 0; e < mesh.num_elements(); ++e) {
@@ -171,7 +206,7 @@ void check_weierstrass(const ExtremalCurve& curve, double threshold,
                        Certificate& certificate) {
   const Scene& scene = curve.scene();
   const Mesh& mesh = curve.mesh();
-  Largest worst{-std::numeric_limits<double>::infinity(), 0.0};
+  Largest worst = kLeast;
   for (int e = 0; e < mesh.num_elements(); ++e) {
     check_stop(e);
     for (const double t : {0.0, 0.5, 1.0}) {
@@ -202,7 +237,7 @@ void check_energy(const ExtremalCurve& curve, double threshold,
   certificate.add("energy_drift", drift.value, threshold, drift.where());
 }
 
-void check_second_order(RollingTime& problem, const PrimalDual& point,
+void check_second_order(Transcription& problem, const PrimalDual& point,
                         Certificate& certificate) {
   int free = 0;
   for (std::size_t i = 0; i < point.x.size(); ++i) {
@@ -211,7 +246,7 @@ void check_second_order(RollingTime& problem, const PrimalDual& point,
   const Inertia inertia = kkt_inertia(problem, point);
   const double wrong = inertia.known
                            ? std::abs(inertia.positive - free) + inertia.zero
-                           : std::numeric_limits<double>::quiet_NaN();
+                           : kUnknown;
   certificate.add("second_order", wrong, 0.0,
                   fmt::format("inertia ({}, {}, {}), wanted ({}, {}, 0)",
                               inertia.positive, inertia.negative, inertia.zero,
@@ -227,15 +262,81 @@ void check_motion(const ExtremalCurve& curve, double time_error,
           : fmt::format("{}, after {:.3g} % of it", describe(motion.end),
                         100.0 * motion.share);
   certificate.add("reintegrated_time",
-                  motion.arrived() ? motion.corrected_time_error
-                                   : std::numeric_limits<double>::quiet_NaN(),
+                  motion.arrived() ? motion.corrected_time_error : kUnknown,
                   time_error + motion.integration_error, where);
   const double worst =
       motion.arrived()
           ? std::max({motion.time_error, motion.speed_error,
                       motion.position_error, motion.rotation_error})
-          : std::numeric_limits<double>::quiet_NaN();
+          : kUnknown;
   certificate.add("reintegration_error", worst, threshold, where);
+}
+
+/// 𝓗 on the pieces, at the current point of `problem`.
+void check_directions(const ArcLength& problem, std::span<const double> lambda,
+                      double threshold, Certificate& certificate) {
+  const Scene& scene = problem.scene();
+  Largest flattest = kLeast, better = kLeast;
+  for (const ArcLength::PieceState& at : problem.piece_states(lambda)) {
+    const RollingState state{at.theta, at.w};
+    flattest.see(
+        -slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta)
+             .d2_beta,
+        at.node);
+    better.see(gain_of_other_directions(scene.body, scene.gravity, state, at.p,
+                                        at.beta),
+               at.node);
+  }
+  certificate.add("legendre", flattest.value,
+                  -std::numeric_limits<double>::min(),
+                  flattest.piece_of(problem));
+  certificate.add("weierstrass", better.value, threshold,
+                  better.piece_of(problem));
+}
+
+void check_slope(const ArcLength& problem, std::span<const double> x,
+                 Certificate& certificate) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  Largest steepest = kLeast;
+  double beta = start_angle(problem.scene().body);
+  double x_c = 0.0, z_c = 0.0;
+  for (int node = 1; node <= problem.num_intervals(); ++node) {
+    check_stop(node);
+    const auto i = static_cast<std::size_t>(
+        problem.layout().state(node, StateComponent::X));
+    const double raw = std::atan2(x[i + 1] - z_c, x[i] - x_c);
+    beta += std::remainder(raw - beta, kTurn);
+    steepest.see(std::abs(beta), node);
+    x_c = x[i];
+    z_c = x[i + 1];
+  }
+  certificate.add("slope_angle", steepest.value, std::numbers::pi,
+                  steepest.piece_of(problem));
+}
+
+void check_motion(const ArcLengthMotion& motion, double error,
+                  const CertificateThresholds& thresholds,
+                  Certificate& certificate) {
+  // Of the quadrature and the integrator, over thousands of pieces.
+  constexpr double kIntegrator = 1e-10;
+  constexpr double kBegin = 0.02;  // the share of T where the integrator begins
+  const PrescribedMotion& curve = motion.on_curve();
+  if (curve.stall()) {
+    const std::string where = curve.stall()->message();
+    certificate.add("reintegrated_time", kUnknown,
+                    thresholds.time_factor * error, where);
+    certificate.add("reintegration_error", kUnknown, kIntegrator, where);
+    return;
+  }
+  certificate.add("reintegrated_time",
+                  std::abs(curve.transit_time() / motion.transit_time() - 1.0),
+                  thresholds.time_factor * error + curve.error_estimate());
+  certificate.add("reintegration_error", reintegration_error(curve, kBegin),
+                  std::max(error, kIntegrator));
+  certificate.add("start_angle",
+                  std::abs(curve.start_angle() - motion.start_angle()),
+                  std::min(thresholds.largest_slope,
+                           thresholds.interior_factor * std::sqrt(error)));
 }
 
 }  // namespace
@@ -243,25 +344,13 @@ void check_motion(const ExtremalCurve& curve, double time_error,
 Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
                     double error, const CertificateThresholds& thresholds) {
   Certificate certificate;
-  problem.set_end_angle(phi);
-  if (!problem.set_point(point.x)) {
-    // Says the reason instead of measuring what has no meaning.
-    certificate.add("speed", 1.0, 0.0, problem.refusal());
-    return certificate;
-  }
-  const ExtendedResidual residual = extended_residual(problem, point);
-  certificate.add("kkt_residual", residual.stationarity,
-                  thresholds.kkt_residual, residual.worst_variable);
-  certificate.add("defects", std::max(residual.defects, residual.fixed_values),
-                  thresholds.defects, residual.worst_constraint);
-
+  if (!evaluable(problem, point, phi, certificate)) return certificate;
+  check_residual(extended_residual(problem, point), 0.0, thresholds,
+                 certificate);
   const ExtremalCurve curve(problem, point);
-  certificate.add("contact_error", contact_error(curve),
-                  thresholds.contact_error);
-  if (problem.scene().contact == Contact::Smooth) {
-    certificate.add("closure", std::abs(curve.at(1.0).beta - phi),
-                    thresholds.closure);
-  }
+  const ExtremalPoint end = curve.at(1.0);
+  check_ends(problem.scene(), curve.at(0.0).centre, end.centre, end.beta, phi,
+             0.0, thresholds, certificate);
   check_slope(curve, certificate);
   check_speed(curve, certificate);
 
@@ -285,6 +374,30 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   check_second_order(problem, point, certificate);
   check_motion(curve, thresholds.time_factor * error,
                at_most(thresholds.largest_at_end, interior), certificate);
+  return certificate;
+}
+
+Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
+                    const ArcLengthMotion& motion, double error,
+                    const CertificateThresholds& thresholds) {
+  Certificate certificate;
+  if (!evaluable(problem, point, phi, certificate)) return certificate;
+  certificate.add("speed", 0.0, 0.0);  // w > 0, or it had been refused
+  const double rounding = problem.rounding(point.x);
+  check_residual(extended_residual(problem, point), rounding, thresholds,
+                 certificate);
+  const Point start = start_of_centre(problem.scene());
+  const auto last = static_cast<std::size_t>(
+      problem.layout().state(problem.num_intervals(), StateComponent::X));
+  check_ends(problem.scene(), start,
+             {start.x + point.x[last], start.z + point.x[last + 1]},
+             problem.end_slope(point.x, point.lambda), phi, rounding,
+             thresholds, certificate);
+  check_slope(problem, point.x, certificate);
+  check_directions(problem, point.lambda,
+                   std::max(thresholds.weierstrass, rounding), certificate);
+  check_second_order(problem, point, certificate);
+  check_motion(motion, error, thresholds, certificate);
   return certificate;
 }
 

@@ -3,14 +3,17 @@
 
 #include "brachisto/trajectory/extended_residual.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
+#include "brachisto/math/jet1.hpp"
 #include "brachisto/math/jet2.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
-#include "trajectory/residual_summary.hpp"
 
 namespace brachisto {
 
@@ -23,6 +26,49 @@ using Jet = math::Jet2<Real, 4>;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
+}
+
+/// Keeps the largest absolute value and its index; a NaN stays.
+struct Worst {
+  long double value = 0.0L;
+  int index = -1;
+
+  void see(long double candidate, int i) {
+    if (std::isnan(value) || std::abs(candidate) <= value) return;
+    value = std::abs(candidate);
+    index = i;
+  }
+};
+
+/// \param gradient  of the Lagrangian at `point`; free variables have to make
+///                  it zero, fixed ones have to have their value
+/// \param defect    the worst constraint
+ExtendedResidual summarise(const nlp::Problem& problem, const PrimalDual& point,
+                           std::span<const long double> gradient,
+                           const Worst& defect) {
+  Worst stationarity;
+  Worst fixed_value;
+  for (int i = 0; i < problem.num_variables(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double value = problem.lower()[k];
+    if (value == problem.upper()[k]) {
+      fixed_value.see(static_cast<long double>(point.x[k]) - value, i);
+    } else {
+      stationarity.see(gradient[k], i);
+    }
+  }
+  ExtendedResidual out{static_cast<double>(stationarity.value),
+                       static_cast<double>(defect.value),
+                       static_cast<double>(fixed_value.value),
+                       {},
+                       {}};
+  if (stationarity.index >= 0) {
+    out.worst_variable = problem.variable_name(stationarity.index);
+  }
+  if (defect.index >= 0) {
+    out.worst_constraint = problem.constraint_name(defect.index);
+  }
+  return out;
 }
 
 /// Rates of the states and of time at a collocation point.
@@ -52,6 +98,21 @@ Rates rates(const Scene& scene, bool has_theta, Real theta, Real w, Real beta,
         Jet(std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
   }
   return out;
+}
+
+// Derivatives with respect to x, z and the rotation of the node before a piece,
+// of its own one, and S.
+using NodeJet = math::Jet1<Real, 7>;
+
+/// Place and rotation of a node.
+struct Node {
+  NodeJet x, z, turned;
+};
+
+NodeJet speed(const Scene& scene, bool has_theta, const Node& node) {
+  const NodeJet E =
+      has_theta ? energy_height_after(scene.body, node.z, node.turned) : node.z;
+  return sqrt(E * NodeJet(static_cast<Real>(2.0 * scene.gravity)));
 }
 
 }  // namespace
@@ -116,6 +177,83 @@ ExtendedResidual extended_residual(const RollingTime& problem,
       gradient[at(layout.beta(c))] += h * lagrangian.gradient[2];
       gradient[at(layout.rolling_time())] += h * lagrangian.gradient[3];
     }
+  }
+
+  return summarise(problem, point, gradient, defect);
+}
+
+ExtendedResidual extended_residual(const ArcLength& problem,
+                                   const PrimalDual& point) {
+  const VariableLayout& layout = problem.layout();
+  const Scene& scene = problem.scene();
+  const Body& body = scene.body;
+  const bool has_theta = layout.has_theta();
+  const int stride = layout.num_states();
+  const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
+  const auto node_at = [&](int node, int first) {
+    Node out;
+    if (node == 0) return out;
+    out.x = NodeJet::variable(x(layout.state(node, X)), first);
+    out.z = NodeJet::variable(x(layout.state(node, Z)), first + 1);
+    if (has_theta) {
+      out.turned = NodeJet::variable(x(layout.state(node, Theta)), first + 2);
+    }
+    return out;
+  };
+  const NodeJet S = NodeJet::variable(x(layout.arc_length()), 6);
+  const Real n = problem.num_intervals();
+  std::vector<Real> gradient(point.x.size());
+  Worst defect;
+
+  for (int j = 1; j <= problem.num_intervals(); ++j) {
+    check_stop(j);
+    const Node before = node_at(j - 1, 0);
+    const Node own = node_at(j, 3);
+    const NodeJet dx = own.x - before.x;
+    const NodeJet dz = own.z - before.z;
+    const Real share = (2.0L * j - 1.0L) / (n * n);
+    NodeJet length = S * NodeJet(share);
+    NodeJet root;
+    if (has_theta) {
+      const NodeJet turn = own.turned - before.turned;
+      length = turn * NodeJet(static_cast<Real>(body.radius));
+      const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
+      const NodeJet theta = NodeJet(static_cast<Real>(body.theta_m)) +
+                            before.turned + turn * NodeJet(middle);
+      // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
+      const Real eta = body.eta_m;
+      const NodeJet A =
+          NodeJet(1.0L + eta * eta + body.k) -
+          (sin(theta) * dx - cos(theta) * dz) / length * NodeJet(2.0L * eta);
+      root = sqrt(A);
+    } else {
+      root = NodeJet(
+          std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
+    }
+    NodeJet sum = speed(scene, has_theta, own);
+    if (j > 1) sum += speed(scene, has_theta, before);
+    NodeJet lagrangian = length * root * NodeJet(2.0L) / sum;
+    const int row = layout.no_slip(j);
+    const NodeJet slip = (dx * dx + dz * dz - length * length) /
+                         NodeJet(2.0L * problem.reference_length(j));
+    defect.see(slip.value, row);
+    lagrangian += slip * NodeJet(static_cast<Real>(point.lambda[at(row)]));
+    if (has_theta) {
+      const int place_row = layout.place(j);
+      const Real sigma = j / n;
+      const NodeJet place =
+          own.turned * NodeJet(static_cast<Real>(body.radius)) -
+          S * NodeJet(sigma * sigma);
+      defect.see(place.value, place_row);
+      lagrangian +=
+          place * NodeJet(static_cast<Real>(point.lambda[at(place_row)]));
+    }
+    for (int i = 0; i < stride; ++i) {
+      if (j > 1)
+        gradient[at(layout.state(j - 1, X) + i)] += lagrangian.gradient[at(i)];
+      gradient[at(layout.state(j, X) + i)] += lagrangian.gradient[at(3 + i)];
+    }
+    gradient[at(layout.arc_length())] += lagrangian.gradient[6];
   }
 
   return summarise(problem, point, gradient, defect);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/arc_length.hpp"
 
@@ -15,15 +14,10 @@ namespace brachisto {
 
 namespace {
 
+using enum StateComponent;
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-nlp::SparsityPattern with_capacity(std::size_t entries) {
-  nlp::SparsityPattern pattern;
-  pattern.rows.reserve(entries);
-  pattern.cols.reserve(entries);
-  return pattern;
 }
 
 /// A vector of, or a row of second derivatives by, Δx, Δz, r Δθ, the rotation
@@ -52,10 +46,10 @@ ArcLength::Slopes ArcLength::slopes(int node) const {
   const double y = pieces_.inverse_speed[j];
   const double f = pieces_.root[j] * y;
   Slopes d{0.0, 0.0, f / pieces_.length[j], 0.0, -0.5 * f * y};
-  if (!layout_.has_theta()) return d;
+  if (!layout().has_theta()) return d;
   // With P = ℓ² A = (1 + η² + k) ℓ² − 2 η ℓ (sin θ Δx − cos θ Δz) and ℓ = r Δθ
   // the time is y √P: half the derivatives of P, times y / √P.
-  const Body& body = scene_.body;
+  const Body& body = scene().body;
   const double eta_l = body.eta_m * pieces_.length[j];
   const double sin_theta = pieces_.sin_theta[j];
   const double cos_theta = pieces_.cos_theta[j];
@@ -74,7 +68,7 @@ ArcLength::Slopes ArcLength::slopes(int node) const {
 ArcLength::Block ArcLength::block(int node, double objective_factor,
                                   double lambda) const {
   const std::size_t j = at(node);
-  const Body& body = scene_.body;
+  const Body& body = scene().body;
   const double r = body.radius;
   const double eta = body.eta_m;
   const double y = pieces_.inverse_speed[j];
@@ -157,10 +151,9 @@ std::array<double, 2> ArcLength::axisymmetric_curvature(int node) const {
   return {0.5 * f * y * y, -0.5 * constant_root_ * share(node) * y * y};
 }
 
-template <class Put>
-void ArcLength::visit_jac_g(Put&& put) const {
-  const double r = scene_.body.radius;
-  const int col_S = layout_.arc_length();
+void ArcLength::put_jac_g(Entries& put) const {
+  const double r = scene().body.radius;
+  const int col_S = layout().arc_length();
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const std::size_t j = at(node);
@@ -168,37 +161,36 @@ void ArcLength::visit_jac_g(Put&& put) const {
     const double by_x = pieces_.dx[j] * inverse;
     const double by_z = pieces_.dz[j] * inverse;
     const double by_length = -pieces_.length[j] * inverse;
-    const int row = layout_.no_slip(node);
+    const int row = layout().no_slip(node);
     const bool first = node == 1;
     if (!first) {
-      put(row, layout_.x(node - 1), -by_x);
-      put(row, layout_.z(node - 1), -by_z);
-      if (layout_.has_theta()) {
-        put(row, layout_.theta(node - 1), -r * by_length);
+      put(row, layout().state(node - 1, X), -by_x);
+      put(row, layout().state(node - 1, Z), -by_z);
+      if (layout().has_theta()) {
+        put(row, layout().state(node - 1, Theta), -r * by_length);
       }
     }
-    put(row, layout_.x(node), by_x);
-    put(row, layout_.z(node), by_z);
-    if (!layout_.has_theta()) {
+    put(row, layout().state(node, X), by_x);
+    put(row, layout().state(node, Z), by_z);
+    if (!layout().has_theta()) {
       put(row, col_S, by_length * share(node));
       continue;
     }
-    put(row, layout_.theta(node), r * by_length);
-    put(layout_.place(node), layout_.theta(node), r);
-    put(layout_.place(node), col_S, -sigma(node) * sigma(node));
+    put(row, layout().state(node, Theta), r * by_length);
+    put(layout().place(node), layout().state(node, Theta), r);
+    put(layout().place(node), col_S, -sigma(node) * sigma(node));
   }
 }
 
-template <class Put>
-void ArcLength::visit_hess_lag(double objective_factor,
-                               std::span<const double> lambda,
-                               Put&& put) const {
-  if (!layout_.has_theta()) {
-    visit_axisymmetric_hess_lag(objective_factor, lambda, put);
+void ArcLength::put_hess_lag(double objective_factor,
+                             std::span<const double> lambda,
+                             Entries& put) const {
+  if (!layout().has_theta()) {
+    put_axisymmetric_hess_lag(objective_factor, lambda, put);
     return;
   }
   const auto put_diagonal = [&](int node, const std::array<double, 6>& h) {
-    const int x = layout_.x(node);
+    const int x = layout().state(node, X);
     put(x, x, h[0]);
     put(x + 1, x, h[1]);
     put(x + 1, x + 1, h[2]);
@@ -210,14 +202,14 @@ void ArcLength::visit_hess_lag(double objective_factor,
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const Block h =
-        block(node, objective_factor, lambda[at(layout_.no_slip(node))]);
+        block(node, objective_factor, lambda[at(layout().no_slip(node))]);
     if (node > 1) {
       for (std::size_t i = 0; i < diagonal.size(); ++i) {
         diagonal[i] += h.before[i];
       }
       put_diagonal(node - 1, diagonal);
-      const int row = layout_.x(node);
-      const int col = layout_.x(node - 1);
+      const int row = layout().state(node, X);
+      const int col = layout().state(node - 1, X);
       for (int i = 0; i < 9; ++i) {
         put(row + i / 3, col + i % 3, h.between[at(i)]);
       }
@@ -227,23 +219,22 @@ void ArcLength::visit_hess_lag(double objective_factor,
   put_diagonal(num_intervals(), diagonal);
 }
 
-template <class Put>
-void ArcLength::visit_axisymmetric_hess_lag(double objective_factor,
-                                            std::span<const double> lambda,
-                                            Put&& put) const {
+void ArcLength::put_axisymmetric_hess_lag(double objective_factor,
+                                          std::span<const double> lambda,
+                                          Entries& put) const {
   // The time of a piece, S share √A y, depends on S and both w; its length, on
   // S, Δx and Δz.
-  const int row_S = layout_.arc_length();
+  const int row_S = layout().arc_length();
   double x_x = 0.0, z_z = 0.0, S_z = 0.0, S_S = 0.0;
   const auto put_diagonal = [&](int node) {
-    put(layout_.x(node), layout_.x(node), x_x);
-    put(layout_.z(node), layout_.z(node), z_z);
-    put(row_S, layout_.z(node), S_z);
+    put(layout().state(node, X), layout().state(node, X), x_x);
+    put(layout().state(node, Z), layout().state(node, Z), z_z);
+    put(row_S, layout().state(node, Z), S_z);
   };
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const std::size_t j = at(node);
-    const double multiplier = lambda[at(layout_.no_slip(node))];
+    const double multiplier = lambda[at(layout().no_slip(node))];
     const double stiff = multiplier / reference_length(node);
     const auto [w_w_one, S_w_one] = axisymmetric_curvature(node);
     const double w_w = objective_factor * w_w_one;
@@ -259,8 +250,8 @@ void ArcLength::visit_axisymmetric_hess_lag(double objective_factor,
     if (node > 1) {
       add(j - 1);
       put_diagonal(node - 1);
-      put(layout_.x(node), layout_.x(node - 1), -stiff);
-      put(layout_.z(node), layout_.z(node - 1),
+      put(layout().state(node, X), layout().state(node - 1, X), -stiff);
+      put(layout().state(node, Z), layout().state(node - 1, Z),
           w_w * nodes_.by_z[j] * nodes_.by_z[j - 1] - stiff);
     }
     x_x = z_z = S_z = 0.0;
@@ -271,29 +262,9 @@ void ArcLength::visit_axisymmetric_hess_lag(double objective_factor,
   put(row_S, row_S, S_S);
 }
 
-void ArcLength::build_patterns() {
-  const PhaseTimer timer(Phase::SetUp);
-  const auto record = [](nlp::SparsityPattern& pattern) {
-    return [&pattern](int row, int col, double) {
-      pattern.rows.push_back(row);
-      pattern.cols.push_back(col);
-    };
-  };
-  std::size_t entries = 0;
-  const auto count = [&entries](int, int, double) { ++entries; };
-  visit_jac_g(count);
-  jac_g_pattern_ = with_capacity(entries);
-  visit_jac_g(record(jac_g_pattern_));
-  const std::vector<double> no_lambda(at(num_constraints()));
-  entries = 0;
-  visit_hess_lag(0.0, no_lambda, count);
-  hess_lag_pattern_ = with_capacity(entries);
-  visit_hess_lag(0.0, no_lambda, record(hess_lag_pattern_));
-}
-
 void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
   std::fill(grad_f.begin(), grad_f.end(), 0.0);
-  const double r = scene_.body.radius;
+  const double r = scene().body.radius;
   double by_S = 0.0;
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
@@ -301,12 +272,12 @@ void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
     const Slopes d = slopes(node);
     const auto add = [&](int n, double sign, double share_of_theta) {
       const std::size_t i = at(n);
-      grad_f[at(layout_.x(n))] += sign * d.x;
-      grad_f[at(layout_.z(n))] += sign * d.z + d.w * nodes_.by_z[i];
-      if (!layout_.has_theta()) return;
-      grad_f[at(layout_.theta(n))] += sign * r * d.length +
-                                      share_of_theta * d.theta +
-                                      d.w * nodes_.by_theta[i];
+      grad_f[at(layout().state(n, X))] += sign * d.x;
+      grad_f[at(layout().state(n, Z))] += sign * d.z + d.w * nodes_.by_z[i];
+      if (!layout().has_theta()) return;
+      grad_f[at(layout().state(n, Theta))] += sign * r * d.length +
+                                              share_of_theta * d.theta +
+                                              d.w * nodes_.by_theta[i];
     };
     const double share_own = middle(node);
     if (node > 1) add(node - 1, -1.0, 1.0 - share_own);
@@ -314,21 +285,8 @@ void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
     by_S += pieces_.root[j] * pieces_.inverse_speed[j];
   }
   // Without θ the time is proportional to S.
-  grad_f[at(layout_.arc_length())] =
-      layout_.has_theta() ? 0.0 : by_S / x_[at(layout_.arc_length())];
-}
-
-void ArcLength::do_eval_jac_g(std::span<double> values) const {
-  std::size_t entry = 0;
-  visit_jac_g([&](int, int, double value) { values[entry++] = value; });
-}
-
-void ArcLength::do_eval_hess_lag(double objective_factor,
-                                 std::span<const double> lambda,
-                                 std::span<double> values) const {
-  std::size_t entry = 0;
-  visit_hess_lag(objective_factor, lambda,
-                 [&](int, int, double value) { values[entry++] = value; });
+  grad_f[at(layout().arc_length())] =
+      layout().has_theta() ? 0.0 : by_S / x(layout().arc_length());
 }
 
 }  // namespace brachisto

@@ -4,32 +4,18 @@
 #include "brachisto/transcription/contact_equation.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "brachisto/model/hamiltonian.hpp"
 
 namespace brachisto {
 
-namespace {
-
-using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
-ContactEquation::ContactEquation(RollingTime& problem) : problem_(problem) {
+ContactEquation::ContactEquation(Transcription& problem) : problem_(problem) {
   const VariableLayout& layout = problem.layout();
-  const int last = problem.mesh().num_points();
-  fixed_rates_.index = {layout.state(last, X), layout.state(last, Z)};
+  const int last = layout.num_points();
+  fixed_rates_.index = {layout.state(last, StateComponent::X),
+                        layout.state(last, StateComponent::Z)};
   fixed_rates_.value = {0.0, 0.0};
-  at_.by_x.index = {layout.state(last, W)};
-  if (layout.has_theta()) at_.by_x.index.push_back(layout.state(last, Theta));
-  at_.by_x.value.resize(at_.by_x.index.size());
-  at_.by_lambda.index = {layout.defect(last - 1, X),
-                         layout.defect(last - 1, Z)};
-  at_.by_lambda.value.resize(2);
 }
 
 void ContactEquation::set_parameter(double phi) {
@@ -42,28 +28,36 @@ void ContactEquation::set_parameter(double phi) {
 
 const nlp::ClosingEquation::Linearisation& ContactEquation::linearise(
     std::span<const double> x, std::span<const double> lambda) {
-  const VariableLayout& layout = problem_.layout();
-  const int last = problem_.mesh().num_points();
-  const Body& body = problem_.scene().body;
-  RollingState end;
-  end.w = x[at(layout.state(last, W))];
-  if (layout.has_theta()) end.theta = x[at(layout.state(last, Theta))];
-  const double b = problem_.scheme().rule.weights.back();
-  const Costates p{.p_x = -lambda[at(layout.defect(last - 1, X))] / b,
-                   .p_z = -lambda[at(layout.defect(last - 1, Z))] / b};
-  const SlopeHamiltonian h =
-      slope_hamiltonian(body, problem_.scene().gravity, end, p, phi_);
+  const std::optional<Transcription::End> end = problem_.end(x, lambda);
+  if (!end) {
+    at_.residual = std::numeric_limits<double>::quiet_NaN();
+    return at_;
+  }
+  const Costates& p = end->p;
+  const double w = end->state.w;
+  const SlopeHamiltonian h = slope_hamiltonian(
+      problem_.scene().body, problem_.scene().gravity, end->state, p, phi_);
   const double cos_phi = std::cos(phi_);
   const double sin_phi = std::sin(phi_);
+  const double by_w = p.p_z * cos_phi - p.p_x * sin_phi;
+  // ∂²√A/∂β∂θ = −∂²√A/∂β²
+  const double along = w * (p.p_x * cos_phi + p.p_z * sin_phi);
+  const double by_theta = -(h.d2_beta + along);
   at_.residual = h.d_beta;
   at_.by_parameter = h.d2_beta;
-  at_.by_x.value[0] = p.p_z * cos_phi - p.p_x * sin_phi;
-  if (layout.has_theta()) {
-    // ∂²√A/∂β∂θ = −∂²√A/∂β²
-    const double along = end.w * (p.p_x * cos_phi + p.p_z * sin_phi);
-    at_.by_x.value[1] = -(h.d2_beta + along);
-  }
-  at_.by_lambda.value = {end.w * sin_phi / b, -end.w * cos_phi / b};
+  const auto fill = [&](const std::vector<Transcription::End::Rate>& rates,
+                        nlp::SparseVector& out) {
+    out.index.clear();
+    out.value.clear();
+    for (const auto& rate : rates) {
+      out.index.push_back(rate.index);
+      out.value.push_back(w * (rate.p_z * cos_phi - rate.p_x * sin_phi) /
+                              end->divisor +
+                          (by_w * rate.w + by_theta * rate.theta));
+    }
+  };
+  fill(end->by_x, at_.by_x);
+  fill(end->by_lambda, at_.by_lambda);
   return at_;
 }
 

@@ -4,7 +4,6 @@
 #include "brachisto/transcription/costates.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
 
@@ -30,18 +29,6 @@ std::vector<double> at_points(const RollingTime& problem,
         -lambda[at(problem.layout().defect(c, component))] / weights[at(c % p)];
   }
   return values;
-}
-
-/// Mean over σ of a costate that is constant but for the solver's residual.
-double mean(const RollingTime& problem, std::span<const double> lambda,
-            StateComponent component) {
-  const Mesh& mesh = problem.mesh();
-  double sum = 0.0;
-  for (int c = 0; c < mesh.num_points(); ++c) {
-    sum -= mesh.length(c / mesh.degree) *
-           lambda[at(problem.layout().defect(c, component))];
-  }
-  return sum;
 }
 
 /// Costates of θ and w at the nodes: their rates −∂𝓗/∂θ and −∂𝓗/∂w at the
@@ -108,27 +95,15 @@ void integrate_to_nodes(const RollingTime& problem, std::span<const double> x,
 CostateSolution costates(const RollingTime& problem, std::span<const double> x,
                          std::span<const double> lambda) {
   CostateSolution solution;
-  solution.p_x = mean(problem, lambda, X);
-  solution.p_z = mean(problem, lambda, Z);
+  const Costates constant = problem.end_costates(lambda);
+  solution.p_x = constant.p_x;
+  solution.p_z = constant.p_z;
   solution.p_w_points = at_points(problem, lambda, W);
   if (problem.layout().has_theta()) {
     solution.p_theta_points = at_points(problem, lambda, Theta);
   }
   integrate_to_nodes(problem, x, solution);
   return solution;
-}
-
-double end_slope(const RollingTime& problem, std::span<const double> x,
-                 const CostateSolution& p) {
-  const VariableLayout& layout = problem.layout();
-  const int last = problem.mesh().num_points();
-  RollingState end;
-  end.w = x[at(layout.state(last, W))];
-  if (layout.has_theta()) end.theta = x[at(layout.state(last, Theta))];
-  return minimising_slope(
-      problem.scene().body, problem.scene().gravity, end,
-      {.p_x = p.p_x, .p_z = p.p_z},
-      std::remainder(x[at(layout.beta(last - 1))], 2.0 * std::numbers::pi));
 }
 
 }  // namespace brachisto

@@ -3,12 +3,10 @@
 
 #include "brachisto/transcription/rolling_time.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/inertia.hpp"
@@ -26,46 +24,23 @@ std::size_t at(int i) {
 }  // namespace
 
 RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
-    : scene_(scene),
-      mesh_(std::move(mesh)),
-      layout_(mesh_.num_points(), scene.body.off_centred()),
-      scheme_(&collocation_scheme(mesh_.degree)),
-      lower_(at(layout_.num_variables()),
-             -std::numeric_limits<double>::infinity()),
-      upper_(at(layout_.num_variables()),
-             std::numeric_limits<double>::infinity()),
-      x_(at(layout_.num_variables())) {
-  const Point start = start_of_centre(scene_);
-  fix(layout_.state(0, X), start.x);
-  fix(layout_.state(0, Z), start.z);
-  if (layout_.has_theta()) fix(layout_.state(0, Theta), scene_.body.theta_m);
-  fix(layout_.state(0, W), 0.0);
+    : Transcription(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
+                    {}, "collocation point"),
+      scheme_(&collocation_scheme(mesh.degree)) {
+  const Point start = start_of_centre(scene);
+  fix(layout().state(0, X), start.x);
+  fix(layout().state(0, Z), start.z);
+  if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
+  fix(layout().state(0, W), 0.0);
   set_end_angle(phi);
 
   for (auto* array : {&points_.w, &points_.cos_beta, &points_.sin_beta,
                       &points_.root, &points_.d_root, &points_.d2_root,
                       &points_.eta_cos_theta, &points_.eta_sin_theta}) {
-    array->assign(at(mesh_.num_points()), 0.0);
+    array->assign(at(layout().num_points()), 0.0);
   }
 
   build_patterns();
-}
-
-void RollingTime::fix(int variable, double value) {
-  lower_[at(variable)] = value;
-  upper_[at(variable)] = value;
-}
-
-void RollingTime::set_end_angle(double phi) {
-  const Point end = end_of_centre(scene_, phi);
-  fix(layout_.state(mesh_.num_points(), X), end.x);
-  fix(layout_.state(mesh_.num_points(), Z), end.z);
-}
-
-bool RollingTime::refuse(int point, const char* reason) {
-  refused_point_ = point;
-  refused_because_ = reason;
-  return false;
 }
 
 nlp::EliminationOrder RollingTime::elimination_order() const {
@@ -75,65 +50,71 @@ nlp::EliminationOrder RollingTime::elimination_order() const {
     order.columns.push_back(column);
     order.rows.push_back(row);
   };
-  const int states = layout_.num_states();
-  const int first_state = layout_.state(0, X);
+  const int states = layout().num_states();
+  const int first_state = layout().state(0, X);
   for (int s = 0; s < states; ++s) put(first_state + s, first_state + s);
-  for (int c = 0; c < mesh_.num_points(); ++c) {
-    put(layout_.beta(c), layout_.beta(c));
-    const int state = layout_.state(c + 1, X);
-    const int defect = n + layout_.defect(c, X);
+  for (int c = 0; c < mesh().num_points(); ++c) {
+    put(layout().beta(c), layout().beta(c));
+    const int state = layout().state(c + 1, X);
+    const int defect = n + layout().defect(c, X);
     for (int s = 0; s < states; ++s) put(state + s, defect + s);
     for (int s = 0; s < states; ++s) put(defect + s, state + s);
   }
-  put(layout_.rolling_time(), layout_.rolling_time());
+  put(layout().rolling_time(), layout().rolling_time());
   order.border = 1;
   return order;
 }
 
-nlp::ChainStructure RollingTime::chain_structure() const {
-  nlp::ChainStructure chain;
-  chain.num_links = mesh_.num_elements();
-  chain.block.resize(at(num_variables() + num_constraints()));
-  const int p = mesh_.degree;
-  const int states = layout_.num_states();
-  // The block of a node, and of the multipliers that lead to it.
-  const auto block_of_node = [&](int node) {
-    return 2 * (node / p) + (node % p == 0 ? 0 : 1);
-  };
-  for (int node = 0; node < layout_.num_nodes(); ++node) {
-    const int first = layout_.state(node, X);
-    for (int s = 0; s < states; ++s) {
-      chain.block[at(first + s)] = block_of_node(node);
-    }
+std::optional<Transcription::End> RollingTime::end(
+    std::span<const double> x, std::span<const double> lambda) {
+  const int last = layout().num_points();
+  const int row_x = layout().defect(last - 1, X);
+  const int row_z = layout().defect(last - 1, Z);
+  End out;
+  out.state.w = x[at(layout().state(last, W))];
+  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
+  if (layout().has_theta()) {
+    out.state.theta = x[at(layout().state(last, Theta))];
+    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
   }
-  for (int c = 0; c < mesh_.num_points(); ++c) {
-    chain.block[at(layout_.beta(c))] = 2 * (c / p) + 1;
-    const int first = num_variables() + layout_.defect(c, X);
-    for (int s = 0; s < states; ++s) {
-      chain.block[at(first + s)] = block_of_node(c + 1);
-    }
-  }
-  chain.block[at(layout_.rolling_time())] = nlp::ChainStructure::kBorder;
-  return chain;
+  const double b = scheme_->rule.weights.back();
+  out.p.p_x = -lambda[at(row_x)] / b;
+  out.p.p_z = -lambda[at(row_z)] / b;
+  out.divisor = b;
+  out.by_lambda = {{row_x, 0.0, 0.0, -1.0, 0.0}, {row_z, 0.0, 0.0, 0.0, -1.0}};
+  // A solver may leave it a turn off.
+  out.last_slope =
+      std::remainder(x[at(layout().beta(last - 1))], 2.0 * std::numbers::pi);
+  return out;
 }
 
-std::string RollingTime::refusal() const {
-  if (refused_point_ < 0) return refused_because_;
-  return fmt::format("{} at collocation point {} of {}", refused_because_,
-                     refused_point_, mesh_.num_points());
+Costates RollingTime::end_costates(std::span<const double> lambda) const {
+  Costates p;
+  for (int c = 0; c < layout().num_points(); ++c) {
+    const double h = mesh().length(c / mesh().degree);
+    p.p_x -= h * lambda[at(layout().defect(c, X))];
+    p.p_z -= h * lambda[at(layout().defect(c, Z))];
+  }
+  return p;
 }
 
-bool RollingTime::do_set_point(std::span<const double> x) {
-  x_.assign(x.begin(), x.end());
-  const int p = mesh_.degree;
-  const double eta = scene_.body.eta_m;
+double RollingTime::rounding(std::span<const double> x) const {
+  constexpr double kTerms = 64.0;
+  double largest = 1.0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  return kTerms * std::numeric_limits<double>::epsilon() * largest;
+}
+
+bool RollingTime::evaluate() {
+  const int p = mesh().degree;
+  const double eta = scene().body.eta_m;
   const double constant_root =
-      std::sqrt(axisymmetric_inertia_factor(scene_.body));
+      std::sqrt(axisymmetric_inertia_factor(scene().body));
 
-  if (!(x_[at(layout_.rolling_time())] > 0.0)) {
+  if (!(x(layout().rolling_time()) > 0.0)) {
     return refuse(-1, "the rolling time U is not positive");
   }
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
+  for (int e = 0; e < mesh().num_elements(); ++e) {
     check_stop(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
@@ -141,19 +122,19 @@ bool RollingTime::do_set_point(std::span<const double> x) {
       double theta = 0.0;
       for (int n = 0; n <= p; ++n) {
         const double weight = scheme_->interpolation(j, n);
-        w += weight * x_[at(layout_.state(e * p + n, W))];
-        if (layout_.has_theta()) {
-          theta += weight * x_[at(layout_.state(e * p + n, Theta))];
+        w += weight * x(layout().state(e * p + n, W));
+        if (layout().has_theta()) {
+          theta += weight * x(layout().state(e * p + n, Theta));
         }
       }
-      const double beta = x_[at(layout_.beta(point))];
+      const double beta = x(layout().beta(point));
       const std::size_t c = at(point);
       points_.w[c] = w;
       points_.cos_beta[c] = std::cos(beta);
       points_.sin_beta[c] = std::sin(beta);
       points_.root[c] = constant_root;
-      if (layout_.has_theta()) {
-        const double A = inertia_factor(scene_.body, theta, beta);
+      if (layout().has_theta()) {
+        const double A = inertia_factor(scene().body, theta, beta);
         if (!(A > 0.0)) {
           return refuse(point, "the inertia factor A is not positive");
         }
@@ -176,22 +157,22 @@ bool RollingTime::do_set_point(std::span<const double> x) {
 
 double RollingTime::do_eval_f() const {
   double sum = 0.0;
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
+  for (int e = 0; e < mesh().num_elements(); ++e) {
     double element = 0.0;
-    for (int j = 0; j < mesh_.degree; ++j) {
-      element +=
-          scheme_->rule.weights[at(j)] * points_.root[at(e * mesh_.degree + j)];
+    for (int j = 0; j < mesh().degree; ++j) {
+      element += scheme_->rule.weights[at(j)] *
+                 points_.root[at(e * mesh().degree + j)];
     }
-    sum += mesh_.length(e) * element;
+    sum += mesh().length(e) * element;
   }
-  return x_[at(layout_.rolling_time())] * sum;
+  return x(layout().rolling_time()) * sum;
 }
 
 void RollingTime::do_eval_g(std::span<double> g) const {
-  const int p = mesh_.degree;
-  const Body& body = scene_.body;
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
-    const double hU = mesh_.length(e) * x_[at(layout_.rolling_time())];
+  const int p = mesh().degree;
+  const Body& body = scene().body;
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    const double hU = mesh().length(e) * x(layout().rolling_time());
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
       const std::size_t c = at(point);
@@ -199,21 +180,21 @@ void RollingTime::do_eval_g(std::span<double> g) const {
         double sum = 0.0;
         for (int n = 0; n <= p; ++n) {
           sum += scheme_->derivative(j, n) *
-                 x_[at(layout_.state(e * p + n, component))];
+                 x(layout().state(e * p + n, component));
         }
         return sum;
       };
       const double w = points_.w[c];
-      g[at(layout_.defect(point, X))] =
+      g[at(layout().defect(point, X))] =
           difference(X) - hU * w * points_.cos_beta[c];
-      g[at(layout_.defect(point, Z))] =
+      g[at(layout().defect(point, Z))] =
           difference(Z) - hU * w * points_.sin_beta[c];
-      if (layout_.has_theta()) {
-        g[at(layout_.defect(point, Theta))] =
+      if (layout().has_theta()) {
+        g[at(layout().defect(point, Theta))] =
             difference(Theta) - hU * w / body.radius;
       }
-      g[at(layout_.defect(point, W))] =
-          difference(W) - hU * scene_.gravity *
+      g[at(layout().defect(point, W))] =
+          difference(W) - hU * scene().gravity *
                               (points_.sin_beta[c] + points_.eta_cos_theta[c]);
     }
   }

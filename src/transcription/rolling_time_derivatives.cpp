@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 
-#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
 
@@ -22,36 +21,28 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-nlp::SparsityPattern with_capacity(std::size_t entries) {
-  nlp::SparsityPattern pattern;
-  pattern.rows.reserve(entries);
-  pattern.cols.reserve(entries);
-  return pattern;
-}
-
 }  // namespace
 
-template <class Put>
-void RollingTime::visit_jac_g(Put&& put) const {
-  const int p = mesh_.degree;
-  const double U = x_[at(layout_.rolling_time())];
-  const double g = scene_.gravity;
-  const int col_U = layout_.rolling_time();
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
+void RollingTime::put_jac_g(Entries& put) const {
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const int col_U = layout().rolling_time();
+  for (int e = 0; e < mesh().num_elements(); ++e) {
     check_stop(e);
-    const double h = mesh_.length(e);
+    const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
       const std::size_t c = at(point);
-      const int col_beta = layout_.beta(point);
+      const int col_beta = layout().beta(point);
       const double w = points_.w[c];
       const double cos_beta = points_.cos_beta[c];
       const double sin_beta = points_.sin_beta[c];
 
       const auto put_difference = [&](StateComponent component) {
-        const int row = layout_.defect(point, component);
+        const int row = layout().defect(point, component);
         for (int n = 0; n <= p; ++n) {
-          put(row, layout_.state(e * p + n, component),
+          put(row, layout().state(e * p + n, component),
               scheme_->derivative(j, n));
         }
       };
@@ -59,35 +50,35 @@ void RollingTime::visit_jac_g(Put&& put) const {
       // with this slope.
       const auto put_rate = [&](StateComponent component, StateComponent source,
                                 double slope) {
-        const int row = layout_.defect(point, component);
+        const int row = layout().defect(point, component);
         for (int n = 0; n <= p; ++n) {
-          put(row, layout_.state(e * p + n, source),
+          put(row, layout().state(e * p + n, source),
               -h * U * slope * scheme_->interpolation(j, n));
         }
       };
 
-      const int row_x = layout_.defect(point, X);
+      const int row_x = layout().defect(point, X);
       put_difference(X);
       put_rate(X, W, cos_beta);
       put(row_x, col_beta, h * U * w * sin_beta);
       put(row_x, col_U, -h * w * cos_beta);
 
-      const int row_z = layout_.defect(point, Z);
+      const int row_z = layout().defect(point, Z);
       put_difference(Z);
       put_rate(Z, W, sin_beta);
       put(row_z, col_beta, -h * U * w * cos_beta);
       put(row_z, col_U, -h * w * sin_beta);
 
-      if (layout_.has_theta()) {
-        const double curvature = 1.0 / scene_.body.radius;
+      if (layout().has_theta()) {
+        const double curvature = 1.0 / scene().body.radius;
         put_difference(Theta);
         put_rate(Theta, W, curvature);
-        put(layout_.defect(point, Theta), col_U, -h * w * curvature);
+        put(layout().defect(point, Theta), col_U, -h * w * curvature);
       }
 
-      const int row_w = layout_.defect(point, W);
+      const int row_w = layout().defect(point, W);
       put_difference(W);
-      if (layout_.has_theta()) {
+      if (layout().has_theta()) {
         put_rate(W, Theta, -g * points_.eta_sin_theta[c]);
       }
       put(row_w, col_beta, -h * U * g * cos_beta);
@@ -96,21 +87,20 @@ void RollingTime::visit_jac_g(Put&& put) const {
   }
 }
 
-template <class Put>
-void RollingTime::visit_hess_lag(double objective_factor,
-                                 std::span<const double> lambda,
-                                 Put&& put) const {
+void RollingTime::put_hess_lag(double objective_factor,
+                               std::span<const double> lambda,
+                               Entries& put) const {
   // The Lagrangian is a sum over collocation points of
   //   h U { s b √A(θ, β) − λ_x w cos β − λ_z w sin β − λ_θ w/r
   //         − λ_w g (sin β + η cos θ) }
   // plus terms linear in the nodal states, s being the objective factor. So all
   // second derivatives come from θ, w, β and U at the point; those in θ and w
   // are spread to the nodes by the interpolation.
-  const int p = mesh_.degree;
-  const double U = x_[at(layout_.rolling_time())];
-  const double g = scene_.gravity;
-  const int row_U = layout_.rolling_time();
-  const bool has_theta = layout_.has_theta();
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const int row_U = layout().rolling_time();
+  const bool has_theta = layout().has_theta();
   const math::SmallMatrix& I = scheme_->interpolation;
 
   struct Second {
@@ -118,16 +108,16 @@ void RollingTime::visit_hess_lag(double objective_factor,
   };
   std::array<Second, kLargestDegree> second;  // NOLINT: filled below
 
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
+  for (int e = 0; e < mesh().num_elements(); ++e) {
     check_stop(e);
-    const double h = mesh_.length(e);
+    const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
       const std::size_t c = at(point);
       const double weight = objective_factor * scheme_->rule.weights[at(j)];
-      const double lambda_x = lambda[at(layout_.defect(point, X))];
-      const double lambda_z = lambda[at(layout_.defect(point, Z))];
-      const double lambda_w = g * lambda[at(layout_.defect(point, W))];
+      const double lambda_x = lambda[at(layout().defect(point, X))];
+      const double lambda_z = lambda[at(layout().defect(point, Z))];
+      const double lambda_w = g * lambda[at(layout().defect(point, W))];
       const double w = points_.w[c];
       const double along =
           lambda_x * points_.cos_beta[c] + lambda_z * points_.sin_beta[c];
@@ -149,7 +139,7 @@ void RollingTime::visit_hess_lag(double objective_factor,
       s.U_theta = h * (lambda_w * points_.eta_sin_theta[c] -
                        weight * points_.d_root[c]);
       s.U_w -=
-          h * lambda[at(layout_.defect(point, Theta))] / scene_.body.radius;
+          h * lambda[at(layout().defect(point, Theta))] / scene().body.radius;
     }
 
     const auto put_lower = [&](int a, int b, double value) {
@@ -161,88 +151,56 @@ void RollingTime::visit_hess_lag(double objective_factor,
       return sum;
     };
     for (int n = 0; n <= p; ++n) {
-      const int w_n = layout_.state(e * p + n, W);
+      const int w_n = layout().state(e * p + n, W);
       for (int j = 0; j < p; ++j) {
-        put_lower(w_n, layout_.beta(e * p + j), I(j, n) * second[at(j)].w_beta);
+        put_lower(w_n, layout().beta(e * p + j),
+                  I(j, n) * second[at(j)].w_beta);
       }
       put(row_U, w_n, spread(n, &Second::U_w));
       if (!has_theta) continue;
 
-      const int theta_n = layout_.state(e * p + n, Theta);
+      const int theta_n = layout().state(e * p + n, Theta);
       for (int m = 0; m <= n; ++m) {
         double sum = 0.0;
         for (int j = 0; j < p; ++j) {
           sum += I(j, n) * I(j, m) * second[at(j)].theta_theta;
         }
-        put(theta_n, layout_.state(e * p + m, Theta), sum);
+        put(theta_n, layout().state(e * p + m, Theta), sum);
       }
       for (int j = 0; j < p; ++j) {
-        put_lower(theta_n, layout_.beta(e * p + j),
+        put_lower(theta_n, layout().beta(e * p + j),
                   I(j, n) * second[at(j)].theta_beta);
       }
       put(row_U, theta_n, spread(n, &Second::U_theta));
     }
     for (int j = 0; j < p; ++j) {
-      const int beta = layout_.beta(e * p + j);
+      const int beta = layout().beta(e * p + j);
       put(beta, beta, second[at(j)].beta_beta);
       put(row_U, beta, second[at(j)].U_beta);
     }
   }
 }
 
-void RollingTime::build_patterns() {
-  const PhaseTimer timer(Phase::SetUp);
-  const auto record = [](nlp::SparsityPattern& pattern) {
-    return [&pattern](int row, int col, double) {
-      pattern.rows.push_back(row);
-      pattern.cols.push_back(col);
-    };
-  };
-  std::size_t entries = 0;
-  const auto count = [&entries](int, int, double) { ++entries; };
-  visit_jac_g(count);
-  jac_g_pattern_ = with_capacity(entries);
-  visit_jac_g(record(jac_g_pattern_));
-  const std::vector<double> no_lambda(at(num_constraints()));
-  entries = 0;
-  visit_hess_lag(0.0, no_lambda, count);
-  hess_lag_pattern_ = with_capacity(entries);
-  visit_hess_lag(0.0, no_lambda, record(hess_lag_pattern_));
-}
-
 void RollingTime::do_eval_grad_f(std::span<double> grad_f) const {
-  const int p = mesh_.degree;
-  const double U = x_[at(layout_.rolling_time())];
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
   std::fill(grad_f.begin(), grad_f.end(), 0.0);
   double sum = 0.0;
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
+  for (int e = 0; e < mesh().num_elements(); ++e) {
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
-      const double weight = mesh_.length(e) * scheme_->rule.weights[at(j)];
+      const double weight = mesh().length(e) * scheme_->rule.weights[at(j)];
       const double slope = U * weight * points_.d_root[at(point)];
       sum += weight * points_.root[at(point)];
-      grad_f[at(layout_.beta(point))] = slope;
-      if (!layout_.has_theta()) continue;
+      grad_f[at(layout().beta(point))] = slope;
+      if (!layout().has_theta()) continue;
       for (int n = 0; n <= p; ++n) {
-        grad_f[at(layout_.state(e * p + n, Theta))] -=
+        grad_f[at(layout().state(e * p + n, Theta))] -=
             slope * scheme_->interpolation(j, n);
       }
     }
   }
-  grad_f[at(layout_.rolling_time())] = sum;
-}
-
-void RollingTime::do_eval_jac_g(std::span<double> values) const {
-  std::size_t entry = 0;
-  visit_jac_g([&](int, int, double value) { values[entry++] = value; });
-}
-
-void RollingTime::do_eval_hess_lag(double objective_factor,
-                                   std::span<const double> lambda,
-                                   std::span<double> values) const {
-  std::size_t entry = 0;
-  visit_hess_lag(objective_factor, lambda,
-                 [&](int, int, double value) { values[entry++] = value; });
+  grad_f[at(layout().rolling_time())] = sum;
 }
 
 }  // namespace brachisto

@@ -7,28 +7,26 @@
 
 namespace brachisto {
 
-namespace {
-
-const char* component_name(int offset, int num_states) {
+const char* VariableLayout::state_name(int offset) const {
   if (offset == 0) return "x";
   if (offset == 1) return "z";
-  return offset == num_states - 1 ? "w" : "theta";
+  return has_slopes() && offset == num_states_ - 1 ? "w" : "theta";
 }
 
-}  // namespace
-
 std::string VariableLayout::variable_name(int index) const {
-  if (index == rolling_time()) return "U";
-  const int offset = index % stride();
-  const int group = index / stride();
-  if (offset == num_states_) return fmt::format("beta[{}]", group);
-  return fmt::format("{}[{}]", component_name(offset, num_states_), group);
+  if (index == last()) return has_slopes() ? "U" : "S";
+  return fmt::format("{}[{}]",
+                     is_state(index) ? state_name(index % stride()) : "beta",
+                     node_of(index));
 }
 
 std::string VariableLayout::constraint_name(int index) const {
-  return fmt::format("defect of {}[{}]",
-                     component_name(index % num_states_, num_states_),
-                     index / num_states_);
+  const int row = index % num_rows_;
+  const int point = point_of(index);
+  if (has_slopes()) {
+    return fmt::format("defect of {}[{}]", state_name(row), point);
+  }
+  return fmt::format("{}[{}]", row == 0 ? "no slip" : "place", point + 1);
 }
 
 }  // namespace brachisto

@@ -186,7 +186,8 @@ TEST_P(ArcLengthDerivatives, ARefusalNamesItsReasonAndNode) {
   ArcLength problem(GetParam().scene, kPieces, -0.2);
   Random random(1);
   std::vector<double> x = random_point(problem, random);
-  x[static_cast<std::size_t>(problem.layout().z(3))] = -5.0;
+  x[static_cast<std::size_t>(problem.layout().state(3, StateComponent::Z))] =
+      -5.0;
 
   EXPECT_FALSE(problem.set_point(x));
   EXPECT_EQ(problem.refusal(), "the energy E is not positive at node 3 of 5");

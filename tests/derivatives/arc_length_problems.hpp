@@ -42,17 +42,19 @@ inline std::ostream& operator<<(std::ostream& out, const ArcLengthCase& row) {
 [[nodiscard]] inline std::vector<double> random_point(const ArcLength& problem,
                                                       Random& random) {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const ArcLengthLayout& layout = problem.layout();
+  using enum StateComponent;
+  const VariableLayout& layout = problem.layout();
   std::vector<double> x(at(layout.num_variables()));
   double x_c = 0.0, z_c = 0.0, turned = 0.0;
-  for (int node = 1; node <= layout.num_intervals(); ++node) {
+  for (int node = 1; node <= layout.num_points(); ++node) {
     const double length = 3.0 * problem.share(node) * random.uniform(0.9, 1.1);
     const double chord = length * random.uniform(0.95, 1.0);
     const double beta = random.uniform(1.2, 1.9);
-    x[at(layout.x(node))] = x_c += chord * std::cos(beta);
-    x[at(layout.z(node))] = z_c += chord * std::sin(beta);
+    x[at(layout.state(node, X))] = x_c += chord * std::cos(beta);
+    x[at(layout.state(node, Z))] = z_c += chord * std::sin(beta);
     if (!layout.has_theta()) continue;
-    x[at(layout.theta(node))] = turned += length / problem.scene().body.radius;
+    x[at(layout.state(node, Theta))] = turned +=
+        length / problem.scene().body.radius;
   }
   x.back() = random.uniform(2.0, 4.0);
   return x;

@@ -11,10 +11,11 @@
 
 #include "brachisto/model/units.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/trajectory/arc_length_certificate.hpp"
-#include "brachisto/trajectory/arc_length_residual.hpp"
-#include "brachisto/transcription/arc_contact.hpp"
-#include "brachisto/transcription/arc_prolongation.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
+#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/extended_residual.hpp"
+#include "brachisto/transcription/contact_equation.hpp"
+#include "brachisto/transcription/prolongation.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
 
@@ -36,11 +37,11 @@ struct ArcCase {
     const SolvedProblem smooth =
         solved(problem.scene(), uniform_mesh(5, 16), -0.086);
     const ExtremalCurve curve(smooth.problem, smooth.point);
-    ArcContactEquation contact(problem);
+    ContactEquation contact(problem);
     NewtonOptions options;
     options.to_rounding = true;
     const NewtonResult result = solve_with_newton(
-        problem, &contact, sample(curve, problem), -0.086, options);
+        problem, &contact, prolong(curve, problem), -0.086, options);
     point = result.point;
     phi = result.phi;
   }
@@ -79,9 +80,8 @@ TEST(ArcLengthCertificate, FindsWrongMultipliers) {
 
 TEST(ArcLengthCertificate, FindsABentPiece) {
   ArcCase solution;
-  solution.point
-      .x[static_cast<std::size_t>(solution.problem.layout().z(kPieces / 2))] +=
-      1e-6;
+  solution.point.x[static_cast<std::size_t>(
+      solution.problem.layout().state(kPieces / 2, StateComponent::Z))] += 1e-6;
 
   const std::vector<std::string> failed = solution.failed();
 
@@ -104,9 +104,8 @@ TEST(ArcLengthCertificate, FindsAnErrorThatIsClaimedTooSmall) {
 
 TEST(ArcLengthResidual, IsTheProblemsOwnButForRounding) {
   ArcCase solution;
-  solution.point
-      .x[static_cast<std::size_t>(solution.problem.layout().x(kPieces / 3))] +=
-      1e-3;
+  solution.point.x[static_cast<std::size_t>(
+      solution.problem.layout().state(kPieces / 3, StateComponent::X))] += 1e-3;
   ASSERT_TRUE(solution.problem.set_point(solution.point.x));
   std::vector<double> g(solution.point.lambda.size());
   solution.problem.eval_g(g);

@@ -153,9 +153,7 @@ Answer with_start_speed(const Scene& scene, double start_speed) {
     EXPECT_EQ(result.status, Status::Solved) << result.message;
     if (result.status != Status::Solved) break;
     answer.point = result.point;
-    const double slope =
-        end_slope(problem, answer.point.x,
-                  costates(problem, answer.point.x, answer.point.lambda));
+    const double slope = problem.end_slope(answer.point.x, answer.point.lambda);
     closed = std::abs(slope - answer.phi) < 1e-10;
     if (!closed) answer.phi += 0.5 * (slope - answer.phi);
   }

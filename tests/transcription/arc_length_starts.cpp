@@ -11,7 +11,7 @@
 
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/inertia.hpp"
-#include "brachisto/transcription/arc_prolongation.hpp"
+#include "brachisto/transcription/prolongation.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
@@ -26,7 +26,7 @@ PrimalDual solve_arc(ArcLength& problem) {
   const SolvedProblem smooth =
       solved(problem.scene(), uniform_mesh(5, 16), kPhi);
   const ExtremalCurve curve(smooth.problem, smooth.point);
-  SolverResult result = solve_with_ipopt(problem, sample(curve, problem), {});
+  SolverResult result = solve_with_ipopt(problem, prolong(curve, problem), {});
   if (result.status != Status::Solved) throw std::runtime_error(result.message);
   return std::move(result.point);
 }
@@ -44,9 +44,9 @@ TEST_P(ArcStartOf, MultipliersOfTheCostatesAreThoseOfTheSolver) {
   ArcLength problem(GetParam(), 60, kPhi);
   const PrimalDual solution = solve_arc(problem);
   ASSERT_TRUE(problem.set_point(solution.x));
-  const ArcLength::EndCostates p = problem.end_costates(solution.lambda);
+  const Costates p = problem.end_costates(solution.lambda);
 
-  const std::vector<double> lambda = problem.multipliers(p.x.value, p.z.value);
+  const std::vector<double> lambda = problem.multipliers(p.p_x, p.p_z);
 
   const double largest = std::abs(*std::ranges::max_element(
       solution.lambda, {}, [](double l) { return std::abs(l); }));
@@ -70,13 +70,13 @@ TEST_P(ArcStartOf, CostatesAreTheGradientOfTheTime) {
   ArcLength problem(GetParam(), 60, kPhi);
   const PrimalDual solution = solve_arc(problem);
   ASSERT_TRUE(problem.set_point(solution.x));
-  const ArcLength::EndCostates p = problem.end_costates(solution.lambda);
+  const Costates p = problem.end_costates(solution.lambda);
 
   const double slope =
       (time(kPhi + kStep) - time(kPhi - kStep)) / (2.0 * kStep);
 
   EXPECT_NEAR(-GetParam().body.radius *
-                  (p.x.value * std::cos(kPhi) + p.z.value * std::sin(kPhi)),
+                  (p.p_x * std::cos(kPhi) + p.p_z * std::sin(kPhi)),
               slope, 10.0 * kStep * kStep);
 }
 

@@ -37,12 +37,12 @@ TEST(Costates, OfACycloidConvergeWithTwiceTheDegree) {
     std::array<double, 4> h{}, error_x{}, error_z{}, error_phi{};
     for (std::size_t level = 0; level < h.size(); ++level) {
       const int elements = 4 << level;
-      const SolvedProblem solution =
-          solved(scene, uniform_mesh(p, elements), phi);
+      SolvedProblem solution = solved(scene, uniform_mesh(p, elements), phi);
 
       const CostateSolution p_end =
           costates(solution.problem, solution.point.x, solution.point.lambda);
-      const double slope = end_slope(solution.problem, solution.point.x, p_end);
+      const double slope =
+          solution.problem.end_slope(solution.point.x, solution.point.lambda);
 
       h[level] = 1.0 / elements;
       error_x[level] = std::abs(p_end.p_x + size * std::cos(phi));
@@ -171,11 +171,12 @@ TEST(Costates, AtNodesAndPointsLieOnOnePolynomialPerElement) {
 }
 
 TEST(EndSlope, IsNotANumberWhereTheHamiltonianHasNoMinimum) {
-  const SolvedProblem solution =
+  SolvedProblem solution =
       solved(natural(uniform_scene()), uniform_mesh(2, 4), -0.5);
+  const std::vector<double> no_costates(solution.point.lambda.size());
 
-  EXPECT_TRUE(std::isnan(
-      end_slope(solution.problem, solution.point.x, CostateSolution{})));
+  EXPECT_TRUE(
+      std::isnan(solution.problem.end_slope(solution.point.x, no_costates)));
 }
 
 }  // namespace

@@ -106,5 +106,48 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Layout, ::testing::Bool(),
                            return row.param ? "WithTheta" : "WithoutTheta";
                          });
 
+class LayoutOfPieces : public ::testing::TestWithParam<bool> {
+ protected:
+  const VariableLayout layout = VariableLayout::of_pieces(7, GetParam());
+};
+
+TEST_P(LayoutOfPieces, StandsInTheDocumentedOrder) {
+  // x_1 z_1 [θ_1] x_2 … S; no slip and place of piece 1, of piece 2 …
+  int next = 0, row = 0;
+  for (int n = 1; n < layout.num_nodes(); ++n) {
+    EXPECT_EQ(layout.state(n, X), next++);
+    EXPECT_EQ(layout.state(n, Z), next++);
+    if (layout.has_theta()) EXPECT_EQ(layout.state(n, Theta), next++);
+    EXPECT_EQ(layout.no_slip(n), row++);
+    if (layout.has_theta()) EXPECT_EQ(layout.place(n), row++);
+  }
+  EXPECT_EQ(layout.arc_length(), next++);
+  EXPECT_EQ(layout.num_variables(), next);
+  EXPECT_EQ(layout.num_constraints(), row);
+}
+
+TEST_P(LayoutOfPieces, NamesWhatStandsThere) {
+  EXPECT_EQ(layout.variable_name(layout.state(1, X)), "x[1]");
+  EXPECT_EQ(layout.variable_name(layout.state(7, Z)), "z[7]");
+  EXPECT_EQ(layout.variable_name(layout.arc_length()), "S");
+  EXPECT_EQ(layout.constraint_name(layout.no_slip(1)), "no slip[1]");
+  if (!layout.has_theta()) return;
+  EXPECT_EQ(layout.variable_name(layout.state(3, Theta)), "theta[3]");
+  EXPECT_EQ(layout.constraint_name(layout.place(7)), "place[7]");
+}
+
+TEST_P(LayoutOfPieces, KnowsTheNodeOfAnUnknownAndThePieceOfAConstraint) {
+  for (int n = 1; n < layout.num_nodes(); ++n) {
+    EXPECT_EQ(layout.node_of(layout.state(n, Z)), n);
+    EXPECT_TRUE(layout.is_state(layout.state(n, Z)));
+    EXPECT_EQ(layout.point_of(layout.no_slip(n)), n - 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, LayoutOfPieces, ::testing::Bool(),
+                         [](const auto& row) {
+                           return row.param ? "WithTheta" : "WithoutTheta";
+                         });
+
 }  // namespace
 }  // namespace brachisto::testing

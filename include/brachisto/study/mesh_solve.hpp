@@ -8,9 +8,9 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
-#include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/study/progress.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
@@ -54,7 +54,7 @@ struct MeshOptions {
   IpoptOptions ipopt;
   ClosureOptions closure;
   bool polish = true;
-  bool newton_alone = false;   ///< no Ipopt: stay_between() in place of passes
+  bool newton_alone = false;   ///< no Ipopt: stay_on_mesh() in place of passes
   ProgressHook progress = {};  ///< may be empty
 };
 
@@ -67,10 +67,9 @@ inline constexpr double kRoundingResidual = 1e-10;
 /// first step leaves the square of it.
 inline constexpr double kPolishedFrom = 1e-5;
 
-/// The larger of `tolerance` and what rounding leaves of residuals at `point`:
-/// a defect is a sum of some p + 1 unknowns times matrix entries of order p,
-/// and θ runs to thousands on the way of a small body.
-[[nodiscard]] double reachable(double tolerance, const PrimalDual& point);
+/// The larger of `tolerance` and what rounding leaves of residuals at x.
+[[nodiscard]] double reachable(double tolerance, const Transcription& problem,
+                               std::span<const double> x);
 
 /// What rounding leaves of T where the path ends, in natural units:
 /// the ends are sums of lengths, a dozen roundings of the largest of them go
@@ -80,41 +79,29 @@ inline constexpr double kPolishedFrom = 1e-5;
 [[nodiscard]] double rounding_of_ends(const Scene& scene, double phi,
                                       double p_x, double p_z);
 
-/// A problem between fixed ends of the centre's path, of any formulation.
-struct FixedEnds {
-  nlp::Problem& problem;
-  nlp::ClosingEquation* contact;  ///< null with Contact::Centre
-  /// β_end of a solution [rad].
-  std::function<double(const PrimalDual& point)> end_slope;
-  /// The larger of a tolerance and what rounding leaves of residuals.
-  std::function<double(double tolerance, const PrimalDual& point)> reachable;
-  double rounding_residual = kRoundingResidual;
-};
-
-/// Solves between fixed end points with Ipopt and closes the contact around it,
-/// as described at solve_on_mesh().
-[[nodiscard]] MeshSolution solve_between(const FixedEnds& ends,
+/// Solves the problem between fixed end points with Ipopt and closes the
+/// contact around it, each pass warm-started from the one before. With
+/// polishing, Newton's method on the optimality conditions and the contact
+/// together does the last digits.
+[[nodiscard]] MeshSolution solve_on_mesh(Transcription& problem,
                                          const MeshStart& start,
                                          const MeshOptions& options);
 
 /// Newton's method alone on the optimality conditions and the contact together:
 /// it stays at the extremal that the start is close to, also at one that is no
 /// minimum between its end points, which Ipopt would leave.
-[[nodiscard]] MeshSolution stay_between(const FixedEnds& ends,
+[[nodiscard]] MeshSolution stay_on_mesh(Transcription& problem,
                                         const MeshStart& start,
                                         const MeshOptions& options);
 
-/// The same for a problem in the rolling time.
-[[nodiscard]] MeshSolution stay_on_mesh(RollingTime& problem,
-                                        const MeshStart& start,
-                                        const MeshOptions& options);
+/// solve_on_mesh() from so near that many iterations only mean that Ipopt went
+/// elsewhere.
+[[nodiscard]] MeshSolution solve_near(Transcription& problem,
+                                      const MeshStart& start,
+                                      MeshOptions options);
 
-/// Solves the problem between fixed end points with Ipopt and closes the
-/// contact around it, each pass warm-started from the one before. With
-/// polishing, Newton's method on the optimality conditions and the contact
-/// together does the last digits.
-[[nodiscard]] MeshSolution solve_on_mesh(RollingTime& problem,
-                                         const MeshStart& start,
-                                         const MeshOptions& options);
+/// Puts `stayed`, of stay_on_mesh(), in place of what Ipopt `left` for; the
+/// work of that counts all the same.
+void take_instead(MeshSolution& left, MeshSolution stayed);
 
 }  // namespace brachisto

@@ -23,6 +23,15 @@ struct RefinementProtocol {
   std::string log;                 ///< of Ipopt
 };
 
+/// Enters a mesh that was solved on, and takes its iterations off the budget.
+/// \param error  relative, of T
+void book(const Transcription& problem, const MeshSolution& solution,
+          const std::optional<double>& error, MeshOptions& options,
+          RefinementProtocol& out);
+
+/// Whether a mesh on which there is no solution may only be too coarse.
+[[nodiscard]] bool too_coarse(const MeshSolution& solution);
+
 /// Outcome of refine().
 struct Refinement : RefinementProtocol {
   std::optional<MeshAnswer> answer;  ///< the best one; nothing if none solved

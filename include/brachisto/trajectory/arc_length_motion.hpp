@@ -11,9 +11,10 @@
 
 #include "brachisto/model/units.hpp"
 #include "brachisto/trajectory/prescribed_motion.hpp"
-#include "brachisto/transcription/arc_length.hpp"
 
 namespace brachisto {
+
+class ArcLength;
 
 /// A body on the smooth curve through nodes of a solution.
 ///

@@ -102,4 +102,30 @@ struct CertificateThresholds {
                                   double phi, double error,
                                   const CertificateThresholds& thresholds = {});
 
+class ArcLength;
+class ArcLengthMotion;
+
+/// The same for an arc_length problem. Checks are those above where they have a
+/// meaning here:
+///
+/// Optimality:
+///   kkt_residual     stationarity, in long double and by other derivatives
+///   legendre, weierstrass  of 𝓗 on the pieces: no other direction is better
+///   start_angle      slope of the curve through the nodes at the start
+///   second_order     eigenvalues of the KKT matrix with the wrong sign or none
+/// Integrity:
+///   defects          equality constraints, in long double
+///   contact_error    of the path's fixed end from C_B(φ), and of the curve
+///   closure          |β_end(φ) − φ|, for Contact::Smooth
+///   slope_angle      continuous slope angle of the pieces within [−π, π]
+///   reintegrated_time  time on the curve through the nodes against T
+///   reintegration_error  the equation of motion on that curve, integrated in
+///                    time: place and speed at the end
+///
+/// \param error  relative error of T that the solution has or may have
+[[nodiscard]] Certificate certify(ArcLength& problem, const PrimalDual& point,
+                                  double phi, const ArcLengthMotion& motion,
+                                  double error,
+                                  const CertificateThresholds& thresholds = {});
+
 }  // namespace brachisto

@@ -9,11 +9,12 @@
 #include <string>
 
 #include "brachisto/nlp/primal_dual.hpp"
+#include "brachisto/transcription/arc_length.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
 
 namespace brachisto {
 
-/// Residuals of a rolling_time problem at (x, λ).
+/// Residuals of a problem at (x, λ).
 struct ExtendedResidual {
   double stationarity = 0.0;  ///< max |∂(f + λᵀg)/∂x_i| over free variables
   double defects = 0.0;       ///< max |g_i|
@@ -24,9 +25,11 @@ struct ExtendedResidual {
 
 /// Recomputes the residual in long double. The derivatives come from jets
 /// through the functions of the model; of the problem's own code only the
-/// layout, the mesh and the collocation matrices are used, and none of the
+/// layout, the mesh and its matrices are used, and none of the
 /// closed forms that the optimiser worked with.
 [[nodiscard]] ExtendedResidual extended_residual(const RollingTime& problem,
+                                                 const PrimalDual& point);
+[[nodiscard]] ExtendedResidual extended_residual(const ArcLength& problem,
                                                  const PrimalDual& point);
 
 }  // namespace brachisto

@@ -9,14 +9,9 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/hamiltonian.hpp"
-#include "brachisto/model/scene.hpp"
-#include "brachisto/nlp/problem.hpp"
-#include "brachisto/transcription/arc_length_layout.hpp"
+#include "brachisto/transcription/transcription.hpp"
 
 namespace brachisto {
 
@@ -36,23 +31,18 @@ namespace brachisto {
 /// keep their relative accuracy next to it. x_N and z_N are fixed. A no-slip
 /// row is divided by twice the length that the piece would have on a straight
 /// way to B: it is the error of a length, and so is a place row, r θ_j − S
-/// σ_j². ArcLengthLayout tells the order of all of them.
+/// σ_j². VariableLayout tells the order of all of them.
 ///
 /// A point is refused unless all pieces have r Δθ > 0 (S > 0 without θ), A > 0,
 /// and E > 0 at all nodes.
-class ArcLength final : public nlp::Problem {
+class ArcLength final : public Transcription {
  public:
   /// \param scene  valid, in units of the caller's choice
   /// \param num_intervals  N ≥ 2
   /// \param phi    end angle φ [rad]; without effect with Contact::Centre
   ArcLength(const Scene& scene, int num_intervals, double phi);
 
-  /// Moves the end of the centre to C_B(φ).
-  void set_end_angle(double phi);
-
-  [[nodiscard]] const Scene& scene() const { return scene_; }
-  [[nodiscard]] const ArcLengthLayout& layout() const { return layout_; }
-  [[nodiscard]] int num_intervals() const { return layout_.num_intervals(); }
+  [[nodiscard]] int num_intervals() const { return layout().num_points(); }
   /// j/N.
   [[nodiscard]] double sigma(int node) const {
     return static_cast<double>(node) / num_intervals();
@@ -71,59 +61,23 @@ class ArcLength final : public nlp::Problem {
     return reference_length_ * share(node);
   }
 
-  [[nodiscard]] int num_variables() const override {
-    return layout_.num_variables();
-  }
-  [[nodiscard]] int num_constraints() const override {
-    return layout_.num_constraints();
-  }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
-  }
-  [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
-    return jac_g_pattern_;
-  }
-  [[nodiscard]] const nlp::SparsityPattern& hess_lag_pattern() const override {
-    return hess_lag_pattern_;
-  }
   /// Along the path: unknowns and multipliers of one node after the other, S
   /// last.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
   /// A link for each piece, with nothing inside: a node and the multipliers of
   /// the piece that leads to it are a separator; S is the border.
   [[nodiscard]] nlp::ChainStructure chain_structure() const override;
-  [[nodiscard]] std::string variable_name(int index) const override {
-    return layout_.variable_name(index);
-  }
-  [[nodiscard]] std::string constraint_name(int index) const override {
-    return layout_.constraint_name(index);
-  }
-  [[nodiscard]] std::string refusal() const override;
 
+  /// The problem is moved to x.
+  [[nodiscard]] std::optional<End> end(std::span<const double> x,
+                                       std::span<const double> lambda) override;
   /// Minus the derivatives of the Lagrangian with respect to the fixed x_N and
-  /// z_N: at a solution −∂T/∂x_end and −∂T/∂z_end, the constant costates of
-  /// x and z in the rolling time. By which of the last two nodes' unknowns, of
-  /// the last no-slip multiplier and of S they change:
-  struct EndCostates {
-    struct Costate {
-      double value = 0.0;
-      std::array<double, 3> by_last{}, by_before{};  ///< x, z, θ
-      double by_no_slip = 0.0, by_S = 0.0;
-    };
-    Costate x, z;
-  };
-  /// At the current point.
-  [[nodiscard]] EndCostates end_costates(std::span<const double> lambda) const;
-
-  /// √(2 g E) at the last node of the current point.
-  [[nodiscard]] double end_w() const { return nodes_.w.back(); }
-  /// Its derivatives with respect to z_N and θ_N.
-  [[nodiscard]] std::array<double, 2> end_w_slopes() const {
-    return {nodes_.by_z.back(), nodes_.by_theta.back()};
-  }
+  /// z_N, at the current point.
+  [[nodiscard]] Costates end_costates(
+      std::span<const double> lambda) const override;
+  /// What rounding of the nodes alone leaves: lengths of order one known to ε,
+  /// divided by those of pieces, S/N on average.
+  [[nodiscard]] double rounding(std::span<const double> x) const override;
 
   /// Where σ is in the middle of a piece: rotation, mean speed, slope angle and
   /// the costates of 𝓗 there.
@@ -169,52 +123,29 @@ class ArcLength final : public nlp::Problem {
     std::array<double, 9> between{};
   };
 
-  bool do_set_point(std::span<const double> x) override;
-  [[nodiscard]] std::span<const double> current_point() const override {
-    return x_;
-  }
+  bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
   void do_eval_grad_f(std::span<double> grad_f) const override;
   void do_eval_g(std::span<double> g) const override;
-  void do_eval_jac_g(std::span<double> values) const override;
-  void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
-                        std::span<double> values) const override;
+  void put_jac_g(Entries& put) const override;
+  void put_hess_lag(double objective_factor, std::span<const double> lambda,
+                    Entries& put) const override;
+  void put_axisymmetric_hess_lag(double objective_factor,
+                                 std::span<const double> lambda,
+                                 Entries& put) const;
 
-  void build_patterns();
   bool set_nodes();
   bool set_pieces();
-  bool refuse(int node, const char* reason);
   [[nodiscard]] Slopes slopes(int node) const;
   [[nodiscard]] Block block(int node, double objective_factor,
                             double lambda) const;
   /// Derivatives of the time of a piece with respect to w twice, and S and w.
   [[nodiscard]] std::array<double, 2> axisymmetric_curvature(int node) const;
 
-  /// The stencils. Each calls put(row, col, value) for every entry, always in
-  /// the same order, so that pattern and values cannot drift apart.
-  template <class Put>
-  void visit_jac_g(Put&& put) const;
-  template <class Put>
-  void visit_hess_lag(double objective_factor, std::span<const double> lambda,
-                      Put&& put) const;
-  template <class Put>
-  void visit_axisymmetric_hess_lag(double objective_factor,
-                                   std::span<const double> lambda,
-                                   Put&& put) const;
-
-  Scene scene_;
-  Point start_;
-  ArcLengthLayout layout_;
   double reference_length_;
   double constant_root_;  ///< √A without θ
-  std::vector<double> lower_, upper_;
-  nlp::SparsityPattern jac_g_pattern_, hess_lag_pattern_;
-
-  std::vector<double> x_;  ///< the current point
   Nodes nodes_;
   Pieces pieces_;
-  int refused_node_ = -1;
-  const char* refused_because_ = "";
 };
 
 }  // namespace brachisto

@@ -36,12 +36,4 @@ struct CostateSolution {
                                        std::span<const double> x,
                                        std::span<const double> lambda);
 
-/// β_end: the slope angle of the extremal at its end, from ∂𝓗/∂β = 0 with the
-/// end's states and costates, so that it has order 2p; the minimum nearest to
-/// the last slope at a collocation point, which is first reduced to [−π, π],
-/// for a solver may leave it a turn off. NaN if there is none.
-[[nodiscard]] double end_slope(const RollingTime& problem,
-                               std::span<const double> x,
-                               const CostateSolution& p);
-
 }  // namespace brachisto

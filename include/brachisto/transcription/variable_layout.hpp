@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Where each unknown and each constraint of a rolling_time problem stands.
+/// Where each unknown and each constraint of a transcription stands.
 
 #pragma once
 
@@ -14,60 +14,113 @@ namespace brachisto {
 /// body whose centre of mass lies on its axis has no θ.
 enum class StateComponent { X, Z, Theta, W };
 
-/// Layout of unknowns and constraints. For n_s states (4, or 3 without θ) and
-/// N p collocation points the unknowns are, in this order,
+/// Layout of unknowns and constraints: a group of unknowns for each node along
+/// the path, one global unknown last; a group of constraints for each point,
+/// which leads from node to node. So what couples lies close together.
+///
+/// rolling_time: for n_s states (4, or 3 without θ) and N p collocation points
 ///
 ///     x_0 z_0 [θ_0] w_0  β_0  x_1 z_1 [θ_1] w_1  β_1  …  β_{Np−1}
-///     x_{Np} z_{Np} [θ_{Np}] w_{Np}  U,
+///     x_{Np} z_{Np} [θ_{Np}] w_{Np}  U;
 ///
-/// so that what couples lies close together and the one global unknown comes
-/// last; β_c belongs to collocation point c, which need not lie between the
-/// nodes c and c + 1 it stands between. The constraints are the defects
+/// β_c belongs to collocation point c, which need not lie between the nodes c
+/// and c + 1 it stands between. The constraints are the defects
 ///
 ///     x z [θ] w of point 0,  x z [θ] w of point 1,  …
+///
+/// arc_length: on N pieces, the start, node 0, being no unknown,
+///
+///     x_1 z_1 [θ_1]  x_2 z_2 [θ_2]  …  x_N z_N [θ_N]  S;
+///
+/// the constraints of piece j, which leads to node j, are
+///
+///     no slip of 1  [place of 1]  no slip of 2  [place of 2]  …,
+///
+/// place being θ_j − θ_m = (S/r) σ_j².
 class VariableLayout {
  public:
+  /// Of rolling_time.
   VariableLayout(int num_points, bool has_theta)
-      : num_points_(num_points), num_states_(has_theta ? 4 : 3) {}
-
-  [[nodiscard]] bool has_theta() const { return num_states_ == 4; }
-  [[nodiscard]] int num_states() const { return num_states_; }
-  [[nodiscard]] int num_points() const { return num_points_; }
-  [[nodiscard]] int num_nodes() const { return num_points_ + 1; }
-  [[nodiscard]] int num_variables() const { return stride() * num_nodes(); }
-  [[nodiscard]] int num_constraints() const {
-    return num_states_ * num_points_;
+      : VariableLayout(num_points, has_theta, has_theta ? 4 : 3, 1,
+                       has_theta ? 4 : 3) {}
+  /// Of arc_length.
+  [[nodiscard]] static VariableLayout of_pieces(int num_pieces,
+                                                bool has_theta) {
+    return {num_pieces, has_theta, has_theta ? 3 : 2, 0, has_theta ? 2 : 1};
   }
 
-  /// Index of a state component at node 0 … N p. \pre has_theta() for Theta.
+  [[nodiscard]] bool has_theta() const { return has_theta_; }
+  [[nodiscard]] int num_states() const { return num_states_; }
+  /// Collocation points or pieces.
+  [[nodiscard]] int num_points() const { return num_points_; }
+  /// The start included.
+  [[nodiscard]] int num_nodes() const { return num_points_ + 1; }
+  [[nodiscard]] int num_variables() const {
+    return num_points_ * stride() + (has_slopes() ? num_states_ : 0) + 1;
+  }
+  [[nodiscard]] int num_constraints() const { return num_rows_ * num_points_; }
+
+  /// Index of a state component at node 0 … N p, of pieces 1 … N.
+  /// \pre has_theta() for Theta, rolling_time for W
   [[nodiscard]] int state(int node, StateComponent component) const {
-    return stride() * node + offset(component);
+    return stride() * (node - first_node()) + offset(component);
   }
   /// Index of β at collocation point 0 … N p − 1.
   [[nodiscard]] int beta(int point) const {
     return stride() * point + num_states_;
   }
-  /// Index of U.
-  [[nodiscard]] int rolling_time() const { return num_variables() - 1; }
+  /// Index of the global unknown, U or S.
+  [[nodiscard]] int last() const { return num_variables() - 1; }
+  [[nodiscard]] int rolling_time() const { return last(); }
+  [[nodiscard]] int arc_length() const { return last(); }
   /// Index of the defect of a state component at a collocation point.
   [[nodiscard]] int defect(int point, StateComponent component) const {
-    return num_states_ * point + offset(component);
+    return num_rows_ * point + offset(component);
+  }
+  /// Of the piece that leads to node 1 … N.
+  [[nodiscard]] int no_slip(int node) const { return num_rows_ * (node - 1); }
+  /// \pre has_theta()
+  [[nodiscard]] int place(int node) const { return no_slip(node) + 1; }
+
+  /// The node in whose group an unknown stands.
+  [[nodiscard]] int node_of(int variable) const {
+    return variable / stride() + first_node();
+  }
+  /// True of unknowns but slopes; not of the global one.
+  [[nodiscard]] bool is_state(int variable) const {
+    return variable % stride() < num_states_;
+  }
+  /// The point to which a constraint belongs.
+  [[nodiscard]] int point_of(int constraint) const {
+    return constraint / num_rows_;
   }
 
   /// "x[3]", "beta[7]", "U".
   [[nodiscard]] std::string variable_name(int index) const;
-  /// "defect of theta[7]".
+  /// "defect of theta[7]", "no slip[3]".
   [[nodiscard]] std::string constraint_name(int index) const;
 
  private:
-  [[nodiscard]] int stride() const { return num_states_ + 1; }
+  VariableLayout(int num_points, bool has_theta, int num_states, int num_slopes,
+                 int num_rows)
+      : num_points_(num_points),
+        has_theta_(has_theta),
+        num_states_(num_states),
+        num_slopes_(num_slopes),
+        num_rows_(num_rows) {}
+
+  [[nodiscard]] bool has_slopes() const { return num_slopes_ > 0; }
+  [[nodiscard]] int first_node() const { return has_slopes() ? 0 : 1; }
+  [[nodiscard]] int stride() const { return num_states_ + num_slopes_; }
   [[nodiscard]] int offset(StateComponent component) const {
     const int full = static_cast<int>(component);
     return component == StateComponent::W ? num_states_ - 1 : full;
   }
+  [[nodiscard]] const char* state_name(int offset) const;
 
   int num_points_;
-  int num_states_;
+  bool has_theta_;
+  int num_states_, num_slopes_, num_rows_;  ///< of a node, of a point
 };
 
 }  // namespace brachisto

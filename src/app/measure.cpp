@@ -6,7 +6,6 @@
 // it as a process of its own; not for people.
 
 #include <chrono>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
@@ -87,15 +86,14 @@ int run(const MeasureFlags& flags) {
 }  // namespace
 
 void add_measure(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<MeasureFlags>();
-  CLI::App* verb = app.add_subcommand("measure", "");
-  verb->group("");  // not in the help
-  flags->add_to(*verb);
-  verb->add_option("--repetitions", flags->repetitions)
+  auto [verb, flags] =
+      add_verb<MeasureFlags>(app, exit_code, "measure", "", run);
+  verb.group("");  // not in the help
+  flags.add_to(verb);
+  verb.add_option("--repetitions", flags.repetitions)
       ->check(CLI::PositiveNumber);
-  verb->add_option("--seconds", flags->seconds)->check(CLI::PositiveNumber);
-  verb->add_option("--residual", flags->residual)->check(CLI::PositiveNumber);
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb.add_option("--seconds", flags.seconds)->check(CLI::PositiveNumber);
+  verb.add_option("--residual", flags.residual)->check(CLI::PositiveNumber);
 }
 
 }  // namespace brachisto::app

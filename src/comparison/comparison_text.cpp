@@ -85,9 +85,8 @@ std::string iterations_text(const Measurement& run) {
 
 std::string summary(const MethodComparison& comparison) {
   constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
-  std::vector<std::vector<std::string>> rows{
-      {"method", "unknowns", "CPU [s]", "iterations", "evaluations", "memory",
-       "τ", "error", "verdict"}};
+  Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
+             "memory", "τ", "error", "verdict"}};
   for (const ComparisonRow& row : comparison.rows) {
     const Measurement& run = row.run;
     rows.push_back(

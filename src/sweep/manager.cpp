@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "sweep/outcome.hpp"
-#include "sweep/worker_process.hpp"
+#include "sweep/worker.hpp"
 
 namespace brachisto::sweep {
 

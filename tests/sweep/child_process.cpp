@@ -3,7 +3,7 @@
 
 // How a process ended is told apart, and what it wrote is kept.
 
-#include "comparison/child_process.hpp"
+#include "sweep/child_process.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <csignal>
 #include <string>
 
-namespace brachisto::comparison {
+namespace brachisto::sweep {
 namespace {
 
 using End = ChildRun::End;
@@ -67,4 +67,4 @@ TEST(ChildProcess, AProgramThatIsNotThereExits) {
 }
 
 }  // namespace
-}  // namespace brachisto::comparison
+}  // namespace brachisto::sweep

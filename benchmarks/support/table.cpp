@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "support/table.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +9,8 @@
 #include <stdexcept>
 
 #include "brachisto/report/provenance.hpp"
-#include "comparison/machine.hpp"
+#include "comparison/documents.hpp"
+#include "support/table.hpp"
 
 namespace brachisto::benchmarks {
 

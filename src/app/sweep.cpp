@@ -19,6 +19,7 @@
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "io/visible_text.hpp"
+#include "math/wall_clock.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"
@@ -195,14 +196,12 @@ int run(const SweepFlags& flags) {
 
   sweep::Progress progress(flags.quiet ? sweep::Progress::Form::None
                                        : sweep::Progress::form_of_stderr());
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = WallClock::now();
   const Counts counts =
       run_manager(job, store, manager_options(flags, job, signal),
                   [&](const Counts& now) { progress.show(now); });
   progress.finish(counts);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
+  const double seconds = seconds_since(start);
   const int received = counts.finished() < counts.scenes ? signal.load() : 0;
   print_results(flags, counts, seconds, received);
   if (received != 0) return kSignalBase + received;

@@ -53,7 +53,7 @@ struct Case {
   std::string name;      ///< of its problem file, without ending
   io::ProblemFile file;  ///< with its wanted accuracy
   Solution rough;        ///< as the file wants it
-  /// A hundred times as accurate, with a second opinion of the indirect
+  /// A hundred times as accurate, cross-checked by the indirect
   /// method; of a given path: the same.
   Solution fine;
 

@@ -17,9 +17,9 @@ namespace {
 /// What the indirect method and the paper's own equations say.
 std::string other_methods(const Results& found, const std::string& name) {
   std::string out;
-  if (const auto& opinion = found.cases[name].fine.extremal) {
+  if (const auto& cross_check = found.cases[name].fine.extremal) {
     out = fmt::format("The indirect method differs by {:.0e}. ",
-                      opinion->difference);
+                      cross_check->difference);
   }
   const auto equations = found.equations.find(name);
   if (equations == found.equations.end()) return out;

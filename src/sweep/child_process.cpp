@@ -14,26 +14,20 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <memory>
 #include <system_error>
 #include <utility>
 
+#include "math/wall_clock.hpp"
+
 namespace brachisto::sweep {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // What a process that could not become what it should ends with.
 constexpr int kCannotRun = 127;
-
-Clock::time_point in(double seconds) {
-  return Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                            std::chrono::duration<double>(seconds));
-}
 
 void close_both(std::array<int, 2>& pipe) {
   for (int& end : pipe) {
@@ -68,7 +62,7 @@ void set_up(const std::array<int, 3>& theirs, const ChildLimits& limits,
 /// Reads both streams until they end or it is time to stop.
 /// \return Exited if they ended
 ChildRun::End collect(ChildRun& run, const ChildProcess& child,
-                      Clock::time_point until,
+                      WallClock::time_point until,
                       const std::atomic<int>* interrupt) {
   constexpr int kLook = 50;  // for a reason to stop [ms]
   std::array<pollfd, 2> streams{
@@ -78,7 +72,7 @@ ChildRun::End collect(ChildRun& run, const ChildProcess& child,
     if (interrupt != nullptr && interrupt->load() != 0) {
       return ChildRun::End::Interrupted;
     }
-    if (Clock::now() >= until) return ChildRun::End::OutOfTime;
+    if (WallClock::now() >= until) return ChildRun::End::OutOfTime;
     if (::poll(streams.data(), streams.size(), kLook) <= 0) continue;
     for (std::size_t i = 0; i < streams.size(); ++i) {
       if (streams[i].fd < 0 || streams[i].revents == 0) continue;
@@ -146,7 +140,7 @@ ChildEnd ChildProcess::finish(double seconds) {
   constexpr useconds_t kShortest = 50, kLongest = 1000;  // of a pause [µs]
   ChildEnd end;
   if (pid_ <= 0) return end;
-  const Clock::time_point until = in(seconds);
+  const WallClock::time_point until = seconds_from_now(seconds);
   bool killed = false;
   int status = 0;
   struct rusage usage = {};
@@ -154,7 +148,7 @@ ChildEnd ChildProcess::finish(double seconds) {
     const pid_t ended = ::wait4(pid_, &status, killed ? 0 : WNOHANG, &usage);
     if (ended == pid_ || (ended < 0 && errno != EINTR)) break;
     if (killed) continue;
-    killed = Clock::now() >= until;
+    killed = WallClock::now() >= until;
     if (killed) {
       kill();
     } else {
@@ -197,18 +191,15 @@ ssize_t read_some(int file, std::string& text) {
 ChildRun run_child(const std::filesystem::path& program,
                    const std::vector<std::string>& arguments, double seconds,
                    const std::atomic<int>* interrupt) {
-  const Clock::time_point begin = Clock::now();
-  const Clock::time_point until = in(seconds);
-  const auto since = [](Clock::time_point a, Clock::time_point b) {
-    return std::chrono::duration<double>(b - a).count();
-  };
+  const WallClock::time_point begin = WallClock::now();
+  const WallClock::time_point until = seconds_from_now(seconds);
   ChildProcess child(run_program(program, arguments),
                      {.input = false, .output = true, .error = true}, {});
   ChildRun run;
   run.end = collect(run, child, until, interrupt);
   if (run.end != ChildRun::End::Exited) child.kill();
-  const ChildEnd end = child.finish(since(Clock::now(), until));
-  run.seconds = since(begin, Clock::now());
+  const ChildEnd end = child.finish(seconds_between(WallClock::now(), until));
+  run.seconds = seconds_since(begin);
   run.peak_memory = end.peak_memory;
   run.code = end.code;
   if (run.end == ChildRun::End::Exited && end.signal != 0) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/splitmix64.hpp"
+#include "math/portable_random.hpp"
 
 namespace brachisto::benchmarks {
 

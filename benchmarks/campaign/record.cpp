@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "brachisto/model/cycloid.hpp"
 #include "brachisto/study/solve.hpp"
+#include "math/wall_clock.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -70,11 +69,9 @@ Record examine(const Scene& scene) {
   record.folds = static_cast<int>(found.folds.size());
   record.seconds = found.effort.seconds;
 
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = WallClock::now();
   const ExtremalSolution witness = ask_witness(scene, kWitnessSeconds);
-  record.witness_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-          .count();
+  record.witness_seconds = seconds_since(begin);
   record.witness_status = witness.status;
   record.witness_folds = static_cast<int>(witness.continuation.folds.size());
   if (!witness.solved()) {

@@ -26,13 +26,14 @@ std::vector<double> values(const std::vector<Examined>& all,
 }
 
 std::string counts(const std::vector<Examined>& all) {
-  Table table({"outcome", "scenes", "share of those with a cycloid"});
+  Rows table{{"outcome", "scenes", "share of those with a cycloid"}};
   const double whole = count(all).with_cycloid;
   const auto line = [&](const std::string& what, const Filter& filter) {
     const auto n = values(all, filter, [](const Record&) { return 0.0; });
-    table.add({what, std::to_string(n.size()),
-               fmt::format("{:.2f} %",
-                           100.0 * static_cast<double>(n.size()) / whole)});
+    table.push_back(
+        {what, std::to_string(n.size()),
+         fmt::format("{:.2f} %",
+                     100.0 * static_cast<double>(n.size()) / whole)});
   };
   const auto is = [](Verdict verdict) {
     return [verdict](const Record& one) { return one.verdict == verdict; };
@@ -48,20 +49,20 @@ std::string counts(const std::vector<Examined>& all) {
   line("not solved", is(Verdict::NotSolved));
   line("process lost", is(Verdict::Lost));
   line("no cycloid to continue from", is(Verdict::NoCycloid));
-  return table.markdown();
+  return markdown_table(table);
 }
 
 std::string quantiles(const std::vector<Examined>& all) {
-  Table table({"quantity", "median", "95 %", "99 %", "largest"});
+  Rows table{{"quantity", "median", "95 %", "99 %", "largest"}};
   const auto line = [&](const std::string& what, const char* format,
                         const Filter& filter, auto value) {
     const std::vector<double> all_of_them = values(all, filter, value);
     std::vector<std::string> row{what};
     for (const double q : {0.5, 0.95, 0.99, 1.0}) {
       row.push_back(
-          fmt::format(fmt::runtime(format), quantile(all_of_them, q)));
+          fmt::format(fmt::runtime(format), percentile(all_of_them, q)));
     }
-    table.add(std::move(row));
+    table.push_back(std::move(row));
   };
   const Filter compared = [](const Record& one) {
     return one.verdict == Verdict::Agrees || one.verdict == Verdict::Disagrees;
@@ -90,7 +91,7 @@ std::string quantiles(const std::vector<Examined>& all) {
        [](const Record& one) { return static_cast<double>(one.newton_steps); });
   line("meshes", "{:.0f}", tried,
        [](const Record& one) { return static_cast<double>(one.meshes); });
-  return table.markdown();
+  return markdown_table(table);
 }
 
 std::string in_words(const Record& record) {
@@ -110,19 +111,19 @@ std::string in_words(const Record& record) {
 }
 
 std::string exceptions(const std::vector<Examined>& all) {
-  Table table({"scene", "verdict", "L", "r", "η", "θ_m", "k", "reason"});
+  Rows table{{"scene", "verdict", "L", "r", "η", "θ_m", "k", "reason"}};
   for (const Examined& one : all) {
     const Verdict verdict = one.record.verdict;
     if (verdict == Verdict::Agrees || verdict == Verdict::NoCycloid) continue;
     const Body& body = one.scene.body;
-    table.add(
+    table.push_back(
         {std::to_string(one.index), std::string(word(verdict)),
          fmt::format("{:.5g}", one.scene.L), fmt::format("{:.5g}", body.radius),
          fmt::format("{:.5g}", body.eta_m), fmt::format("{:.5g}", body.theta_m),
          fmt::format("{:.5g}", body.k), in_words(one.record)});
   }
-  return table.empty() ? "Every scene is solved, verified and confirmed.\n"
-                       : table.markdown();
+  return table.size() == 1 ? "Every scene is solved, verified and confirmed.\n"
+                           : markdown_table(table);
 }
 
 }  // namespace

@@ -119,11 +119,11 @@ int main(int argc, char** argv) {
       "miss,R_n_min,R_n_min_dense,fold_margin,fold_margin_dense\n";
   for (const std::string& line : lines) csv += line;
   write_file(out, csv);
-  Table table({"scenes", "verified", "compared", "neither lifts off nor folds",
-               "lifts off at the start", "differ"});
-  table.add({std::to_string(count), std::to_string(solved),
-             std::to_string(compared), std::to_string(feasible),
-             std::to_string(at_start), std::to_string(differ)});
-  fmt::print("Seed {}. {}.\n\n{}", seed, machine(), table.markdown());
+  Rows table{{"scenes", "verified", "compared", "neither lifts off nor folds",
+              "lifts off at the start", "differ"}};
+  table.push_back({std::to_string(count), std::to_string(solved),
+                   std::to_string(compared), std::to_string(feasible),
+                   std::to_string(at_start), std::to_string(differ)});
+  fmt::print("Seed {}. {}.\n\n{}", seed, machine(), markdown_table(table));
   return differ == 0 && compared > 0 ? 0 : 1;
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/provenance.hpp"
-#include "comparison/machine.hpp"
+#include "comparison/documents.hpp"
 #include "fsolve/findings.hpp"
 
 namespace brachisto::benchmarks {

@@ -11,14 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "comparison/child_process.hpp"
+#include "sweep/child_process.hpp"
 
 namespace brachisto::benchmarks {
 
 namespace {
 
-using comparison::ChildRun;
-using comparison::run_child;
+using sweep::ChildRun;
+using sweep::run_child;
 using Json = nlohmann::json;
 
 constexpr double kSoon = 30.0;  // for a program to tell its version [s]

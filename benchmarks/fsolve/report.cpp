@@ -93,8 +93,8 @@ const DiscreteRun* with_differences(const FsolveFindings& found, Datum datum,
 }
 
 std::string times(const FsolveFindings& found, Datum datum) {
-  Table table({"n", "τ", "error", "τ, ε → 0", "error", "Octave [s]",
-               "SciPy [s]", "hybrid [s]", "newton [s]", "lifted [s]"});
+  Rows table{{"n", "τ", "error", "τ, ε → 0", "error", "Octave [s]", "SciPy [s]",
+              "hybrid [s]", "newton [s]", "lifted [s]"}};
   const auto tau = [](const DiscreteRun* run) {
     return run != nullptr && run->solved() ? fmt::format("{:.4f}", run->tau)
                                            : "";
@@ -110,16 +110,16 @@ std::string times(const FsolveFindings& found, Datum datum) {
     for (const Arm arm : kArms) {
       row.push_back(time_text(found.find(arm, datum, nodes)));
     }
-    table.add(std::move(row));
+    table.push_back(std::move(row));
   }
-  return table.markdown();
+  return markdown_table(table);
 }
 
 /// Of datum rest: what an arm takes, against the cheapest rolling_time that is
 /// at least as accurate.
 std::string ratios(const FsolveFindings& found, Work work) {
-  Table table({"n", "arm", "error", "CPU [s]", "rolling_time", "by", "error",
-               "CPU [ms]", "ratio"});
+  Rows table{{"n", "arm", "error", "CPU [s]", "rolling_time", "by", "error",
+              "CPU [ms]", "ratio"}};
   constexpr int kFrom = 200;
   for (const int nodes : sizes(found)) {
     if (nodes < kFrom) continue;
@@ -132,22 +132,23 @@ std::string ratios(const FsolveFindings& found, Work work) {
       if (accuracy == nullptr) continue;
       const auto ours = cheapest(found.menu, work, accuracy->error);
       if (!ours) continue;
-      table.add({fmt::format("{}", nodes), name(arm),
-                 significant(accuracy->error), time_text(run), mesh_text(*ours),
-                 ours->way.method == Method::Ipopt ? "Ipopt" : "Newton",
-                 significant(ours->error), milliseconds(ours->cpu_seconds),
-                 run->timed()
-                     ? fmt::format("{}{}", run->solved() ? "" : "> ",
-                                   whole(run->cpu_seconds / ours->cpu_seconds))
-                     : "no answer"});
+      table.push_back(
+          {fmt::format("{}", nodes), name(arm), significant(accuracy->error),
+           time_text(run), mesh_text(*ours),
+           ours->way.method == Method::Ipopt ? "Ipopt" : "Newton",
+           significant(ours->error), milliseconds(ours->cpu_seconds),
+           run->timed()
+               ? fmt::format("{}{}", run->solved() ? "" : "> ",
+                             whole(run->cpu_seconds / ours->cpu_seconds))
+               : "no answer"});
     }
   }
-  return table.markdown();
+  return markdown_table(table);
 }
 
 std::string exponents(const FsolveFindings& found) {
   constexpr int kFrom = 100, kTo = 400;
-  Table table({"arm", "datum", "nodes", "CPU [s]", "exponent"});
+  Rows table{{"arm", "datum", "nodes", "CPU [s]", "exponent"}};
   for (const Datum datum : {Datum::Rest, Datum::Release}) {
     for (const Arm arm : kArms) {
       const DiscreteRun* from = found.find(arm, datum, kFrom);
@@ -155,11 +156,12 @@ std::string exponents(const FsolveFindings& found) {
       if (from == nullptr || to == nullptr || !from->solved() || !to->timed()) {
         continue;
       }
-      table.add({name(arm), name(datum), fmt::format("{} – {}", kFrom, kTo),
-                 fmt::format("{} – {}", time_text(from), time_text(to)),
-                 fmt::format("{}{:.2f}", to->solved() ? "" : "> ",
-                             std::log(to->cpu_seconds / from->cpu_seconds) /
-                                 std::log(double{kTo} / kFrom))});
+      table.push_back(
+          {name(arm), name(datum), fmt::format("{} – {}", kFrom, kTo),
+           fmt::format("{} – {}", time_text(from), time_text(to)),
+           fmt::format("{}{:.2f}", to->solved() ? "" : "> ",
+                       std::log(to->cpu_seconds / from->cpu_seconds) /
+                           std::log(double{kTo} / kFrom))});
     }
   }
   for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
@@ -167,7 +169,7 @@ std::string exponents(const FsolveFindings& found) {
     for (const RollingRun& run : found.growth) {
       if (run.way.method != method || !run.solved) continue;
       if (previous != nullptr) {
-        table.add(
+        table.push_back(
             {fmt::format("rolling_time, {}",
                          method == Method::Ipopt ? "Ipopt" : "Newton"),
              "", fmt::format("{} – {}", previous->nodes, run.nodes),
@@ -181,7 +183,7 @@ std::string exponents(const FsolveFindings& found) {
       previous = &run;
     }
   }
-  return table.markdown();
+  return markdown_table(table);
 }
 
 /// Why there is no answer, in short; the CSV file has all of it.
@@ -191,27 +193,27 @@ std::string reason(const DiscreteRun& run) {
 }
 
 std::string floor_over_steps(const FsolveFindings& found) {
-  Table table({"n", "ε", "τ", "error", "hybrid [s]"});
+  Rows table{{"n", "ε", "τ", "error", "hybrid [s]"}};
   int nodes = 0;
   const auto row = [&](const std::string& step, const DiscreteRun* run) {
     if (run == nullptr) return;
-    table.add({fmt::format("{}", nodes), step,
-               run->solved() ? fmt::format("{:.6f}", run->tau) : "",
-               run->solved() ? significant(run->error) : reason(*run),
-               time_text(run)});
+    table.push_back({fmt::format("{}", nodes), step,
+                     run->solved() ? fmt::format("{:.6f}", run->tau) : "",
+                     run->solved() ? significant(run->error) : reason(*run),
+                     time_text(run)});
   };
   for (const DiscretePoint& point : found.steps) {
     nodes = point.task.nodes;
     row(fmt::format("{:g}", point.task.epsilon), &point.run);
   }
-  if (table.empty()) return "";
+  if (table.size() == 1) return "";
   row("0, exact", found.find(Arm::Newton, Datum::Rest, nodes));
-  return table.markdown();
+  return markdown_table(table);
 }
 
 std::string floor_over_nodes(const FsolveFindings& found) {
-  Table table(
-      {"n", "τ, ε = 1e-3", "error", "τ, ε → 0", "error", "ε moves τ by"});
+  Rows table{
+      {"n", "τ, ε = 1e-3", "error", "τ, ε → 0", "error", "ε moves τ by"}};
   std::vector<int> all = sizes(found);
   for (const DiscretePoint& point : found.large) {
     if (point.task.nodes > all.back()) all.push_back(point.task.nodes);
@@ -220,15 +222,15 @@ std::string floor_over_nodes(const FsolveFindings& found) {
     const DiscreteRun* with = with_differences(found, Datum::Rest, nodes);
     const DiscreteRun* without = found.find(Arm::Lifted, Datum::Rest, nodes);
     if (without == nullptr || !without->solved()) continue;
-    table.add({fmt::format("{}", nodes),
-               with != nullptr ? fmt::format("{:.6f}", with->tau) : "—",
-               with != nullptr ? significant(with->error) : "",
-               fmt::format("{:.6f}", without->tau), significant(without->error),
-               with != nullptr
-                   ? fmt::format("{:.1e}", with->tau / without->tau - 1.0)
-                   : ""});
+    table.push_back(
+        {fmt::format("{}", nodes),
+         with != nullptr ? fmt::format("{:.6f}", with->tau) : "—",
+         with != nullptr ? significant(with->error) : "",
+         fmt::format("{:.6f}", without->tau), significant(without->error),
+         with != nullptr ? fmt::format("{:.1e}", with->tau / without->tau - 1.0)
+                         : ""});
   }
-  return table.markdown();
+  return markdown_table(table);
 }
 
 /// Of an arm with exact derivatives, datum rest, from n = 400 on.
@@ -255,31 +257,31 @@ std::string extrapolation(const FsolveFindings& found) {
   const auto sparse =
       fit_power(over_nodes(found, Arm::Lifted, &DiscreteRun::cpu_seconds));
   if (!error || !sparse) return "";
-  Table table({"error", "n", "newton [s]", "lifted [s]", "rolling_time [s]"});
+  Rows table{{"error", "n", "newton [s]", "lifted [s]", "rolling_time [s]"}};
   for (const double wanted : {1e-5, 1e-6, 1e-8, 1e-12}) {
     const double n = error->inverse(wanted);
     const auto ours = cheapest(found.menu, Work::OnMesh, wanted);
-    table.add({fmt::format("{:.0e}", wanted), fmt::format("{:.1e}", n),
-               dense ? fmt::format("{:.1e}", dense->at(n)) : "",
-               fmt::format("{:.1e}", sparse->at(n)),
-               ours ? seconds(ours->cpu_seconds) + " (measured)" : ""});
+    table.push_back({fmt::format("{:.0e}", wanted), fmt::format("{:.1e}", n),
+                     dense ? fmt::format("{:.1e}", dense->at(n)) : "",
+                     fmt::format("{:.1e}", sparse->at(n)),
+                     ours ? seconds(ours->cpu_seconds) + " (measured)" : ""});
   }
   return fmt::format(
       "{}\nFitted from n = 400 on: error ∝ n^{:.2f}, lifted ∝ n^{:.2f}{}.\n",
-      table.markdown(), error->exponent, sparse->exponent,
+      markdown_table(table), error->exponent, sparse->exponent,
       dense ? fmt::format(", newton ∝ n^{:.2f}", dense->exponent) : "");
 }
 
 std::string accuracy(const FsolveFindings& found) {
-  Table table({"wanted", "how", "mesh", "nodes", "error", "CPU [ms]"});
+  Rows table{{"wanted", "how", "mesh", "nodes", "error", "CPU [ms]"}};
   const auto row = [&](double wanted, const std::string& how,
                        const RollingRun& run) {
-    table.add({fmt::format("{:.0e}", wanted), how, mesh_text(run),
-               fmt::format("{}", run.nodes),
-               run.error < found.exact_error
-                   ? fmt::format("< {:.0e}", found.exact_error)
-                   : significant(run.error),
-               milliseconds(run.cpu_seconds)});
+    table.push_back({fmt::format("{:.0e}", wanted), how, mesh_text(run),
+                     fmt::format("{}", run.nodes),
+                     run.error < found.exact_error
+                         ? fmt::format("< {:.0e}", found.exact_error)
+                         : significant(run.error),
+                     milliseconds(run.cpu_seconds)});
   };
   for (std::size_t i = 0; i < found.wanted.size(); ++i) {
     const double wanted = found.tolerances[i];
@@ -290,7 +292,7 @@ std::string accuracy(const FsolveFindings& found) {
       }
     }
   }
-  return table.markdown();
+  return markdown_table(table);
 }
 
 }  // namespace

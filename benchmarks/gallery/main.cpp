@@ -139,14 +139,14 @@ int main(int argc, char** argv) {
         }
       });
 
-  Table table({"problem", "seconds", "iterations", "Newton steps", "mesh",
-               "estimated", "τ", "verified", "feasible", "wanted", "verdict"});
+  Rows table{{"problem", "seconds", "iterations", "Newton steps", "mesh",
+              "estimated", "τ", "verified", "feasible", "wanted", "verdict"}};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    table.add(cells(files[i], rows[i]));
+    table.push_back(cells(files[i], rows[i]));
   }
   const auto failed = std::count_if(rows.begin(), rows.end(),
                                     [](const Row& row) { return !row.passed; });
-  fmt::print("{}\n\n{}\n{} of {} pass\n", machine(), table.markdown(),
+  fmt::print("{}\n\n{}\n{} of {} pass\n", machine(), markdown_table(table),
              static_cast<std::ptrdiff_t>(rows.size()) - failed, rows.size());
   write_file(out, csv(files, rows));
   return failed == 0 ? 0 : 1;

@@ -33,7 +33,7 @@ std::vector<std::string> line(const std::vector<Named>& all, double tolerance) {
         values.push_back(value(one.measured));
       }
     }
-    return quantile(values, q);
+    return percentile(values, q);
   };
   return {
       fmt::format("{:.0e}", tolerance),
@@ -97,13 +97,14 @@ std::string csv(const std::vector<Named>& all) {
 
 std::string summary(const std::vector<Named>& all,
                     const std::vector<double>& tolerances) {
-  Table table({"tolerance", "scenes", "verified", "true > estimate",
-               "true > tolerance", "estimate > 100 × true", "median true",
-               "largest true", "median estimate", "worst true/estimate",
-               "median estimate/true", "largest estimate/true", "seconds"});
-  for (const double tolerance : tolerances) table.add(line(all, tolerance));
+  Rows table{{"tolerance", "scenes", "verified", "true > estimate",
+              "true > tolerance", "estimate > 100 × true", "median true",
+              "largest true", "median estimate", "worst true/estimate",
+              "median estimate/true", "largest estimate/true", "seconds"}};
+  for (const double tolerance : tolerances)
+    table.push_back(line(all, tolerance));
 
-  Table violations({"scene", "tolerance", "true", "estimate", "mesh", "what"});
+  Rows violations{{"scene", "tolerance", "true", "estimate", "mesh", "what"}};
   for (const Named& one : all) {
     const Measurement& m = one.measured;
     std::string what = m.reason.str();
@@ -111,13 +112,14 @@ std::string summary(const std::vector<Named>& all,
     if (m.misses_tolerance()) what += "tolerance missed; ";
     if (m.too_large_an_estimate()) what += "estimate too large; ";
     if (what.empty()) continue;
-    violations.add({one.name, fmt::format("{:.0e}", m.tolerance),
-                    fmt::format("{:.1e}", m.true_error),
-                    fmt::format("{:.1e}", m.estimate),
-                    fmt::format("{} × {}", m.degree, m.elements), what});
+    violations.push_back({one.name, fmt::format("{:.0e}", m.tolerance),
+                          fmt::format("{:.1e}", m.true_error),
+                          fmt::format("{:.1e}", m.estimate),
+                          fmt::format("{} × {}", m.degree, m.elements), what});
   }
-  return table.markdown() + '\n' +
-         (violations.empty() ? "No violations.\n" : violations.markdown());
+  return markdown_table(table) + '\n' +
+         (violations.size() == 1 ? "No violations.\n"
+                                 : markdown_table(violations));
 }
 
 }  // namespace brachisto::benchmarks

@@ -4,97 +4,72 @@
 #include "support/processes.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <poll.h>
 #include <unistd.h>
 
-#include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
-#include <stdexcept>
+#include <list>
+#include <vector>
+
+#include "sweep/child_process.hpp"
 
 namespace brachisto::benchmarks {
 
 namespace {
 
+using sweep::ChildEnd;
+using sweep::ChildProcess;
+using Clock = std::chrono::steady_clock;
+
 constexpr int kThrew = 3;
 
-/// The other end of a process at work.
-struct Running {
-  int index = 0;
-  int pipe = -1;
-};
-
-[[noreturn]] void be_the_child(int index, int pipe, const ProcessLimits& limits,
-                               const std::function<std::string(int)>& work) {
-  alarm(limits.seconds);  // SIGALRM ends the process
-  if (limits.cpu_seconds > 0) {
-    const rlimit processor = {limits.cpu_seconds, RLIM_INFINITY};
-    setrlimit(RLIMIT_CPU, &processor);  // SIGXCPU does
-  }
+/// Runs in the child: writes what the work returns.
+int answer(int index, const std::function<std::string(int)>& work) {
   int code = EXIT_SUCCESS;
   try {
     const std::string bytes = work(index);
-    // Fits into the pipe's buffer, so that nobody has to read meanwhile.
-    if (write(pipe, bytes.data(), bytes.size()) !=
-        static_cast<ssize_t>(bytes.size())) {
-      code = EXIT_FAILURE;
+    for (std::size_t sent = 0; sent < bytes.size();) {
+      const ssize_t count =
+          ::write(STDOUT_FILENO, bytes.data() + sent, bytes.size() - sent);
+      if (count <= 0) return EXIT_FAILURE;
+      sent += static_cast<std::size_t>(count);
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "case {}: {}\n", index, error.what());
     code = kThrew;
   }
   std::fflush(stderr);
-  // Without the destructors and buffers that belong to the parent.
-  _exit(code);
+  return code;
 }
 
-Running start(int index, const ProcessLimits& limits,
-              const std::function<std::string(int)>& work, pid_t& child) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error("pipe() failed");
-  std::fflush(nullptr);
-  child = fork();
-  if (child < 0) throw std::runtime_error("fork() failed");
-  if (child == 0) {
-    close(ends[0]);
-    be_the_child(index, ends[1], limits, work);
-  }
-  close(ends[1]);
-  return {index, ends[0]};
-}
+/// A child at work.
+struct Running {
+  int index;
+  Clock::time_point until;
+  ChildProcess child;
+  std::string bytes{};
 
-std::string read_all(int pipe) {
-  std::string bytes;
-  std::array<char, 4096> buffer{};
-  ssize_t n = 0;
-  while ((n = read(pipe, buffer.data(), buffer.size())) > 0) {
-    bytes.append(buffer.data(), static_cast<std::size_t>(n));
-  }
-  close(pipe);
-  return bytes;
-}
+  Running(int i, const ProcessLimits& limits,
+          const std::function<std::string(int)>& work)
+      : index(i),
+        until(Clock::now() + std::chrono::seconds(limits.seconds)),
+        child([&] { return answer(i, work); },
+              {.input = false, .output = true, .error = false},
+              {.memory = 0, .cpu_seconds = limits.cpu_seconds}) {}
+};
 
-std::string fate_of(int status, const ProcessLimits& limits) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGALRM) {
-      return fmt::format("not done after {} s", limits.seconds);
-    }
-    if (signal == SIGXCPU) {
-      return fmt::format("not done after {} s of processor time",
-                         limits.cpu_seconds);
-    }
-    return fmt::format("crashed with signal {}", signal);
+std::string fate_of(const ChildEnd& end, const ProcessLimits& limits) {
+  if (end.signal == SIGXCPU) {
+    return fmt::format("not done after {} s of processor time",
+                       limits.cpu_seconds);
   }
-  if (WEXITSTATUS(status) == kThrew) return "threw an exception";
-  if (WEXITSTATUS(status) != 0) {
-    return fmt::format("ended with code {}", WEXITSTATUS(status));
-  }
-  return {};
+  if (end.signal != 0) return fmt::format("crashed with signal {}", end.signal);
+  if (end.code == kThrew) return "threw an exception";
+  return end.code == EXIT_SUCCESS ? "" : end.in_words();
 }
 
 }  // namespace
@@ -104,21 +79,32 @@ void run_in_processes(
     const std::function<std::string(int)>& work,
     const std::function<void(int, const std::string& bytes,
                              const std::string& fate)>& done) {
-  std::map<pid_t, Running> running;
+  constexpr int kLook = 50;         // for one that takes too long [ms]
+  constexpr double kPatience = 10;  // for one that has said all [s]
+  std::list<Running> running;
   int next = 0;
   while (next < count || !running.empty()) {
     while (next < count && static_cast<int>(running.size()) < limits.jobs) {
-      pid_t child = 0;
-      const Running process = start(next++, limits, work, child);
-      running[child] = process;
+      std::fflush(nullptr);
+      running.emplace_back(next++, limits, work);
     }
-    int status = 0;
-    const auto ended = running.find(wait(&status));
-    if (ended == running.end()) continue;
-    const Running process = ended->second;
-    running.erase(ended);
-    const std::string bytes = read_all(process.pipe);
-    done(process.index, bytes, fate_of(status, limits));
+    std::vector<pollfd> files;
+    for (const Running& one : running) {
+      files.push_back({one.child.output(), POLLIN, 0});
+    }
+    (void)::poll(files.data(), files.size(), kLook);
+    for (auto one = running.begin(); one != running.end();) {
+      const bool ended = sweep::read_some(one->child.output(), one->bytes) == 0;
+      if (!ended && Clock::now() < one->until) {
+        ++one;
+        continue;
+      }
+      const ChildEnd end = one->child.finish(ended ? kPatience : 0.0);
+      done(one->index, one->bytes,
+           ended ? fate_of(end, limits)
+                 : fmt::format("not done after {} s", limits.seconds));
+      one = running.erase(one);
+    }
   }
 }
 

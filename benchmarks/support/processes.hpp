@@ -29,8 +29,7 @@ struct ProcessLimits {
 /// they finish. A process that crashed, hung or threw has no bytes; `fate` then
 /// says what happened.
 ///
-/// \param work  returns at most 32 KiB
-/// \throws std::runtime_error if no process can be made
+/// \throws std::system_error if no process can be made
 void run_in_processes(int count, const ProcessLimits& limits,
                       const std::function<std::string(int)>& work,
                       const std::function<void(int, const std::string& bytes,
@@ -44,7 +43,6 @@ void run_isolated(
     const std::function<void(int, const std::optional<Record>& record,
                              const std::string& fate)>& done) {
   static_assert(std::is_trivially_copyable_v<Record>);
-  static_assert(sizeof(Record) <= 32 * 1024);
   run_in_processes(
       count, limits,
       [&](int i) {

@@ -2,29 +2,20 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Tables for people, in Markdown.
+/// What benchmarks say to people.
 
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "comparison/statistics.hpp"
+#include "comparison/text_table.hpp"
 
 namespace brachisto::benchmarks {
 
-/// A table with aligned columns that is Markdown at the same time.
-class Table {
- public:
-  explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  [[nodiscard]] bool empty() const { return rows_.size() == 1; }
-  [[nodiscard]] std::string markdown() const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;  // the head first
-};
-
-/// The q-quantile, 0 ≤ q ≤ 1, nearest rank; NaN without values.
-[[nodiscard]] double quantile(std::vector<double> values, double q);
+using comparison::markdown_table;
+using comparison::percentile;
+using comparison::Rows;
 
 /// Processor, compiler and versions in one line, for the foot of a table.
 [[nodiscard]] std::string machine();

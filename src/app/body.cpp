@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -124,39 +123,40 @@ void print_text(const BodyFlags& flags, double radius,
   }
 }
 
+int run(const BodyFlags& flags) {
+  const double radius = radius_of(flags);
+  const MassProperties found = properties_of(flags, radius);
+  if (flags.json) {
+    print_json(flags, radius, found);
+  } else {
+    print_text(flags, radius, found);
+  }
+  return kSuccess;
+}
+
 }  // namespace
 
 void add_body(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<BodyFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "body", "Compute eta_m, theta_m and k of a body from its parts");
-  verb->add_option("PART", flags->parts,
-                   "Part of the body, KIND:NAME=VALUE,… (see below)")
+  auto [verb, flags] = add_verb<BodyFlags>(
+      app, exit_code, "body",
+      "Compute eta_m, theta_m and k of a body from its parts", run);
+  verb.add_option("PART", flags.parts,
+                  "Part of the body, KIND:NAME=VALUE,… (see below)")
       ->required()
       ->type_name("");
-  verb->add_option("--radius", flags->radius,
-                   "Radius of the cylinder in m; lengths of parts are in m "
-                   "then and masses in kg, else lengths are in radii")
+  verb.add_option("--radius", flags.radius,
+                  "Radius of the cylinder in m; lengths of parts are in m "
+                  "then and masses in kg, else lengths are in radii")
       ->type_name("LENGTH")
       ->check(not_empty());
-  verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
-  verb->footer("Parts:\n" + io::mass_part_grammar() +
-               "Numbers may be expressions as in problem files.\n"
-               "Examples:\n"
-               "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
-               "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
-               "  brachisto body --radius 0.077 disc:m=0.4 "
-               "point:m=0.1,x=0.05,z=-0.02");
-  verb->callback([flags, &exit_code] {
-    const double radius = radius_of(*flags);
-    const MassProperties found = properties_of(*flags, radius);
-    if (flags->json) {
-      print_json(*flags, radius, found);
-    } else {
-      print_text(*flags, radius, found);
-    }
-    exit_code = kSuccess;
-  });
+  add_json(verb, flags.json);
+  verb.footer("Parts:\n" + io::mass_part_grammar() +
+              "Numbers may be expressions as in problem files.\n"
+              "Examples:\n"
+              "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
+              "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
+              "  brachisto body --radius 0.077 disc:m=0.4 "
+              "point:m=0.1,x=0.05,z=-0.02");
 }
 
 }  // namespace brachisto::app

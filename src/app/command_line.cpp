@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "app/verbs.hpp"
 #include "io/findings.hpp"
 #include "io/suggestion.hpp"
 #include "io/visible_text.hpp"
@@ -148,6 +150,42 @@ CLI::Validator number(std::string kind, bool (*allowed)(double)) {
 CLI::Validator seconds() {
   return number("greater than 0, at most 1e9",
                 [](double value) { return value > 0.0 && value <= 1e9; });
+}
+
+void add_json(CLI::App& verb, bool& json) {
+  verb.add_flag("--json", json, "Print one JSON document to stdout");
+}
+
+void add_jobs(CLI::App& verb, int& jobs) {
+  verb.add_option("--jobs", jobs, "Worker processes; default: one per core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+CLI::Option* add_directory(CLI::App& verb, const char* name,
+                           std::string& directory, const char* text) {
+  return verb.add_option(name, directory, text)
+      ->type_name("DIR")
+      ->check(not_empty());
+}
+
+int jobs_or_cores(int jobs) {
+  return jobs > 0
+             ? jobs
+             : std::max(1,
+                        static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void CommonFlags::add_to(CLI::App& verb) {
+  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
+      ->required();
+  verb.add_option("--set", overrides,
+                  "Replace a value of the file, such as scene.body.k=1/4")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_json(verb, json);
+  verb.add_flag("--quiet", quiet, "Print no results and no progress");
 }
 
 std::string asked(const CLI::App& app) {

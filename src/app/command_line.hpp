@@ -23,6 +23,16 @@ namespace brachisto::app {
 /// Of a limit of time: greater than 0, at most 1e9.
 [[nodiscard]] CLI::Validator seconds();
 
+/// Flags of several verbs: --json; --jobs, 0 unless it is given; a directory
+/// under whatever name.
+void add_json(CLI::App& verb, bool& json);
+void add_jobs(CLI::App& verb, int& jobs);
+CLI::Option* add_directory(CLI::App& verb, const char* name,
+                           std::string& directory, const char* text);
+
+/// `jobs`, or one for each core if that is 0.
+[[nodiscard]] int jobs_or_cores(int jobs);
+
 /// "brachisto solve", or "brachisto" as long as there is no verb.
 [[nodiscard]] std::string asked(const CLI::App& app);
 

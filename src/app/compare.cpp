@@ -3,8 +3,6 @@
 
 // brachisto compare FILE: all methods on one scene.
 
-#include <memory>
-
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
@@ -31,12 +29,7 @@ int run(const CompareFlags& flags) {
   if (!flags.out.empty()) {
     report::check_writable(flags.out, {kTable, kDocument}, flags.force);
   }
-  const std::atomic<int>& signal = catch_signals();
-  comparison::Hooks hooks;
-  hooks.interrupt = &signal;
-  hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) tell_progress(what);
-  };
+  const comparison::Hooks hooks{&catch_signals(), progress_lines(flags.quiet)};
   const comparison::MethodComparison made =
       comparison::compare_methods(subject, flags.options, hooks);
   const std::string json = comparison::to_json(made);
@@ -56,38 +49,36 @@ int run(const CompareFlags& flags) {
 }  // namespace
 
 void add_compare(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<CompareFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "compare", "Solve one scene by every method: time, memory, true error");
-  flags->add_to(*verb);
-  verb->add_option("--nodes", flags->options.nodes,
-                   "n, of the methods on a fixed mesh")
+  auto [verb, flags] = add_verb<CompareFlags>(
+      app, exit_code, "compare",
+      "Solve one scene by every method: time, memory, true error", run);
+  flags.add_to(verb);
+  verb.add_option("--nodes", flags.options.nodes,
+                  "n, of the methods on a fixed mesh")
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(11, 1'000'000));
-  verb->add_option("--repetitions", flags->options.repetitions,
-                   "Timed solves of each method")
+  verb.add_option("--repetitions", flags.options.repetitions,
+                  "Timed solves of each method")
       ->type_name("R")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  verb->add_option("--seconds", flags->options.seconds,
-                   "Wall-clock limit of each method")
+  verb.add_option("--seconds", flags.options.seconds,
+                  "Wall-clock limit of each method")
       ->type_name("S")
       ->capture_default_str()
       ->check(seconds());
-  verb->add_option("--residual", flags->options.residual,
-                   "Residual at which the iterations of every method stop")
+  verb.add_option("--residual", flags.options.residual,
+                  "Residual at which the iterations of every method stop")
       ->type_name("R")
       ->capture_default_str()
       ->check(number("from 1e-14 to 1e-6", [](double value) {
         return value >= 1e-14 && value <= 1e-6;
       }));
-  verb->add_option("--out", flags->out,
-                   "Write compare.txt and compare.json there")
-      ->type_name("DIR")
-      ->check(not_empty());
-  verb->add_flag("--force", flags->force, "Replace existing files in DIR");
-  verb->footer(
+  add_directory(verb, "--out", flags.out,
+                "Write compare.txt and compare.json there");
+  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
+  verb.footer(
       "Every method runs in a process of its own, from the cycloid. One that\n"
       "fails is a row with the reason.\n"
       "Examples:\n"
@@ -96,7 +87,6 @@ void add_compare(CLI::App& app, int& exit_code) {
       "Exit codes: 0 compared, 3 bad input file, 4 no verified answer of the\n"
       "extremal method to take errors against, 6 I/O, 130/143 after\n"
       "SIGINT/SIGTERM.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

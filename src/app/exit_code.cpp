@@ -3,6 +3,13 @@
 
 #include "app/exit_code.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/terminal.hpp"
+#include "brachisto/report/result_json.hpp"
+
 namespace brachisto::app {
 
 int exit_code(const Solution& solution, int signal) {
@@ -25,6 +32,28 @@ int exit_code(const Solution& solution, int signal) {
       return kNotSolved;
   }
   return kInternalError;
+}
+
+std::string failure_document(std::string_view status, std::string_view message,
+                             nlohmann::ordered_json errors) {
+  nlohmann::ordered_json document = {{"schema_version", report::kSchemaVersion},
+                                     {"status", status},
+                                     {"verified", false},
+                                     {"message", message}};
+  if (!errors.is_null()) document["errors"] = std::move(errors);
+  return document.dump(2, ' ', false,
+                       nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+void tell_damage(const sweep::Store& store, std::string_view remedy) {
+  if (!store.damage()) return;
+  tell(fmt::format("{}\n{}", store.damage_text(), remedy));
+}
+
+int exit_code(const sweep::Store& store) {
+  tell_damage(store);
+  return store.damage() ? kIoError : kSuccess;
 }
 
 }  // namespace brachisto::app

@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Exit codes of the command, fixed for scripts that rely on them.
+// How the command ends: exit codes, fixed for scripts that rely on them, and
+// what is said where there is no result.
 
 #pragma once
 
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
 #include "brachisto/study/solve.hpp"
+#include "sweep/store.hpp"
 
 namespace brachisto::app {
 
@@ -23,5 +29,18 @@ enum ExitCode : int {
 
 /// The code for the outcome of a solve; `signal` is the one received, or 0.
 [[nodiscard]] int exit_code(const Solution& solution, int signal);
+
+/// The one document of a command with --json that has no result.
+/// \param errors  mistakes in the input, if that is why
+[[nodiscard]] std::string failure_document(std::string_view status,
+                                           std::string_view message,
+                                           nlohmann::ordered_json errors = {});
+
+/// Tells what is damaged in a store, if anything, and what is done about it.
+void tell_damage(const sweep::Store& store, std::string_view remedy = "");
+
+/// Tells it. \return the exit code of a verb that read the store and mended
+/// nothing
+[[nodiscard]] int exit_code(const sweep::Store& store);
 
 }  // namespace brachisto::app

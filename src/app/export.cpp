@@ -5,10 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "app/command_line.hpp"
-#include "app/damage.hpp"
+#include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "io/visible_text.hpp"
@@ -42,23 +40,22 @@ int run(const ExportFlags& flags) {
 }  // namespace
 
 void add_export(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<ExportFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "export", "Print the results of a sweep as a flat table");
-  verb->add_option("DIR", flags->directory, "Directory of the sweep")
+  auto [verb, flags] = add_verb<ExportFlags>(
+      app, exit_code, "export", "Print the results of a sweep as a flat table",
+      run);
+  verb.add_option("DIR", flags.directory, "Directory of the sweep")
       ->check(not_empty())
       ->required();
-  CLI::App* form = verb->add_option_group("form");
-  form->add_flag("--csv", flags->csv, "Comma-separated values");
-  form->add_flag("--json", flags->json, "One JSON document");
+  CLI::App* form = verb.add_option_group("form");
+  form->add_flag("--csv", flags.csv, "Comma-separated values");
+  form->add_flag("--json", flags.json, "One JSON document");
   form->require_option(1);
-  verb->footer(
+  verb.footer(
       "Examples:\n"
       "  brachisto export map --csv > map.csv\n"
       "  brachisto export map --json | jq '.rows[0].tau'\n"
       "Exit codes: 0 the table has all that is there, 6 I/O, or results are\n"
       "damaged, which are named and not in the table.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

@@ -13,7 +13,6 @@
 #include <string_view>
 
 #include "app/exit_code.hpp"
-#include "app/failure.hpp"
 #include "brachisto/solvers/status.hpp"
 
 namespace brachisto::app {

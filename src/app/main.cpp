@@ -19,7 +19,6 @@
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
-#include "app/failure.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -30,22 +29,10 @@
 #include "brachisto/solvers/status.hpp"
 #include "comparison/work_precision.hpp"
 #include "io/visible_text.hpp"
-#include "reproduction/transit.hpp"
+#include "reproduction/cases.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::app {
-
-void CommonFlags::add_to(CLI::App& verb) {
-  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
-      ->required();
-  verb.add_option("--set", overrides,
-                  "Replace a value of the file, such as scene.body.k=1/4")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  verb.add_flag("--json", json, "Print one JSON document to stdout");
-  verb.add_flag("--quiet", quiet, "Print no results and no progress");
-}
 
 namespace {
 
@@ -84,11 +71,6 @@ nlohmann::ordered_json to_json(const io::InputError& error) {
   return list;
 }
 
-/// A message of one line, whatever the names in it contain.
-std::string line_of(const std::exception& error) {
-  return io::visible(error.what());
-}
-
 int run(int argc, char** argv) {
   CLI::App app(
       "Computes brachistochrones of a bead or a rolling, possibly off-centred "
@@ -121,6 +103,12 @@ int run(int argc, char** argv) {
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a).starts_with("--json");
   });
+  // A message of one line, whatever the names in it contain.
+  constexpr const char* kName = "brachisto: ";
+  const auto end = [&](ExitCode how, std::string_view status,
+                       const std::exception& error, const char* before = "") {
+    return fail(how, status, before + io::visible(error.what()), json);
+  };
   try {
     try {
       app.parse(argc, argv);
@@ -143,42 +131,29 @@ int run(int argc, char** argv) {
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {
-    return fail(kIoError, "io_error", line_of(error), json);
+    return end(kIoError, "io_error", error);
   } catch (const report::OutputError& error) {
-    return fail(kIoError, "io_error", line_of(error), json);
+    return end(kIoError, "io_error", error);
   } catch (const sweep::StoreError& error) {
-    return fail(kIoError, "io_error", line_of(error), json);
+    return end(kIoError, "io_error", error);
   } catch (const comparison::NoReference& error) {
-    return fail(kNotSolved, "no_reference",
-                fmt::format("brachisto: {}", line_of(error)), json);
+    return end(kNotSolved, "no_reference", error, kName);
   } catch (const reproduction::NotVerified& error) {
-    return fail(kNotSolved, "not_verified",
-                fmt::format("brachisto: {}", line_of(error)), json);
-  } catch (const comparison::Interrupted& error) {
-    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", line_of(error)),
-                json);
-  } catch (const reproduction::Interrupted& error) {
-    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", line_of(error)),
-                json);
+    return end(kNotSolved, "not_verified", error, kName);
   } catch (const Stopped& error) {
-    return fail(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
-                "interrupted", fmt::format("brachisto: {}", error.what()),
-                json);
+    return end(static_cast<ExitCode>(kSignalBase + catch_signals().load()),
+               "interrupted", error, kName);
   } catch (const std::bad_alloc&) {
     return fail(kLimit, name(Status::OutOfMemory),
-                fmt::format("brachisto: {}", describe(Status::OutOfMemory)),
+                fmt::format("{}{}", kName, describe(Status::OutOfMemory)),
                 json);
   } catch (const sweep::WorkersFail& error) {
     return fail(kInternalError, "workers_fail", error.what(), json);
   } catch (const std::system_error& error) {  // also of fmt::print
-    return fail(kIoError, "io_error",
-                fmt::format("brachisto: {}", line_of(error)), json);
+    return end(kIoError, "io_error", error, kName);
   } catch (const std::exception& error) {
-    return fail(kInternalError, "internal_error",
-                fmt::format("brachisto: internal error: {}", line_of(error)),
-                json);
+    return end(kInternalError, "internal_error", error,
+               "brachisto: internal error: ");
   }
 }
 

@@ -5,8 +5,6 @@
 // times and the result in one line. For compare and work-precision, which run
 // it as a process of its own; not for people.
 
-#include <chrono>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
@@ -15,13 +13,13 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "brachisto/study/solve.hpp"
+#include "math/wall_clock.hpp"
 
 namespace brachisto::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
 
 struct MeasureFlags : CommonFlags {
   int repetitions = 1;
@@ -33,15 +31,11 @@ struct MeasureFlags : CommonFlags {
 /// faults do not show in it.
 constexpr double kSlow = 2.0;  // [s]
 
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 /// Processor times of up to so many solves, each the same. Of slow ones there
 /// are as many as fit into half the time.
 std::vector<double> repeat(const io::ProblemFile& problem,
                            const MeasureFlags& flags, const Solution& first,
-                           Clock::time_point begin) {
+                           WallClock::time_point begin) {
   constexpr double kShare = 0.5;
   const double cpu = first.effort.cpu_seconds;
   std::vector<double> times;
@@ -75,7 +69,7 @@ Json unknowns_of(const Solution& solution) {
 int run(const MeasureFlags& flags) {
   io::ProblemFile problem = io::read_problem_file(flags.file, flags.overrides);
   problem.options.fsolve.tolerance = flags.residual;
-  const Clock::time_point begin = Clock::now();
+  const WallClock::time_point begin = WallClock::now();
   const Solution solution = solve(problem.scene, problem.options);
   const Json line = {{"cpu", repeat(problem, flags, solution, begin)},
                      {"tau", tau_of(solution)},
@@ -88,15 +82,14 @@ int run(const MeasureFlags& flags) {
 }  // namespace
 
 void add_measure(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<MeasureFlags>();
-  CLI::App* verb = app.add_subcommand("measure", "");
-  verb->group("");  // not in the help
-  flags->add_to(*verb);
-  verb->add_option("--repetitions", flags->repetitions)
+  auto [verb, flags] =
+      add_verb<MeasureFlags>(app, exit_code, "measure", "", run);
+  verb.group("");  // not in the help
+  flags.add_to(verb);
+  verb.add_option("--repetitions", flags.repetitions)
       ->check(CLI::PositiveNumber);
-  verb->add_option("--seconds", flags->seconds)->check(CLI::PositiveNumber);
-  verb->add_option("--residual", flags->residual)->check(CLI::PositiveNumber);
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
+  verb.add_option("--seconds", flags.seconds)->check(CLI::PositiveNumber);
+  verb.add_option("--residual", flags.residual)->check(CLI::PositiveNumber);
 }
 
 }  // namespace brachisto::app

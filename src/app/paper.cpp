@@ -5,12 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <system_error>
-#include <thread>
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -20,8 +17,8 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "io/visible_text.hpp"
-#include "reproduction/findings.hpp"
 #include "reproduction/page.hpp"
+#include "reproduction/results.hpp"
 #include "sweep/progress.hpp"
 
 namespace brachisto::app {
@@ -60,14 +57,9 @@ int run(const PaperFlags& flags) {
   // Its clock starts with the sweep.
   std::optional<sweep::Progress> progress;
   reproduction::Hooks hooks;
-  hooks.jobs =
-      flags.jobs > 0
-          ? flags.jobs
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  hooks.jobs = jobs_or_cores(flags.jobs);
   hooks.interrupt = &signal;
-  hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) tell_progress(what);
-  };
+  hooks.announce = progress_lines(flags.quiet);
   hooks.progress = [&](const sweep::Counts& now) {
     if (!progress) {
       progress.emplace(flags.quiet ? sweep::Progress::Form::None
@@ -75,7 +67,7 @@ int run(const PaperFlags& flags) {
     }
     progress->show(now);
   };
-  const reproduction::Findings found = reproduction::find_all(
+  const reproduction::Results found = reproduction::find_all(
       flags.problems.empty() ? default_problems() : fs::path(flags.problems),
       hooks);
   const reproduction::Reproduction made = reproduction::reproduce(found);
@@ -83,7 +75,7 @@ int run(const PaperFlags& flags) {
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {
-    print(fmt::format("{}\n{}\n", reproduction::summary(made),
+    print(fmt::format("{}\n{}\n", reproduction::text_table(made),
                       io::visible((fs::path(flags.out) / kPage).string())));
   }
   return kSuccess;
@@ -92,33 +84,27 @@ int run(const PaperFlags& flags) {
 }  // namespace
 
 void add_paper(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<PaperFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "paper", "Reproduce every figure and every number of the paper");
-  verb->add_option("--out", flags->out,
-                   "Write index.html, figures and tables there")
-      ->type_name("DIR")
-      ->check(not_empty())
+  auto [verb, flags] = add_verb<PaperFlags>(
+      app, exit_code, "paper",
+      "Reproduce every figure and every number of the paper", run);
+  add_directory(verb, "--out", flags.out,
+                "Write index.html, figures and tables there")
       ->required();
-  verb->add_option("--problems", flags->problems,
-                   "Directory of the problem files; default: those that came "
-                   "with the program")
+  verb.add_option("--problems", flags.problems,
+                  "Directory of the problem files; default: those that came "
+                  "with the program")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
-  verb->add_option("--jobs", flags->jobs,
-                   "Worker processes; default: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--json", flags->json, "Print one JSON document to stdout");
-  verb->add_flag("--quiet", flags->quiet, "Print no results and no progress");
-  verb->add_flag("--force", flags->force, "Replace existing files in DIR");
-  verb->footer(
+  add_jobs(verb, flags.jobs);
+  add_json(verb, flags.json);
+  verb.add_flag("--quiet", flags.quiet, "Print no results and no progress");
+  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
+  verb.footer(
       "Example:\n"
       "  brachisto paper --out paper && xdg-open paper/index.html\n"
       "Exit codes: 0 all verified, 3 a problem file is wrong, 4 something has\n"
       "no verified answer and nothing was written, 6 I/O, 130/143 after\n"
       "SIGINT/SIGTERM.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

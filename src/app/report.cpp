@@ -4,10 +4,8 @@
 // brachisto report DIR: a sweep as a page with figures.
 
 #include <filesystem>
-#include <memory>
 
 #include "app/command_line.hpp"
-#include "app/damage.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -45,20 +43,19 @@ int run(const ReportFlags& flags) {
 }  // namespace
 
 void add_report(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<ReportFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "report", "Draw the results of a sweep into DIR/report");
-  verb->add_option("DIR", flags->directory, "Directory of the sweep")
+  auto [verb, flags] =
+      add_verb<ReportFlags>(app, exit_code, "report",
+                            "Draw the results of a sweep into DIR/report", run);
+  verb.add_option("DIR", flags.directory, "Directory of the sweep")
       ->check(not_empty())
       ->required();
-  verb->add_flag("--force", flags->force, "Replace an earlier report");
-  verb->add_flag("--quiet", flags->quiet, "Do not list what was written");
-  verb->footer(
+  verb.add_flag("--force", flags.force, "Replace an earlier report");
+  verb.add_flag("--quiet", flags.quiet, "Do not list what was written");
+  verb.footer(
       "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
       "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
       "and\n"
       "not in the figures.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -129,21 +128,19 @@ int run(const SolveFlags& flags) {
 }  // namespace
 
 void add_solve(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<SolveFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "solve", "Compute the track of one scene, its smooth-contact extremal");
-  flags->add_to(*verb);
-  verb->add_option("--out", flags->out,
-                   "Write result.json, trajectory.csv and path.svg there")
-      ->type_name("DIR")
-      ->check(not_empty());
-  verb->add_option("--certify", flags->certify,
-                   "Second opinion: none or extremal (solver.certify)")
+  auto [verb, flags] = add_verb<SolveFlags>(
+      app, exit_code, "solve",
+      "Compute the track of one scene, its smooth-contact extremal", run);
+  flags.add_to(verb);
+  add_directory(verb, "--out", flags.out,
+                "Write result.json, trajectory.csv and path.svg there");
+  verb.add_option("--certify", flags.certify,
+                  "Second opinion: none or extremal (solver.certify)")
       ->type_name("METHOD")
       ->check(not_empty());
-  verb->add_flag("--force", flags->force, "Replace existing results in DIR");
-  verb->add_flag("--verbose", flags->verbose, "Print the solver's log");
-  verb->footer(
+  verb.add_flag("--force", flags.force, "Replace existing results in DIR");
+  verb.add_flag("--verbose", flags.verbose, "Print the solver's log");
+  verb.footer(
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto solve case.yaml --json | jq .tau\n"
@@ -152,7 +149,6 @@ void add_solve(CLI::App& app, int& exit_code) {
       "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or\n"
       "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"
       "reached, 130/143 after SIGINT/SIGTERM.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "math/wall_clock.hpp"
+
 namespace brachisto::app {
 
 namespace {
@@ -19,8 +21,7 @@ void SolveProgress::note(Clock::time_point now, std::string_view phase,
   const bool begins = phase != phase_;
   if (begins && !pending_.empty()) held_back_.push_back(std::move(pending_));
   phase_ = phase;
-  pending_ = fmt::format("[{:4.0f} s] {}: {}",
-                         std::chrono::duration<double>(now - start_).count(),
+  pending_ = fmt::format("[{:4.0f} s] {}: {}", seconds_between(start_, now),
                          phase, text);
   if (now - start_ >= kShort && (begins || now - last_ >= kPause)) flush(now);
 }

@@ -8,13 +8,10 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
 #include "app/command_line.hpp"
-#include "app/damage.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -22,6 +19,7 @@
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "io/visible_text.hpp"
+#include "math/wall_clock.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"
@@ -107,10 +105,7 @@ sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
                                       const std::atomic<int>& signal) {
   sweep::ManagerOptions options;
   options.program = flags.program.empty() ? "/proc/self/exe" : flags.program;
-  options.jobs =
-      flags.jobs > 0
-          ? flags.jobs
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.jobs = jobs_or_cores(flags.jobs);
   options.seconds_per_scene =
       flags.timeout > 0.0 ? flags.timeout : generous_timeout(job.file);
   constexpr double kMebibyte = 1024.0 * 1024.0;
@@ -202,14 +197,12 @@ int run(const SweepFlags& flags) {
 
   sweep::Progress progress(flags.quiet ? sweep::Progress::Form::None
                                        : sweep::Progress::form_of_stderr());
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = WallClock::now();
   const Counts counts =
       run_manager(job, store, manager_options(flags, job, signal),
                   [&](const Counts& now) { progress.show(now); });
   progress.finish(counts);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
+  const double seconds = seconds_since(start);
   const int received = counts.finished() < counts.scenes ? signal.load() : 0;
   print_results(flags, counts, seconds, received);
   if (received != 0) return kSignalBase + received;
@@ -219,20 +212,16 @@ int run(const SweepFlags& flags) {
 }  // namespace
 
 void add_sweep(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<SweepFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "sweep", "Solve the family of scenes of a problem file");
-  flags->add_to(*verb);
-  verb->add_option("--out", flags->out, "Keep the results in DIR/sweep.sqlite")
-      ->type_name("DIR")
-      ->check(not_empty())
+  auto [verb, flags] =
+      add_verb<SweepFlags>(app, exit_code, "sweep",
+                           "Solve the family of scenes of a problem file", run);
+  flags.add_to(verb);
+  add_directory(verb, "--out", flags.out,
+                "Keep the results in DIR/sweep.sqlite")
       ->required();
-  verb->add_option("--jobs", flags->jobs,
-                   "Worker processes; default: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  verb->add_option("--shard", flags->shard,
-                   "Do the i-th of N parts only; `merge` joins them")
+  add_jobs(verb, flags.jobs);
+  verb.add_option("--shard", flags.shard,
+                  "Do the i-th of N parts only; `merge` joins them")
       ->type_name("i/N")
       ->check([](const std::string& text) -> std::string {
         try {
@@ -242,31 +231,31 @@ void add_sweep(CLI::App& app, int& exit_code) {
           return error.what();
         }
       });
-  verb->add_flag("--resume", flags->resume,
-                 "Go on with the results in DIR, if there are any");
-  verb->add_flag("--retry-failed", flags->retry,
-                 "Solve scenes again that no worker answered for")
+  verb.add_flag("--resume", flags.resume,
+                "Go on with the results in DIR, if there are any");
+  verb.add_flag("--retry-failed", flags.retry,
+                "Solve scenes again that no worker answered for")
       ->needs("--resume");
-  verb->add_flag("--force", flags->force, "Replace the results in DIR")
+  verb.add_flag("--force", flags.force, "Replace the results in DIR")
       ->excludes("--resume");
-  verb->add_option("--timeout", flags->timeout,
-                   "Kill a worker that takes longer for one scene; default: "
-                   "three times solver.limits.seconds and a minute")
+  verb.add_option("--timeout", flags.timeout,
+                  "Kill a worker that takes longer for one scene; default: "
+                  "three times solver.limits.seconds and a minute")
       ->type_name("SECONDS")
       ->check(seconds());
-  verb->add_option("--memory", flags->memory,
-                   "Bound on a worker's address space, 0 for none; default: "
-                   "the machine's memory / N")
+  verb.add_option("--memory", flags.memory,
+                  "Bound on a worker's address space, 0 for none; default: "
+                  "the machine's memory / N")
       ->type_name("MIB")
       ->check(number("from 0 to 1e12", [](double mebibytes) {
         return mebibytes >= 0.0 && mebibytes <= 1e12;
       }));
-  verb->add_option("--worker", flags->program,
-                   "Program to run as worker, for tests")
+  verb.add_option("--worker", flags.program,
+                  "Program to run as worker, for tests")
       ->type_name("PROGRAM")
       ->check(CLI::ExistingFile)
       ->group("");
-  verb->footer(
+  verb.footer(
       "Examples:\n"
       "  brachisto sweep map.yaml --out map\n"
       "  brachisto sweep map.yaml --out map --resume\n"
@@ -275,7 +264,6 @@ void add_sweep(CLI::App& app, int& exit_code) {
       "  brachisto report map\n"
       "Exit codes: 0 all solved and verified, 3 bad input file, 4 some are\n"
       "not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 void add_worker(CLI::App& app, int& exit_code) {

@@ -45,6 +45,12 @@ void tell_progress(std::string_view line) {
        "\n");
 }
 
+std::function<void(const std::string&)> progress_lines(bool quiet) {
+  return [quiet](const std::string& line) {
+    if (!quiet) tell_progress(line);
+  };
+}
+
 bool flush_results() {
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace brachisto::app {
@@ -24,6 +26,10 @@ void tell(std::string_view text);
 /// A line on how it gets on, without its line feed: no longer than the terminal
 /// is wide.
 void tell_progress(std::string_view line);
+
+/// The same for whoever announces what comes next; silent if `quiet`.
+[[nodiscard]] std::function<void(const std::string&)> progress_lines(
+    bool quiet);
 
 /// Writes out what stdout still buffers.
 /// \return false if any of it was lost: a full disk, a closed pipe

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,23 @@ struct CommonFlags {
 
   void add_to(CLI::App& verb);
 };
+
+/// A verb and where its flags are read into.
+template <class Flags>
+struct Verb {
+  CLI::App& verb;
+  Flags& flags;
+};
+
+/// Adds a verb that leaves in `exit_code` what `run` returns.
+template <class Flags>
+Verb<Flags> add_verb(CLI::App& app, int& exit_code, const char* name,
+                     const char* text, int (*run)(const Flags&)) {
+  const auto flags = std::make_shared<Flags>();
+  CLI::App* const verb = app.add_subcommand(name, text);
+  verb->callback([flags, run, &exit_code] { exit_code = run(*flags); });
+  return {*verb, *flags};
+}
 
 /// A verb registers its flags and, in a callback, what it does; the callback
 /// leaves its exit code in `exit_code`.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -49,12 +48,7 @@ int run(const WorkPrecisionFlags& flags) {
   if (!flags.out.empty()) {
     report::check_writable(flags.out, names, flags.force);
   }
-  const std::atomic<int>& signal = catch_signals();
-  comparison::Hooks hooks;
-  hooks.interrupt = &signal;
-  hooks.announce = [&](const std::string& what) {
-    if (!flags.quiet) tell_progress(what);
-  };
+  const comparison::Hooks hooks{&catch_signals(), progress_lines(flags.quiet)};
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
   if (!flags.out.empty()) {
@@ -76,19 +70,17 @@ int run(const WorkPrecisionFlags& flags) {
 }  // namespace
 
 void add_work_precision(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<WorkPrecisionFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "work-precision", "Processor time against true error, method by method");
-  flags->add_to(*verb);
-  verb->add_option("--out", flags->out,
-                   "Write work_precision.svg, .csv, .gp and .json there")
-      ->type_name("DIR")
-      ->check(not_empty());
-  verb->add_flag("--force", flags->force, "Replace existing files in DIR");
-  verb->add_flag(
-      "--quick", flags->quick,
+  auto [verb, flags] = add_verb<WorkPrecisionFlags>(
+      app, exit_code, "work-precision",
+      "Processor time against true error, method by method", run);
+  flags.add_to(verb);
+  add_directory(verb, "--out", flags.out,
+                "Write work_precision.svg, .csv, .gp and .json there");
+  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
+  verb.add_flag(
+      "--quick", flags.quick,
       "The three coarsest meshes that all methods take, one repetition");
-  verb->footer(
+  verb.footer(
       "The section work_precision of the file says which methods run on which\n"
       "meshes; it has defaults.\n"
       "Examples:\n"
@@ -97,7 +89,6 @@ void add_work_precision(CLI::App& app, int& exit_code) {
       "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
       "extremal method to take errors against, 6 I/O, 130/143 after\n"
       "SIGINT/SIGTERM.");
-  verb->callback([flags, &exit_code] { exit_code = run(*flags); });
 }
 
 }  // namespace brachisto::app

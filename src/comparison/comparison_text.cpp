@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 
 #include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <fstream>
+#include <thread>
 
 #include "brachisto/report/provenance.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "comparison/documents.hpp"
-#include "comparison/machine.hpp"
 #include "comparison/statistics.hpp"
 #include "comparison/text_table.hpp"
 #include "report/letters.hpp"
@@ -85,9 +88,8 @@ std::string iterations_text(const Measurement& run) {
 
 std::string summary(const MethodComparison& comparison) {
   constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
-  std::vector<std::vector<std::string>> rows{
-      {"method", "unknowns", "CPU [s]", "iterations", "evaluations", "memory",
-       "τ", "error", "verdict"}};
+  Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
+             "memory", "τ", "error", "verdict"}};
   for (const ComparisonRow& row : comparison.rows) {
     const Measurement& run = row.run;
     rows.push_back(
@@ -131,6 +133,33 @@ std::string to_json(const MethodComparison& comparison) {
                    {"methods", rows}};
   add_origin(document, comparison.subject);
   return document.dump(2) + "\n";
+}
+
+namespace {
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+std::string kernel() {
+  struct utsname system = {};
+  if (::uname(&system) != 0) return "unknown";
+  return fmt::format("{} {} {}", system.sysname, system.release,
+                     system.machine);
+}
+
+}  // namespace
+
+Machine this_machine() {
+  return {cpu_model(), kernel(),
+          static_cast<int>(std::thread::hardware_concurrency())};
 }
 
 }  // namespace brachisto::comparison

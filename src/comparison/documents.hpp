@@ -7,6 +7,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "comparison/comparison.hpp"
 
@@ -29,5 +30,13 @@ void add_origin(nlohmann::ordered_json& document, const Subject& subject);
 
 /// "17 + 12": iterations of the solver and Newton steps, where there are any.
 [[nodiscard]] std::string iterations_text(const Measurement& run);
+
+struct Machine {
+  std::string cpu;     ///< model, by the kernel; "unknown" if it does not say
+  std::string kernel;  ///< "Linux 6.1.0 x86_64"
+  int cores = 0;       ///< that this process may use
+};
+
+[[nodiscard]] Machine this_machine();
 
 }  // namespace brachisto::comparison

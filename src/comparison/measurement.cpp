@@ -8,11 +8,13 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "comparison/child_process.hpp"
+#include "sweep/child_process.hpp"
 
 namespace brachisto::comparison {
 
 namespace {
+
+using sweep::ChildRun;
 
 using Json = nlohmann::json;
 
@@ -106,12 +108,12 @@ Measurement measure(const Experiment& experiment,
       {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
        fmt::format("{}", experiment.seconds), "--residual",
        fmt::format("{}", experiment.discrete_residual)});
-  const ChildRun run =
-      run_child("/proc/self/exe", arguments, experiment.seconds, interrupt);
+  const ChildRun run = sweep::run_child("/proc/self/exe", arguments,
+                                        experiment.seconds, interrupt);
   Measurement out;
   switch (run.end) {
     case ChildRun::End::Interrupted:
-      throw Interrupted{};
+      throw sweep::Interrupted{};
     case ChildRun::End::OutOfTime:
       out.outcome = Measurement::Outcome::Limit;
       out.cause = fmt::format("killed after {:g} s", experiment.seconds);

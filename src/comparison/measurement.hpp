@@ -10,19 +10,12 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "brachisto/study/solve_options.hpp"
 
 namespace brachisto::comparison {
-
-/// Stopped by a signal.
-class Interrupted : public std::runtime_error {
- public:
-  Interrupted() : std::runtime_error("stopped by a signal") {}
-};
 
 /// What to run.
 struct Experiment {

@@ -13,15 +13,14 @@
 namespace brachisto::comparison {
 
 /// The value below which a share of the values lies, linear between them: the
-/// least for 0, the median for 1/2, the greatest for 1.
-/// \pre values is not empty, 0 ≤ share ≤ 1
+/// least for 0, the median for 1/2, the greatest for 1; NaN without values.
+/// \pre 0 ≤ share ≤ 1
 [[nodiscard]] double percentile(std::vector<double> values, double share);
 
 /// Times of the same work, of which other processes may stretch some.
 struct Spread {
   double least = 0.0, median = 0.0, greatest = 0.0;
 };
-/// \pre values is not empty
 [[nodiscard]] Spread spread_of(const std::vector<double>& values);
 
 /// What a mesh of size n leaves of error.

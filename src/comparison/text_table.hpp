@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Tables for a terminal.
+/// Tables for people.
 
 #pragma once
 
@@ -13,10 +13,15 @@
 
 namespace brachisto::comparison {
 
+/// Cells; the first row is the head.
+using Rows = std::vector<std::vector<std::string>>;
+
 /// Rows of equal length in columns two spaces apart, without spaces at the end
 /// of a line. Columns are right-aligned, but for the first and the last.
-[[nodiscard]] std::string text_table(
-    const std::vector<std::vector<std::string>>& rows);
+[[nodiscard]] std::string text_table(const Rows& rows);
+
+/// The same as Markdown, left-aligned.
+[[nodiscard]] std::string markdown_table(const Rows& rows);
 
 /// A number as text, "—" if there is none.
 [[nodiscard]] std::string or_dash(const std::optional<int>& value);

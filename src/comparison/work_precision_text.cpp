@@ -17,7 +17,6 @@ namespace brachisto::comparison {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Rows = std::vector<std::vector<std::string>>;
 
 std::string remark(const PrecisionPoint& point) {
   if (point.run.solved()) return "";

@@ -21,14 +21,14 @@ namespace brachisto::shooting {
 ///
 ///     w (p_x cos φ + p_z sin φ) = −√A,
 ///     w (p_z cos φ − p_x sin φ) = −η cos(θ − φ)/√A.
-struct Arrival {
+struct TerminalCondition {
   double theta = 0.0;  ///< orientation [rad]
   double phi = 0.0;    ///< slope angle of the track [rad]
 };
 
 /// Where the path comes from. Energy is conserved, so that w = 0 on the height
 /// of C_A if θ is θ_m; what is left to ask for is x and θ.
-struct Release {
+struct InitialCondition {
   double x = 0.0;      ///< of the centre, from C_A on
   double theta = 0.0;  ///< [rad]
   double transit_time = 0.0;
@@ -37,7 +37,7 @@ struct Release {
 /// The costates p_x, p_z and the path itself.
 struct BackwardPath {
   double p_x = 0.0, p_z = 0.0;
-  /// From the release on, u ascending from 0.
+  /// From the start on, u ascending from 0.
   std::vector<ExtremalPath::Knot> knots;
 };
 
@@ -54,9 +54,9 @@ class BackwardShooting {
   ///
   /// \param tolerance  local error of a step, in natural units
   /// \param path       [out] if not null
-  [[nodiscard]] std::optional<Release> shoot(const Arrival& arrival,
-                                             double tolerance,
-                                             BackwardPath* path) const;
+  [[nodiscard]] std::optional<InitialCondition> shoot(
+      const TerminalCondition& terminal, double tolerance,
+      BackwardPath* path) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   /// Steps of the integrator in all.

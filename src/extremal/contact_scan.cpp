@@ -32,21 +32,21 @@ constexpr double kSame = 1e-5;
 struct Grid {
   int thetas, phis;  ///< cells
 
-  [[nodiscard]] Arrival at(int i, int j) const {
+  [[nodiscard]] TerminalCondition at(int i, int j) const {
     return {kTurn * i / thetas, kTurn * (1.0 * j / phis - 0.5)};
   }
 };
 
 /// A root of x = 0, θ = target.
 struct Root {
-  Arrival arrival;
+  TerminalCondition terminal;
   double target;
   double transit_time;
 };
 
 /// Where Newton's method for such a root may begin.
 struct Start {
-  Arrival arrival;
+  TerminalCondition terminal;
   double target;
   double outside;  ///< of its triangle, in its own size
 };
@@ -68,7 +68,7 @@ class Scan {
         [](const Start& a, const Start& b) { return a.outside < b.outside; });
     for (const Start& start : starts_) {
       if (over()) break;
-      polish(start.arrival, start.target);
+      polish(start.terminal, start.target);
       ++out.tried;
     }
     out.contacts = contacts();
@@ -81,17 +81,18 @@ class Scan {
   }
 
   void collect(const Grid& grid) {
-    using Row = std::vector<std::optional<Release>>;
+    using Row = std::vector<std::optional<InitialCondition>>;
     const auto row = [&](int i) {
-      Row releases;
+      Row initials;
       for (int j = 0; j <= grid.phis; ++j) {
-        releases.push_back(
+        initials.push_back(
             over() ? std::nullopt
                    : shooting_.shoot(grid.at(i, j), kScanTolerance, nullptr));
       }
-      return releases;
+      return initials;
     };
-    const auto corner = [&](int i, int j, const std::optional<Release>& at) {
+    const auto corner = [&](int i, int j,
+                            const std::optional<InitialCondition>& at) {
       return Corner{grid.at(i, j), at};
     };
     Row low = row(0);
@@ -117,7 +118,7 @@ class Scan {
     std::vector<ScannedContact> found;
     for (const Root& root : roots) {
       BackwardPath path;
-      if (!shooting_.shoot(root.arrival, kPolishTolerance, &path)) continue;
+      if (!shooting_.shoot(root.terminal, kPolishTolerance, &path)) continue;
       // The start is at θ_m, not whole turns away from it.
       const Scene& scene = shooting_.scene();
       const double turns = root.target - scene.body.theta_m;
@@ -126,8 +127,8 @@ class Scan {
       }
       const ExtremalPath::Knot& end = path.knots.back();
       found.push_back(
-          {root.arrival.phi, end.u, end.t,
-           scene.body.radius * (root.arrival.theta - root.target), path.p_x,
+          {root.terminal.phi, end.u, end.t,
+           scene.body.radius * (root.terminal.theta - root.target), path.p_x,
            path.p_z,
            ExtremalPath(scene, Units{}, path.p_x, path.p_z, path.knots)});
     }
@@ -135,8 +136,8 @@ class Scan {
   }
 
   struct Corner {
-    Arrival arrival;
-    std::optional<Release> release;
+    TerminalCondition terminal;
+    std::optional<InitialCondition> initial;
   };
   /// Corners (low, low), (high, low), (low, high), (high, high) in (θ, φ).
   using Cell = std::array<Corner, 4>;
@@ -146,15 +147,16 @@ class Scan {
   void look_into(const Cell& cell, int divisions) {
     const auto exist = std::count_if(
         cell.begin(), cell.end(),
-        [](const Corner& corner) { return corner.release.has_value(); });
+        [](const Corner& corner) { return corner.initial.has_value(); });
     if (exist == 0) return;
     if (exist == 4) {
       look_into(cell[0], cell[1], cell[2]);
       look_into(cell[3], cell[1], cell[2]);
     } else if (divisions > 0) {
       const auto between = [this](const Corner& a, const Corner& b) {
-        const Arrival middle{0.5 * (a.arrival.theta + b.arrival.theta),
-                             0.5 * (a.arrival.phi + b.arrival.phi)};
+        const TerminalCondition middle{
+            0.5 * (a.terminal.theta + b.terminal.theta),
+            0.5 * (a.terminal.phi + b.terminal.phi)};
         return Corner{middle, shooting_.shoot(middle, kScanTolerance, nullptr)};
       };
       const Corner centre = between(cell[0], cell[3]);
@@ -172,18 +174,18 @@ class Scan {
   /// Newton's method is to start from the roots of the map that is linear in a
   /// triangle.
   void look_into(const Corner& a, const Corner& b, const Corner& c) {
-    const double x_b = b.release->x - a.release->x;
-    const double x_c = c.release->x - a.release->x;
-    const double theta_b = b.release->theta - a.release->theta;
-    const double theta_c = c.release->theta - a.release->theta;
+    const double x_b = b.initial->x - a.initial->x;
+    const double x_c = c.initial->x - a.initial->x;
+    const double theta_b = b.initial->theta - a.initial->theta;
+    const double theta_c = c.initial->theta - a.initial->theta;
     const double determinant = x_b * theta_c - x_c * theta_b;
     if (determinant == 0.0) return;
     const auto [low, high] = std::minmax({0.0, theta_b, theta_c});
     const double margin = kSlack * (high - low);
-    const double first = a.release->theta - shooting_.scene().body.theta_m;
+    const double first = a.initial->theta - shooting_.scene().body.theta_m;
     const double last = std::floor((first + high + margin) / kTurn);
     for (double n = std::ceil((first + low - margin) / kTurn); n <= last; ++n) {
-      const double by_x = -a.release->x;
+      const double by_x = -a.initial->x;
       const double by_theta = kTurn * n - first;
       const double at_b = (by_x * theta_c - x_c * by_theta) / determinant;
       const double at_c = (x_b * by_theta - theta_b * by_x) / determinant;
@@ -194,15 +196,15 @@ class Scan {
         return of_a + at_b * (of_b - of_a) + at_c * (of_c - of_a);
       };
       starts_.push_back(
-          {{mix(a.arrival.theta, b.arrival.theta, c.arrival.theta),
-            mix(a.arrival.phi, b.arrival.phi, c.arrival.phi)},
+          {{mix(a.terminal.theta, b.terminal.theta, c.terminal.theta),
+            mix(a.terminal.phi, b.terminal.phi, c.terminal.phi)},
            shooting_.scene().body.theta_m + kTurn * n,
            outside});
     }
   }
 
   /// Newton's method, the derivatives by differences.
-  void polish(Arrival arrival, double target) {
+  void polish(TerminalCondition terminal, double target) {
     constexpr int kMostSteps = 12;
     constexpr int kMostHalvings = 3;
     constexpr double kDifference = 1e-6;
@@ -212,13 +214,13 @@ class Scan {
       return shooting_.shoot({theta, phi}, kPolishTolerance, nullptr);
     };
     // How far the body would have to roll for it.
-    const auto miss = [&](const Release& release) {
-      return std::hypot(release.x / r, release.theta - target);
+    const auto miss = [&](const InitialCondition& initial) {
+      return std::hypot(initial.x / r, initial.theta - target);
     };
-    std::optional<Release> now = shoot(arrival.theta, arrival.phi);
+    std::optional<InitialCondition> now = shoot(terminal.theta, terminal.phi);
     for (int i = 0; now && miss(*now) > kResidual; ++i) {
-      const auto by_theta = shoot(arrival.theta + kDifference, arrival.phi);
-      const auto by_phi = shoot(arrival.theta, arrival.phi + kDifference);
+      const auto by_theta = shoot(terminal.theta + kDifference, terminal.phi);
+      const auto by_phi = shoot(terminal.theta, terminal.phi + kDifference);
       if (i == kMostSteps || !by_theta || !by_phi) return;
       const double x_t = (by_theta->x - now->x) / kDifference;
       const double x_p = (by_phi->x - now->x) / kDifference;
@@ -228,28 +230,28 @@ class Scan {
       const double gap = target - now->theta;
       const double step_theta = (-now->x * t_p - x_p * gap) / determinant;
       const double step_phi = (x_t * gap + t_t * now->x) / determinant;
-      std::optional<Release> next;
+      std::optional<InitialCondition> next;
       double by = 1.0;
       for (int halving = 0; halving <= kMostHalvings; ++halving, by *= 0.5) {
-        next =
-            shoot(arrival.theta + by * step_theta, arrival.phi + by * step_phi);
+        next = shoot(terminal.theta + by * step_theta,
+                     terminal.phi + by * step_phi);
         if (next && miss(*next) < miss(*now)) break;
         next.reset();
       }
       if (!next) return;
-      arrival.theta += by * step_theta;
-      arrival.phi += by * step_phi;
+      terminal.theta += by * step_theta;
+      terminal.phi += by * step_phi;
       now = next;
     }
     if (!now) return;
     for (const Root& other : roots_) {
-      if (std::abs(other.arrival.phi - arrival.phi) <= kSame &&
-          std::abs(std::remainder(other.arrival.theta - arrival.theta,
+      if (std::abs(other.terminal.phi - terminal.phi) <= kSame &&
+          std::abs(std::remainder(other.terminal.theta - terminal.theta,
                                   kTurn)) <= kSame) {
         return;
       }
     }
-    roots_.push_back({arrival, target, now->transit_time});
+    roots_.push_back({terminal, target, now->transit_time});
   }
 
   BackwardShooting shooting_;

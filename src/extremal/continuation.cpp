@@ -21,7 +21,7 @@ constexpr double kSmallestCosine = 0.95;     // between successive tangents
 /// Enough digits to stay on the branch; the last point gets the others. The
 /// longer the path, the more a local error moves its end: measured, about with
 /// the square of the number of turns.
-NewtonOptions loose(int num_arcs) {
+ShootingOptions loose(int num_arcs) {
   constexpr double kLocalError = 1e-9;
   constexpr double kTightest = 1e-13;
   constexpr double kShort = 6.0;  // arcs
@@ -75,7 +75,7 @@ void record(const NewtonResult& result, ContinuationReport& report) {
 /// \param slope  dη/ds at the end of the step of this length from `here`
 double fold_between(const ShootingSystem& system, const NewtonResult& here,
                     const Tangent& tangent, double length, double slope,
-                    const ChainScale& scale, const NewtonOptions& newton) {
+                    const ChainScale& scale, const ShootingOptions& newton) {
   constexpr int kSteps = 8;
   constexpr double kFlat = 1e-5;
   const Globals along = covector(tangent, scale);
@@ -114,7 +114,7 @@ double fold_between(const ShootingSystem& system, const NewtonResult& here,
 Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
                      const ChainScale& scale, double target,
                      const ExtremalOptions& options) {
-  const NewtonOptions newton = loose(system.num_arcs());
+  const ShootingOptions newton = loose(system.num_arcs());
   Branch branch;
   branch.point = start;
   NewtonResult here =

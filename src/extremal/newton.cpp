@@ -18,7 +18,7 @@ ClosingRow ClosingRow::offset(double eta) {
 NewtonResult solve_newton(const ShootingSystem& system,
                           const ChainVector& start, const ChainScale& scale,
                           const ClosingRow& closing,
-                          const NewtonOptions& options) {
+                          const ShootingOptions& options) {
   // A correction this small that no longer shrinks is made of rounding, which
   // a long path magnifies: over a thousand turns by 1e8.
   constexpr double kRoundingLevel = 1e-7;

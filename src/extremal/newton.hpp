@@ -20,7 +20,7 @@ struct ClosingRow {
   [[nodiscard]] static ClosingRow offset(double eta);
 };
 
-struct NewtonOptions {
+struct ShootingOptions {
   StepControl integration;
   double tolerance = 1e-12;  ///< of the scaled correction
   int max_steps = 50;
@@ -50,6 +50,6 @@ struct NewtonResult {
                                         const ChainVector& start,
                                         const ChainScale& scale,
                                         const ClosingRow& closing,
-                                        const NewtonOptions& options);
+                                        const ShootingOptions& options);
 
 }  // namespace brachisto::shooting

@@ -144,7 +144,7 @@ void Solve::finish() {
   constexpr double kShare = 0.1;
   constexpr double kTightest = 1e-15;
   const double wanted = std::max(options_.tolerance, 1e-14);
-  NewtonOptions newton{
+  ShootingOptions newton{
       .integration = {.tolerance = std::max(kShare * wanted, kTightest),
                       .halve = false},
       .tolerance = wanted,

@@ -18,9 +18,9 @@
 #include "io/expression.hpp"
 #include "io/findings.hpp"
 #include "io/key_spec.hpp"
-#include "io/portable_random.hpp"
 #include "io/spacing.hpp"
 #include "io/yaml_tree.hpp"
+#include "math/portable_random.hpp"
 
 namespace brachisto::io {
 

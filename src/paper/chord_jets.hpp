@@ -36,9 +36,6 @@ class ChordJets {
  public:
   ChordJets(const DiscreteVariations& system, std::span<const double> unknowns);
 
-  [[nodiscard]] int num_chords() const {
-    return static_cast<int>(time_.size());
-  }
   [[nodiscard]] const ChordJet& time(int i) const { return time_[index(i)]; }
   [[nodiscard]] const ChordJet& length(int i) const {
     return length_[index(i)];

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "paper/chord_jets.hpp"
-#include "paper/end_conditions.hpp"
 #include "paper/layout.hpp"
 #include "paper/newton_steps.hpp"
 

@@ -14,7 +14,6 @@
 #include "brachisto/model/units.hpp"
 #include "paper/chord_jets.hpp"
 #include "paper/chord_time.hpp"
-#include "paper/end_conditions.hpp"
 #include "paper/layout.hpp"
 
 namespace brachisto {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "paper/chord_jets.hpp"
-#include "paper/end_conditions.hpp"
 #include "paper/layout.hpp"
 #include "paper/newton_steps.hpp"
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "brachisto/model/scene.hpp"
-#include "reproduction/transit.hpp"
+#include "reproduction/cases.hpp"
 
 namespace brachisto::reproduction {
 

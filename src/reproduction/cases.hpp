@@ -6,17 +6,41 @@
 
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
-#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
+
+/// Something has no verified answer; what() says what and why.
+class NotVerified : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The flag that a signal sets.
+using Interrupt = std::atomic<int>;
+
+/// \throws Interrupted  if the flag is set
+void check(const Interrupt& interrupt);
+
+/// The answer to a scene, to a relative error of 1e-12 unless told.
+/// \throws NotVerified  without a verified answer
+/// \throws Interrupted
+[[nodiscard]] Solution verified_solution(const Scene& scene,
+                                         const Interrupt& interrupt,
+                                         double tolerance = 1e-12);
+
+/// Its τ.
+[[nodiscard]] double verified_tau(const Scene& scene,
+                                  const Interrupt& interrupt);
 
 /// A number and how far it may be off, both in its own unit.
 struct Measured {
@@ -29,7 +53,7 @@ struct Case {
   std::string name;      ///< of its problem file, without ending
   io::ProblemFile file;  ///< with its wanted accuracy
   Solution rough;        ///< as the file wants it
-  /// A hundred times as accurate, with a second opinion of the indirect
+  /// A hundred times as accurate, cross-checked by the indirect
   /// method; of a given path: the same.
   Solution fine;
 

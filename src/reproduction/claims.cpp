@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+#include "reproduction/claims.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,15 +11,14 @@
 #include <limits>
 #include <optional>
 
-#include "reproduction/claims.hpp"
 #include "reproduction/members.hpp"
-#include "reproduction/printed.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
-double tau(const Findings& found, const char* name) {
+double tau(const Results& found, const char* name) {
   return found.cases[name].tau().value;
 }
 
@@ -27,7 +28,7 @@ std::string words(std::string name) {
   return name;
 }
 
-Claim about_standard_curves(const Findings& found) {
+Claim about_standard_curves(const Results& found) {
   const double best = tau(found, "fig04_reference_case");
   double next = std::numeric_limits<double>::infinity();
   for (const char* curve : {"fig04_straight", "fig04_parabola",
@@ -40,7 +41,7 @@ Claim about_standard_curves(const Findings& found) {
                       next)};
 }
 
-Claim about_shortest_time(const Findings& found) {
+Claim about_shortest_time(const Results& found) {
   const double extremal = tau(found, "fig04_reference_case");
   const BentTrack& bent = found.bent;
   return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
@@ -55,7 +56,7 @@ Claim about_shortest_time(const Findings& found) {
               bent.feasible ? ", and is feasible" : "")};
 }
 
-Claim about_grid(const Findings& found) {
+Claim about_grid(const Results& found) {
   const GridRow& coarse = found.grid[1];
   const GridRow& fine = found.grid.back();
   constexpr double kTwoDecimals = 0.005;
@@ -81,7 +82,7 @@ Claim about_grid(const Findings& found) {
                       found.grid.front().nodes + 1)};
 }
 
-Claim about_normal_force(const Findings& found) {
+Claim about_normal_force(const Results& found) {
   std::vector<std::string> lifted;
   std::size_t count = 0;
   for (const auto& [name, one] : found.cases.all()) {
@@ -105,7 +106,7 @@ Claim about_normal_force(const Findings& found) {
                       found.map.outcomes.size())};
 }
 
-Claim about_curvature(const Findings& found) {
+Claim about_curvature(const Results& found) {
   std::vector<std::string> bent;
   double least_margin = 1.0;
   for (const auto& [name, one] : found.cases.all()) {
@@ -128,7 +129,7 @@ Claim about_curvature(const Findings& found) {
                       least_margin)};
 }
 
-Claim about_shortest_track(const Findings& found) {
+Claim about_shortest_track(const Results& found) {
   const auto length = [&](const char* name) {
     return found.cases[name].motion().rail_length();
   };
@@ -141,7 +142,7 @@ Claim about_shortest_track(const Findings& found) {
                       bead, uniform, off)};
 }
 
-Claim about_lengths(const Findings& found) {
+Claim about_lengths(const Results& found) {
   const double uniform =
       found.cases["fig06_uniform_cylinder"].motion().rail_length();
   const double off = found.cases["fig04_reference_case"].motion().rail_length();
@@ -159,7 +160,7 @@ double percent_less(double first, double second) {
   return 100.0 * (first - second) / first;
 }
 
-Claim about_order(const Findings& found) {
+Claim about_order(const Results& found) {
   const double bead = tau(found, "fig06_bead");
   const double off = tau(found, "fig04_reference_case");
   const double uniform = tau(found, "fig06_uniform_cylinder");
@@ -190,7 +191,7 @@ double spread(const std::vector<RadiusRow>& rows) {
   return most->tau - least->tau;
 }
 
-Claim about_radius(const Findings& found) {
+Claim about_radius(const Results& found) {
   constexpr double kNone = 0.005;  // half of the last digit that is printed
   std::vector<RadiusRow> off_centred;
   for (const Member& member : tracks_by_radius()) {
@@ -214,7 +215,7 @@ Claim about_radius(const Findings& found) {
                       tau(found, "fig06_bead") * std::sqrt(1.0 + k))};
 }
 
-Claim about_length_of_domain(const Findings& found) {
+Claim about_length_of_domain(const Results& found) {
   const double a = tau(found, "fig12_L_2");
   const double b = tau(found, "fig04_reference_case");
   const double c = tau(found, "fig12_L_4");
@@ -230,7 +231,7 @@ Claim about_length_of_domain(const Findings& found) {
                       a, b, c, fmt::join(lengths, ", "))};
 }
 
-Claim about_beating_the_bead(const Findings& found) {
+Claim about_beating_the_bead(const Results& found) {
   const double bead = tau(found, "fig06_bead");
   const double fast = tau(found, "fig13_faster_than_bead");
   const double between = found.bead_between_centres;
@@ -250,7 +251,7 @@ Claim about_beating_the_bead(const Findings& found) {
                            "is no gain in itself")};
 }
 
-Claim about_axisymmetric_bodies(const Findings& found) {
+Claim about_axisymmetric_bodies(const Results& found) {
   const double k = found.boundary.front().k;
   return {"Sec. III.H", "Axisymmetric objects are always slower than the bead.",
           k > 0.0 ? Verdict::HoldsInPart : Verdict::Holds,
@@ -275,7 +276,7 @@ std::string_view name(Verdict verdict) {
   return "";
 }
 
-std::vector<Claim> judge(const Findings& found) {
+std::vector<Claim> judge(const Results& found) {
   return {about_possible_bodies(),
           about_dependence_on_inertia(found),
           about_grid(found),

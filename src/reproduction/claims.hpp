@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "reproduction/comparison.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 
@@ -14,25 +14,25 @@ namespace brachisto::reproduction {
 [[nodiscard]] Claim about_possible_bodies();
 
 // Shape.
-[[nodiscard]] Claim about_dependence_on_inertia(const Findings& found);
-[[nodiscard]] Claim about_cycloids(const Findings& found);
-[[nodiscard]] Claim about_pull(const Findings& found);
-[[nodiscard]] Claim about_depth(const Findings& found);
-[[nodiscard]] Claim about_effect_of_offset(const Findings& found);
-[[nodiscard]] Claim about_place_of_peaks(const Findings& found);
-[[nodiscard]] Claim about_effect_of_inertia(const Findings& found);
-[[nodiscard]] Claim about_number_of_peaks(const Findings& found);
+[[nodiscard]] Claim about_dependence_on_inertia(const Results& found);
+[[nodiscard]] Claim about_cycloids(const Results& found);
+[[nodiscard]] Claim about_pull(const Results& found);
+[[nodiscard]] Claim about_depth(const Results& found);
+[[nodiscard]] Claim about_effect_of_offset(const Results& found);
+[[nodiscard]] Claim about_place_of_peaks(const Results& found);
+[[nodiscard]] Claim about_effect_of_inertia(const Results& found);
+[[nodiscard]] Claim about_number_of_peaks(const Results& found);
 
 // Motion.
-[[nodiscard]] Claim about_rise_of_normal_force(const Findings& found);
-[[nodiscard]] Claim about_bulk_of_normal_force(const Findings& found);
-[[nodiscard]] Claim about_angular_speed(const Findings& found);
-[[nodiscard]] Claim about_incline(const Findings& found);
-[[nodiscard]] Claim about_start(const Findings& found);
+[[nodiscard]] Claim about_rise_of_normal_force(const Results& found);
+[[nodiscard]] Claim about_bulk_of_normal_force(const Results& found);
+[[nodiscard]] Claim about_angular_speed(const Results& found);
+[[nodiscard]] Claim about_incline(const Results& found);
+[[nodiscard]] Claim about_start(const Results& found);
 
 // The map of Fig. 13.
-[[nodiscard]] Claim about_effect_of_orientation(const Findings& found);
-[[nodiscard]] Claim about_minimum(const Findings& found);
-[[nodiscard]] Claim about_orientation(const Findings& found);
+[[nodiscard]] Claim about_effect_of_orientation(const Results& found);
+[[nodiscard]] Claim about_minimum(const Results& found);
+[[nodiscard]] Claim about_orientation(const Results& found);
 
 }  // namespace brachisto::reproduction

@@ -27,7 +27,7 @@ double nearness(const TrajectoryPoint& at) {
 
 }  // namespace
 
-Claim about_rise_of_normal_force(const Findings& found) {
+Claim about_rise_of_normal_force(const Results& found) {
   constexpr int kSamples = 2000;
   const Motion& motion = found.cases["fig04_reference_case"].motion();
   const std::vector<TrajectoryPoint> path = motion.fine_sample(kSamples);
@@ -63,7 +63,7 @@ Claim about_rise_of_normal_force(const Findings& found) {
                       100.0 * far_off / (motion.transit_time() - together))};
 }
 
-Claim about_bulk_of_normal_force(const Findings& found) {
+Claim about_bulk_of_normal_force(const Results& found) {
   constexpr int kSamples = 2000;
   const Case& one = found.cases["fig04_reference_case"];
   const Scene& scene = one.scene();
@@ -85,7 +85,7 @@ Claim about_bulk_of_normal_force(const Findings& found) {
                   share > 1.0 ? ", less, for the track bends away there" : "")};
 }
 
-Claim about_angular_speed(const Findings& found) {
+Claim about_angular_speed(const Results& found) {
   const Case& one = found.cases["fig04_reference_case"];
   const Scene& scene = one.scene();
   double least = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ Claim about_angular_speed(const Findings& found) {
                       most / least)};
 }
 
-Claim about_incline(const Findings& found) {
+Claim about_incline(const Results& found) {
   const double off = found.cases["fig04_straight"].tau().value;
   const double uniform = found.uniform_on_incline;
   return {"Sec. III.B",
@@ -121,7 +121,7 @@ Claim about_incline(const Findings& found) {
                       off, uniform)};
 }
 
-Claim about_start(const Findings& found) {
+Claim about_start(const Results& found) {
   constexpr int kOffsets = 20;
   constexpr int kInertias = 10;
   constexpr int kDirections = 180;

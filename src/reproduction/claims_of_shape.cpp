@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::vector<PeaksAndValleys> tracks_of(const Findings& found,
+std::vector<PeaksAndValleys> tracks_of(const Results& found,
                                        const Members& family) {
   std::vector<PeaksAndValleys> out;
   for (const Member& member : family) {
@@ -100,7 +100,7 @@ double distance_from_cycloid(const Motion& motion) {
 
 }  // namespace
 
-Claim about_dependence_on_inertia(const Findings& found) {
+Claim about_dependence_on_inertia(const Results& found) {
   const auto& [axisymmetric, off_centred] = found.shift_by_inertia;
   constexpr double kNone = 1e-6;
   const bool holds = axisymmetric < kNone && off_centred > kNone;
@@ -113,7 +113,7 @@ Claim about_dependence_on_inertia(const Findings& found) {
                       off_centred, axisymmetric)};
 }
 
-Claim about_cycloids(const Findings& found) {
+Claim about_cycloids(const Results& found) {
   // Between nodes the path has order p + 1 only.
   constexpr double kSame = 1e-6;
   const double bead = distance_from_cycloid(found.cases["fig06_bead"].motion());
@@ -128,7 +128,7 @@ Claim about_cycloids(const Findings& found) {
                       bead, uniform)};
 }
 
-Claim about_pull(const Findings& found) {
+Claim about_pull(const Results& found) {
   std::size_t scenes = 0;
   std::size_t peaks = 0;
   std::size_t valleys = 0;
@@ -157,7 +157,7 @@ Claim about_pull(const Findings& found) {
                       peaks + valleys)};
 }
 
-Claim about_depth(const Findings& found) {
+Claim about_depth(const Results& found) {
   const double here =
       deepest_mass_centre(found.cases["fig04_reference_case"].motion());
   const double on_cycloid =
@@ -171,7 +171,7 @@ Claim about_depth(const Findings& found) {
                       here, on_cycloid)};
 }
 
-Claim about_effect_of_offset(const Findings& found) {
+Claim about_effect_of_offset(const Results& found) {
   const Members family = tracks_by_offset();
   const std::vector<PeaksAndValleys> tracks = tracks_of(found, family);
   const std::vector<double> turns = turns_of(tracks);
@@ -187,7 +187,7 @@ Claim about_effect_of_offset(const Findings& found) {
                       names_of(family))};
 }
 
-Claim about_place_of_peaks(const Findings& found) {
+Claim about_place_of_peaks(const Results& found) {
   const std::vector<PeaksAndValleys> by_theta =
       tracks_of(found, tracks_by_orientation());
   const std::vector<PeaksAndValleys> by_eta =
@@ -213,7 +213,7 @@ Claim about_place_of_peaks(const Findings& found) {
                       in_degrees(turns))};
 }
 
-Claim about_effect_of_inertia(const Findings& found) {
+Claim about_effect_of_inertia(const Results& found) {
   const Members family = tracks_by_inertia();
   const std::vector<double> turns = turns_of(tracks_of(found, family));
   const std::vector<double> by_eta =
@@ -233,7 +233,7 @@ Claim about_effect_of_inertia(const Findings& found) {
               same_way ? "" : ", the other way", effect_of_eta * kDegrees))};
 }
 
-Claim about_number_of_peaks(const Findings& found) {
+Claim about_number_of_peaks(const Results& found) {
   const auto numbers = [&](const Members& family) {
     return numbers_of(tracks_of(found, family));
   };

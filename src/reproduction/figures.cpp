@@ -19,7 +19,7 @@ Figure figure(const report::Chart& chart, std::string heading,
           .gnuplot = report::chart_gnuplot(chart)};
 }
 
-std::vector<Figure> all_figures(const Findings& found) {
+std::vector<Figure> all_figures(const Results& found) {
   std::vector<Figure> out = motion_figures(found.cases);
   for (std::vector<Figure> more :
        {path_figures(found.cases), parameter_figures(found)}) {

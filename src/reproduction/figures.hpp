@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "report/chart.hpp"
-#include "reproduction/findings.hpp"
+#include "reproduction/results.hpp"
 
 namespace brachisto::reproduction {
 
@@ -33,9 +33,9 @@ struct Figure {
 [[nodiscard]] std::vector<Figure> motion_figures(const Cases& cases);
 
 /// Over parameters: τ of η_m and θ_m, the best θ_m, possible bodies.
-[[nodiscard]] std::vector<Figure> parameter_figures(const Findings& found);
+[[nodiscard]] std::vector<Figure> parameter_figures(const Results& found);
 
 /// All of them in the order of the paper.
-[[nodiscard]] std::vector<Figure> all_figures(const Findings& found);
+[[nodiscard]] std::vector<Figure> all_figures(const Results& found);
 
 }  // namespace brachisto::reproduction

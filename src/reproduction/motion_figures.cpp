@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "brachisto/model/kinetic_energy.hpp"
-#include "reproduction/comparison.hpp"
 #include "reproduction/figures.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 

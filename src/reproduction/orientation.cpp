@@ -11,7 +11,7 @@
 
 #include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/math/roots.hpp"
-#include "reproduction/transit.hpp"
+#include "reproduction/cases.hpp"
 
 namespace brachisto::reproduction {
 

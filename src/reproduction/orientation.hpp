@@ -8,7 +8,6 @@
 
 #include "brachisto/model/scene.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 

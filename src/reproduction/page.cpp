@@ -11,7 +11,6 @@
 #include "report/page_style.hpp"
 #include "report/rich_text.hpp"
 #include "report/svg.hpp"
-#include "reproduction/tables.hpp"
 
 namespace brachisto::reproduction {
 
@@ -21,11 +20,11 @@ using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
 
-std::string comparison_table(const std::vector<Comparison>& rows) {
+std::string comparison_table(const std::vector<PrintedNumber>& rows) {
   std::string out =
       "<div class=\"wide\"><table><thead><tr><th>quantity</th><th>paper</th>"
       "<th>here</th><th>here − paper</th><th>remark</th></tr></thead><tbody>\n";
-  for (const Comparison& row : rows) {
+  for (const PrintedNumber& row : rows) {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     out += fmt::format(
         "<tr><td>{}<br/><small>{}</small></td><td>{}{}</td><td>{}{}</td>"
@@ -116,7 +115,7 @@ std::string figure_html(const Figure& figure) {
       figure.name, figure.name, figure.name);
 }
 
-std::string introduction(const Findings& found) {
+std::string introduction(const Results& found) {
   const Case& reference = found.cases["fig04_reference_case"];
   return fmt::format(
       "<p class=\"about\">Every figure with a result and every number of K. "
@@ -144,7 +143,7 @@ std::string introduction(const Findings& found) {
       html_words("R_n = 0 and κ_b = −1/r"));
 }
 
-std::string page(const Findings& found, const Reproduction& made) {
+std::string page(const Results& found, const Reproduction& made) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
@@ -169,11 +168,11 @@ std::string page(const Findings& found, const Reproduction& made) {
 
 }  // namespace
 
-Reproduction reproduce(const Findings& found) {
-  return {compare(found), judge(found), all_figures(found)};
+Reproduction reproduce(const Results& found) {
+  return {printed_numbers(found), judge(found), all_figures(found)};
 }
 
-std::vector<report::OutputFile> files(const Findings& found,
+std::vector<report::OutputFile> files(const Results& found,
                                       const Reproduction& made) {
   std::vector<report::OutputFile> out;
   for (const Figure& figure : made.figures) {

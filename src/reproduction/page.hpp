@@ -10,31 +10,43 @@
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
-#include "reproduction/comparison.hpp"
 #include "reproduction/figures.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 
 /// All that is found, ready to be written.
 struct Reproduction {
-  std::vector<Comparison> comparisons;
+  std::vector<PrintedNumber> comparisons;
   std::vector<Claim> claims;
   std::vector<Figure> figures;
 };
 
-[[nodiscard]] Reproduction reproduce(const Findings& found);
+[[nodiscard]] Reproduction reproduce(const Results& found);
 
 /// index.html, which needs nothing beside it; comparison.csv, claims.csv,
 /// cases.csv, orientations.csv, boundary.csv; of every figure an SVG document,
 /// its numbers and a gnuplot script.
-[[nodiscard]] std::vector<report::OutputFile> files(const Findings& found,
+[[nodiscard]] std::vector<report::OutputFile> files(const Results& found,
                                                     const Reproduction& made);
 
 /// The comparison and the claims for a terminal.
-[[nodiscard]] std::string summary(const Reproduction& made);
+[[nodiscard]] std::string text_table(const Reproduction& made);
 
 /// The same as one JSON document.
-[[nodiscard]] std::string to_json(const Findings& found,
+[[nodiscard]] std::string to_json(const Results& found,
                                   const Reproduction& made);
+
+/// Ours − paper with its sign and in percent, or that it agrees.
+[[nodiscard]] std::string difference_text(const PrintedNumber& row);
+
+// Comma-separated values with a header line; words without markup.
+[[nodiscard]] std::string comparison_csv(
+    const std::vector<PrintedNumber>& rows);
+[[nodiscard]] std::string claims_csv(const std::vector<Claim>& claims);
+[[nodiscard]] std::string cases_csv(const Cases& cases);
+[[nodiscard]] std::string orientations_csv(
+    const std::vector<OrientationRow>& rows);
+[[nodiscard]] std::string boundary_csv(const Results& found);
 
 }  // namespace brachisto::reproduction

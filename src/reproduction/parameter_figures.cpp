@@ -13,8 +13,8 @@
 #include "report/heat_map_svg.hpp"
 #include "report/sweep_csv.hpp"
 #include "report/sweep_scenes.hpp"
+#include "reproduction/cases.hpp"
 #include "reproduction/figures.hpp"
-#include "reproduction/transit.hpp"
 
 namespace brachisto::reproduction {
 
@@ -136,7 +136,7 @@ Figure map_as_colours(const SweepTable& table) {
           .gnuplot = map_script(map.name, table)};
 }
 
-Figure fastest_orientation_figure(const Findings& found) {
+Figure fastest_orientation_figure(const Results& found) {
   Chart chart;
   chart.name = "fastest_orientation";
   chart.title = "The initial orientation of the smallest τ";
@@ -223,7 +223,7 @@ std::vector<report::Sketch> examples() {
   };
 }
 
-Figure region(const Findings& found) {
+Figure region(const Results& found) {
   Chart chart;
   chart.name = "fig14_region";
   chart.title = "Possible bodies, and those that are faster than the bead";
@@ -265,7 +265,7 @@ Figure region(const Findings& found) {
 
 }  // namespace
 
-std::vector<Figure> parameter_figures(const Findings& found) {
+std::vector<Figure> parameter_figures(const Results& found) {
   return {map_as_curves(found.map), map_as_colours(found.map),
           fastest_orientation_figure(found), region(found)};
 }

@@ -7,7 +7,7 @@
 
 #include "reproduction/figures.hpp"
 #include "reproduction/members.hpp"
-#include "reproduction/printed.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 

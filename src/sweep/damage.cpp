@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <xxhash.h>
+
+#include <string>
 
 namespace brachisto::sweep {
 
@@ -60,6 +63,13 @@ std::string scene_ranges(const std::vector<std::size_t>& scenes) {
   }
   return fmt::format("scene{} {}", scenes.size() == 1 ? "" : "s",
                      fmt::join(parts, ", "));
+}
+
+std::int64_t row_checksum(std::string_view key, std::string_view content) {
+  std::string row(key);
+  row += '\n';
+  row += content;
+  return static_cast<std::int64_t>(XXH3_64bits(row.data(), row.size()));
 }
 
 }  // namespace brachisto::sweep

@@ -7,9 +7,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brachisto::sweep {
@@ -34,5 +36,12 @@ struct Damage {
 /// "scenes 0–15, 32, 40".
 /// \param scenes  in ascending order, at least one
 [[nodiscard]] std::string scene_ranges(const std::vector<std::size_t>& scenes);
+
+/// 64-bit XXH3 of a row.
+///
+/// \param key  of the row and of its table, "result 17": a row whose key has
+///             changed is as wrong as one whose content has
+[[nodiscard]] std::int64_t row_checksum(std::string_view key,
+                                        std::string_view content);
 
 }  // namespace brachisto::sweep

@@ -7,21 +7,19 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "math/wall_clock.hpp"
 #include "sweep/outcome.hpp"
-#include "sweep/worker_process.hpp"
+#include "sweep/worker.hpp"
 
 namespace brachisto::sweep {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A worker and the run of a chain it is at.
 struct Slot {
@@ -32,7 +30,7 @@ struct Slot {
                          ///< those before the run that lead up to it
   std::string state;     ///< of the scene before it
   bool retrying = false;
-  Clock::time_point deadline;
+  WallClock::time_point deadline;
 };
 
 /// What made a worker useless.
@@ -182,10 +180,7 @@ class Manager {
   }
 
   void set_deadline(Slot& slot) const {
-    slot.deadline =
-        Clock::now() +
-        std::chrono::duration_cast<Clock::duration>(
-            std::chrono::duration<double>(options_.seconds_per_scene));
+    slot.deadline = seconds_from_now(options_.seconds_per_scene);
   }
 
   /// Until a worker says something, or for a tenth of a second.
@@ -223,7 +218,7 @@ class Manager {
     if (!slot.busy) return;
     if (slot.worker->ended()) {
       lose(slot, Loss::Ended, answers);
-    } else if (Clock::now() > slot.deadline) {
+    } else if (WallClock::now() > slot.deadline) {
       lose(slot, Loss::Timeout, answers);
     }
   }

@@ -11,7 +11,6 @@
 
 #include "brachisto/transcription/collocation.hpp"
 #include "brachisto/transcription/variable_layout.hpp"
-#include "sweep/bounded_json.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {

@@ -7,11 +7,13 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "brachisto/study/solve.hpp"
-#include "brachisto/study/sweep_table.hpp"
+#include "brachisto/sweep/sweep_table.hpp"
 
 namespace brachisto::sweep {
 
@@ -32,5 +34,17 @@ inline constexpr std::size_t kLongestOutcome = std::size_t{1} << 20U;
 
 /// What a table shows of a document that satisfies is_outcome().
 [[nodiscard]] SweepOutcome read_outcome(const std::string& document);
+
+/// Deepest nesting of maps and lists that is read. Copies and texts of a
+/// document are made recursively.
+inline constexpr int kDeepestJson = 32;
+
+/// Most values in a document. A map looks for each of its keys among all of
+/// them.
+inline constexpr std::size_t kMostJsonValues = 20'000;
+
+/// The document, or nothing if the text is no JSON or exceeds these bounds.
+[[nodiscard]] std::optional<nlohmann::ordered_json> parse_bounded_json(
+    std::string_view text);
 
 }  // namespace brachisto::sweep

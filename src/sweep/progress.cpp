@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "math/wall_clock.hpp"
 #include "report/letters.hpp"
 #include "report/terminal.hpp"
 
@@ -75,8 +76,7 @@ void Progress::finish(const Counts& counts) {
 }
 
 void Progress::write(const Counts& counts) {
-  const double seconds =
-      std::chrono::duration<double>(Clock::now() - start_).count();
+  const double seconds = seconds_since(start_);
   // A sweep does not end because nobody listens: errors are ignored.
   if (form_ == Form::Bar) {
     // Back to the start of the line, and away with what was longer.

@@ -12,9 +12,8 @@
 #include <system_error>
 #include <utility>
 
-#include "sweep/bounded_json.hpp"
+#include "brachisto/report/provenance.hpp"
 #include "sweep/outcome.hpp"
-#include "sweep/row_checksum.hpp"
 
 namespace brachisto::sweep {
 
@@ -444,6 +443,15 @@ std::optional<std::string> Store::state_after(std::size_t chain,
     // It is as good as not there.
   }
   return std::nullopt;
+}
+
+StoreInfo store_info(const Job& job, const std::string& shard) {
+  return {.job = to_line(job),
+          .input_hash = input_hash(job.file),
+          .version = report::provenance().brachisto,
+          .shard = shard,
+          .provenance = report::provenance_json(),
+          .num_scenes = job.file.num_scenes()};
 }
 
 }  // namespace brachisto::sweep

@@ -3,12 +3,16 @@
 
 #include "sweep/worker.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <exception>
 #include <iostream>
 #include <istream>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "brachisto/study/solve.hpp"
 #include "sweep/job.hpp"
@@ -63,6 +67,50 @@ void run_worker(std::istream& in, std::ostream& out) {
       out << to_line(solve_scene(job.file, i, neighbour)) << std::flush;
     }
   }
+}
+
+void WorkerProcess::flush() {
+  while (!outbox_.empty()) {
+    const ssize_t count = ::write(input(), outbox_.data(), outbox_.size());
+    if (count < 0 && errno == EINTR) continue;
+    // A full pipe is tried again; a broken one shows at the other end.
+    if (count < 0) {
+      if (errno != EAGAIN) outbox_.clear();
+      return;
+    }
+    outbox_.erase(0, static_cast<std::size_t>(count));
+  }
+}
+
+std::vector<std::string> WorkerProcess::read_lines() {
+  // More than any answer: whoever writes that much without an end of line
+  // writes rubbish, and the manager is to see it as such.
+  constexpr std::size_t kLongestLine = std::size_t{1} << 28U;
+  std::vector<std::string> lines;
+  // What comes after a line waits: there may be no end of it.
+  while (lines.empty()) {
+    std::size_t from = inbox_.size();
+    const ssize_t count = read_some(output(), inbox_);
+    ended_ = count == 0;
+    if (count <= 0) break;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = inbox_.find('\n', from)) != std::string::npos;
+         from = begin) {
+      lines.push_back(inbox_.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    inbox_.erase(0, begin);
+    if (inbox_.size() >= kLongestLine) {
+      lines.push_back(std::exchange(inbox_, {}));
+    }
+  }
+  return lines;
+}
+
+std::string WorkerProcess::finish() {
+  // One that closed its output and stays is not waited for.
+  constexpr double kPatience = 0.1;  // [s]
+  return child_.finish(ended_ ? kPatience : 0.0).in_words();
 }
 
 }  // namespace brachisto::sweep

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "brachisto/model/inertia.hpp"
+#include "math/portable_random.hpp"
 
 namespace brachisto {
 
@@ -134,20 +135,11 @@ PrimalDual random_guess(const RollingTime& problem, const CycloidArc& arc,
   using enum StateComponent;
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   PrimalDual out = cycloid_guess(problem, arc);
-  // SplitMix64: a few lines that give the same numbers on every platform, which
-  // the distributions of the standard library do not promise.
-  const auto uniform = [&seed] {
-    seed += 0x9e3779b97f4a7c15U;
-    std::uint64_t bits = seed;
-    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-    bits ^= bits >> 31U;
-    return static_cast<double>(bits >> 11U) * 0x1p-53;
-  };
+  SplitMix64 random(seed);
   const VariableLayout& layout = problem.layout();
   for (int c = 0; c < layout.num_points(); ++c) {
-    out.x[at(layout.beta(c))] += uniform() - 0.5;
-    out.x[at(layout.state(c + 1, W))] *= 0.5 + uniform();
+    out.x[at(layout.beta(c))] += random.uniform() - 0.5;
+    out.x[at(layout.state(c + 1, W))] *= 0.5 + random.uniform();
   }
   return out;
 }

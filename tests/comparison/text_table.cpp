@@ -17,6 +17,13 @@ TEST(TextTable, AlignsByLetters) {
             "long name  1.25\n");
 }
 
+TEST(TextTable, IsMarkdownToo) {
+  EXPECT_EQ(markdown_table({{"τ", "verdict"}, {"1.25", ""}}),
+            "| τ    | verdict |\n"
+            "| ---- | ------- |\n"
+            "| 1.25 |         |\n");
+}
+
 TEST(TextTable, SaysWhatIsNotThere) {
   EXPECT_EQ(or_dash(std::nullopt), "—");
   EXPECT_EQ(or_dash(7), "7");

@@ -15,7 +15,6 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
 #include "fuzz/law.hpp"
-#include "sweep/bounded_json.hpp"
 #include "sweep/job.hpp"
 #include "sweep/message.hpp"
 #include "sweep/outcome.hpp"

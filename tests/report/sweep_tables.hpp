@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/study/sweep_table.hpp"
+#include "brachisto/sweep/sweep_table.hpp"
 
 namespace brachisto::testing {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reproduction/transit.hpp"
+#include "reproduction/cases.hpp"
 
 namespace brachisto::reproduction {
 namespace {

@@ -17,7 +17,6 @@
 
 #include "support/scratch_directory.hpp"
 #include "sweep/merge.hpp"
-#include "sweep/row_checksum.hpp"
 #include "sweep/small_sweep.hpp"
 
 namespace brachisto::sweep {

@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "reproduction/findings.hpp"
+#include "reproduction/results.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <system_error>
 
 #include "reproduction/bent_track.hpp"
+#include "reproduction/cases.hpp"
 #include "reproduction/members.hpp"
-#include "reproduction/transit.hpp"
+#include "sweep/table.hpp"
 
 namespace brachisto::reproduction {
 
@@ -171,14 +175,65 @@ std::vector<std::string> needed_cases() {
   return names;
 }
 
+/// A directory of its own that goes with the object.
+class ScratchDirectory {
+ public:
+  ScratchDirectory() {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "brachisto-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), name);
+    }
+    path_ = name;
+  }
+  ~ScratchDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Solves a sweep with the program's own workers, by all cores and without
+/// leaving files.
+SweepTable solve_family(const sweep::Job& job, int jobs,
+                        const Interrupt& interrupt,
+                        const sweep::ProgressSink& progress) {
+  constexpr double kSecondsPerScene = 120.0;
+  const ScratchDirectory scratch;
+  sweep::Store store =
+      sweep::Store::create(scratch.path(), sweep::store_info(job, "1/1"));
+  const sweep::ManagerOptions options{.program = "/proc/self/exe",
+                                      .jobs = jobs,
+                                      .seconds_per_scene = kSecondsPerScene,
+                                      .memory = 0,
+                                      .shard = {},
+                                      .interrupt = &interrupt};
+  sweep::run_manager(job, store, options, progress);
+  SweepTable table = sweep::read_table(store, job);
+  check(interrupt);
+  for (const SweepOutcome& outcome : table.outcomes) {
+    if (outcome.state != SweepOutcome::State::Verified) {
+      throw NotVerified(job.name +
+                        ": a scene has no verified answer: " + outcome.message);
+    }
+  }
+  return table;
+}
+
 }  // namespace
 
-Findings find_all(const std::filesystem::path& directory, const Hooks& hooks) {
+Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   const Interrupt& interrupt = *hooks.interrupt;
   // What is wrong with it is told before the work begins.
   const sweep::Job map =
       sweep::read_job(directory / "sweeps" / "fig13_map.yaml", {});
-  Findings out{
+  Results out{
       .cases = Cases(directory, needed_cases(), interrupt, hooks.announce),
       .map = {},
       .grid = {},

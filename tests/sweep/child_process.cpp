@@ -3,15 +3,16 @@
 
 // How a process ended is told apart, and what it wrote is kept.
 
-#include "comparison/child_process.hpp"
+#include "sweep/child_process.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <string>
 
-namespace brachisto::comparison {
+namespace brachisto::sweep {
 namespace {
 
 using End = ChildRun::End;
@@ -66,5 +67,36 @@ TEST(ChildProcess, AProgramThatIsNotThereExits) {
   EXPECT_NE(run.code, 0);
 }
 
+TEST(ChildProcess, DoesWorkOfThisProgramInAForkOfIt) {
+  const std::string word = "done";
+  ChildProcess child(
+      [&] {
+        return ::write(STDOUT_FILENO, word.data(), word.size()) == 4 ? 5 : 1;
+      },
+      {.input = false, .output = true, .error = false}, {});
+
+  const ChildEnd end = child.finish(kPatience);
+  std::string text;
+
+  EXPECT_EQ(end.code, 5);
+  EXPECT_EQ(end.in_words(), "ended with exit code 5");
+  EXPECT_EQ(read_some(child.output(), text), 4);
+  EXPECT_EQ(read_some(child.output(), text), 0);
+  EXPECT_EQ(text, word);
+}
+
+TEST(ChildProcess, IsKilledIfItDoesNotEnd) {
+  ChildProcess child(run_program("/bin/sh", {"-c", "exec sleep 600"}), {}, {});
+
+  EXPECT_EQ(child.finish(0.1).signal, SIGKILL);
+}
+
+TEST(ChildProcess, HasALimitOfProcessorTime) {
+  ChildProcess child(run_program("/bin/sh", {"-c", "while :; do :; done"}), {},
+                     {.memory = 0, .cpu_seconds = 1});
+
+  EXPECT_EQ(child.finish(kPatience).signal, SIGXCPU);
+}
+
 }  // namespace
-}  // namespace brachisto::comparison
+}  // namespace brachisto::sweep

@@ -10,12 +10,23 @@
 #include <string_view>
 #include <vector>
 
-#include "reproduction/findings.hpp"
+#include "reproduction/results.hpp"
 
 namespace brachisto::reproduction {
 
+/// Transit times as the paper prints them.
+namespace printed {
+inline constexpr const char* kBead = "4.52";
+inline constexpr const char* kUniform = "5.12";
+inline constexpr const char* kOffCentred = "4.99";  // also for n = 50, 100, 200
+inline constexpr const char* kOffCentredCoarse = "4.97";  // n = 25
+inline constexpr const char* kShort = "3.96";             // L = 2
+inline constexpr const char* kLong = "6.26";              // L = 4
+inline constexpr const char* kFast = "4.06";
+}  // namespace printed
+
 /// A number as the paper prints it, "4.99", and ours. Words are rich text.
-struct Comparison {
+struct PrintedNumber {
   std::string place;  ///< in the paper
   std::string quantity;
   std::string paper;  ///< its digits as printed
@@ -43,8 +54,8 @@ struct Claim {
 
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-[[nodiscard]] std::vector<Comparison> compare(const Findings& found);
-[[nodiscard]] std::vector<Claim> judge(const Findings& found);
+[[nodiscard]] std::vector<PrintedNumber> printed_numbers(const Results& found);
+[[nodiscard]] std::vector<Claim> judge(const Results& found);
 
 /// As many digits as are known, and the error: "5.093444466618 ± 2e-13".
 [[nodiscard]] std::string with_error(const Measured& number);

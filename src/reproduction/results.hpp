@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/sweep/sweep_table.hpp"
 #include "reproduction/bead_boundary.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/family.hpp"
 #include "reproduction/orientation.hpp"
+#include "sweep/manager.hpp"
 
 namespace brachisto::reproduction {
 
@@ -68,7 +69,7 @@ struct BentTrack {
   bool feasible = false;
 };
 
-struct Findings {
+struct Results {
   Cases cases;
   SweepTable map;  ///< τ over η_m and θ_m
   std::vector<GridRow> grid;
@@ -100,8 +101,9 @@ struct Hooks {
 /// \param directory  of the problem files of the paper
 /// \throws io::IoError, io::InputError  if a file is missing or wrong
 /// \throws NotVerified  if something has no verified answer
+/// \throws sweep::StoreError, sweep::WorkersFail  of the map
 /// \throws Interrupted
-[[nodiscard]] Findings find_all(const std::filesystem::path& directory,
-                                const Hooks& hooks);
+[[nodiscard]] Results find_all(const std::filesystem::path& directory,
+                               const Hooks& hooks);
 
 }  // namespace brachisto::reproduction

@@ -3,15 +3,15 @@
 
 // When a number agrees with a printed one, and how numbers are printed.
 
-#include "reproduction/comparison.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 #include <gtest/gtest.h>
 
 namespace brachisto::reproduction {
 namespace {
 
-Comparison beside(const char* printed, double ours, double error = 0.0) {
-  Comparison row;
+PrintedNumber beside(const char* printed, double ours, double error = 0.0) {
+  PrintedNumber row;
   row.paper = printed;
   row.ours = {ours, error};
   return row;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "reproduction/comparison.hpp"
+#include "reproduction/printed_numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -10,18 +10,16 @@
 #include <cstdlib>
 #include <optional>
 
-#include "reproduction/printed.hpp"
-
 namespace brachisto::reproduction {
 
 namespace {
 
 /// What the indirect method and the paper's own equations say.
-std::string other_methods(const Findings& found, const std::string& name) {
+std::string other_methods(const Results& found, const std::string& name) {
   std::string out;
-  if (const auto& opinion = found.cases[name].fine.extremal) {
+  if (const auto& cross_check = found.cases[name].fine.extremal) {
     out = fmt::format("The indirect method differs by {:.0e}. ",
-                      opinion->difference);
+                      cross_check->difference);
   }
   const auto equations = found.equations.find(name);
   if (equations == found.equations.end()) return out;
@@ -64,12 +62,12 @@ int decimals(std::string_view printed) {
              : static_cast<int>(printed.size() - point - 1);
 }
 
-std::vector<Comparison> transit_times(const Findings& found) {
+std::vector<PrintedNumber> transit_times(const Results& found) {
   const auto row = [&](const char* place, const char* quantity,
                        const char* paper, const char* name) {
-    return Comparison{place, quantity,
-                      paper, found.cases[name].tau(),
-                      "",    other_methods(found, name)};
+    return PrintedNumber{place, quantity,
+                         paper, found.cases[name].tau(),
+                         "",    other_methods(found, name)};
   };
   const Case& arch = found.cases["check_uniform_half_arch"];
   return {
@@ -89,7 +87,7 @@ std::vector<Comparison> transit_times(const Findings& found) {
   };
 }
 
-std::vector<Comparison> lengths_and_forces(const Cases& cases) {
+std::vector<PrintedNumber> lengths_and_forces(const Cases& cases) {
   const Case& reference = cases["fig04_reference_case"];
   const auto diagnostic = [&](auto&& pick) {
     return reference.measure(
@@ -116,9 +114,9 @@ std::vector<Comparison> lengths_and_forces(const Cases& cases) {
   };
 }
 
-std::vector<Comparison> grid(const Findings& found) {
+std::vector<PrintedNumber> grid(const Results& found) {
   const double exact = found.cases["fig04_reference_case"].tau().value;
-  std::vector<Comparison> rows;
+  std::vector<PrintedNumber> rows;
   const auto tau = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.4f}", *value) : std::string("nothing");
   };
@@ -139,20 +137,20 @@ std::vector<Comparison> grid(const Findings& found) {
 
 }  // namespace
 
-double Comparison::difference() const {
+double PrintedNumber::difference() const {
   return ours.value - number_in(paper);
 }
 
-double Comparison::slack() const {
+double PrintedNumber::slack() const {
   return 0.5 * std::pow(10.0, -decimals(paper)) + ours.error;
 }
 
-bool Comparison::agrees() const {
+bool PrintedNumber::agrees() const {
   return std::abs(difference()) <= slack();
 }
 
-std::vector<Comparison> compare(const Findings& found) {
-  std::vector<Comparison> rows = transit_times(found);
+std::vector<PrintedNumber> printed_numbers(const Results& found) {
+  std::vector<PrintedNumber> rows = transit_times(found);
   for (auto&& more : {lengths_and_forces(found.cases), grid(found)}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The brachisto authors
+# SPDX-License-Identifier: MIT
+"""Whether sources are compiled with the flags of their own that they need.
+
+    compile_flags.py BUILD          BUILD has a compile_commands.json
+
+Some sources want other floating-point flags than the rest: a file that is moved
+loses them without a word. `compile_flags.json` beside this file says which.
+"""
+
+import collections
+import json
+import pathlib
+import re
+import shlex
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCES = HERE.parent.parent / "src"
+# What decides how numbers come out.
+COUNTS = re.compile(r"-(O|march|mtune|mfpmath|ffast-math|ffp-contract|f(no-)?math-errno|"
+                    r"f(no-)?(unsafe|finite|associative|reciprocal)-)")
+
+
+def main(build):
+    with open(pathlib.Path(build) / "compile_commands.json", encoding="utf-8") as file:
+        commands = json.load(file)
+    flags = {}
+    for command in commands:
+        source = pathlib.Path(command["file"])
+        if source.is_relative_to(SOURCES):
+            words = shlex.split(command["command"])
+            flags[source.relative_to(SOURCES).as_posix()] = [w for w in words if COUNTS.match(w)]
+    common = collections.Counter(map(tuple, flags.values())).most_common(1)[0][0]
+    wanted = json.loads((HERE / "compile_flags.json").read_text(encoding="utf-8"))
+    wrong = 0
+    for source in sorted(flags.keys() | wanted.keys()):
+        own = flags.get(source, [])[len(common):] if source in flags else None
+        if own != wanted.get(source, []):
+            wrong += 1
+            found = "is not compiled" if own is None else f"has {own}"
+            print(f"src/{source}: {found}, expected {wanted.get(source, [])}")
+    print(f"{len(flags)} sources, {len(wanted)} with flags of their own, {wrong} wrong")
+    return 1 if wrong or not flags else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

@@ -25,13 +25,6 @@ constexpr double kAim = 0.7;  // of the tolerance
 constexpr int kMostTries = 4;
 constexpr int kLargestDoubling = 30;
 
-/// A mesh to start with: all that the continuation's answer is needed for.
-int coarse_pieces(const Scene& scene, double length) {
-  return std::max(
-      kFewestCoarse,
-      static_cast<int>(std::ceil(kCoarsePerTurn * turns(scene.body, length))));
-}
-
 /// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
 /// pieces, n/2 always.
 std::vector<int> divisions(int n, int coarsest) {
@@ -43,14 +36,6 @@ std::vector<int> divisions(int n, int coarsest) {
                                                 : (before + 1) / 2);
   } while (pieces.back() >= 2 * coarsest);
   return {pieces.rbegin(), pieces.rend()};
-}
-
-/// dT/dφ = −r (p_x cos φ + p_z sin φ) at the problem's current point.
-double time_per_radian(const ArcLengthAnswer& answer) {
-  const Costates p = answer.problem.end_costates(answer.solution.point.lambda);
-  const double phi = answer.solution.closure.phi;
-  return -answer.problem.scene().body.radius *
-         (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
 }
 
 /// One run of refine_arc_length().
@@ -111,8 +96,13 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
   const double ratio = n / coarser.problem.num_intervals();
   const double q = ratio * ratio;
   const ContactClosure& closure = finer.solution.closure;
+  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
+  // dT/dφ
   const double per_radian =
-      scene_.contact == Contact::Smooth ? time_per_radian(finer) : 0.0;
+      scene_.contact == Contact::Smooth
+          ? -scene_.body.radius *
+                (p.p_x * std::cos(closure.phi) + p.p_z * std::sin(closure.phi))
+          : 0.0;
   const double T = finer.transit_time;
   const double of_ends =
       per_radian * (closure.phi - coarser.solution.closure.phi);
@@ -121,7 +111,6 @@ double Sequence::estimate(const ArcLengthAnswer& finer) const {
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
   const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
-  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
   const double ends = rounding_of_ends(scene_, closure.phi, p.p_x, p.p_z);
   // A sum of N terms, each rounded.
   const double rounding =
@@ -178,7 +167,11 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
                                       MeshOptions options) {
   Sequence sequence(scene, curve, phi, options);
   ArcLengthRefinement& out = sequence.out();
-  const int coarsest = coarse_pieces(scene, curve.arc_length());
+  // All that the continuation's answer is needed for.
+  const int coarsest = std::max(
+      kFewestCoarse,
+      static_cast<int>(
+          std::ceil(kCoarsePerTurn * turns(scene.body, curve.arc_length()))));
   if (wanted.fixed()) {
     const int n = wanted.elements ? *wanted.elements : *wanted.nodes - 1;
     sequence.climb(divisions(n, coarsest));

@@ -156,7 +156,8 @@ struct Largest {
     return fmt::format("σ = {:.6g}", place);
   }
   [[nodiscard]] std::string piece_of(const ArcLength& problem) const {
-    return fmt::format("piece {} of {}", static_cast<int>(place), problem.num_intervals());
+    return fmt::format("piece {} of {}", static_cast<int>(place),
+                       problem.num_intervals());
   }
 };
 

@@ -109,10 +109,9 @@ struct Node {
   NodeJet x, z, turned;
 };
 
-NodeJet speed(const Scene& scene, bool has_theta, const Node& node) {
-  const NodeJet E =
-      has_theta ? energy_height_after(scene.body, node.z, node.turned) : node.z;
-  return sqrt(E * NodeJet(static_cast<Real>(2.0 * scene.gravity)));
+NodeJet speed(const Scene& scene, const Node& node) {
+  return sqrt(energy_height_after(scene.body, node.z, node.turned) *
+              NodeJet(static_cast<Real>(2.0 * scene.gravity)));
 }
 
 }  // namespace
@@ -213,25 +212,22 @@ ExtendedResidual extended_residual(const ArcLength& problem,
     const NodeJet dz = own.z - before.z;
     const Real share = (2.0L * j - 1.0L) / (n * n);
     NodeJet length = S * NodeJet(share);
-    NodeJet root;
+    NodeJet turn;
     if (has_theta) {
-      const NodeJet turn = own.turned - before.turned;
+      turn = own.turned - before.turned;
       length = turn * NodeJet(static_cast<Real>(body.radius));
-      const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
-      const NodeJet theta = NodeJet(static_cast<Real>(body.theta_m)) +
-                            before.turned + turn * NodeJet(middle);
-      // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
-      const Real eta = body.eta_m;
-      const NodeJet A =
-          NodeJet(1.0L + eta * eta + body.k) -
-          (sin(theta) * dx - cos(theta) * dz) / length * NodeJet(2.0L * eta);
-      root = sqrt(A);
-    } else {
-      root = NodeJet(
-          std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
     }
-    NodeJet sum = speed(scene, has_theta, own);
-    if (j > 1) sum += speed(scene, has_theta, before);
+    const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
+    const NodeJet theta = NodeJet(static_cast<Real>(body.theta_m)) +
+                          before.turned + turn * NodeJet(middle);
+    // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
+    const Real eta = body.eta_m;
+    const NodeJet A =
+        NodeJet(1.0L + eta * eta + body.k) -
+        (sin(theta) * dx - cos(theta) * dz) / length * NodeJet(2.0L * eta);
+    const NodeJet root = sqrt(A);
+    NodeJet sum = speed(scene, own);
+    if (j > 1) sum += speed(scene, before);
     NodeJet lagrangian = length * root * NodeJet(2.0L) / sum;
     const int row = layout.no_slip(j);
     const NodeJet slip = (dx * dx + dz * dz - length * length) /

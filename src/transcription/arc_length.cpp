@@ -8,7 +8,6 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
 
 namespace brachisto {
 
@@ -28,15 +27,9 @@ ArcLength::ArcLength(const Scene& scene, int num_intervals, double phi)
           VariableLayout::of_pieces(num_intervals, scene.body.off_centred()),
           start_of_centre(scene), "node"),
       reference_length_(std::hypot(scene.L, scene.H)),
-      constant_root_(std::sqrt(axisymmetric_inertia_factor(scene.body))) {
+      speeds_(at(num_intervals + 1)),
+      pieces_(speeds_.size()) {
   set_end_angle(phi);
-  for (auto* array :
-       {&nodes_.w, &nodes_.by_z, &nodes_.by_theta, &nodes_.by_z_z,
-        &nodes_.by_z_theta, &nodes_.by_theta_theta, &pieces_.dx, &pieces_.dz,
-        &pieces_.length, &pieces_.sin_theta, &pieces_.cos_theta, &pieces_.root,
-        &pieces_.inverse_speed}) {
-    array->assign(at(layout().num_nodes()), 0.0);
-  }
   build_patterns();
 }
 
@@ -104,28 +97,19 @@ bool ArcLength::set_nodes() {
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const double drop = x(layout().state(node, Z));
-    double E = drop;
-    double E_theta = 0.0;
-    double E_theta_theta = 0.0;
-    if (layout().has_theta()) {
-      const double turned = x(layout().state(node, Theta));
-      const double theta = body.theta_m + turned;
-      E = energy_height_after(body, drop, turned);
-      E_theta = arm * std::cos(theta);
-      E_theta_theta = -arm * std::sin(theta);
-    }
+    const double turned =
+        layout().has_theta() ? x(layout().state(node, Theta)) : 0.0;
+    const double E = energy_height_after(body, drop, turned);
+    const double E_theta = arm * std::cos(body.theta_m + turned);
+    const double E_theta_theta = -arm * std::sin(body.theta_m + turned);
     if (!(E > 0.0)) return refuse(node, "the energy E is not positive");
     const double w = fall_speed(g, E);
     const double by_E = g / w;
     const double by_E_E = -by_E * by_E / w;
-    const std::size_t j = at(node);
-    nodes_.w[j] = w;
-    nodes_.by_z[j] = by_E;
-    nodes_.by_theta[j] = by_E * E_theta;
-    nodes_.by_z_z[j] = by_E_E;
-    nodes_.by_z_theta[j] = by_E_E * E_theta;
-    nodes_.by_theta_theta[j] =
-        by_E_E * E_theta * E_theta + by_E * E_theta_theta;
+    speeds_[at(node)] = {w,
+                         {0.0, by_E, by_E * E_theta},
+                         {0.0, 0.0, by_E_E, 0.0, by_E_E * E_theta,
+                          by_E_E * E_theta * E_theta + by_E * E_theta_theta}};
   }
   return true;
 }
@@ -138,45 +122,43 @@ bool ArcLength::set_pieces() {
   double last_x = 0.0, last_z = 0.0, last_theta = 0.0;
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
-    const std::size_t j = at(node);
+    Piece& piece = pieces_[at(node)];
     const double next_x = x(layout().state(node, X));
     const double next_z = x(layout().state(node, Z));
-    const double dx = pieces_.dx[j] = next_x - last_x;
-    const double dz = pieces_.dz[j] = next_z - last_z;
+    piece.dx = next_x - last_x;
+    piece.dz = next_z - last_z;
     last_x = next_x;
     last_z = next_z;
-    pieces_.inverse_speed[j] = 2.0 / (nodes_.w[j - 1] + nodes_.w[j]);
-    if (!layout().has_theta()) {
-      pieces_.length[j] = S * share(node);
-      pieces_.root[j] = pieces_.length[j] * constant_root_;
-      continue;
+    piece.inverse_speed = 2.0 / (speeds_[at(node - 1)].w + speeds_[at(node)].w);
+    piece.length = S * share(node);
+    double turned = 0.0;
+    if (layout().has_theta()) {
+      const double next_theta = x(layout().state(node, Theta));
+      turned = last_theta + middle(node) * (next_theta - last_theta);
+      piece.length = body.radius * (next_theta - last_theta);
+      last_theta = next_theta;
     }
-    const double next_theta = x(layout().state(node, Theta));
-    const double turned = last_theta + middle(node) * (next_theta - last_theta);
-    const double length = body.radius * (next_theta - last_theta);
-    last_theta = next_theta;
-    const double sin_theta = std::sin(body.theta_m + turned);
-    const double cos_theta = std::cos(body.theta_m + turned);
+    if (!(piece.length > 0.0))
+      return refuse(node, "the rotation does not grow");
+    piece.sin_theta = std::sin(body.theta_m + turned);
+    piece.cos_theta = std::cos(body.theta_m + turned);
     // (r Δθ)² A with the slope's sine and cosine written out.
     const double square =
-        length * ((1.0 + eta * eta + body.k) * length -
-                  2.0 * eta * (sin_theta * dx - cos_theta * dz));
-    if (!(length > 0.0)) return refuse(node, "the rotation does not grow");
+        piece.length *
+        ((1.0 + eta * eta + body.k) * piece.length -
+         2.0 * eta * (piece.sin_theta * piece.dx - piece.cos_theta * piece.dz));
     if (!(square > 0.0)) {
       return refuse(node, "the inertia factor A is not positive");
     }
-    pieces_.length[j] = length;
-    pieces_.sin_theta[j] = sin_theta;
-    pieces_.cos_theta[j] = cos_theta;
-    pieces_.root[j] = std::sqrt(square);
+    piece.root = std::sqrt(square);
   }
   return true;
 }
 
 double ArcLength::do_eval_f() const {
   double sum = 0.0;
-  for (std::size_t j = 1; j < pieces_.root.size(); ++j) {
-    sum += pieces_.root[j] * pieces_.inverse_speed[j];
+  for (int node = 1; node <= num_intervals(); ++node) {
+    sum += pieces_[at(node)].root * pieces_[at(node)].inverse_speed;
   }
   return sum;
 }
@@ -186,10 +168,8 @@ void ArcLength::do_eval_g(std::span<double> g) const {
   const double S = x(layout().arc_length());
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
-    const std::size_t j = at(node);
-    const double dx = pieces_.dx[j];
-    const double dz = pieces_.dz[j];
-    const double length = pieces_.length[j];
+    const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
+        pieces_[at(node)];
     g[at(layout().no_slip(node))] =
         0.5 * (dx * dx + dz * dz - length * length) / reference_length(node);
     if (!layout().has_theta()) continue;

@@ -24,54 +24,54 @@ std::size_t at(int i) {
 
 Costates ArcLength::end_costates(std::span<const double> lambda) const {
   const int last = num_intervals();
-  const std::size_t j = at(last);
-  const double multiplier = lambda[at(layout().no_slip(last))];
-  const double inverse = 1.0 / reference_length(last);
-  const Slopes d = slopes(last);
-  return {.p_x = -(d.x + multiplier * pieces_.dx[j] * inverse),
-          .p_z = -(d.z + d.w * nodes_.by_z[j] +
-                   multiplier * pieces_.dz[j] * inverse)};
+  const Piece& piece = pieces_[at(last)];
+  const double stiff =
+      lambda[at(layout().no_slip(last))] / reference_length(last);
+  const Five d = time_slopes(last);
+  return {.p_x = -(d.x + stiff * piece.dx),
+          .p_z = -(d.z + d.w * speeds_[at(last)].by[1] + stiff * piece.dz)};
 }
 
 std::optional<Transcription::End> ArcLength::end(
     std::span<const double> x, std::span<const double> lambda) {
   if (!set_point(x)) return std::nullopt;
   const int last = num_intervals();
-  const std::size_t j = at(last);
-  const double multiplier = lambda[at(layout().no_slip(last))];
-  const double inverse = 1.0 / reference_length(last);
-  const int own = layout().state(last, X);
-  const int before = layout().state(last - 1, X);
+  const int row = layout().no_slip(last);
+  const Piece& piece = pieces_[at(last)];
+  const Speed& speed = speeds_[at(last)];
   End out;
-  out.state = {scene().body.theta_m, nodes_.w[j]};
-  out.p = end_costates(lambda);
-  out.last_slope = std::atan2(pieces_.dz[j], pieces_.dx[j]);
-  out.by_lambda = {{layout().no_slip(last), 0.0, 0.0, -pieces_.dx[j] * inverse,
-                    -pieces_.dz[j] * inverse}};
-  if (layout().has_theta()) {
+  out.state = {scene().body.theta_m, speed.w};
+  if (layout().has_theta())
     out.state.theta += x[at(layout().state(last, Theta))];
-    const Block h = block(last, 1.0, multiplier);
-    out.by_x = {
-        {own, 0.0, 0.0, -h.own[0], -h.own[1]},
-        {own + 1, 0.0, nodes_.by_z[j], -h.own[1], -h.own[2]},
-        {own + 2, 1.0, nodes_.by_theta[j], -h.own[3], -h.own[4]},
-        {before, 0.0, 0.0, -h.between[0], -h.between[3]},
-        {before + 1, 0.0, 0.0, -h.between[1], -h.between[4]},
-        {before + 2, 0.0, 0.0, -h.between[2], -h.between[5]},
-    };
-    return out;
-  }
-  const double stiff = multiplier * inverse;
-  const auto [w_w, S_w] = axisymmetric_curvature(last);
-  const double by_z = nodes_.by_z[j];
-  out.by_x = {
-      {own, 0.0, 0.0, -stiff, 0.0},
-      {own + 1, 0.0, by_z, 0.0,
-       -(stiff + w_w * by_z * by_z + slopes(last).w * nodes_.by_z_z[j])},
-      {before, 0.0, 0.0, stiff, 0.0},
-      {before + 1, 0.0, 0.0, 0.0, stiff - w_w * by_z * nodes_.by_z[j - 1]},
-      {layout().arc_length(), 0.0, 0.0, 0.0, -S_w * by_z},
+  out.p = end_costates(lambda);
+  out.last_slope = std::atan2(piece.dz, piece.dx);
+  const double inverse = 1.0 / reference_length(last);
+  out.by_lambda = {{row, 0.0, 0.0, -piece.dx * inverse, -piece.dz * inverse}};
+  // The costates are −∂/∂x_N and −∂/∂z_N of the Lagrangian.
+  const Second H = second(last, 1.0);
+  const auto own = by_unknowns(last, last);
+  const Five H_x = times(H, own[0]);
+  const Five H_z = times(H, own[1]);
+  const auto add = [&](int index, const Five& by) {
+    out.by_x.push_back({index, 0.0, 0.0, -dot(H_x, by), -dot(H_z, by)});
   };
+  const double f_w = by_sum_of_w(last, 1.0);
+  const double stiff = lambda[at(row)] * inverse;
+  for (int i = 0; i < layout().num_states(); ++i) {
+    add(layout().state(last, X) + i, own[at(i)]);
+    End::Rate& rate = out.by_x.back();
+    rate.w = speed.by[at(i)];
+    rate.theta = i == 2 ? 1.0 : 0.0;
+    if (i > 0) rate.p_z -= f_w * speed.by_by[i == 1 ? 2 : 4];
+    if (i < 2) (i == 0 ? rate.p_x : rate.p_z) -= stiff;
+  }
+  const auto before = by_unknowns(last, last - 1);
+  for (int i = 0; i < layout().num_states(); ++i) {
+    add(layout().state(last - 1, X) + i, before[at(i)]);
+    End::Rate& rate = out.by_x.back();
+    if (i < 2) (i == 0 ? rate.p_x : rate.p_z) += stiff;
+  }
+  add(layout().arc_length(), by_S(last));
   return out;
 }
 
@@ -82,18 +82,16 @@ std::vector<ArcLength::PieceState> ArcLength::piece_states(
   states.reserve(at(num_intervals()));
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
-    const std::size_t j = at(node);
-    const Slopes d = slopes(node);
-    const double w = 1.0 / pieces_.inverse_speed[j];
-    const double dx = pieces_.dx[j];
-    const double dz = pieces_.dz[j];
+    const Piece& piece = pieces_[at(node)];
+    const Five d = time_slopes(node);
+    const double w = 1.0 / piece.inverse_speed;
+    const double dx = piece.dx;
+    const double dz = piece.dz;
     // ∂/∂Δz of the Lagrangian is −(p_z + p_w g / w): what z and, with it, w
     // are worth from here on.
     const double momentum_z =
         d.z + lambda[at(layout().no_slip(node))] * dz / reference_length(node);
-    const double theta = layout().has_theta() ? std::atan2(pieces_.sin_theta[j],
-                                                           pieces_.cos_theta[j])
-                                              : scene().body.theta_m;
+    const double theta = std::atan2(piece.sin_theta, piece.cos_theta);
     states.push_back({node,
                       theta,
                       w,
@@ -115,28 +113,29 @@ std::vector<double> ArcLength::multipliers(double p_x, double p_z) const {
   double from_after = 0.0;
   for (int node = num_intervals(); node >= 1; --node) {
     check_stop(node);
-    const std::size_t j = at(node);
-    const Slopes d = slopes(node);
-    momentum_z -= d.w * nodes_.by_z[j];
+    const Piece& piece = pieces_[at(node)];
+    const auto& own = speeds_[at(node)].by;
+    const auto& before = speeds_[at(node - 1)].by;
+    const Five d = time_slopes(node);
+    momentum_z -= d.w * own[1];
     // momentum − ∂f/∂(Δx, Δz) = λ (Δx, Δz) / reference length
-    const double dx = pieces_.dx[j];
-    const double dz = pieces_.dz[j];
+    const double dx = piece.dx;
+    const double dz = piece.dz;
     const double reference = reference_length(node);
     const double multiplier = reference *
                               ((-p_x - d.x) * dx + (momentum_z - d.z) * dz) /
                               (dx * dx + dz * dz);
     lambda[at(layout().no_slip(node))] = multiplier;
     // The node before has −momentum_z from here, + w's share.
-    momentum_z -= d.w * nodes_.by_z[j - 1];
+    momentum_z -= d.w * before[1];
     if (!layout().has_theta()) continue;
     const double by_turning =
-        r * (d.length - multiplier * pieces_.length[j] / reference);
+        r * (d.length - multiplier * piece.length / reference);
     const double share = middle(node);
     const double here =
-        by_turning + share * d.theta + d.w * nodes_.by_theta[j] + from_after;
+        by_turning + share * d.theta + d.w * own[2] + from_after;
     lambda[at(layout().place(node))] = -here / r;
-    from_after =
-        -by_turning + (1.0 - share) * d.theta + d.w * nodes_.by_theta[j - 1];
+    from_after = -by_turning + (1.0 - share) * d.theta + d.w * before[2];
   }
   return lambda;
 }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Derivatives of an arc_length problem: the stencils, and from them both the
-// sparsity patterns and the values.
+// Derivatives of an arc_length problem. Each piece depends on five quantities,
+// Δx, Δz, r Δθ, the rotation in its middle and the sum of w at its ends; the
+// unknowns change these linearly, but for w.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -20,273 +22,193 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A vector of, or a row of second derivatives by, Δx, Δz, r Δθ, the rotation
-/// in the middle and the sum of both w.
-struct Five {
-  double x, z, length, theta, w;
-
-  [[nodiscard]] double dot(const Five& b) const {
-    return x * b.x + z * b.z + length * b.length + theta * b.theta + w * b.w;
-  }
-};
-
-/// Symmetric second derivatives of one piece.
-struct Second {
-  Five x, z, length, theta, w;
-
-  [[nodiscard]] Five times(const Five& v) const {
-    return {x.dot(v), z.dot(v), length.dot(v), theta.dot(v), w.dot(v)};
-  }
-};
-
 }  // namespace
 
-ArcLength::Slopes ArcLength::slopes(int node) const {
-  const std::size_t j = at(node);
-  const double y = pieces_.inverse_speed[j];
-  const double f = pieces_.root[j] * y;
-  Slopes d{0.0, 0.0, f / pieces_.length[j], 0.0, -0.5 * f * y};
-  if (!layout().has_theta()) return d;
+ArcLength::Five ArcLength::time_slopes(int node) const {
+  const Piece& piece = pieces_[at(node)];
   // With P = ℓ² A = (1 + η² + k) ℓ² − 2 η ℓ (sin θ Δx − cos θ Δz) and ℓ = r Δθ
   // the time is y √P: half the derivatives of P, times y / √P.
   const Body& body = scene().body;
-  const double eta_l = body.eta_m * pieces_.length[j];
-  const double sin_theta = pieces_.sin_theta[j];
-  const double cos_theta = pieces_.cos_theta[j];
-  const double dx = pieces_.dx[j];
-  const double dz = pieces_.dz[j];
-  const double factor = y / pieces_.root[j];
-  d.x = -factor * eta_l * sin_theta;
-  d.z = factor * eta_l * cos_theta;
-  d.length =
-      factor * ((1.0 + body.eta_m * body.eta_m + body.k) * pieces_.length[j] -
-                body.eta_m * (sin_theta * dx - cos_theta * dz));
-  d.theta = -factor * eta_l * (cos_theta * dx + sin_theta * dz);
-  return d;
+  const double eta_l = body.eta_m * piece.length;
+  const double factor = piece.inverse_speed / piece.root;
+  const double f = piece.root * piece.inverse_speed;
+  return {-factor * eta_l * piece.sin_theta, factor * eta_l * piece.cos_theta,
+          factor * ((1.0 + body.eta_m * body.eta_m + body.k) * piece.length -
+                    body.eta_m * (piece.sin_theta * piece.dx -
+                                  piece.cos_theta * piece.dz)),
+          -factor * eta_l *
+              (piece.cos_theta * piece.dx + piece.sin_theta * piece.dz),
+          -0.5 * f * piece.inverse_speed};
 }
 
-ArcLength::Block ArcLength::block(int node, double objective_factor,
-                                  double lambda) const {
-  const std::size_t j = at(node);
-  const Body& body = scene().body;
-  const double r = body.radius;
-  const double eta = body.eta_m;
-  const double y = pieces_.inverse_speed[j];
-  const double root = pieces_.root[j];
-  const double length = pieces_.length[j];
-  const double sin_theta = pieces_.sin_theta[j];
-  const double cos_theta = pieces_.cos_theta[j];
-  const double dx = pieces_.dx[j];
-  const double dz = pieces_.dz[j];
-  const double across = sin_theta * dx - cos_theta * dz;
-  const double along = cos_theta * dx + sin_theta * dz;
-  const double c = 1.0 + eta * eta + body.k;
+double ArcLength::by_sum_of_w(int node, double objective_factor) const {
+  const Piece& piece = pieces_[at(node)];
+  const double s = objective_factor * piece.inverse_speed;
+  return -0.5 * s * piece.inverse_speed * piece.root;
+}
+
+ArcLength::Second ArcLength::second(int node, double objective_factor) const {
+  const Piece& piece = pieces_[at(node)];
+  const double eta = scene().body.eta_m;
+  const double y = piece.inverse_speed;
+  const double length = piece.length;
+  const double sin_theta = piece.sin_theta;
+  const double cos_theta = piece.cos_theta;
+  const double across = sin_theta * piece.dx - cos_theta * piece.dz;
+  const double along = cos_theta * piece.dx + sin_theta * piece.dz;
+  const double c = 1.0 + eta * eta + scene().body.k;
 
   // √P and its derivatives: (√P)_i = P_i / 2√P, (√P)_ij = (P_ij/2 − (√P)_i
   // (√P)_j) / √P; then times y, which depends on w alone.
-  const double inverse = 1.0 / root;
+  const double inverse = 1.0 / piece.root;
   const double R_x = -eta * length * sin_theta * inverse;
   const double R_z = eta * length * cos_theta * inverse;
   const double R_l = (c * length - eta * across) * inverse;
   const double R_t = -eta * length * along * inverse;
   const double s = objective_factor * y;
   const double q = s * inverse;
+  const double xz = -q * R_x * R_z;
   const double xl = q * (-eta * sin_theta - R_x * R_l);
   const double xt = q * (-eta * length * cos_theta - R_x * R_t);
   const double zl = q * (eta * cos_theta - R_z * R_l);
   const double zt = q * (-eta * length * sin_theta - R_z * R_t);
-  const double ll = q * (c - R_l * R_l);
   const double lt = q * (-eta * along - R_l * R_t);
-  const double tt = q * (eta * length * across - R_t * R_t);
-  const double xx = -q * R_x * R_x;
-  const double xz = -q * R_x * R_z;
-  const double zz = -q * R_z * R_z;
   const double by_w = -0.5 * s * y;
-  const double f_w = by_w * root;
-  const Second H{{xx, xz, xl, xt, by_w * R_x},
-                 {xz, zz, zl, zt, by_w * R_z},
-                 {xl, zl, ll, lt, by_w * R_l},
-                 {xt, zt, lt, tt, by_w * R_t},
-                 {by_w * R_x, by_w * R_z, by_w * R_l, by_w * R_t, -y * f_w}};
-
-  // What the unknowns of either node change.
-  const std::size_t a = j - 1;
-  const double share = middle(node);
-  const Five x_a{-1.0, 0.0, 0.0, 0.0, 0.0};
-  const Five z_a{0.0, -1.0, 0.0, 0.0, nodes_.by_z[a]};
-  const Five t_a{0.0, 0.0, -r, 1.0 - share, nodes_.by_theta[a]};
-  const Five x_b{1.0, 0.0, 0.0, 0.0, 0.0};
-  const Five z_b{0.0, 1.0, 0.0, 0.0, nodes_.by_z[j]};
-  const Five t_b{0.0, 0.0, r, share, nodes_.by_theta[j]};
-  const Five H_z_a = H.times(z_a);
-  const Five H_t_a = H.times(t_a);
-  const Five H_z_b = H.times(z_b);
-  const Five H_t_b = H.times(t_b);
-
-  const double stiff = lambda / reference_length(node);
-  const double turn = r * r * stiff;
-  Block out;
-  out.before = {xx + stiff,
-                x_a.dot(H_z_a),
-                z_a.dot(H_z_a) + f_w * nodes_.by_z_z[a] + stiff,
-                x_a.dot(H_t_a),
-                z_a.dot(H_t_a) + f_w * nodes_.by_z_theta[a],
-                t_a.dot(H_t_a) + f_w * nodes_.by_theta_theta[a] - turn};
-  out.own = {xx + stiff,
-             x_b.dot(H_z_b),
-             z_b.dot(H_z_b) + f_w * nodes_.by_z_z[j] + stiff,
-             x_b.dot(H_t_b),
-             z_b.dot(H_t_b) + f_w * nodes_.by_z_theta[j],
-             t_b.dot(H_t_b) + f_w * nodes_.by_theta_theta[j] - turn};
-  out.between = {-xx - stiff,    x_b.dot(H_z_a),         x_b.dot(H_t_a),
-                 x_a.dot(H_z_b), z_b.dot(H_z_a) - stiff, z_b.dot(H_t_a),
-                 x_a.dot(H_t_b), z_a.dot(H_t_b),         t_b.dot(H_t_a) + turn};
-  return out;
+  return {{{-q * R_x * R_x, xz, xl, xt, by_w * R_x},
+           {xz, -q * R_z * R_z, zl, zt, by_w * R_z},
+           {xl, zl, q * (c - R_l * R_l), lt, by_w * R_l},
+           {xt, zt, lt, q * (eta * length * across - R_t * R_t), by_w * R_t},
+           {by_w * R_x, by_w * R_z, by_w * R_l, by_w * R_t,
+            -y * by_w * piece.root}}};
 }
 
-std::array<double, 2> ArcLength::axisymmetric_curvature(int node) const {
-  const std::size_t j = at(node);
-  const double y = pieces_.inverse_speed[j];
-  const double f = pieces_.root[j] * y;
-  return {0.5 * f * y * y, -0.5 * constant_root_ * share(node) * y * y};
+ArcLength::Five ArcLength::times(const Second& matrix, const Five& v) {
+  return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v),
+          dot(matrix[3], v), dot(matrix[4], v)};
+}
+
+std::array<ArcLength::Five, 3> ArcLength::by_unknowns(int piece,
+                                                      int node) const {
+  const double sign = node == piece ? 1.0 : -1.0;
+  const double share = node == piece ? middle(piece) : 1.0 - middle(piece);
+  const std::array<double, 3>& w = speeds_[at(node)].by;
+  return {{{sign, 0.0, 0.0, 0.0, 0.0},
+           {0.0, sign, 0.0, 0.0, w[1]},
+           {0.0, 0.0, sign * scene().body.radius, share, w[2]}}};
+}
+
+ArcLength::Five ArcLength::by_S(int piece) const {
+  return {0.0, 0.0, layout().has_theta() ? 0.0 : share(piece), 0.0, 0.0};
+}
+
+void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
+  std::fill(grad_f.begin(), grad_f.end(), 0.0);
+  const auto unknowns = at(layout().num_states());
+  for (int piece = 1; piece <= num_intervals(); ++piece) {
+    check_stop(piece);
+    const Five slopes = time_slopes(piece);
+    for (int node = std::max(1, piece - 1); node <= piece; ++node) {
+      const auto by = by_unknowns(piece, node);
+      const std::size_t first = at(layout().state(node, X));
+      for (std::size_t i = 0; i < unknowns; ++i) {
+        grad_f[first + i] += dot(slopes, by[i]);
+      }
+    }
+    grad_f.back() += dot(slopes, by_S(piece));
+  }
 }
 
 void ArcLength::put_jac_g(Entries& put) const {
-  const double r = scene().body.radius;
-  const int col_S = layout().arc_length();
-  for (int node = 1; node <= num_intervals(); ++node) {
-    check_stop(node);
-    const std::size_t j = at(node);
-    const double inverse = 1.0 / reference_length(node);
-    const double by_x = pieces_.dx[j] * inverse;
-    const double by_z = pieces_.dz[j] * inverse;
-    const double by_length = -pieces_.length[j] * inverse;
-    const int row = layout().no_slip(node);
-    const bool first = node == 1;
-    if (!first) {
-      put(row, layout().state(node - 1, X), -by_x);
-      put(row, layout().state(node - 1, Z), -by_z);
-      if (layout().has_theta()) {
-        put(row, layout().state(node - 1, Theta), -r * by_length);
+  const int S = layout().arc_length();
+  for (int piece = 1; piece <= num_intervals(); ++piece) {
+    check_stop(piece);
+    const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
+        pieces_[at(piece)];
+    const double inverse = 1.0 / reference_length(piece);
+    const Five slip{dx * inverse, dz * inverse, -length * inverse, 0.0, 0.0};
+    const int row = layout().no_slip(piece);
+    for (int node = std::max(1, piece - 1); node <= piece; ++node) {
+      const auto by = by_unknowns(piece, node);
+      for (int i = 0; i < layout().num_states(); ++i) {
+        put(row, layout().state(node, X) + i, dot(slip, by[at(i)]));
       }
     }
-    put(row, layout().state(node, X), by_x);
-    put(row, layout().state(node, Z), by_z);
     if (!layout().has_theta()) {
-      put(row, col_S, by_length * share(node));
+      put(row, S, dot(slip, by_S(piece)));
       continue;
     }
-    put(row, layout().state(node, Theta), r * by_length);
-    put(layout().place(node), layout().state(node, Theta), r);
-    put(layout().place(node), col_S, -sigma(node) * sigma(node));
+    put(layout().place(piece), layout().state(piece, Theta),
+        scene().body.radius);
+    put(layout().place(piece), S, -sigma(piece) * sigma(piece));
   }
 }
 
 void ArcLength::put_hess_lag(double objective_factor,
                              std::span<const double> lambda,
                              Entries& put) const {
-  if (!layout().has_theta()) {
-    put_axisymmetric_hess_lag(objective_factor, lambda, put);
-    return;
-  }
-  const auto put_diagonal = [&](int node, const std::array<double, 6>& h) {
-    const int x = layout().state(node, X);
-    put(x, x, h[0]);
-    put(x + 1, x, h[1]);
-    put(x + 1, x + 1, h[2]);
-    put(x + 2, x, h[3]);
-    put(x + 2, x + 1, h[4]);
-    put(x + 2, x + 2, h[5]);
-  };
-  std::array<double, 6> diagonal{};
-  for (int node = 1; node <= num_intervals(); ++node) {
-    check_stop(node);
-    const Block h =
-        block(node, objective_factor, lambda[at(layout().no_slip(node))]);
-    if (node > 1) {
-      for (std::size_t i = 0; i < diagonal.size(); ++i) {
-        diagonal[i] += h.before[i];
-      }
-      put_diagonal(node - 1, diagonal);
-      const int row = layout().state(node, X);
-      const int col = layout().state(node - 1, X);
-      for (int i = 0; i < 9; ++i) {
-        put(row + i / 3, col + i % 3, h.between[at(i)]);
-      }
-    }
-    diagonal = h.own;
-  }
-  put_diagonal(num_intervals(), diagonal);
-}
-
-void ArcLength::put_axisymmetric_hess_lag(double objective_factor,
-                                          std::span<const double> lambda,
-                                          Entries& put) const {
-  // The time of a piece, S share √A y, depends on S and both w; its length, on
-  // S, Δx and Δz.
-  const int row_S = layout().arc_length();
-  double x_x = 0.0, z_z = 0.0, S_z = 0.0, S_S = 0.0;
-  const auto put_diagonal = [&](int node) {
-    put(layout().state(node, X), layout().state(node, X), x_x);
-    put(layout().state(node, Z), layout().state(node, Z), z_z);
-    put(row_S, layout().state(node, Z), S_z);
-  };
-  for (int node = 1; node <= num_intervals(); ++node) {
-    check_stop(node);
-    const std::size_t j = at(node);
-    const double multiplier = lambda[at(layout().no_slip(node))];
-    const double stiff = multiplier / reference_length(node);
-    const auto [w_w_one, S_w_one] = axisymmetric_curvature(node);
-    const double w_w = objective_factor * w_w_one;
-    const double S_w = objective_factor * S_w_one;
-    const double by_w = -0.5 * objective_factor * pieces_.root[j] *
-                        pieces_.inverse_speed[j] * pieces_.inverse_speed[j];
-    const auto add = [&](std::size_t i) {
-      x_x += stiff;
-      z_z += stiff + w_w * nodes_.by_z[i] * nodes_.by_z[i] +
-             by_w * nodes_.by_z_z[i];
-      S_z += S_w * nodes_.by_z[i];
-    };
-    if (node > 1) {
-      add(j - 1);
-      put_diagonal(node - 1);
-      put(layout().state(node, X), layout().state(node - 1, X), -stiff);
-      put(layout().state(node, Z), layout().state(node - 1, Z),
-          w_w * nodes_.by_z[j] * nodes_.by_z[j - 1] - stiff);
-    }
-    x_x = z_z = S_z = 0.0;
-    add(j);
-    S_S -= stiff * share(node) * share(node);
-  }
-  put_diagonal(num_intervals());
-  put(row_S, row_S, S_S);
-}
-
-void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
-  std::fill(grad_f.begin(), grad_f.end(), 0.0);
+  const int S = layout().arc_length();
   const double r = scene().body.radius;
-  double by_S = 0.0;
-  for (int node = 1; node <= num_intervals(); ++node) {
-    check_stop(node);
-    const std::size_t j = at(node);
-    const Slopes d = slopes(node);
-    const auto add = [&](int n, double sign, double share_of_theta) {
-      const std::size_t i = at(n);
-      grad_f[at(layout().state(n, X))] += sign * d.x;
-      grad_f[at(layout().state(n, Z))] += sign * d.z + d.w * nodes_.by_z[i];
-      if (!layout().has_theta()) return;
-      grad_f[at(layout().state(n, Theta))] += sign * r * d.length +
-                                              share_of_theta * d.theta +
-                                              d.w * nodes_.by_theta[i];
+  const std::size_t unknowns = at(layout().num_states());
+  // Without θ, x and z meet nowhere but in w, and both with S.
+  const bool all = layout().has_theta();
+  std::array<double, 6> diagonal{};  // lower triangle of a node
+  double S_z = 0.0, S_S = 0.0;
+  const auto put_node = [&](int node) {
+    const int first = layout().state(node, X);
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      for (std::size_t k = 0; k <= i; ++k, ++entry) {
+        if (!all && i != k) continue;
+        put(first + static_cast<int>(i), first + static_cast<int>(k),
+            diagonal[entry]);
+      }
+    }
+    if (!all) put(S, first + 1, S_z);
+    diagonal = {};
+    S_z = 0.0;
+  };
+  for (int piece = 1; piece <= num_intervals(); ++piece) {
+    check_stop(piece);
+    const Second H = second(piece, objective_factor);
+    const double f_w = by_sum_of_w(piece, objective_factor);
+    // Of λ ((Δx)² + (Δz)² − ℓ²) / 2 reference lengths.
+    const double stiff =
+        lambda[at(layout().no_slip(piece))] / reference_length(piece);
+    const std::array<double, 3> slip{stiff, stiff, -r * r * stiff};
+    const Five with_S = by_S(piece);
+    const auto add = [&](int node, const std::array<Five, 3>& by) {
+      std::size_t entry = 0;
+      for (std::size_t i = 0; i < unknowns; ++i) {
+        const Five H_i = times(H, by[i]);
+        for (std::size_t k = 0; k <= i; ++k, ++entry) {
+          const double of_time =
+              dot(H_i, by[k]) + f_w * speeds_[at(node)].by_by[entry];
+          diagonal[entry] += i == k ? of_time + slip[i] : of_time;
+        }
+      }
+      S_z += dot(with_S, times(H, by[1]));
     };
-    const double share_own = middle(node);
-    if (node > 1) add(node - 1, -1.0, 1.0 - share_own);
-    add(node, 1.0, share_own);
-    by_S += pieces_.root[j] * pieces_.inverse_speed[j];
+    const auto own = by_unknowns(piece, piece);
+    if (piece > 1) {
+      const auto before = by_unknowns(piece, piece - 1);
+      add(piece - 1, before);
+      put_node(piece - 1);
+      for (std::size_t i = 0; i < unknowns; ++i) {
+        for (std::size_t k = 0; k < unknowns; ++k) {
+          if (!all && i != k) continue;
+          const double of_time = dot(own[i], times(H, before[k]));
+          put(layout().state(piece, X) + static_cast<int>(i),
+              layout().state(piece - 1, X) + static_cast<int>(k),
+              i == k ? of_time - slip[i] : of_time);
+        }
+      }
+    }
+    add(piece, own);
+    S_S +=
+        dot(with_S, times(H, with_S)) - stiff * with_S.length * with_S.length;
   }
-  // Without θ the time is proportional to S.
-  grad_f[at(layout().arc_length())] =
-      layout().has_theta() ? 0.0 : by_S / x(layout().arc_length());
+  put_node(num_intervals());
+  if (!all) put(S, S, S_S);
 }
 
 }  // namespace brachisto

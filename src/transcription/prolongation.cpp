@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/roots.hpp"
 #include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto {
@@ -19,50 +20,31 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The σ of `curve`, its share of the rolling time, where the centre has come
-/// the length s: by Newton's method, safeguarded by bisection; ds/dσ = U w.
-ExtremalPoint at_length(const ExtremalCurve& curve, double s, double& sigma) {
-  constexpr int kMostSteps = 60;
-  constexpr double kClose = 1e-15;
-  double low = 0.0;
-  double high = 1.0;
-  ExtremalPoint point = curve.at(sigma);
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double miss = s - point.s;
-    (miss > 0.0 ? low : high) = sigma;
-    double next = sigma + miss / (curve.rolling_time() * point.w);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - sigma);
-    sigma = next;
-    point = curve.at(sigma);
-    if (step <= kClose) break;
-  }
-  return point;
+/// Where the centre has come the length s.
+ExtremalPoint at_length(const ExtremalCurve& curve, double s) {
+  return curve.at(
+      math::find_root([&](double sigma) { return curve.at(sigma).s - s; }, 0.0,
+                      1.0, -s, curve.arc_length() - s));
 }
 
-/// The end of the path is given, θ and S belong together.
-void fix_ends(const ArcLength& problem, std::vector<double>& x, double S) {
+/// The end of the path is given, θ and S belong together, and the multipliers
+/// are those of the costates at the end.
+PrimalDual completed(ArcLength& problem, std::vector<double> x, double S,
+                     const Costates& p) {
   const VariableLayout& layout = problem.layout();
-  for (const int i : {layout.state(problem.num_intervals(), X),
-                      layout.state(problem.num_intervals(), Z)}) {
-    x[at(i)] = problem.lower()[at(i)];
-  }
+  const int last = layout.state(problem.num_intervals(), X);
+  for (const int i : {last, last + 1}) x[at(i)] = problem.lower()[at(i)];
   x[at(layout.arc_length())] = S;
-  if (!layout.has_theta()) return;
   const double turns = S / problem.scene().body.radius;
-  for (int node = 1; node <= problem.num_intervals(); ++node) {
+  for (int node = 1; layout.has_theta() && node < layout.num_nodes(); ++node) {
     check_stop(node);
     x[at(layout.state(node, Theta))] =
         turns * problem.sigma(node) * problem.sigma(node);
   }
-}
-
-PrimalDual with_multipliers(ArcLength& problem, std::vector<double> x,
-                            double p_x, double p_z) {
   PrimalDual out{std::move(x), {}};
   // A start that is refused is refused again by the solver, which says why.
   if (problem.set_point(out.x)) {
-    out.lambda = problem.multipliers(p_x, p_z);
+    out.lambda = problem.multipliers(p.p_x, p.p_z);
   } else {
     out.lambda.assign(at(problem.num_constraints()), 0.0);
   }
@@ -128,50 +110,41 @@ PrimalDual prolong(const ExtremalCurve& curve, ArcLength& problem) {
   for (int node = 1; node < problem.num_intervals(); ++node) {
     check_stop(node);
     const double sigma = problem.sigma(node);
-    double place = sigma;
-    const ExtremalPoint point = at_length(curve, S * sigma * sigma, place);
+    const ExtremalPoint point = at_length(curve, S * sigma * sigma);
     x[at(layout.state(node, X))] = point.centre.x - start.x;
     x[at(layout.state(node, Z))] = point.centre.z - start.z;
   }
-  fix_ends(problem, x, S);
-  return with_multipliers(problem, std::move(x), curve.p_x(), curve.p_z());
+  return completed(problem, std::move(x), S,
+                   {.p_x = curve.p_x(), .p_z = curve.p_z()});
 }
 
 PrimalDual prolong(ArcLength& coarse, const PrimalDual& solution,
                    ArcLength& fine) {
+  static const math::LagrangeBasis cubics({0.0, 1.0, 2.0, 3.0});
   const VariableLayout& from = coarse.layout();
-  const VariableLayout& to = fine.layout();
   const int n = coarse.num_intervals();
-  std::vector<double> x(at(to.num_variables()));
+  std::vector<double> x(at(fine.num_variables()));
+  std::array<double, 4> weights{};
   for (int node = 1; node < fine.num_intervals(); ++node) {
     check_stop(node);
     // Place among the nodes of the coarse mesh, and the first of the four next
     // to it; the start, where x/σ² has no value, is not among them.
     const double t = fine.sigma(node) * n;
     const int first = std::clamp(static_cast<int>(t) - 1, 1, n - 3);
-    const double u = t - first;
-    const std::array<double, 4> weights{
-        -(u - 1.0) * (u - 2.0) * (u - 3.0) / 6.0,
-        u * (u - 2.0) * (u - 3.0) / 2.0, -u * (u - 1.0) * (u - 3.0) / 2.0,
-        u * (u - 1.0) * (u - 2.0) / 6.0};
-    double x_c = 0.0, z_c = 0.0;
+    cubics.evaluate(t - first, weights);
+    const std::size_t own = at(fine.layout().state(node, X));
     for (int i = 0; i < 4; ++i) {
       const double ratio = t / (first + i);
       const double weight = weights[at(i)] * ratio * ratio;
-      x_c += weight * solution.x[at(from.state(first + i, X))];
-      z_c += weight * solution.x[at(from.state(first + i, Z))];
+      const std::size_t other = at(from.state(first + i, X));
+      x[own] += weight * solution.x[other];
+      x[own + 1] += weight * solution.x[other + 1];
     }
-    x[at(to.state(node, X))] = x_c;
-    x[at(to.state(node, Z))] = z_c;
   }
-  fix_ends(fine, x, solution.x[at(from.arc_length())]);
-  double p_x = 0.0, p_z = 0.0;
-  if (coarse.set_point(solution.x)) {
-    const Costates p = coarse.end_costates(solution.lambda);
-    p_x = p.p_x;
-    p_z = p.p_z;
-  }
-  return with_multipliers(fine, std::move(x), p_x, p_z);
+  const Costates p = coarse.set_point(solution.x)
+                         ? coarse.end_costates(solution.lambda)
+                         : Costates{};
+  return completed(fine, std::move(x), solution.x[at(from.arc_length())], p);
 }
 
 }  // namespace brachisto

@@ -117,9 +117,13 @@ TEST_P(LayoutOfPieces, StandsInTheDocumentedOrder) {
   for (int n = 1; n < layout.num_nodes(); ++n) {
     EXPECT_EQ(layout.state(n, X), next++);
     EXPECT_EQ(layout.state(n, Z), next++);
-    if (layout.has_theta()) EXPECT_EQ(layout.state(n, Theta), next++);
+    if (layout.has_theta()) {
+      EXPECT_EQ(layout.state(n, Theta), next++);
+    }
     EXPECT_EQ(layout.no_slip(n), row++);
-    if (layout.has_theta()) EXPECT_EQ(layout.place(n), row++);
+    if (layout.has_theta()) {
+      EXPECT_EQ(layout.place(n), row++);
+    }
   }
   EXPECT_EQ(layout.arc_length(), next++);
   EXPECT_EQ(layout.num_variables(), next);

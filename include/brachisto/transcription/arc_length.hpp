@@ -98,30 +98,29 @@ class ArcLength final : public Transcription {
   [[nodiscard]] std::vector<double> multipliers(double p_x, double p_z) const;
 
  private:
-  /// w and its derivatives at the nodes; zero at the start, which is fixed.
-  struct Nodes {
-    std::vector<double> w, by_z, by_theta, by_z_z, by_z_theta, by_theta_theta;
+  /// √(2 g E) at a node and its derivatives; zero at the start, which is fixed.
+  struct Speed {
+    double w = 0.0;
+    std::array<double, 3> by{};     ///< by x, z, θ
+    std::array<double, 6> by_by{};  ///< lower triangle
   };
-  /// What f, g and their derivatives share, one entry per piece; entry 0 is
-  /// not used.
-  struct Pieces {
-    std::vector<double> dx, dz, length;        ///< Δx, Δz, r Δθ
-    std::vector<double> sin_theta, cos_theta;  ///< in the middle
-    std::vector<double> root;                  ///< r Δθ √A
-    std::vector<double> inverse_speed;         ///< 2 / (w_{j−1} + w_j)
+  /// What f, g and their derivatives share.
+  struct Piece {
+    double dx, dz, length;        ///< Δx, Δz, r Δθ
+    double sin_theta, cos_theta;  ///< in the middle
+    double root;                  ///< r Δθ √A
+    double inverse_speed;         ///< 2 / (w_{j−1} + w_j)
   };
-  /// First derivatives of the time of a piece with respect to Δx, Δz, r Δθ, the
-  /// rotation in its middle, and w at either end.
-  struct Slopes {
+  /// By Δx, Δz, r Δθ, the rotation in the middle, and the sum of w at the ends.
+  struct Five {
     double x, z, length, theta, w;
   };
-  /// Second derivatives of the Lagrangian of a piece: of the node before it, of
-  /// its own node with that, of its own node. In lower triangles x, z x, z z,
-  /// θ x, θ z, θ θ; the square has the rows of its own node.
-  struct Block {
-    std::array<double, 6> before{}, own{};
-    std::array<double, 9> between{};
-  };
+  using Second = std::array<Five, 5>;
+  [[nodiscard]] static double dot(const Five& a, const Five& b) {
+    return a.x * b.x + a.z * b.z + a.length * b.length + a.theta * b.theta +
+           a.w * b.w;
+  }
+  [[nodiscard]] static Five times(const Second& matrix, const Five& v);
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
@@ -130,22 +129,22 @@ class ArcLength final : public Transcription {
   void put_jac_g(Entries& put) const override;
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
-  void put_axisymmetric_hess_lag(double objective_factor,
-                                 std::span<const double> lambda,
-                                 Entries& put) const;
 
   bool set_nodes();
   bool set_pieces();
-  [[nodiscard]] Slopes slopes(int node) const;
-  [[nodiscard]] Block block(int node, double objective_factor,
-                            double lambda) const;
-  /// Derivatives of the time of a piece with respect to w twice, and S and w.
-  [[nodiscard]] std::array<double, 2> axisymmetric_curvature(int node) const;
+  /// Derivatives of the time of the piece that leads to `node`.
+  [[nodiscard]] Five time_slopes(int node) const;
+  /// That by the sum of w alone, and all second ones, times the objective
+  /// factor.
+  [[nodiscard]] double by_sum_of_w(int node, double objective_factor) const;
+  [[nodiscard]] Second second(int node, double objective_factor) const;
+  /// What x, z and θ of its own node or the one before change of a piece.
+  [[nodiscard]] std::array<Five, 3> by_unknowns(int piece, int node) const;
+  [[nodiscard]] Five by_S(int piece) const;
 
   double reference_length_;
-  double constant_root_;  ///< √A without θ
-  Nodes nodes_;
-  Pieces pieces_;
+  std::vector<Speed> speeds_;  ///< of the nodes
+  std::vector<Piece> pieces_;  ///< entry 0 is not used
 };
 
 }  // namespace brachisto

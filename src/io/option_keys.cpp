@@ -137,7 +137,7 @@ std::vector<KeySpec> solver_keys() {
        .description = "which extremal is the answer. principal: the one that "
                       "continues from the cycloid as η_m grows from 0; "
                       "global: of the smooth contacts that a search finds the "
-                      "fastest feasible one",
+                      "fastest verified and feasible one",
        .choices =
            {{"principal",
              [](ProblemFile& p) { p.options.search = Search::Principal; }},

@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "brachisto/model/cycloid.hpp"
@@ -235,6 +237,38 @@ TEST(Log, IsKeptIfAskedForOnly) {
 
   EXPECT_EQ(solve(scene).effort.log, "");
   EXPECT_NE(solve(scene, {}, {.verbose = true}).effort.log, "");
+}
+
+/// Of the uniform cylinder every way leads to the cycloid in closed form.
+TEST(Solution, HasOneMotionWhateverTheAnswer) {
+  const ReferenceValue& row = reference("uniform_L3");
+  SolveOptions pieces;
+  pieces.discretisation.formulation = Formulation::ArcLength;
+  SolveOptions shooting;
+  shooting.method = Method::Extremal;
+  GivenPath cycloid;
+  cycloid.curve = GivenPath::Curve::Centre;
+  cycloid.shape = GivenPath::Shape::Cycloid;
+  Scene given = row.scene();
+  given.path = std::make_shared<const GivenPath>(cycloid);
+
+  for (Solution solution : {solve(row.scene()), solve(row.scene(), pieces),
+                            solve(row.scene(), shooting), solve(given)}) {
+    const bool on_pieces =
+        std::holds_alternative<PiecewiseAnswer>(solution.answer);
+    const double tolerance =
+        on_pieces ? kDefaultArcLengthTolerance : kTolerance;
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_NEAR(solution.motion()->tau(), row.tau, tolerance * row.tau);
+    EXPECT_EQ(solution.program() == nullptr, solution.scene.path != nullptr);
+    EXPECT_EQ(solution.discrete(), nullptr);
+
+    solution.discard_answer();
+
+    EXPECT_EQ(solution.motion(), nullptr);
+    EXPECT_FALSE(solution.program() || solution.trajectory() ||
+                 solution.as_neighbour() || solution.diagnostics);
+  }
 }
 
 TEST(Solve, GivesTheSameNumbersEveryTime) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <numbers>
 
 #include "brachisto/report/provenance.hpp"
@@ -20,34 +21,41 @@ using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
 
-std::string comparison_table(const std::vector<PrintedNumber>& rows) {
-  std::string out =
-      "<div class=\"wide\"><table><thead><tr><th>quantity</th><th>paper</th>"
-      "<th>here</th><th>here − paper</th><th>remark</th></tr></thead><tbody>\n";
-  for (const PrintedNumber& row : rows) {
+/// A table from the rows of its body, which are markup.
+std::string html_table(std::initializer_list<const char*> heads,
+                       const std::string& rows) {
+  std::string out = "<div class=\"wide\"><table><thead><tr>";
+  for (const char* head : heads) {
+    out += fmt::format("<th>{}</th>", html_words(head));
+  }
+  return out + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
+}
+
+std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
+  std::string rows;
+  for (const PrintedNumber& row : numbers) {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    out += fmt::format(
+    rows += fmt::format(
         "<tr><td>{}<br/><small>{}</small></td><td>{}{}</td><td>{}{}</td>"
         "<td>{}</td><td class=\"words\">{}</td></tr>\n",
         html_words(row.quantity), html_words(row.place), html_words(row.paper),
         html_words(unit), with_error(row.ours), html_words(unit),
         difference_text(row), html_words(row.remark));
   }
-  return out + "</tbody></table></div>\n";
+  return html_table({"quantity", "paper", "here", "here − paper", "remark"},
+                    rows);
 }
 
 std::string claims_table(const std::vector<Claim>& claims) {
-  std::string out =
-      "<div class=\"wide\"><table><thead><tr><th>statement of the paper</th>"
-      "<th>verdict</th><th>evidence</th></tr></thead><tbody>\n";
+  std::string rows;
   for (const Claim& claim : claims) {
-    out += fmt::format(
+    rows += fmt::format(
         "<tr><td class=\"words\">{} <small>{}</small></td><td>{}</td>"
         "<td class=\"words\">{}</td></tr>\n",
         html_words(claim.statement), html_words(claim.place),
         name(claim.verdict), html_words(claim.evidence));
   }
-  return out + "</tbody></table></div>\n";
+  return html_table({"statement of the paper", "verdict", "evidence"}, rows);
 }
 
 std::string span(const Extreme& low, const Extreme& high) {
@@ -56,18 +64,11 @@ std::string span(const Extreme& low, const Extreme& high) {
 }
 
 std::string cases_table(const Cases& cases) {
-  std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const char* head :
-       {"case", "τ", "track", "R_n [m g]: least minimum … largest",
-        "κ_b [1/H]: the same", "least 1 − r κ_c",
-        "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"}) {
-    out += fmt::format("<th>{}</th>", html_words(head));
-  }
-  out += "</tr></thead><tbody>\n";
+  std::string rows;
   for (const auto& [name, one] : cases.all()) {
     const PathDiagnostics& d = *one.fine.diagnostics;
     const bool rolls = one.scene().body.rolls();
-    out += fmt::format(
+    rows += fmt::format(
         "<tr><td><code>{}</code></td><td>{}</td><td>{:.6f}</td>"
         "<td>{}</td><td>{}{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td></tr>\n",
@@ -83,25 +84,25 @@ std::string cases_table(const Cases& cases) {
             : "–",
         one.fine.feasible() ? "yes" : "no");
   }
-  return out + "</tbody></table></div>\n";
+  return html_table({"case", "τ", "track", "R_n [m g]: least minimum … largest",
+                     "κ_b [1/H]: the same", "least 1 − r κ_c",
+                     "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"},
+                    rows);
 }
 
-std::string orientation_table(const std::vector<OrientationRow>& rows) {
+std::string orientation_table(const std::vector<OrientationRow>& fastest) {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  std::string out = "<div class=\"wide\"><table><thead><tr><th>" +
-                    html_words("η_m") + "</th><th>" +
-                    html_words("θ_m of the smallest τ [rad]") +
-                    "</th><th>[°]</th>"
-                    "<th>τ there</th></tr></thead><tbody>\n";
-  for (const OrientationRow& row : rows) {
-    out += fmt::format(
+  std::string rows;
+  for (const OrientationRow& row : fastest) {
+    rows += fmt::format(
         "<tr><td>{:.12f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
         row.eta_m, with_error(row.fastest.theta_m),
         with_minus_signs(
             fmt::format("{:.5f}", row.fastest.theta_m.value * kDegrees)),
         row.fastest.tau);
   }
-  return out + "</tbody></table></div>\n";
+  return html_table({"η_m", "θ_m of the smallest τ [rad]", "[°]", "τ there"},
+                    rows);
 }
 
 std::string figure_html(const Figure& figure) {

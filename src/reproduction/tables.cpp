@@ -14,13 +14,7 @@
 
 namespace brachisto::reproduction {
 
-namespace {
-
-std::string field(const std::string& rich) {
-  return report::csv_field(rich);
-}
-
-}  // namespace
+using report::csv_field;
 
 std::string difference_text(const PrintedNumber& row) {
   return with_minus_signs(
@@ -35,9 +29,10 @@ std::string comparison_csv(const std::vector<PrintedNumber>& rows) {
       "remark\n";
   for (const PrintedNumber& row : rows) {
     out += fmt::format("{},{},{},{},{:.15g},{:.1e},{:.6g},{},{}\n",
-                       field(row.place), field(row.quantity), field(row.unit),
-                       field(row.paper), row.ours.value, row.ours.error,
-                       row.difference(), row.agrees(), field(row.remark));
+                       csv_field(row.place), csv_field(row.quantity),
+                       csv_field(row.unit), csv_field(row.paper),
+                       row.ours.value, row.ours.error, row.difference(),
+                       row.agrees(), csv_field(row.remark));
   }
   return out;
 }
@@ -45,9 +40,9 @@ std::string comparison_csv(const std::vector<PrintedNumber>& rows) {
 std::string claims_csv(const std::vector<Claim>& claims) {
   std::string out = "place,statement,verdict,evidence\n";
   for (const Claim& claim : claims) {
-    out +=
-        fmt::format("{},{},{},{}\n", field(claim.place), field(claim.statement),
-                    name(claim.verdict), field(claim.evidence));
+    out += fmt::format("{},{},{},{}\n", csv_field(claim.place),
+                       csv_field(claim.statement), name(claim.verdict),
+                       csv_field(claim.evidence));
   }
   return out;
 }
@@ -65,7 +60,7 @@ std::string cases_csv(const Cases& cases) {
     out += fmt::format(
         "{},{:.15g},{:.1e},{:.12g},{:.12g},{:.12g},{:.12g},{:.9g},{:.9g},"
         "{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g},{}\n",
-        field(name), tau.value, tau.error, motion.centre_path_length(),
+        csv_field(name), tau.value, tau.error, motion.centre_path_length(),
         motion.rail_length(), motion.start_angle(), motion.end_angle(),
         d.normal_force_after_rise.value, d.max_normal_force.value,
         d.max_normal_force.x, d.curvature_after_rise.value,

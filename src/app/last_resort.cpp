@@ -59,7 +59,7 @@ extern "C" void end_process(int) {
 
 Ending ending(Status status, std::string_view why, bool json) {
   const std::string message = fmt::format(
-      "brachisto: {}, within a library that cannot be stopped in order", why);
+      "brachisto: {}, and the solve did not end in order in time", why);
   return {message + "\n",
           json ? failure_document(name(status), message) : std::string{}};
 }

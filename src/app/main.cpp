@@ -120,7 +120,7 @@ int run(int argc, char** argv) {
   add_measure(app, code);
 
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
-    return std::string_view(a) == "--json";
+    return std::string_view(a).starts_with("--json");
   });
   try {
     try {

@@ -69,7 +69,8 @@ void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
   if (stored.input_hash != wanted.input_hash) {
     refuse(sweep::difference(store.job().file, job.file));
   }
-  if (stored.shard != wanted.shard && stored.shard != sweep::kMerged) {
+  if (!stored.shard.empty() && stored.shard != wanted.shard &&
+      stored.shard != sweep::kMerged) {
     refuse(fmt::format("it is shard {}, not {}", stored.shard, wanted.shard));
   }
 }

@@ -284,7 +284,7 @@ Keys solver_keys() {
        .description = "which extremal is the answer. principal: the one that "
                       "continues from the cycloid as η_m grows from 0; "
                       "global: of the smooth contacts that a search finds the "
-                      "fastest feasible one",
+                      "fastest verified and feasible one",
        .idle = {.with_extremal = kOneBranch,
                 .with_fsolve = kOneStart,
                 .with_arc_length = kOneBranch}},

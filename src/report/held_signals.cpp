@@ -41,4 +41,8 @@ HeldSignals::~HeldSignals() {
   if (const int signal = received.exchange(0); signal != 0) ::raise(signal);
 }
 
+bool HeldSignals::waiting() {
+  return received.load() != 0;
+}
+
 }  // namespace brachisto::report

@@ -50,12 +50,14 @@ class TemporaryFile {
   TemporaryFile& operator=(TemporaryFile&&) = delete;
 
   void write(const std::string& content) {
-    // To the disk piece by piece, so that a signal need not wait for all.
+    // To the disk piece by piece, so that a signal need not wait for all. One
+    // that is held changes no condition in force.
     constexpr std::size_t kPiece = 8U << 20U;
     std::size_t done = 0;
     std::size_t synced = 0;
     while (done < content.size()) {
       check_stop();
+      if (HeldSignals::waiting()) throw Stopped();
       const ssize_t count = ::write(descriptor_, content.data() + done,
                                     std::min(kPiece, content.size() - done));
       if (count < 0 && errno == EINTR) continue;

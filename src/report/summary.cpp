@@ -47,7 +47,8 @@ std::string describe_track(const Solution& solution) {
   }
   if (solution.options.search == Search::Global) {
     text = fmt::format("{} of the {} smooth contact{} found",
-                       solution.feasible() ? "fastest feasible" : "fastest",
+                       solution.feasible() ? "fastest verified and feasible"
+                                           : "fastest verified",
                        solution.branches.size(),
                        solution.branches.size() == 1 ? "" : "s");
   }

@@ -209,9 +209,11 @@ void SolveRun::find() {
     return find_by_search(*arc, principal);
   }
   if (!principal.curve) {
-    out_.message += slow_arrival(*arc);
+    const std::string slow = slow_arrival(*arc);
     const std::string search = wider_search(scene_.contact, options_);
-    if (!search.empty()) {
+    if (!slow.empty()) {
+      out_.message += slow;
+    } else if (!search.empty()) {
       out_.message += ". Try " + search + ", which looks for other extremals";
     }
     return;

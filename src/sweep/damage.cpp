@@ -30,8 +30,9 @@ std::string describe(const Damage& damage, const std::filesystem::path& store) {
                     damage.structure, store.parent_path().string()));
   }
   if (!damage.info.empty()) {
-    add(fmt::format("damaged: its {} does not match the checksum",
-                    fmt::join(damage.info, " and its ")));
+    add(fmt::format("damaged: its {} {} not match the checksum",
+                    fmt::join(damage.info, " and its "),
+                    damage.info.size() == 1 ? "does" : "do"));
   }
   if (!damage.scenes.empty()) {
     add(fmt::format(

@@ -8,9 +8,11 @@
 #include <array>
 #include <charconv>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
+#include "sweep/bounded_json.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/row_checksum.hpp"
 
@@ -80,6 +82,17 @@ void remove_file(const fs::path& file) {
                        ": cannot be removed: " + error.message());
     }
   }
+}
+
+/// The rows of the table `info`.
+std::array<std::pair<std::string_view, std::string>, 6> rows_of(
+    const StoreInfo& info) {
+  return {{{"job", info.job},
+           {"input_hash", info.input_hash},
+           {"version", info.version},
+           {"shard", info.shard},
+           {"provenance", info.provenance},
+           {"scenes", std::to_string(info.num_scenes)}}};
 }
 
 void put_info(Database& database, std::string_view key,
@@ -168,12 +181,9 @@ Store Store::create(const fs::path& directory, const StoreInfo& info) {
                     "scene INTEGER, value TEXT, checksum INTEGER);",
                     kApplicationId, kFormat)
             .c_str());
-    put_info(database, "job", info.job);
-    put_info(database, "input_hash", info.input_hash);
-    put_info(database, "version", info.version);
-    put_info(database, "shard", info.shard);
-    put_info(database, "provenance", info.provenance);
-    put_info(database, "scenes", std::to_string(info.num_scenes));
+    for (const auto& [key, value] : rows_of(info)) {
+      put_info(database, key, value);
+    }
     transaction.commit();
   } catch (const StoreError&) {
     remove_file(fresh);
@@ -247,11 +257,36 @@ void Store::read_info(bool lacks_journal) {
   }
   std::from_chars(scenes.data(), scenes.data() + scenes.size(),
                   info_.num_scenes);
-  // Without these nothing can be said of the rows.
-  if (info_.num_scenes == 0 || info_.num_scenes > io::kMaxScenes ||
-      info_.input_hash.empty() || info_.version.empty() ||
-      info_.shard.empty()) {
-    throw StoreError(damage_.info.empty() ? nonsense() : damage_text());
+  infer_info();
+  if (info_.num_scenes > 0 && info_.num_scenes <= io::kMaxScenes &&
+      !info_.input_hash.empty() && !info_.version.empty()) {
+    return;
+  }
+  throw StoreError(
+      damage_.info.empty()
+          ? nonsense()
+          : damage_text() +
+                "; without these nothing can be said of its results: sweep "
+                "--force begins again");
+}
+
+// Of what is damaged the rest may tell. The shard is told by nothing, and only
+// keeps results from where they are not expected.
+void Store::infer_info() {
+  if (damage_.info.empty()) return;
+  try {
+    if (!info_.job.empty()) {
+      const io::SweepFile file = job_from_line(info_.job).file;
+      if (info_.num_scenes == 0) info_.num_scenes = file.num_scenes();
+      if (info_.input_hash.empty()) info_.input_hash = input_hash(file);
+    }
+  } catch (const JobError&) {
+    throw StoreError(nonsense());
+  }
+  if (info_.version.empty() && !info_.provenance.empty()) {
+    const auto made_with = parse_bounded_json(info_.provenance);
+    if (!made_with || !made_with->is_object()) throw StoreError(nonsense());
+    info_.version = made_with->value("brachisto", "");
   }
 }
 
@@ -297,10 +332,12 @@ void Store::mend(const StoreInfo& same) {
   // Those that are sound can be found again, at the price of their chains.
   if (damage_.states > 0) database_->execute("DELETE FROM state");
   if (!damage_.info.empty()) {
-    info_.job = same.job;
-    info_.provenance = same.provenance;
-    put_info(*database_, "job", info_.job);
-    put_info(*database_, "provenance", info_.provenance);
+    const std::string shard = info_.shard.empty() ? same.shard : info_.shard;
+    info_ = same;
+    info_.shard = shard;
+    for (const auto& [key, value] : rows_of(info_)) {
+      put_info(*database_, key, value);
+    }
   }
   transaction.commit();
   damage_ = {};

@@ -72,7 +72,8 @@ class Store {
   /// \throws StoreError  if the file is something else
   static void remove(const std::filesystem::path& directory);
 
-  /// Without what damage() names.
+  /// Without what damage() names, unless the rest tells it. An empty shard is
+  /// not known.
   [[nodiscard]] const StoreInfo& info() const { return info_; }
   /// \throws StoreError  if it is damaged
   [[nodiscard]] Job job() const;
@@ -114,6 +115,7 @@ class Store {
   Store(std::filesystem::path file, std::unique_ptr<Database> database);
 
   void read_info(bool lacks_journal);
+  void infer_info();
   [[nodiscard]] std::string nonsense() const;
 
   std::filesystem::path file_;

@@ -28,9 +28,9 @@ std::vector<std::string> infeasible_because(const Scene& scene,
       force.value > 0.0 || (force.value == 0.0 && force.at_start);
   if (path.at_start.lifts_off() || !presses) {
     reasons.push_back(fmt::format(
-        "the body would lift off{}: R_n = {:.4g} m g at x_b = {:.4g}",
-        path.at_start.lifts_off() ? " at the start" : "", force.value,
-        force.x));
+        "the body would lift off{} = {:.4g} m g at x_b = {:.4g}",
+        path.at_start.lifts_off() ? " at the start, least R_n" : ": R_n",
+        force.value, force.x));
   }
   const Extreme& margin = path.min_fold_margin;
   if (!(margin.value > 0.0)) {

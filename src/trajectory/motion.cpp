@@ -126,7 +126,7 @@ PathDiagnostics Motion::diagnose() const {
   out.at_start = at_start();
   const double force = out.at_start.normal_force;
   out.min_normal_force = infimum(*this, rows, force, normal_force);
-  if (out.at_start.lifts_off() && out.min_normal_force.at_start) {
+  if (out.at_start.normal_force_rate < 0.0 && out.min_normal_force.at_start) {
     // It falls and has risen again before the first sample.
     const math::Sample dip = math::find_minimum(
         [this](double sigma) { return at(sigma).motion.R_n; }, 0.0,

@@ -6,7 +6,8 @@
     schema.py BRACHISTO PROBLEMS
 
 Every problem file conforms, its echo does, a result does, and what the program
-refuses for a key, a type, a word or a bound of one value does not.
+refuses for a key, a type, a word or a bound of one value does not. Echoes and
+results, whole, are read again and mean the same.
 """
 
 import json
@@ -84,6 +85,9 @@ def main():
         if validated.returncode == 3:  # scenes that are there to be refused
             continue
         expect(True, problem, yaml.safe_load(path.read_text(encoding="utf-8")), path)
+        again = run("validate", "-", "--json", text=validated.stdout)
+        if again.stdout != validated.stdout:
+            failures.append(f"echo of {path}: read again it is another one")
         echo = json.loads(validated.stdout)
         echo = echo.get("input", echo)
         for bookkeeping in ("schema_version", "valid"):
@@ -103,7 +107,11 @@ def main():
         document = json.loads(answer)
         document["tau"] = "fast"
         expect(False, result, document, "τ as a word")
-        expect(True, problem, json.loads(answer)["input"], f"input of {case}")
+        given = json.loads(answer)["input"]
+        expect(True, problem, given, f"input of {case}")
+        again = json.loads(run("validate", "-", "--json", text=answer).stdout)
+        if {key: again.get(key) for key in given} != given:
+            failures.append(f"result of {case}: read again it is another problem")
     print("\n".join(failures) or f"{len(files)} problems conform, {len(BROKEN)} broken ones do not")
     return 1 if failures else 0
 

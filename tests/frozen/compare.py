@@ -184,6 +184,7 @@ def main():
     parser.add_argument("--count", type=int, default=2000, help="random scenes")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="names that contain this")
+    parser.add_argument("--until-different", action="store_true", help="stop at the first")
     parser.add_argument("--show", type=int, default=20, help="differences told in full")
     flags = parser.parse_args()
     schema = json.loads((HERE / "schema.json").read_text(encoding="utf-8"))
@@ -208,6 +209,9 @@ def main():
                 print(f"{case.name}: {len(found)} differences")
                 for line in found[:8]:
                     print("   " + line)
+            if found and flags.until_different:
+                pool.shutdown(cancel_futures=True)
+                break
     for kind, (number, different) in sorted(counts.items()):
         print(f"{kind:10} {number:6} cases, {different} differ")
     sys.exit(any(different for _, different in counts.values()))

@@ -10,12 +10,15 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto::report {
 namespace {
@@ -59,6 +62,32 @@ class OutputFiles : public ::testing::Test {
 
 using Names = std::set<std::string>;
 
+/// Sends the process a signal every millisecond as long as this lives, of which
+/// it takes no notice.
+class SteadySignals {
+ public:
+  explicit SteadySignals(int signal)
+      : signal_(signal), handler_(std::signal(signal, [](int) {})) {
+    sigevent event = {};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = signal;
+    ::timer_create(CLOCK_MONOTONIC, &event, &timer_);
+    const itimerspec every = {{0, 1'000'000}, {0, 1'000'000}};
+    ::timer_settime(timer_, 0, &every, nullptr);
+  }
+  ~SteadySignals() {
+    ::timer_delete(timer_);
+    std::signal(signal_, handler_);
+  }
+  SteadySignals(const SteadySignals&) = delete;
+  SteadySignals& operator=(const SteadySignals&) = delete;
+
+ private:
+  int signal_;
+  void (*handler_)(int);
+  timer_t timer_ = {};
+};
+
 /// No file may become larger as long as this lives.
 class FileSizeLimit {
  public:
@@ -92,6 +121,19 @@ TEST_F(OutputFiles, AreThereInFull) {
   EXPECT_EQ(content(directory / "odd"), odd);
   EXPECT_EQ(content(directory / "empty"), "");
   EXPECT_EQ(names(directory), (Names{"large", "odd", "empty"}));
+}
+
+TEST_F(OutputFiles, AreGivenUpWhenASignalComes) {
+  // Sixteen pieces, of which no disk takes the first in less than the
+  // millisecond that the signal lets it wait for.
+  const std::string large(std::size_t{128} << 20U, 'x');
+  {
+    const SteadySignals signals(SIGTERM);
+    EXPECT_THROW(write_files(directory / "new",
+                             {{"large", large}, {"small", "text"}}, false),
+                 Stopped);
+  }
+  EXPECT_EQ(names(directory), Names{});
 }
 
 TEST_F(OutputFiles, MakeTheirDirectory) {

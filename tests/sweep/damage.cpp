@@ -148,13 +148,35 @@ TEST_F(DamageTest, OfTheProblemFileLeavesTheResultsReadable) {
   }
 }
 
-TEST_F(DamageTest, OfWhatTellsSweepsApartIsTheEnd) {
-  for (const std::string key : {"input_hash", "version", "shard", "scenes"}) {
+TEST_F(DamageTest, OfWhatTheRestTellsCostsNothing) {
+  for (const std::string key :
+       {"input_hash", "version", "shard", "scenes", "provenance"}) {
     const std::string before = bytes();
     execute("UPDATE info SET value = '12' WHERE key = '" + key + "'");
-    EXPECT_NE(refusal(Database::Access::ReadOnly).find("its " + key),
+    {
+      Store store = open(Database::Access::ReadWrite);
+      EXPECT_NE(store.damage_text().find("its " + key), std::string::npos);
+      EXPECT_EQ(content(store), whole_) << key;
+      store.mend(info_of(job_));
+    }
+    const Store store = open();
+    EXPECT_FALSE(store.damage()) << store.damage_text();
+    EXPECT_EQ(store.info().input_hash, info_of(job_).input_hash) << key;
+    EXPECT_EQ(store.info().version, info_of(job_).version) << key;
+    EXPECT_EQ(store.info().shard, info_of(job_).shard) << key;
+    EXPECT_EQ(store.info().num_scenes, info_of(job_).num_scenes) << key;
+    write(before);
+  }
+}
+
+TEST_F(DamageTest, OfWhatNothingElseTellsIsTheEnd) {
+  for (const std::string keys :
+       {"'job', 'scenes'", "'job', 'input_hash'", "'version', 'provenance'"}) {
+    const std::string before = bytes();
+    execute("UPDATE info SET value = '12' WHERE key IN (" + keys + ")");
+    EXPECT_NE(refusal(Database::Access::ReadOnly).find("--force"),
               std::string::npos)
-        << key;
+        << keys;
     write(before);
   }
 }

@@ -38,7 +38,7 @@ namespace brachisto::testing {
           .input_hash = sweep::input_hash(job.file),
           .version = "1.2.3",
           .shard = "1/1",
-          .provenance = "{}",
+          .provenance = R"({"brachisto":"1.2.3"})",
           .num_scenes = job.file.num_scenes()};
 }
 

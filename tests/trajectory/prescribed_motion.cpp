@@ -267,6 +267,27 @@ double evaluations(int points) {
   return curve->count;
 }
 
+TEST(PrescribedMotion, NamesALeastForceThatIsTheLimitAtTheStart) {
+  // On a vertical start δ = θ_m − π/2, so that R_n → F/A = −a η sin θ_m / A
+  // with a = 1 + η cos θ_m and A = 1 + η² + k + 2 η cos θ_m; from there it
+  // rises.
+  const double eta = 0.05;
+  const double theta_m = 1.6;
+  const double k = 0.1;
+  const double a = 1.0 + eta * std::cos(theta_m);
+  const double A = 1.0 + eta * eta + k + 2.0 * eta * std::cos(theta_m);
+  const double limit = -a * eta * std::sin(theta_m) / A;
+  const PrescribedMotion motion(scene_of(Body::cylinder(0.4, eta, theta_m, k)),
+                                cycloid_curve({0.4, 0.0}, {3.0, 1.0}));
+
+  const PathDiagnostics found = motion.diagnose();
+
+  EXPECT_NEAR(found.at_start.normal_force, limit, 1e-14);
+  EXPECT_TRUE(found.at_start.lifts_off());
+  EXPECT_EQ(found.min_normal_force.value, found.at_start.normal_force);
+  EXPECT_TRUE(found.min_normal_force.at_start);
+}
+
 TEST(PrescribedMotion, OfASplineTakesWorkInProportionToItsPoints) {
   const double few = evaluations(500);
   const double many = evaluations(4000);

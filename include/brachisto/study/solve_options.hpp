@@ -40,7 +40,7 @@ struct FsolveOptions {
 /// Which of several extremals is the answer.
 enum class Search {
   Principal,  ///< the one that continues from the cycloid as η_m grows from 0
-  Global,     ///< the fastest feasible of the smooth contacts found
+  Global,     ///< the fastest verified and feasible contact found
 };
 
 /// Where the first iteration starts.

@@ -19,6 +19,8 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev
 )
+# Of the tests alone: a validator of others for the schemas.
+test_packages=(python3-jsonschema python3-yaml)
 # Of the benchmarks alone, the programs of others that they run among them.
 bench_packages=(libbenchmark-dev octave python3-scipy)
 
@@ -64,6 +66,7 @@ case "${1:-}" in
     build/release/src/app/brachisto solve "$problem"
     ;;
   test)
+    packages+=("${test_packages[@]}")
     install_packages
     build -DBRACHISTO_BUILD_TESTS=ON
     say "testing"

@@ -89,6 +89,7 @@ int run(int argc, char** argv) {
   int code = kInternalError;
   add_solve(app, code);
   add_validate(app, code);
+  add_schema(app, code);
   add_sweep(app, code);
   add_export(app, code);
   add_merge(app, code);

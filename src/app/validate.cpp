@@ -16,6 +16,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/io/sweep_file.hpp"
 #include "brachisto/report/result_json.hpp"
+#include "io/effective_input.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::app {
@@ -27,8 +28,16 @@ using Row = std::vector<std::string>;
 
 constexpr std::size_t kShownAtEachEnd = 3;
 
-std::string effective_input(const io::ProblemFile& problem) {
-  return report::input_json(problem.scene, problem.options);
+Json effective_input(const io::ProblemFile& problem) {
+  Json json = Json::parse(report::input_json(problem.scene, problem.options));
+  const char* const section = "work_precision";
+  const Json plan = io::effective_section(problem, section);
+  if (plan != io::effective_section({}, section)) json[section] = plan;
+  return json;
+}
+
+std::string text_of(const Json& document) {
+  return document.dump(2) + "\n";
 }
 
 /// Paths of the keys that run along an axis.
@@ -89,8 +98,9 @@ std::string sweep_json(const io::SweepFile& sweep) {
                  {"first", values_json(sweep, 0, paths)},
                  {"last", values_json(sweep, last, paths)}}}};
   // The first scene follows with the keys that a single problem has.
-  json.update(Json::parse(effective_input(sweep.problem(0))));
-  return json.dump(2) + "\n";
+  json.update(effective_input(sweep.problem(0)));
+  json["input"] = Json::parse(sweep.stated());
+  return text_of(json);
 }
 
 std::string text_of(const io::SweepValue& value) {
@@ -155,10 +165,11 @@ void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
     fmt::print(stderr, "warning: {}\n", io::to_string(warning));
   }
   if (flags.json) {
-    print_data(effective_input(problem));
+    print_data(text_of(effective_input(problem)));
   } else if (!flags.quiet) {
     print(fmt::format("{}: valid. Effective input, defaults filled in:\n{}",
-                      io::visible(flags.file), effective_input(problem)));
+                      io::visible(flags.file),
+                      text_of(effective_input(problem))));
   }
 }
 

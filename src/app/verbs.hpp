@@ -43,6 +43,7 @@ Verb<Flags> add_verb(CLI::App& app, int& exit_code, const char* name,
 /// leaves its exit code in `exit_code`.
 void add_solve(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
+void add_schema(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);

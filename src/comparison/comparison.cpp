@@ -10,7 +10,7 @@
 
 #include "brachisto/io/diagnostics.hpp"
 #include "comparison/methods.hpp"
-#include "io/input_bytes.hpp"
+#include "io/input_tree.hpp"
 
 namespace brachisto::comparison {
 

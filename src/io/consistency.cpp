@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/key_spec.hpp"
-#include "io/unused_keys.hpp"
 
 namespace brachisto::io {
 
@@ -60,6 +60,73 @@ void check_body(const YamlValue& root, const ProblemFile& problem,
   }
 }
 
+namespace {
+
+std::string_view why_idle(const Idle& idle, Method method) {
+  switch (method) {
+    case Method::Ipopt:
+      return {};
+    case Method::NewtonKkt:
+      return idle.with_newton_kkt;
+    case Method::Extremal:
+      return idle.with_extremal;
+    case Method::Fsolve:
+      return idle.with_fsolve;
+  }
+  return {};
+}
+
+/// Refuses keys that have a value of their own and mean nothing to the method.
+void check_idle_keys(const YamlValue& root, const ProblemFile& problem,
+                     Findings& findings) {
+  const SolveOptions& options = problem.options;
+  const bool fsolve = options.method == Method::Fsolve;
+  const bool arc_length =
+      (options.method == Method::Ipopt ||
+       options.method == Method::NewtonKkt) &&
+      options.discretisation.formulation == Formulation::ArcLength;
+  for (const KeySpec& spec : key_table()) {
+    const bool of_fsolve = spec.path.starts_with("solver.fsolve.");
+    const std::string_view by_method = why_idle(spec.idle, options.method);
+    const std::string_view by_arc_length =
+        arc_length ? spec.idle.with_arc_length : "";
+    const bool idle_variant = spec.path == "solver.fsolve.epsilon" &&
+                              options.fsolve.variant != FsolveVariant::Hybrid;
+    if (by_method.empty() && by_arc_length.empty() && !of_fsolve) continue;
+    const Entry* entry = find_entry(root, spec.path);
+    if (entry == nullptr || findings.concern(spec.path) ||
+        !differs_from_default(spec, problem)) {
+      continue;
+    }
+    const auto refuse = [&](std::string message) {
+      findings.add(entry->value.position, std::string(spec.path),
+                   std::move(message));
+    };
+    if (!by_method.empty()) {
+      const Json method = find_key("solver.method")->value.get(problem);
+      refuse(
+          fmt::format("has no effect with method: {}, {}; leave it out, or "
+                      "take method: ipopt",
+                      method.get_ref<const std::string&>(), by_method));
+    } else if (!by_arc_length.empty()) {
+      refuse(
+          fmt::format("not allowed with formulation: arc_length, {}; leave "
+                      "it out, or take formulation: rolling_time",
+                      by_arc_length));
+    } else if (of_fsolve && !fsolve) {
+      refuse(
+          "has no effect without method: fsolve; leave it out, or take that "
+          "method");
+    } else if (idle_variant) {
+      refuse(
+          "has no effect with exact derivatives; leave it out, or take "
+          "variant: hybrid");
+    }
+  }
+}
+
+}  // namespace
+
 void check_solver(const YamlValue& root, const ProblemFile& problem,
                   Findings& findings) {
   const Entry* search = find_entry(root, "solver.search");
@@ -71,7 +138,9 @@ void check_solver(const YamlValue& root, const ProblemFile& problem,
                  "global is not allowed with contact: centre; between fixed "
                  "ends of the centre's path there is no contact to search for");
   }
-  check_unused_keys(root, problem, findings);
+  if (!findings.concern("solver.method")) {
+    check_idle_keys(root, problem, findings);
+  }
 }
 
 namespace {
@@ -162,17 +231,20 @@ void check_scene(const YamlValue& root, const ProblemFile& problem,
   std::vector<std::string_view> unread;
   for (const KeySpec& spec : key_table()) {
     const bool of_scene = spec.path.starts_with("scene.");
-    const bool needed = spec.presence == Presence::Required ||
-                        spec.presence == Presence::RequiredOfCylinder;
     const bool absent = find_entry(root, spec.path) == nullptr;
-    if (of_scene && (findings.concern(spec.path) || (needed && absent))) {
-      if (spec.set != nullptr) {
-        spec.set(marked, std::numeric_limits<double>::quiet_NaN());
+    if (of_scene &&
+        (findings.concern(spec.path) || (spec.is_required() && absent))) {
+      if (spec.type() == KeyType::Number || spec.type() == KeyType::Angle) {
+        spec.value.set(marked, std::numeric_limits<double>::quiet_NaN());
       }
       unread.push_back(spec.path);
     }
   }
+  const bool listed = find_entry(root, "scene.path.points") != nullptr;
   for (SceneError& error : validate(marked.scene)) {
+    if (listed && error.key == "scene.path.file") {
+      error.key = "scene.path.points";
+    }
     if (std::ranges::count(unread, error.key) > 0) continue;
     const Position position = position_of(root, error.key);
     findings.add(position, std::move(error.key), std::move(error.message));

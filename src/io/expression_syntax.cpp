@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
+#include "io/expression.hpp"
 #include "io/findings.hpp"
-#include "io/quantities.hpp"
 #include "io/suggestion.hpp"
 
 namespace brachisto::io {

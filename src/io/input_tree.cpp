@@ -5,13 +5,129 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <vector>
+
 #include "brachisto/io/problem_file.hpp"
-#include "io/overrides.hpp"
+#include "io/effective_input.hpp"
+#include "io/key_spec.hpp"
 #include "io/source_text.hpp"
 
 namespace brachisto::io {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw IoError(fmt::format("{}: {}", path.string(), reason));
+}
+
+std::string read_all(std::istream& in, const fs::path& path, std::size_t most) {
+  std::string bytes(most + 1, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (in.bad()) {
+    fail(path, "cannot be read: " + std::generic_category().message(errno));
+  }
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_problem_bytes(const fs::path& path) {
+  if (path == kStandardInput) return read_all(std::cin, path, kMaxFileSize);
+  return read_file_bytes(path, kMaxFileSize,
+                         "a problem file, or - for standard input");
+}
+
+std::string read_file_bytes(const fs::path& path, std::size_t most,
+                            std::string_view what) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) {
+    fail(path, fmt::format("is a directory; expected {}", what));
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    fail(path, fmt::format("is {}; expected {}",
+                           fs::is_fifo(status) ? "a pipe" : "a device", what));
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    fail(path, "cannot be opened: " + std::generic_category().message(errno));
+  }
+  return read_all(file, path, most);
+}
+
+namespace {
+
+/// Joins the parts that together are a key of the problem: in the section
+/// sweep, and only there, such a key is one word with dots.
+void join_swept_keys(std::vector<std::string>& parts) {
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    std::string key = parts[i];
+    for (std::size_t j = i + 1; j < parts.size(); ++j) {
+      key += '.' + parts[j];
+      if (!is_value_key(key)) continue;
+      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(i);
+      *first = key;
+      parts.erase(first + 1,
+                  parts.begin() + static_cast<std::ptrdiff_t>(j + 1));
+      break;
+    }
+  }
+}
+
+/// Reads the value; one that is not YAML becomes a refused node.
+YamlValue read_value(const std::string& text, const std::string& key,
+                     int source, Findings& findings) {
+  try {
+    return parse_yaml(prepared_text(text, source), source, findings, key);
+  } catch (const SyntaxError& error) {
+    findings.add(error.position, printable(key), error.what());
+    return YamlValue::of(YamlValue::Kind::Refused, error.position);
+  }
+}
+
+/// Replaces or adds a value in a tree; maps on the way that are absent or
+/// empty come into being. If something else stands in the way, the tree stays
+/// as it is, for reading it reports that. Behind "sweep." a key of the problem
+/// is one key of the section, dots and all.
+///
+/// \param text    KEY=VALUE, VALUE in YAML
+/// \param source  number of the input, ≥ 1, see Position
+/// Mistakes in `text` itself go to `findings`.
+void apply_override(YamlValue& root, const std::string& text, int source,
+                    Findings& findings) {
+  const Position position{source, 1, 1};
+  const std::size_t equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  std::vector<std::string> parts = parts_of(key);
+  if (equals == std::string::npos || std::ranges::count(parts, "") > 0) {
+    findings.add(position, "",
+                 "not an override; expected KEY=VALUE, as in "
+                 "scene.body.k=1/2");
+    return;
+  }
+  if (parts.size() > kMaxNesting) {
+    findings.add(position, printable(key),
+                 fmt::format("nests more than {} levels", kMaxNesting));
+    return;
+  }
+  if (parts.front() == "sweep") join_swept_keys(parts);
+
+  Entry* entry = make_entry(root, parts, position);
+  if (entry == nullptr) return;
+  YamlValue& value = entry->value;
+  value = read_value(text.substr(equals + 1), key, source, findings);
+  if (value.kind == YamlValue::Kind::Null) value.position = position;
+}
 
 /// The tree of a file, which has to contain something.
 YamlValue read_tree(std::string_view text, const std::string& name,
@@ -36,11 +152,13 @@ InputTree read_input_tree(std::string_view text, const std::string& name,
                           const std::vector<std::string>& overrides,
                           Findings& findings) {
   InputTree input{read_tree(text, name, findings), {name}};
+  take_input(input.root);
   for (const std::string& change : overrides) {
     input.sources.push_back("--set " + printable(change));
     apply_override(input.root, change,
                    static_cast<int>(input.sources.size()) - 1, findings);
   }
+  drop_nulls(input.root);
   return input;
 }
 

@@ -49,15 +49,15 @@ std::string default_text(const KeySpec& spec) {
 }
 
 std::string allowed_text(const KeySpec& spec) {
-  if (spec.type == KeyType::Choice) {
-    return fmt::format("`{}`", fmt::join(choices_of(spec), "`, `"));
+  if (spec.type() == KeyType::Choice) {
+    return fmt::format("`{}`", fmt::join(spec.value.words, "`, `"));
   }
   return std::string(spec.bounds);
 }
 
 std::string row(const KeySpec& spec) {
   return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", spec.path,
-                     type_name(spec.type), spec.unit, default_text(spec),
+                     type_name(spec.type()), spec.unit, default_text(spec),
                      allowed_text(spec), spec.description);
 }
 
@@ -65,7 +65,7 @@ std::string row(const KeySpec& spec) {
 std::string reserved() {
   std::vector<std::string> names;
   for (const KeySpec& spec : key_table()) {
-    if (spec.type == KeyType::Reserved) {
+    if (spec.type() == KeyType::Reserved) {
       names.push_back(fmt::format("`{}`", spec.path));
     }
   }
@@ -79,7 +79,7 @@ std::string key_reference_markdown() {
       "| key | type | unit | default | allowed | meaning |\n"
       "| --- | --- | --- | --- | --- | --- |\n";
   for (const KeySpec& spec : key_table()) {
-    if (spec.type != KeyType::Reserved) text += row(spec);
+    if (spec.type() != KeyType::Reserved) text += row(spec);
   }
   return text + "\nReserved for later versions: " + reserved() + ".\n";
 }

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/findings.hpp"
 #include "io/suggestion.hpp"
@@ -30,54 +31,50 @@ const KeySpec* find_key(std::string_view path) {
 
 bool is_value_key(std::string_view path) {
   const KeySpec* spec = find_key(path);
-  return spec != nullptr && path != "version" && spec->type != KeyType::Map &&
-         spec->type != KeyType::Sweep && spec->type != KeyType::Text &&
-         spec->type != KeyType::List && spec->parent() != "work_precision" &&
-         spec->type != KeyType::Reserved;
+  if (spec == nullptr || path == "version" ||
+      spec->parent() == "work_precision") {
+    return false;
+  }
+  return spec->type() == KeyType::Number || spec->type() == KeyType::Angle ||
+         spec->type() == KeyType::Integer || spec->type() == KeyType::Choice;
 }
 
 std::vector<std::string_view> keys_of(std::string_view map) {
   std::vector<std::string_view> names;
   for (const KeySpec& spec : key_table()) {
-    if (spec.parent() == map && spec.type != KeyType::Reserved) {
+    if (spec.parent() == map && spec.type() != KeyType::Reserved) {
       names.push_back(spec.name());
     }
   }
   return names;
 }
 
-std::vector<std::string_view> choices_of(const KeySpec& spec) {
-  std::vector<std::string_view> names;
-  for (const Choice& choice : spec.choices) {
-    names.push_back(choice.name);
-  }
-  return names;
+Unit unit_of(const KeySpec& spec) {
+  return spec.type() == KeyType::Angle ? Unit::Angle : Unit::None;
 }
 
-Unit unit_of(const KeySpec& spec) {
-  return spec.type == KeyType::Angle ? Unit::Angle : Unit::None;
+bool differs_from_default(const KeySpec& spec, const ProblemFile& problem) {
+  static const ProblemFile untouched;
+  return spec.value.get(problem) != spec.value.get(untouched);
 }
 
 std::string objection(const KeySpec& spec, std::string_view word) {
-  if (std::ranges::find(spec.choices, word, &Choice::name) !=
-      spec.choices.end()) {
-    return "";
-  }
+  if (std::ranges::count(spec.value.words, word) > 0) return "";
   return fmt::format("{} was read; expected {}{}", in_quotes(word),
-                     expected(spec), suggestion(word, choices_of(spec)));
+                     expected(spec), suggestion(word, spec.value.words));
 }
 
 std::string expected(const KeySpec& spec) {
   std::string text;
-  switch (spec.type) {
+  switch (spec.type()) {
     case KeyType::Map:
       return fmt::format("a map with the keys {}",
                          fmt::join(keys_of(spec.path), ", "));
     case KeyType::Choice:
-      return fmt::format("{}", fmt::join(choices_of(spec), " or "));
+      return fmt::format("{}", fmt::join(spec.value.words, " or "));
     case KeyType::Text:
     case KeyType::List:
-      return fmt::format("{}", spec.bounds);
+      return spec.bounds;
     case KeyType::Sweep:
       return "a map of the keys that vary, as in {scene.body.eta_m: [0, 1/3]}";
     case KeyType::Reserved:
@@ -92,7 +89,7 @@ std::string expected(const KeySpec& spec) {
       break;
   }
   if (!spec.unit.empty()) text += fmt::format(" in {}", spec.unit);
-  if (!spec.bounds.empty()) text += fmt::format(", {}", spec.bounds);
+  if (!spec.bounds.empty()) text += ", " + spec.bounds;
   return text;
 }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The table that describes every key of a problem file. Reading, messages and
-/// the reference in the documentation all come from it.
+/// The table that describes every key of a problem file. Reading, the echo of
+/// the effective input, messages, the reference in the documentation and the
+/// schema for editors all come from it.
 
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +20,8 @@
 #include "io/expression.hpp"
 
 namespace brachisto::io {
+
+using Json = nlohmann::ordered_json;
 
 enum class KeyType {
   Map,       ///< of further keys of the table
@@ -38,21 +43,16 @@ enum class Presence {
   OptionalOfCylinder,  ///< and refused for a bead
 };
 
-/// A word that a Choice may be.
-struct Choice {
-  std::string_view name;
-  void (*set)(ProblemFile&);
-};
-
-/// Bounds that a number has for the sake of the program. Those that physics
-/// gives are not here: validate(const Scene&) knows them.
+/// Bounds of a number.
 struct Interval {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   bool lower_allowed = true;
+  bool upper_allowed = true;
 
   [[nodiscard]] bool contains(double value) const {
-    return (lower_allowed ? value >= lower : value > lower) && value <= upper;
+    return (lower_allowed ? value >= lower : value > lower) &&
+           (upper_allowed ? value <= upper : value < upper);
   }
 };
 
@@ -63,26 +63,51 @@ class Findings;
 using ListReading = void(ProblemFile&, const KeySpec&, const YamlValue&,
                          Findings&);
 
+/// Where the value of a key lives, in both directions. Made by the functions of
+/// io/binding.hpp.
+struct Binding {
+  KeyType type = KeyType::Reserved;
+  /// The value; null if there is none. Empty: it is not echoed.
+  std::function<Json(const ProblemFile&)> get = {};
+  /// Stores a number, a text, or one of the words.
+  std::function<void(ProblemFile&, const Json&)> set = {};
+  std::vector<std::string_view> words = {};  ///< of a Choice
+  ListReading* read_list = nullptr;
+  std::function<Json()> items = {};  ///< schema of the items of a list
+};
+
+/// Why a key means nothing to a method or a formulation; "": it has a use.
+struct Idle {
+  std::string_view with_extremal = {};
+  std::string_view with_fsolve = {};
+  std::string_view with_arc_length = {};
+  std::string_view with_newton_kkt = {};
+};
+
 /// One key.
 struct KeySpec {
   std::string_view path;  ///< dotted
-  KeyType type = KeyType::Reserved;
+  Binding value = {};
   Presence presence = Presence::Optional;
   std::string_view unit = {};
-  std::string_view fallback = {};  ///< what holds if the key is absent
-  std::string_view bounds = {};    ///< in words or as a formula
+  /// What holds if the key is absent; left out: as a new ProblemFile has it.
+  std::string fallback = {};
+  std::string bounds = {};  ///< in words; left out: as the intervals say
   std::string_view description = {};
-  Interval interval = {};
-  void (*set)(ProblemFile&, double) = nullptr;  ///< stores a number
-  void (*set_text)(ProblemFile&, const std::string&) = nullptr;
-  std::vector<Choice> choices = {};
-  ListReading* read_list = nullptr;
+  Interval interval = {};  ///< for the sake of the program, checked in reading
+  Interval physical = {};  ///< what validate(const Scene&) checks at the least
+  Idle idle = {};
 
   [[nodiscard]] std::string_view name() const;    ///< last part of the path
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
+  [[nodiscard]] KeyType type() const { return value.type; }
   [[nodiscard]] bool of_cylinder() const {
     return presence == Presence::RequiredOfCylinder ||
            presence == Presence::OptionalOfCylinder;
+  }
+  [[nodiscard]] bool is_required() const {
+    return presence == Presence::Required ||
+           presence == Presence::RequiredOfCylinder;
   }
 };
 
@@ -99,11 +124,12 @@ struct KeySpec {
 /// Names of the keys that a map may contain, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
 
-/// Names that a Choice may be.
-[[nodiscard]] std::vector<std::string_view> choices_of(const KeySpec& spec);
-
 /// Whether a number of this key may carry the suffix of an angle.
 [[nodiscard]] Unit unit_of(const KeySpec& spec);
+
+/// True if a key has another value than a new ProblemFile.
+[[nodiscard]] bool differs_from_default(const KeySpec& spec,
+                                        const ProblemFile& problem);
 
 /// Why a word is not one of a Choice, with what is expected; "" if it is.
 [[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);

@@ -14,6 +14,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
+#include "io/key_spec.hpp"
 
 namespace brachisto::io {
 
@@ -33,7 +34,11 @@ class PointsError : public std::invalid_argument {
 /// \throws PointsError
 [[nodiscard]] std::vector<Point> parse_points(std::string_view text);
 
-/// Puts the points into a problem whose scene.path has that shape. Mistakes go
+/// The key scene.path.points: a list of [x, z].
+[[nodiscard]] Binding points_list();
+
+/// Puts the points of a file into a problem whose scene.path has that shape and
+/// no points yet; checks those that are there. Mistakes go
 /// to the findings, with file and line.
 ///
 /// \param known  the points if they were read before; nullptr: the file that

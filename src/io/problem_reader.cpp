@@ -6,12 +6,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/angle.hpp"
+#include "io/consistency.hpp"
 #include "io/expression.hpp"
+#include "io/findings.hpp"
+#include "io/input_tree.hpp"
+#include "io/path_points.hpp"
 #include "io/suggestion.hpp"
 
 namespace brachisto::io {
@@ -26,7 +31,7 @@ std::string dotted(std::string_view map, std::string_view key) {
 std::vector<std::string_view> homes_of(std::string_view name) {
   std::vector<std::string_view> homes;
   for (const KeySpec& spec : key_table()) {
-    if (spec.name() == name && spec.type != KeyType::Reserved) {
+    if (spec.name() == name && spec.type() != KeyType::Reserved) {
       homes.push_back(spec.parent().empty() ? "the top level" : spec.parent());
     }
   }
@@ -46,9 +51,10 @@ ProblemFile ProblemReader::read(const YamlValue& root) {
   if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
     read_map(root, "", root.position);
   } else if (root.kind != YamlValue::Kind::Refused) {
-    findings_.add(root.position, "",
-                  fmt::format("{} was read; expected {}", kind_name(root.kind),
-                              expected({.path = "", .type = KeyType::Map})));
+    findings_.add(
+        root.position, "",
+        fmt::format("{} was read; expected {}", kind_name(root.kind),
+                    expected({.path = "", .value = {.type = KeyType::Map}})));
   }
   return problem_;
 }
@@ -73,11 +79,11 @@ void ProblemReader::read_entry(const Entry& entry, std::string_view map) {
   const KeySpec* spec = word ? find_key(dotted(map, entry.key)) : nullptr;
   if (spec == nullptr) {
     refuse_unknown(entry, map);
-  } else if (spec->type == KeyType::Reserved) {
+  } else if (spec->type() == KeyType::Reserved) {
     findings_.add(entry.position, std::string(spec->path),
                   fmt::format("reserved for a later version of brachisto; {}",
                               allowed_in(map)));
-  } else if (spec->type == KeyType::Sweep) {
+  } else if (spec->type() == KeyType::Sweep) {
     findings_.add(entry.position, std::string(spec->path),
                   "this section makes the file a sweep of many scenes, not one "
                   "problem; `brachisto sweep FILE` solves them all");
@@ -107,10 +113,10 @@ void ProblemReader::refuse_unknown(const Entry& entry, std::string_view map) {
 void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   const YamlValue& node = entry.value;
   if (node.kind == YamlValue::Kind::Refused) return;
-  if (spec.type == KeyType::List) {
-    return spec.read_list(problem_, spec, node, findings_);
+  if (spec.type() == KeyType::List) {
+    return spec.value.read_list(problem_, spec, node, findings_);
   }
-  const bool is_map = spec.type == KeyType::Map;
+  const bool is_map = spec.type() == KeyType::Map;
   if (is_map && (node.kind == YamlValue::Kind::Map ||
                  node.kind == YamlValue::Kind::Null)) {
     read_map(node, spec.path, entry.position);
@@ -118,10 +124,10 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
     findings_.add(node.position, std::string(spec.path),
                   fmt::format("{} was read; expected {}", kind_name(node.kind),
                               expected(spec)));
-  } else if (spec.type == KeyType::Choice) {
+  } else if (spec.type() == KeyType::Choice) {
     read_choice(spec, node);
-  } else if (spec.type == KeyType::Text) {
-    spec.set_text(problem_, node.text);
+  } else if (spec.type() == KeyType::Text) {
+    spec.value.set(problem_, node.text);
   } else {
     read_number(spec, node);
   }
@@ -135,18 +141,18 @@ void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
   };
   double value = 0.0;
   try {
-    value = spec.type == KeyType::Angle ? read_angle(spec, node)
-                                        : evaluate(node.text);
+    value = spec.type() == KeyType::Angle ? read_angle(spec, node)
+                                          : evaluate(node.text);
   } catch (const ExpressionError& error) {
     refuse(fmt::format("is not a number: {}", error.what()));
     return;
   }
-  if (spec.type == KeyType::Integer && value != std::trunc(value)) {
+  if (spec.type() == KeyType::Integer && value != std::trunc(value)) {
     refuse("is not an integer");
   } else if (!spec.interval.contains(value)) {
     refuse("is not allowed");
   } else {
-    spec.set(problem_, value);
+    spec.value.set(problem_, value);
   }
 }
 
@@ -170,10 +176,30 @@ double ProblemReader::read_angle(const KeySpec& spec, const YamlValue& node) {
 void ProblemReader::read_choice(const KeySpec& spec, const YamlValue& node) {
   std::string message = objection(spec, node.text);
   if (message.empty()) {
-    std::ranges::find(spec.choices, node.text, &Choice::name)->set(problem_);
+    spec.value.set(problem_, node.text);
   } else {
     findings_.add(node.position, std::string(spec.path), std::move(message));
   }
+}
+
+ProblemFile read_problem_file(const std::filesystem::path& path,
+                              const std::vector<std::string>& overrides) {
+  return read_problem_text(read_problem_bytes(path), path.string(), overrides);
+}
+
+ProblemFile read_problem_text(std::string_view text, const std::string& name,
+                              const std::vector<std::string>& overrides) {
+  Findings findings;
+  const InputTree input = read_input_tree(text, name, overrides, findings);
+  ProblemFile problem = ProblemReader(findings).read(input.root);
+  read_path_points(input, nullptr, problem, findings);
+  check_body(input.root, problem, findings);
+  check_mesh(input.root, problem, findings);
+  check_solver(input.root, problem, findings);
+  check_scene(input.root, problem, findings);
+  findings.throw_if_any(input.sources);
+  problem.warnings = findings.warnings(input.sources);
+  return problem;
 }
 
 }  // namespace brachisto::io

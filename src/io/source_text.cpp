@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "brachisto/io/problem_file.hpp"
 #include "io/visible_text.hpp"
 
@@ -59,6 +61,28 @@ std::string prepared_text(std::string_view text, int source) {
     text.remove_prefix(length);
   }
   return prepared;
+}
+
+Ruler::Ruler(std::string_view text, int source) : text_(text), source_(source) {
+  lines_.push_back({0, 0});
+  int characters = 0;
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (begins_character(i)) ++characters;
+    if (text_[i] == '\n') lines_.push_back({i + 1, characters});
+  }
+}
+
+Position Ruler::position(std::size_t offset) {
+  offset = std::min(offset, text_.size());
+  for (; offset_ < offset; ++offset_) {
+    if (begins_character(offset_)) ++characters_;
+  }
+  for (; offset_ > offset; --offset_) {
+    if (begins_character(offset_ - 1)) --characters_;
+  }
+  const auto next = std::ranges::upper_bound(lines_, offset, {}, &Line::offset);
+  const auto number = static_cast<int>(next - lines_.begin());
+  return {source_, number, characters_ - std::prev(next)->characters + 1};
 }
 
 }  // namespace brachisto::io

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "io/sweep_axes.hpp"
+#include "io/sweep_section.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -56,7 +56,7 @@ class EntryReader {
     swept_.runs = true;
     const YamlValue& value = entry_.value;
     const bool real =
-        spec_.type == KeyType::Number || spec_.type == KeyType::Angle;
+        spec_.type() == KeyType::Number || spec_.type() == KeyType::Angle;
     if (!real) {
       refuse(entry_.position,
              "only real numbers can be random, and this key has " +
@@ -86,7 +86,7 @@ class EntryReader {
   }
 
   [[nodiscard]] std::string expected_rule() const {
-    return spec_.type == KeyType::Choice
+    return spec_.type() == KeyType::Choice
                ? "a list of words: " + expected(spec_)
                : "a list, a map with from, to and count, or one number";
   }
@@ -107,7 +107,7 @@ class EntryReader {
         refuse(item.position,
                fmt::format("{} was read; expected {}", kind_name(item.kind),
                            expected(spec_)));
-      } else if (spec_.type == KeyType::Choice) {
+      } else if (spec_.type() == KeyType::Choice) {
         words.words.push_back(read_word(item));
       } else {
         read_number(item, numbers);
@@ -115,7 +115,7 @@ class EntryReader {
     }
     swept_.count = items.size();
     swept_.readable = findings_.all().size() == before;
-    if (spec_.type == KeyType::Choice) {
+    if (spec_.type() == KeyType::Choice) {
       swept_.rule = std::move(words);
     } else {
       swept_.rule = std::move(numbers);
@@ -137,7 +137,7 @@ class EntryReader {
   }
 
   void read_range(const YamlValue& map) {
-    if (spec_.type == KeyType::Choice) {
+    if (spec_.type() == KeyType::Choice) {
       refuse(map.position, "a map was read; expected " + expected_rule());
       return;
     }

@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "io/input_bytes.hpp"
+#include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
 #include "io/problem_reader.hpp"
@@ -22,6 +23,7 @@ struct SweepFile::Content {
   ProblemFile base;
   SweepScenes scenes;
   std::vector<SweepKey> keys;
+  std::string stated;
 };
 
 namespace {
@@ -63,6 +65,7 @@ void mark_swept(const SweepSection& section, YamlValue& root) {
 
 SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
                      const std::vector<Point>* points, Findings findings) {
+  std::string stated = stated_input(input.root).dump();
   const std::optional<Entry> sweep = take_section(input.root);
   SweepSection section;
   if (sweep) {
@@ -87,7 +90,7 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
   std::vector<SweepKey> keys;
   for (const SweepEntry& entry : section.entries) {
     keys.push_back(
-        {std::string(entry.spec->path), entry.spec->type != KeyType::Choice});
+        {std::string(entry.spec->path), entry.spec->type() != KeyType::Choice});
   }
   SweepScenes scenes(std::move(section), *std::move(names));
   // Of a longer list none of the scenes' mistakes would be seen.
@@ -95,8 +98,9 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
     check_scenes(scenes, input.root, base, findings);
   }
   findings.throw_if_any(input.sources);
-  return SweepFile(std::make_shared<const SweepFile::Content>(
-      SweepFile::Content{base, std::move(scenes), std::move(keys)}));
+  return SweepFile(
+      std::make_shared<const SweepFile::Content>(SweepFile::Content{
+          base, std::move(scenes), std::move(keys), std::move(stated)}));
 }
 
 }  // namespace
@@ -133,6 +137,10 @@ std::vector<SweepValue> SweepFile::values(std::size_t scene) const {
   std::vector<SweepValue> values;
   content_->scenes.evaluate(scene, values);
   return values;
+}
+
+const std::string& SweepFile::stated() const {
+  return content_->stated;
 }
 
 SweepFile read_sweep_file(const std::filesystem::path& path,

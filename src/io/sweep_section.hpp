@@ -18,11 +18,29 @@
 #include "io/expression.hpp"
 #include "io/findings.hpp"
 #include "io/key_spec.hpp"
-#include "io/spacing.hpp"
 #include "io/yaml_tree.hpp"
 #include "math/portable_random.hpp"
 
 namespace brachisto::io {
+
+enum class Spacing {
+  Linear,  ///< equal differences
+  Log,     ///< equal ratios
+};
+
+/// Value at the fraction part/whole of the way between two ends:
+///
+///   linear  from (1 − f) + to f,  log  from^(1 − f) to^f,  f = part/whole.
+///
+/// The ends are exact, and swapping them while f becomes 1 − f gives the same
+/// bits; a linear value is rounded three times, whatever its place, and does
+/// not depend on the platform.
+///
+/// \param part, whole  0 ≤ part ≤ whole, whole − part exact
+/// \throws ExpressionError  if the value is not finite or, for equal ratios,
+///         if the ends are not of one sign, or zero
+[[nodiscard]] double between(double from, double to, double part, double whole,
+                             Spacing spacing);
 
 /// How many values a key may have.
 inline constexpr Interval kCounts{1, static_cast<double>(kMaxScenes)};
@@ -102,5 +120,15 @@ struct SweepSection {
 /// \throws ExpressionError  if it is not a finite number
 [[nodiscard]] SweepValue value_of(const SweepEntry& entry, std::size_t index,
                                   const QuantityValues& quantities);
+
+/// Fills in the axes of a section whose entries are known.
+///
+/// An entry makes an axis of its own, but for those that `zip` makes run
+/// together and for random ones, all of which share one; an axis stands where
+/// the first of its entries does.
+///
+/// \param sweep  the whole section
+/// Mistakes in `zip`, and too many scenes, go to the findings.
+void build_axes(const Entry& sweep, SweepSection& section, Findings& findings);
 
 }  // namespace brachisto::io

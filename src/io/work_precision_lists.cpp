@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/expression.hpp"
-#include "io/field_reader.hpp"
 #include "io/suggestion.hpp"
+#include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
 
@@ -31,11 +32,11 @@ constexpr Interval kMeshes{2, 1'000'000};
 
 constexpr std::array<std::string_view, 4> kNames{"rolling_time", "arc_length",
                                                  "extremal", "fsolve"};
-constexpr std::array<std::pair<std::string_view, FsolveArm>, 4> kArms{
-    {{"rest", FsolveArm::Rest},
-     {"release", FsolveArm::Release},
-     {"newton", FsolveArm::Newton},
-     {"lifted", FsolveArm::Lifted}}};
+using Arm = std::pair<std::string_view, FsolveArm>;
+constexpr std::array<Arm, 4> kArms{{{"rest", FsolveArm::Rest},
+                                    {"release", FsolveArm::Release},
+                                    {"newton", FsolveArm::Newton},
+                                    {"lifted", FsolveArm::Lifted}}};
 
 /// What a name alone stands for.
 Methods methods_of(std::string_view name) {
@@ -199,8 +200,6 @@ class MethodsReader {
   Methods methods_;
 };
 
-}  // namespace
-
 void read_methods(ProblemFile& problem, const KeySpec& spec,
                   const YamlValue& list, Findings& findings) {
   Methods methods = MethodsReader(spec, findings).read(list);
@@ -223,6 +222,67 @@ void read_meshes(ProblemFile& problem, const KeySpec& spec,
   }
   std::ranges::sort(meshes);
   problem.work_precision.meshes = std::move(meshes);
+}
+
+/// Neighbours of one name share its list.
+Json methods_json(const ProblemFile& problem) {
+  Json list = Json::array();
+  const auto add = [&](const char* name, const Json& item) {
+    const bool shared = !list.empty() && list.back().contains(name);
+    if (!shared) list.push_back({{name, Json::array()}});
+    list.back()[name].push_back(item);
+  };
+  for (const ComparedMethod& method : problem.work_precision.methods) {
+    const auto name = kNames[static_cast<std::size_t>(method.kind)];
+    if (method.kind == Kind::RollingTime) {
+      add("rolling_time", method.degree);
+    } else if (method.kind == Kind::Fsolve) {
+      add("fsolve", std::ranges::find(kArms, method.arm, &Arm::second)->first);
+    } else {
+      list.push_back(name);
+    }
+  }
+  return list;
+}
+
+Json methods_schema() {
+  Json arms = Json::array();
+  for (const auto& [name, arm] : kArms) arms.push_back(name);
+  const auto list = [](const char* name, const Json& items) {
+    const Json of = {{"type", "array"}, {"items", items}, {"minItems", 1}};
+    return Json{{"type", "object"},
+                {"properties", {{name, of}}},
+                {"required", {name}},
+                {"additionalProperties", false}};
+  };
+  return {{"anyOf",
+           {{{"enum", kNames}},
+            list("rolling_time", {{"type", "integer"},
+                                  {"minimum", kDegrees.lower},
+                                  {"maximum", kDegrees.upper}}),
+            list("fsolve", {{"enum", arms}})}}};
+}
+
+}  // namespace
+
+Binding methods_list() {
+  return {.type = KeyType::List,
+          .get = methods_json,
+          .read_list = read_methods,
+          .items = methods_schema};
+}
+
+Binding meshes_list() {
+  return {
+      .type = KeyType::List,
+      .get = [](const ProblemFile& p) { return Json(p.work_precision.meshes); },
+      .read_list = read_meshes,
+      .items =
+          [] {
+            return Json{{"type", "integer"},
+                        {"minimum", kMeshes.lower},
+                        {"maximum", kMeshes.upper}};
+          }};
 }
 
 }  // namespace brachisto::io

@@ -17,7 +17,6 @@
 #include <unordered_map>
 
 #include "brachisto/io/problem_file.hpp"
-#include "io/ruler.hpp"
 #include "io/source_text.hpp"
 #include "io/yaml_tree.hpp"
 
@@ -75,7 +74,8 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     check_properties(mark, "?", anchor);
-    attach(YamlValue::of(YamlValue::Kind::Null, position(mark)));
+    attach(YamlValue::of(YamlValue::Kind::Null, position(mark),
+                         std::string(null_at(mark))));
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     refuse(mark, kNoAliases);
@@ -139,6 +139,19 @@ class TreeBuilder final : public YAML::EventHandler {
                     text_.size());
   }
 
+  /// The word null at a place; "" if something else stands there, as it does
+  /// where a value is left out.
+  [[nodiscard]] std::string_view null_at(const YAML::Mark& mark) const {
+    constexpr std::string_view kNull = "null";
+    const std::string_view rest = text_.substr(offset(mark));
+    if (!rest.starts_with(kNull)) return {};
+    const std::string_view after = rest.substr(kNull.size(), 1);
+    return after.empty() || std::string_view(" ,]}\n").find(after) !=
+                                std::string_view::npos
+               ? kNull
+               : std::string_view();
+  }
+
   [[nodiscard]] bool awaits_key() const {
     return !levels_.empty() &&
            levels_.back().node.kind == YamlValue::Kind::Map &&
@@ -186,7 +199,7 @@ class TreeBuilder final : public YAML::EventHandler {
       take_key(level, std::move(node));
     } else {
       // yaml-cpp places an absent value at the token that follows it.
-      if (node.kind == YamlValue::Kind::Null) {
+      if (node.kind == YamlValue::Kind::Null && node.text.empty()) {
         node.position = level.pending->position;
       }
       level.pending->value = std::move(node);

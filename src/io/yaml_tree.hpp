@@ -29,7 +29,8 @@ struct YamlValue {
 
   Kind kind = Kind::Null;
   Position position;
-  std::string text;              ///< of a scalar, unquoted
+  std::string text;              ///< of a scalar, unquoted; of a null that is
+                                 ///< written out, its word
   std::vector<YamlValue> items;  ///< of a list
   std::vector<Entry> entries;    ///< of a map, in file order, keys unique
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/version.hpp"
@@ -43,17 +42,6 @@ Provenance provenance() {
                       SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION),
       .compiler = fmt::format("g++ {}", __VERSION__),
   };
-}
-
-std::string provenance_json() {
-  const Provenance made_with = provenance();
-  return nlohmann::ordered_json{{"brachisto", made_with.brachisto},
-                                {"ipopt", made_with.ipopt},
-                                {"mumps", made_with.mumps},
-                                {"blas", made_with.blas},
-                                {"suitesparse", made_with.suitesparse},
-                                {"compiler", made_with.compiler}}
-      .dump();
 }
 
 }  // namespace brachisto::report

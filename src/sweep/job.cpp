@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "brachisto/report/result_json.hpp"
-#include "io/input_bytes.hpp"
+#include "io/input_tree.hpp"
 
 namespace brachisto::sweep {
 

@@ -39,6 +39,7 @@ std::string outcome_json(const Solution& solution) {
   Json json = Json::parse(report::result_json(solution));
   json.erase("provenance");
   json.erase("scene");
+  json.erase("input");
   // A table has one message per scene; let it be the one that matters.
   if (solution.status == Status::Solved && !solution.verified()) {
     json["status"] = "not_verified";

@@ -197,7 +197,7 @@ def verbs():
     yield Case("verbs/points", ["solve", "case.yaml", "--json", "--out", "out"], {
         "p.csv": points.encode(),
         "case.yaml": b"scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
-                     b"path: {shape: points, points: p.csv}}\n"})
+                     b"path: {curve: track, shape: points, file: p.csv}}\n"})
     small = (PROBLEMS / "sweeps" / "small.yaml").read_bytes()
     yield Case("verbs/sweep", ["sweep", "case.yaml", "--out", "out"], {"case.yaml": small},
                [["export", "out", "--csv"], ["export", "out", "--json"], ["report", "out"],

@@ -11,7 +11,8 @@ Run before and after a change of structure, with the executables of both states.
 The input is every problem file, thousands of random scenes, input that is to be
 refused, and the verbs that go through families of scenes. Times, versions and
 machine do not count. What a change of the schema renamed stands in `schema.json`
-beside this file and is applied to what the reference says.
+beside this file and is applied to what the reference says; keys that it added there are
+left out of what the candidate says.
 """
 
 import argparse
@@ -72,7 +73,15 @@ def document(text):
     try:
         return without_times(json.loads(text, parse_float=str, parse_int=str))
     except ValueError:
-        return words(text)
+        pass
+    head, brace, tail = text.partition(":\n{")  # a document that words announce
+    if brace:
+        try:
+            return {"(words)": words(head), **without_times(
+                json.loads("{" + tail, parse_float=str, parse_int=str))}
+        except ValueError:
+            pass
+    return words(text)
 
 
 def without_times(value):
@@ -112,6 +121,17 @@ def translate(value, renamed, path=""):
         if name is not None:
             out[name] = translate(inner, renamed, here)
     return out
+
+
+def without(value, added, path=""):
+    """What the candidate says, without the keys that are new."""
+    if isinstance(value, list):
+        return [without(v, added, path) for v in value]
+    if not isinstance(value, dict):
+        return value
+    here = {key: f"{path}.{key}" if path else key for key in value}
+    return {key: without(v, added, here[key]) for key, v in value.items()
+            if here[key] not in added}
 
 
 def as_number(value):
@@ -174,6 +194,8 @@ def main():
         old, new = run(flags.reference, case), run(flags.candidate, case)
         old = {key: translate(value, schema["renamed"]) if isinstance(value, dict) else value
                for key, value in old.items()}
+        new = {key: without(value, schema["added"]) if isinstance(value, dict) else value
+               for key, value in new.items()}
         return case, list(differences(old, new, flags.arithmetic))
 
     counts, told = {}, 0

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "brachisto/io/key_table.hpp"
+#include "brachisto/report/result_json.hpp"
 #include "brachisto/study/solve.hpp"
 #include "io/expression.hpp"
 #include "io/key_spec.hpp"
@@ -21,8 +22,8 @@
 namespace brachisto::io {
 namespace {
 
-std::string documentation() {
-  std::ifstream file(BRACHISTO_SOURCE_DIR "/docs/problem-files.md");
+std::string documentation(const std::string& page = "problem-files.md") {
+  std::ifstream file(BRACHISTO_SOURCE_DIR "/docs/" + page);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -43,6 +44,13 @@ TEST(Documentation, QuotesTheTableOfKeys) {
             key_reference_markdown());
 }
 
+TEST(Documentation, QuotesTheTableOfResults) {
+  EXPECT_EQ(
+      between(documentation("results.md"), "<!-- begin key reference -->\n",
+              "<!-- end key reference -->"),
+      report::result_reference_markdown());
+}
+
 TEST(Documentation, ExampleIsRead) {
   const std::string example = between(documentation(), "```yaml\n", "```");
 
@@ -55,8 +63,8 @@ TEST(Documentation, ExampleHasEveryKey) {
   const std::string paths = between(documentation(), "## Given paths", "\n## ");
 
   for (const KeySpec& spec : key_table()) {
-    if (spec.type == KeyType::Reserved) continue;
-    if (spec.type == KeyType::Sweep) continue;  // makes it another file
+    if (spec.type() == KeyType::Reserved) continue;
+    if (spec.type() == KeyType::Sweep) continue;  // makes it another file
     // A given path makes it another problem, which has an example of its own.
     const bool of_path = spec.path.starts_with("scene.path");
     EXPECT_NE((of_path ? paths : example).find(std::string(spec.name()) + ":"),
@@ -198,15 +206,18 @@ TEST(KeyTable, TheDegreeOfAFixedMeshIsTheOneItTells) {
 
 TEST(KeyTable, IsComplete) {
   for (const KeySpec& spec : key_table()) {
-    if (spec.type == KeyType::Reserved) continue;
-    const bool number = spec.type == KeyType::Number ||
-                        spec.type == KeyType::Angle ||
-                        spec.type == KeyType::Integer;
+    if (spec.type() == KeyType::Reserved) continue;
+    const bool number = spec.type() == KeyType::Number ||
+                        spec.type() == KeyType::Angle ||
+                        spec.type() == KeyType::Integer;
     EXPECT_FALSE(spec.description.empty()) << spec.path;
-    EXPECT_EQ(spec.set != nullptr, number) << spec.path;
-    EXPECT_EQ(spec.read_list != nullptr, spec.type == KeyType::List)
+    EXPECT_EQ(spec.value.set != nullptr, number ||
+                                             spec.type() == KeyType::Choice ||
+                                             spec.type() == KeyType::Text)
         << spec.path;
-    EXPECT_EQ(choices_of(spec).empty(), spec.type != KeyType::Choice)
+    EXPECT_EQ(spec.value.read_list != nullptr, spec.type() == KeyType::List)
+        << spec.path;
+    EXPECT_EQ(spec.value.words.empty(), spec.type() != KeyType::Choice)
         << spec.path;
     EXPECT_TRUE(spec.parent().empty() || find_key(spec.parent()) != nullptr)
         << spec.path;

@@ -15,4 +15,9 @@ namespace brachisto::io {
 /// it.
 [[nodiscard]] std::string key_reference_markdown();
 
+/// A JSON Schema of problem files, made from the same table. It knows keys,
+/// types, words and the bounds of single values; what keys demand of each other
+/// the reader alone knows.
+[[nodiscard]] std::string problem_schema();
+
 }  // namespace brachisto::io

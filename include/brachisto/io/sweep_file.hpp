@@ -69,6 +69,10 @@ class SweepFile {
   /// \throws std::out_of_range  unless scene < num_scenes()
   [[nodiscard]] std::vector<SweepValue> values(std::size_t scene) const;
 
+  /// What the file and its overrides state, as one JSON document, which is a
+  /// problem file again. Expressions stay text.
+  [[nodiscard]] const std::string& stated() const;
+
  private:
   std::shared_ptr<const Content> content_;
 };

@@ -20,6 +20,13 @@ inline constexpr int kSchemaVersion = 2;
 /// verified; so is whatever the scene does not have.
 [[nodiscard]] std::string result_json(const Solution& solution);
 
+/// The reference of its keys as a Markdown table, made from the very table that
+/// writes them. docs/results.md quotes it.
+[[nodiscard]] std::string result_reference_markdown();
+
+/// A JSON Schema of the document, made from the same table.
+[[nodiscard]] std::string result_schema();
+
 /// The effective input, defaults filled in, as `validate --json` prints it.
 [[nodiscard]] std::string input_json(const Scene& scene,
                                      const SolveOptions& options);

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What joins a key to a problem: the part of the problem where it lives, and a
+/// member of that part. One such lens reads and writes.
+
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "io/key_spec.hpp"
+
+namespace brachisto::io {
+
+/// A part of a problem, which it need not have.
+template <class Part>
+struct Place {
+  const Part* (*find)(const ProblemFile&);  ///< nullptr: there is none
+  Part& (*make)(ProblemFile&);              ///< the part, made if need be
+};
+
+/// A part that every problem has, as a function without captures names it:
+/// [](auto& problem) -> auto& { return problem.scene; }.
+template <class Lens>
+[[nodiscard]] constexpr auto place(Lens) {
+  using Part =
+      std::remove_reference_t<std::invoke_result_t<Lens, ProblemFile&>>;
+  return Place<Part>{
+      [](const ProblemFile& problem) -> const Part* {
+        return &Lens{}(problem);
+      },
+      [](ProblemFile& problem) -> Part& { return Lens{}(problem); }};
+}
+
+template <class Value>
+struct Bare {
+  using type = Value;
+  static Json json(const Value& value) { return value; }
+};
+template <class Value>
+struct Bare<std::optional<Value>> {
+  using type = Value;
+  static Json json(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+  }
+};
+
+/// A number, an integer if the member is one; the member may be optional.
+template <class Part, class Value>
+[[nodiscard]] Binding number(Place<Part> place, Value Part::*member) {
+  using Stored = typename Bare<Value>::type;
+  return {
+      .type = std::is_integral_v<Stored> ? KeyType::Integer : KeyType::Number,
+      .get =
+          [=](const ProblemFile& problem) {
+            const Part* part = place.find(problem);
+            return part ? Bare<Value>::json(part->*member) : Json();
+          },
+      .set =
+          [=](ProblemFile& problem, const Json& value) {
+            place.make(problem).*member =
+                static_cast<Stored>(value.get<double>());
+          }};
+}
+
+template <class Part, class Value>
+[[nodiscard]] Binding angle(Place<Part> place, Value Part::*member) {
+  Binding binding = number(place, member);
+  binding.type = KeyType::Angle;
+  return binding;
+}
+
+/// One of some words, each of which stands for a value. Of a bool the words are
+/// those of JSON.
+template <class Part, class Value>
+[[nodiscard]] Binding choice(
+    Place<Part> place, Value Part::*member,
+    std::vector<std::pair<std::string_view, std::type_identity_t<Value>>>
+        words) {
+  Binding binding{.type = KeyType::Choice};
+  for (const auto& [word, value] : words) binding.words.push_back(word);
+  binding.get = [=](const ProblemFile& problem) -> Json {
+    const Part* part = place.find(problem);
+    if (part == nullptr) return {};
+    if constexpr (std::is_same_v<Value, bool>) return part->*member;
+    for (const auto& [word, value] : words) {
+      if (part->*member == value) return word;
+    }
+    return {};
+  };
+  binding.set = [=](ProblemFile& problem, const Json& chosen) {
+    for (const auto& [word, value] : words) {
+      if (word == chosen.get_ref<const std::string&>()) {
+        place.make(problem).*member = value;
+      }
+    }
+  };
+  return binding;
+}
+
+template <class Part>
+[[nodiscard]] Binding yes_or_no(Place<Part> place, bool Part::*member) {
+  return choice(place, member, {{"true", true}, {"false", false}});
+}
+
+/// A map of further keys.
+[[nodiscard]] inline Binding map() {
+  return {.type = KeyType::Map};
+}
+
+/// The same where a problem need not have the part that they are about.
+template <class Part>
+[[nodiscard]] Binding map(Place<Part> place) {
+  return {.type = KeyType::Map, .get = [=](const ProblemFile& problem) {
+            return place.find(problem) ? Json::object() : Json();
+          }};
+}
+
+}  // namespace brachisto::io

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "io/effective_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace brachisto::io {
+
+namespace {
+
+/// Adds the keys of a section to a document.
+void add_section(Json& document, const ProblemFile& problem,
+                 std::string_view section) {
+  std::string absent = "\n";  // the map that the problem does not have
+  for (const KeySpec& spec : key_table()) {
+    const bool inside = spec.path == section ||
+                        spec.path.starts_with(fmt::format("{}.", section));
+    const bool of_another_body =
+        spec.of_cylinder() && !problem.scene.body.rolls();
+    if (!inside || !spec.value.get || of_another_body ||
+        spec.path.starts_with(absent)) {
+      continue;
+    }
+    Json value = spec.value.get(problem);
+    if (spec.type() == KeyType::Map) {
+      if (!value.is_null()) continue;
+      absent = fmt::format("{}.", spec.path);
+    }
+    if (spec.type() == KeyType::List && value.is_null()) continue;
+    Json* place = &document;
+    for (const std::string& part : parts_of(spec.path)) {
+      place = &(*place)[part];
+    }
+    *place = std::move(value);
+  }
+}
+
+void drop_nulls(YamlValue& map, const std::string& path) {
+  std::erase_if(map.entries, [&](Entry& entry) {
+    const std::string key = path + entry.key;
+    if (find_key(key) == nullptr) return false;
+    drop_nulls(entry.value, key + '.');
+    return entry.value.kind == YamlValue::Kind::Null &&
+           !entry.value.text.empty();
+  });
+}
+
+}  // namespace
+
+Json effective_input(const Scene& scene, const SolveOptions& options) {
+  ProblemFile problem;
+  problem.scene = scene;
+  problem.options = options;
+  Json document;
+  for (const char* section : {"scene", "discretisation", "solver"}) {
+    add_section(document, problem, section);
+  }
+  return document;
+}
+
+Json effective_section(const ProblemFile& problem, std::string_view section) {
+  Json document;
+  add_section(document, problem, section);
+  return document.at(section);
+}
+
+Json stated_input(const YamlValue& tree) {
+  switch (tree.kind) {
+    case YamlValue::Kind::Map: {
+      Json map = Json::object();
+      for (const Entry& entry : tree.entries) {
+        map[entry.key] = stated_input(entry.value);
+      }
+      return map;
+    }
+    case YamlValue::Kind::List: {
+      Json list = Json::array();
+      for (const YamlValue& item : tree.items) {
+        list.push_back(stated_input(item));
+      }
+      return list;
+    }
+    case YamlValue::Kind::Scalar: {
+      Json literal = Json::parse(tree.text, nullptr, false);
+      return literal.is_number() || literal.is_boolean() ? literal
+                                                         : Json(tree.text);
+    }
+    case YamlValue::Kind::Null:
+    case YamlValue::Kind::Refused:
+      break;
+  }
+  return {};
+}
+
+void take_input(YamlValue& root) {
+  if (root.find("schema_version") == nullptr) return;
+  if (Entry* input = root.find("input")) {
+    YamlValue problem = std::move(input->value);
+    root = std::move(problem);
+    return;
+  }
+  std::erase_if(root.entries, [](const Entry& entry) {
+    return entry.key == "schema_version" || entry.key == "valid";
+  });
+}
+
+void drop_nulls(YamlValue& root) {
+  drop_nulls(root, "");
+}
+
+}  // namespace brachisto::io

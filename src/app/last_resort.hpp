@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The end of a solve that cannot be stopped in order: while Ipopt prepares its
-// matrix, and while MUMPS or KLU factorises one, nobody looks at the clock or
-// at signals, at a million nodes for seconds.
+// The end of a solve that does not stop in order soon enough: while Ipopt
+// prepares its matrix, and while MUMPS or KLU factorises one, nobody looks at
+// the clock or at signals, at a million nodes for seconds; and a machine may be
+// too busy.
 
 #pragma once
 

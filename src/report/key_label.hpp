@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/sweep/sweep_table.hpp"
+#include "brachisto/report/sweep_table.hpp"
 #include "report/axis.hpp"
 
 namespace brachisto::report {

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string>
 
-#include "brachisto/sweep/sweep_table.hpp"
+#include "brachisto/report/sweep_table.hpp"
 #include "sweep/job.hpp"
 #include "sweep/store.hpp"
 

@@ -36,10 +36,11 @@ TEST(SizeEstimate, IsBelowWhatSolvesWereMeasuredToTake) {
   // A million nodes: 10.2 s and 3.5 GB; on pieces 4.2 s and 1.7 GB.
   SolveOptions options;
   options.discretisation.nodes = 1'000'001;
-  EXPECT_LT(estimate_size(0.0, options).seconds, 10.2);
+  // A machine five times as fast is not refused what it can do.
+  EXPECT_LT(estimate_size(0.0, options).seconds, 10.2 / 5.0);
   EXPECT_LT(estimate_size(0.0, options).bytes, 3.5e9);
   options.discretisation.formulation = Formulation::ArcLength;
-  EXPECT_LT(estimate_size(0.0, options).seconds, 4.2);
+  EXPECT_LT(estimate_size(0.0, options).seconds, 4.2 / 3.0);
   EXPECT_LT(estimate_size(0.0, options).bytes, 1.7e9);
   // And not so far below that nothing would ever be refused.
   EXPECT_GT(large.seconds, 23.0 / 4.0);

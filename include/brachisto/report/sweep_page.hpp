@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
-#include "brachisto/sweep/sweep_table.hpp"
+#include "brachisto/report/sweep_table.hpp"
 
 namespace brachisto::report {
 

@@ -8,7 +8,7 @@
 
 #include "brachisto/paper/discrete_variations.hpp"
 #include "brachisto/solvers/damped_newton.hpp"
-#include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/discrete_answer.hpp"
 #include "fsolve/mean_time.hpp"
 #include "math/cpu_clock.hpp"
 #include "paper/newton_steps.hpp"
@@ -87,14 +87,15 @@ DiscreteRun run_simplified(const Scene& scene, const DiscreteTask& task) {
 
 DiscreteRun run_here(const Scene& scene, const DiscreteTask& task) {
   if (task.arm == Arm::Simplified) return run_simplified(scene, task);
-  FsolveOptions options;
+  DiscreteSystem options;
+  options.nodes = task.nodes;
   options.reading = reading_of(task);
-  options.variant = task.arm == Arm::Newton   ? FsolveVariant::Newton
-                    : task.arm == Arm::Lifted ? FsolveVariant::Lifted
-                                              : FsolveVariant::Hybrid;
-  FsolveAnswer answer;
+  options.solver = task.arm == Arm::Newton   ? DiscreteSolver::Newton
+                   : task.arm == Arm::Lifted ? DiscreteSolver::Lifted
+                                             : DiscreteSolver::Hybrid;
+  DiscreteAnswer answer;
   const MeanTime time = mean_time([&] {
-    answer = fsolve_answer(scene, task.nodes, options);
+    answer = solve_discrete_system(scene, options);
     return answer.cpu_seconds;
   });
   DiscreteRun run;

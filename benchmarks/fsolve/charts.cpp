@@ -120,8 +120,9 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
       if (!one->points.empty()) chart.curves.push_back(std::move(*one));
     }
   }
-  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
-    const bool ipopt = method == Method::Ipopt;
+  for (const ProgramSolver method :
+       {ProgramSolver::Ipopt, ProgramSolver::NewtonKkt}) {
+    const bool ipopt = method == ProgramSolver::Ipopt;
     Curve ours{.name = fmt::format("rolling time p = 5, {}",
                                    ipopt ? "Ipopt" : "Newton"),
                .points = {},

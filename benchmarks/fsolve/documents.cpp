@@ -72,7 +72,7 @@ std::string origin_json(const FsolveFindings& found) {
       {"options",
        {{"cap_seconds", found.cap},
         {"start", "cycloid"},
-        {"residual", FsolveOptions{}.tolerance},
+        {"residual", DiscreteSystem{}.tolerance},
         {"scipy", "xtol 1.49012e-8, as fsolve has it"},
         {"octave", "TolX = TolFun = 1e-10, Updating on"},
         {"threads", 1}}},

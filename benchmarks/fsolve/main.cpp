@@ -38,7 +38,7 @@ struct Flags {
 
 Solution solve_reference(const Scene& scene) {
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
   Solution solution = solve(scene, options);
   if (!solution.verified()) {
     throw std::runtime_error("no verified reference: " + solution.message);
@@ -157,7 +157,8 @@ void run_rolling(const Scene& scene, const Flags& flags,
   fmt::print(stderr, "rolling_time\n");
   found.menu = rolling_menu(scene, found.exact_tau);
   constexpr int kDegree = 5;
-  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
+  for (const ProgramSolver method :
+       {ProgramSolver::Ipopt, ProgramSolver::NewtonKkt}) {
     for (const int nodes : flags.rolling) {
       found.growth.push_back(time_whole(
           scene, on_mesh(method, kDegree, nodes / kDegree), found.exact_tau));
@@ -165,7 +166,7 @@ void run_rolling(const Scene& scene, const Flags& flags,
   }
   for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10, 1e-12}) {
     SolveOptions options;
-    options.discretisation.tolerance = tolerance;
+    options.use<Collocation>().discretisation.tolerance = tolerance;
     found.wanted.push_back(time_whole(scene, options, found.exact_tau));
     found.tolerances.push_back(tolerance);
   }

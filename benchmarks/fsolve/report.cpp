@@ -135,7 +135,7 @@ std::string ratios(const FsolveFindings& found, Work work) {
       table.push_back(
           {fmt::format("{}", nodes), name(arm), significant(accuracy->error),
            time_text(run), mesh_text(*ours),
-           ours->way.method == Method::Ipopt ? "Ipopt" : "Newton",
+           ours->way.method == ProgramSolver::Ipopt ? "Ipopt" : "Newton",
            significant(ours->error), milliseconds(ours->cpu_seconds),
            run->timed()
                ? fmt::format("{}{}", run->solved() ? "" : "> ",
@@ -164,14 +164,15 @@ std::string exponents(const FsolveFindings& found) {
                            std::log(double{kTo} / kFrom))});
     }
   }
-  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
+  for (const ProgramSolver method :
+       {ProgramSolver::Ipopt, ProgramSolver::NewtonKkt}) {
     const RollingRun* previous = nullptr;
     for (const RollingRun& run : found.growth) {
       if (run.way.method != method || !run.solved) continue;
       if (previous != nullptr) {
         table.push_back(
             {fmt::format("rolling_time, {}",
-                         method == Method::Ipopt ? "Ipopt" : "Newton"),
+                         method == ProgramSolver::Ipopt ? "Ipopt" : "Newton"),
              "", fmt::format("{} – {}", previous->nodes, run.nodes),
              fmt::format("{} – {}", seconds(previous->cpu_seconds),
                          seconds(run.cpu_seconds)),

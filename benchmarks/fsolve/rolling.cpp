@@ -19,11 +19,11 @@ namespace {
 
 /// τ on a uniform mesh; nothing if the solver fails.
 std::optional<double> solve_on(const Scene& scene, const CycloidArc& arc,
-                               const Mesh& mesh, Method method) {
+                               const Mesh& mesh, ProgramSolver method) {
   const double phi = arc.slope_angle(arc.psi_end);
   RollingTime problem(in_natural_units(scene), mesh, phi);
   MeshOptions options;
-  options.newton_alone = method == Method::NewtonKkt;
+  options.newton_alone = method == ProgramSolver::NewtonKkt;
   // Newton's method needs multipliers, which the cycloid has as the extremal of
   // the axisymmetric body; Ipopt estimates its own.
   const PrimalDual start = options.newton_alone ? cycloid_extremal(problem, arc)
@@ -35,8 +35,8 @@ std::optional<double> solve_on(const Scene& scene, const CycloidArc& arc,
   return Trajectory(curve, scene, natural_units(scene)).tau();
 }
 
-RollingRun time_on_mesh(const Scene& scene, const Mesh& mesh, Method method,
-                        double exact_tau) {
+RollingRun time_on_mesh(const Scene& scene, const Mesh& mesh,
+                        ProgramSolver method, double exact_tau) {
   std::optional<double> tau;
   const MeanTime time = mean_time([&] {
     const double begin = process_cpu_seconds();
@@ -58,7 +58,7 @@ RollingRun time_on_mesh(const Scene& scene, const Mesh& mesh, Method method,
 
 std::string name(const Way& way) {
   return std::string(way.work == Work::OnMesh ? "on the mesh" : "whole solve") +
-         (way.method == Method::Ipopt ? ", Ipopt" : ", Newton");
+         (way.method == ProgramSolver::Ipopt ? ", Ipopt" : ", Newton");
 }
 
 RollingRun time_whole(const Scene& scene, const SolveOptions& options,
@@ -69,7 +69,7 @@ RollingRun time_whole(const Scene& scene, const SolveOptions& options,
     return solution->effort.cpu_seconds;
   });
   RollingRun run;
-  run.way = {Work::Whole, options.method};
+  run.way = {Work::Whole, options.or_default<Collocation>().solver};
   run.cpu_seconds = time.seconds;
   run.repetitions = time.repetitions;
   run.solved = solution->status == Status::Solved && solution->trajectory();
@@ -83,17 +83,19 @@ RollingRun time_whole(const Scene& scene, const SolveOptions& options,
   return run;
 }
 
-SolveOptions on_mesh(Method method, int degree, int elements) {
+SolveOptions on_mesh(ProgramSolver method, int degree, int elements) {
   SolveOptions options;
-  options.method = method;
-  options.discretisation.degree = degree;
-  options.discretisation.elements = elements;
+  auto& program = options.use<Collocation>();
+  program.solver = method;
+  program.discretisation.degree = degree;
+  program.discretisation.elements = elements;
   return options;
 }
 
 std::vector<RollingRun> rolling_menu(const Scene& scene, double exact_tau) {
   std::vector<RollingRun> menu;
-  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
+  for (const ProgramSolver method :
+       {ProgramSolver::Ipopt, ProgramSolver::NewtonKkt}) {
     for (int degree = kMinDegree; degree <= kMaxDegree; ++degree) {
       for (const int elements :
            {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 64}) {

@@ -28,7 +28,7 @@ enum class Work {
 
 struct Way {
   Work work = Work::Whole;
-  Method method = Method::Ipopt;
+  ProgramSolver method = ProgramSolver::Ipopt;
 
   friend bool operator==(const Way&, const Way&) = default;
 };
@@ -53,7 +53,8 @@ struct RollingRun {
                                     double exact_tau);
 
 /// Options of a solve on a uniform mesh.
-[[nodiscard]] SolveOptions on_mesh(Method method, int degree, int elements);
+[[nodiscard]] SolveOptions on_mesh(ProgramSolver method, int degree,
+                                   int elements);
 
 /// Every degree on many uniform meshes, in all four ways, each timed.
 [[nodiscard]] std::vector<RollingRun> rolling_menu(const Scene& scene,

@@ -30,8 +30,8 @@ std::vector<KnownScene> gallery_scenes(const std::string& folder, int jobs,
     if (entry.path().extension() != ".yaml") continue;
     if (!read_intent(path).criterion.wants_a_path()) continue;
     const io::ProblemFile problem = io::read_problem_file(path);
-    if (problem.options.search == Search::Global ||
-        problem.options.guess != Guess::Cycloid) {
+    if (problem.options.of<Collocation>()->search == Search::Global ||
+        problem.options.of<Collocation>()->guess != Guess::Cycloid) {
       continue;
     }
     wanted.push_back({entry.path().stem().string(), problem.scene, 0.0});

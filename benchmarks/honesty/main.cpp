@@ -25,7 +25,7 @@ namespace {
 
 Measurement measure(const KnownScene& known, double tolerance) {
   SolveOptions options;
-  options.discretisation.tolerance = tolerance;
+  options.use<Collocation>().discretisation.tolerance = tolerance;
   const Solution solution = solve(known.scene, options);
   Measurement measured;
   measured.tolerance = tolerance;

@@ -31,22 +31,22 @@ using namespace brachisto;
 struct Way {
   const char* name;
   Formulation formulation;
-  Method method;
+  ProgramSolver method;
   LinearSolver linear_solver;
 };
 
 constexpr Way kWays[] = {
-    {"rolling_time, Newton, chain", Formulation::RollingTime, Method::NewtonKkt,
+    {"rolling_time, Newton, chain", Formulation::RollingTime,
+     ProgramSolver::NewtonKkt, LinearSolver::Chain},
+    {"rolling_time, Ipopt, chain", Formulation::RollingTime,
+     ProgramSolver::Ipopt, LinearSolver::Chain},
+    {"rolling_time, Ipopt, MUMPS", Formulation::RollingTime,
+     ProgramSolver::Ipopt, LinearSolver::Mumps},
+    {"arc_length, Newton, chain", Formulation::ArcLength,
+     ProgramSolver::NewtonKkt, LinearSolver::Chain},
+    {"arc_length, Ipopt, chain", Formulation::ArcLength, ProgramSolver::Ipopt,
      LinearSolver::Chain},
-    {"rolling_time, Ipopt, chain", Formulation::RollingTime, Method::Ipopt,
-     LinearSolver::Chain},
-    {"rolling_time, Ipopt, MUMPS", Formulation::RollingTime, Method::Ipopt,
-     LinearSolver::Mumps},
-    {"arc_length, Newton, chain", Formulation::ArcLength, Method::NewtonKkt,
-     LinearSolver::Chain},
-    {"arc_length, Ipopt, chain", Formulation::ArcLength, Method::Ipopt,
-     LinearSolver::Chain},
-    {"arc_length, Ipopt, MUMPS", Formulation::ArcLength, Method::Ipopt,
+    {"arc_length, Ipopt, MUMPS", Formulation::ArcLength, ProgramSolver::Ipopt,
      LinearSolver::Mumps}};
 
 /// The phases that the table shows; the CSV has all.
@@ -94,10 +94,11 @@ int nodes_of(const Way& way, int wanted) {
 Record run(const Task& task) {
   const Way& way = kWays[task.way];
   SolveOptions options;
-  options.method = way.method;
-  options.linear_solver = way.linear_solver;
-  options.discretisation.formulation = way.formulation;
-  options.discretisation.nodes = nodes_of(way, task.nodes);
+  auto& program = options.use<Collocation>();
+  program.solver = way.method;
+  program.linear_solver = way.linear_solver;
+  program.discretisation.formulation = way.formulation;
+  program.discretisation.nodes = nodes_of(way, task.nodes);
   const Solution solution = solve(reference_case(), options);
   Record record{};
   record.verified = solution.verified();
@@ -117,7 +118,7 @@ Record run(const Task& task) {
 
 double exact_tau() {
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
   const Solution solution = solve(reference_case(), options);
   if (!solution.verified()) {
     throw std::runtime_error("no verified reference: " + solution.message);

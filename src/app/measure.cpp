@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 struct MeasureFlags : CommonFlags {
   int repetitions = 1;
   double seconds = 60.0;
-  double residual = FsolveOptions{}.tolerance;  ///< of the discrete system
+  double residual = DiscreteSystem{}.tolerance;  ///< of the discrete system
 };
 
 /// A run that takes longer is not thrown away as a warm-up: caches and page
@@ -61,14 +61,16 @@ Json tau_of(const Solution& solution) {
 /// Those that the method itself solves for.
 Json unknowns_of(const Solution& solution) {
   if (solution.discrete()) return solution.discrete()->unknowns;
-  if (solution.options.method == Method::Extremal) return nullptr;
+  if (solution.options.of<Shooting>() != nullptr) return nullptr;
   const ProgramSize* program = solution.program();
   return program != nullptr ? Json(program->variables) : Json(nullptr);
 }
 
 int run(const MeasureFlags& flags) {
   io::ProblemFile problem = io::read_problem_file(flags.file, flags.overrides);
-  problem.options.fsolve.tolerance = flags.residual;
+  if (problem.options.of<DiscreteSystem>() != nullptr) {
+    problem.options.use<DiscreteSystem>().tolerance = flags.residual;
+  }
   const WallClock::time_point begin = WallClock::now();
   const Solution solution = solve(problem.scene, problem.options);
   const Json line = {{"cpu", repeat(problem, flags, solution, begin)},

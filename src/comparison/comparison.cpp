@@ -20,40 +20,39 @@ using Kind = ComparedMethod::Kind;
 
 struct Contender {
   std::string label;
-  std::vector<std::string> overrides;
-  bool discrete_system = false;
-  bool nonlinear_program = false;
+  SolveOptions options;
 };
 
-Contender contender(const ComparedMethod& method, int mesh,
-                    const Subject& subject) {
-  return {label(method), overrides(method, mesh, subject.problem),
-          method.kind == Kind::Fsolve,
-          method.kind == Kind::RollingTime || method.kind == Kind::ArcLength};
-}
-
 /// In the order of the table; the first one is the extremal method.
-std::vector<Contender> contenders(const Subject& subject, int nodes) {
+std::vector<Contender> contenders(const SolveOptions& base, int nodes,
+                                  double residual) {
   constexpr int kDegree = 5;
-  std::vector<Contender> all{contender({.kind = Kind::Extremal}, 0, subject)};
+  const auto contender = [&](const ComparedMethod& method, int mesh) {
+    Contender out{label(method), options_of(method, mesh, base)};
+    if (out.options.of<Collocation>() != nullptr) {
+      out.options.use<Collocation>().tolerance = residual;
+    }
+    if (out.options.of<DiscreteSystem>() != nullptr) {
+      out.options.use<DiscreteSystem>().tolerance = residual;
+    }
+    return out;
+  };
+  std::vector<Contender> all{contender({.kind = Kind::Extremal}, 0)};
   // On the mesh that the wanted accuracy asks for, not on one with n nodes.
-  Contender by_tolerance = contender(rolling_time(kDegree), 1, subject);
+  Contender by_tolerance = contender(rolling_time(kDegree), 1);
   by_tolerance.label = "rolling_time";
-  by_tolerance.overrides.emplace_back("discretisation={}");
+  by_tolerance.options.use<Collocation>().discretisation = {};
   all.push_back(by_tolerance);
-  all.push_back(contender(rolling_time(kDegree),
-                          std::max(1, (nodes - 1) / kDegree), subject));
-  if (accepts("solver.method", "newton_kkt")) {
-    Contender newton = all.back();
-    newton.label += ", newton";
-    newton.overrides.emplace_back("solver.method=newton_kkt");
-    all.push_back(newton);
-  }
-  const ComparedMethod pieces{.kind = Kind::ArcLength};
-  if (available(pieces)) all.push_back(contender(pieces, nodes - 1, subject));
-  for (const FsolveArm arm : {FsolveArm::Rest, FsolveArm::Release,
-                              FsolveArm::Newton, FsolveArm::Lifted}) {
-    all.push_back(contender(fsolve(arm), nodes, subject));
+  all.push_back(
+      contender(rolling_time(kDegree), std::max(1, (nodes - 1) / kDegree)));
+  Contender newton = all.back();
+  newton.label += ", newton";
+  newton.options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
+  all.push_back(newton);
+  all.push_back(contender({.kind = Kind::ArcLength}, nodes - 1));
+  for (const DiscreteArm arm : {DiscreteArm::Rest, DiscreteArm::Release,
+                                DiscreteArm::Newton, DiscreteArm::Lifted}) {
+    all.push_back(contender(discrete_system(arm), nodes));
   }
   return all;
 }
@@ -100,18 +99,15 @@ MethodComparison compare_methods(const Subject& subject,
                                  const ComparisonOptions& options,
                                  const Hooks& hooks) {
   MethodComparison out{subject, options, {}, {}};
-  for (const Contender& one : contenders(subject, options.nodes)) {
+  for (const Contender& one :
+       contenders(subject.problem.options, options.nodes, options.residual)) {
     if (hooks.announce) hooks.announce(one.label);
-    Experiment experiment{subject.file, subject.overrides, options.repetitions,
-                          options.seconds, options.residual};
-    experiment.overrides.insert(experiment.overrides.end(),
-                                one.overrides.begin(), one.overrides.end());
-    if (one.nonlinear_program) {
-      experiment.overrides.push_back(
-          fmt::format("solver.tolerance={}", options.residual));
-    }
-    ComparisonRow row{one.label, one.discrete_system,
-                      measure(experiment, hooks.interrupt), std::nullopt};
+    const bool discrete = one.options.of<DiscreteSystem>() != nullptr;
+    ComparisonRow row{one.label, discrete,
+                      measure({subject.file, subject.overrides, one.options,
+                               options.repetitions, options.seconds},
+                              hooks.interrupt),
+                      std::nullopt};
     if (out.rows.empty()) out.reference = reference_in(row.run);
     if (out.reference && row.run.solved()) {
       row.error = error_of(row.run, *out.reference);

@@ -68,7 +68,7 @@ struct ComparisonOptions {
   double seconds = 60.0;  ///< wall clock, of each method
   /// At which the iterations of all methods stop: of the KKT conditions, and of
   /// the discrete system. The hybrid method makes no progress below about 1e-8.
-  double residual = FsolveOptions{}.tolerance;
+  double residual = DiscreteSystem{}.tolerance;
 };
 
 struct MethodComparison {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "brachisto/report/result_json.hpp"
 #include "sweep/child_process.hpp"
 
 namespace brachisto::comparison {
@@ -103,11 +104,18 @@ Measurement measure(const Experiment& experiment,
   for (const std::string& change : experiment.overrides) {
     arguments.insert(arguments.end(), {"--set", change});
   }
-  arguments.insert(
-      arguments.end(),
-      {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
-       fmt::format("{}", experiment.seconds), "--residual",
-       fmt::format("{}", experiment.discrete_residual)});
+  const auto options =
+      nlohmann::ordered_json::parse(report::input_json({}, experiment.options));
+  for (const char* section : {"discretisation", "solver"}) {
+    arguments.insert(
+        arguments.end(),
+        {"--set", fmt::format("{}={}", section, options.at(section).dump())});
+  }
+  const auto system = experiment.options.or_default<DiscreteSystem>();
+  arguments.insert(arguments.end(),
+                   {"--repetitions", fmt::format("{}", experiment.repetitions),
+                    "--seconds", fmt::format("{}", experiment.seconds),
+                    "--residual", fmt::format("{}", system.tolerance)});
   const ChildRun run = sweep::run_child("/proc/self/exe", arguments,
                                         experiment.seconds, interrupt);
   Measurement out;

@@ -21,10 +21,9 @@ namespace brachisto::comparison {
 struct Experiment {
   std::string file;                    ///< problem file
   std::vector<std::string> overrides;  ///< KEY=VALUE, the last one wins
+  SolveOptions options;                ///< in place of what the file says
   int repetitions = 1;                 ///< timed runs, at most
   double seconds = 60.0;               ///< wall clock, all repetitions together
-  /// Of the discrete system, at which its iterations stop.
-  double discrete_residual = FsolveOptions{}.tolerance;
 };
 
 /// What came of it.

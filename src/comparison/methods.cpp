@@ -6,80 +6,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "brachisto/report/result_json.hpp"
 #include "brachisto/transcription/discretisation.hpp"
-#include "io/key_spec.hpp"
 
 namespace brachisto::comparison {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = ComparedMethod::Kind;
 
-const char* name(FsolveArm arm) {
+const char* name(DiscreteArm arm) {
   switch (arm) {
-    case FsolveArm::Rest:
+    case DiscreteArm::Rest:
       return "rest";
-    case FsolveArm::Release:
+    case DiscreteArm::Release:
       return "release";
-    case FsolveArm::Newton:
+    case DiscreteArm::Newton:
       return "newton";
-    case FsolveArm::Lifted:
+    case DiscreteArm::Lifted:
       return "lifted";
   }
   return "";
 }
 
-bool hybrid(FsolveArm arm) {
-  return arm == FsolveArm::Rest || arm == FsolveArm::Release;
-}
-
-Json mesh_of(const ComparedMethod& method, int mesh) {
-  switch (method.kind) {
-    case Kind::RollingTime:
-      return {{"formulation", "rolling_time"},
-              {"degree", method.degree},
-              {"elements", mesh}};
-    case Kind::ArcLength:
-      return {{"formulation", "arc_length"}, {"elements", mesh}};
-    case Kind::Fsolve:
-      return {{"nodes", mesh}};
-    case Kind::Extremal:
+void take_arm(DiscreteArm arm, DiscreteSystem& system) {
+  using Datum = DiscreteReading::Datum;
+  switch (arm) {
+    case DiscreteArm::Rest:
+    case DiscreteArm::Release:
+      system.solver = DiscreteSolver::Hybrid;
+      system.reading.datum =
+          arm == DiscreteArm::Rest ? Datum::Rest : Datum::Release;
       break;
-  }
-  return Json::object();
-}
-
-/// \param stated  the section as it is in force
-Json solver_of(const ComparedMethod& method, const Json& stated) {
-  const Json seconds = {{"seconds", stated.at("limits").at("seconds")}};
-  switch (method.kind) {
-    case Kind::Extremal:
-      return {{"method", "extremal"}, {"limits", seconds}};
-    case Kind::Fsolve: {
-      Json reading = stated.at("fsolve");
-      reading["variant"] = hybrid(method.arm) ? "hybrid" : name(method.arm);
-      if (hybrid(method.arm)) {
-        reading["datum"] = name(method.arm);
-      } else {
-        reading.erase("epsilon");  // they have exact derivatives
-      }
-      return {{"method", "fsolve"},
-              {"limits", stated.at("limits")},
-              {"fsolve", reading}};
-    }
-    case Kind::RollingTime:
-    case Kind::ArcLength:
+    case DiscreteArm::Newton:
+      system.solver = DiscreteSolver::Newton;
       break;
+    case DiscreteArm::Lifted:
+      system.solver = DiscreteSolver::Lifted;
   }
-  return {{"method", "ipopt"},
-          {"linear_solver", stated.at("linear_solver")},
-          {"tolerance", stated.at("tolerance")},
-          {"polish", stated.at("polish")},
-          {"limits", stated.at("limits")}};
 }
 
 }  // namespace
@@ -92,7 +56,7 @@ std::string label(const ComparedMethod& method) {
       return "arc_length";
     case Kind::Extremal:
       return "extremal";
-    case Kind::Fsolve:
+    case Kind::DiscreteSystem:
       return fmt::format("fsolve {}", name(method.arm));
   }
   return "";
@@ -107,16 +71,6 @@ std::string identifier(const ComparedMethod& method) {
   return id;
 }
 
-bool accepts(std::string_view key, std::string_view word) {
-  const io::KeySpec* spec = io::find_key(key);
-  return spec != nullptr && io::objection(*spec, word).empty();
-}
-
-bool available(const ComparedMethod& method) {
-  return method.kind != Kind::ArcLength ||
-         accepts("discretisation.formulation", "arc_length");
-}
-
 bool has_meshes(const ComparedMethod& method) {
   return method.kind != Kind::Extremal;
 }
@@ -124,7 +78,7 @@ bool has_meshes(const ComparedMethod& method) {
 int smallest_mesh(const ComparedMethod& method) {
   switch (method.kind) {
     case Kind::ArcLength:
-    case Kind::Fsolve:  // with fewer, too: chords that make no path
+    case Kind::DiscreteSystem:  // with fewer, too: chords that make no path
       return kFewestPieces;
     case Kind::RollingTime:
     case Kind::Extremal:
@@ -140,18 +94,39 @@ std::optional<int> promised_order(const ComparedMethod& method) {
     case Kind::ArcLength:
       return 2;
     case Kind::Extremal:
-    case Kind::Fsolve:
+    case Kind::DiscreteSystem:
       break;
   }
   return std::nullopt;
 }
 
-std::vector<std::string> overrides(const ComparedMethod& method, int mesh,
-                                   const io::ProblemFile& base) {
-  const Json stated =
-      Json::parse(report::input_json(base.scene, base.options)).at("solver");
-  return {"discretisation=" + mesh_of(method, mesh).dump(),
-          "solver=" + solver_of(method, stated).dump()};
+SolveOptions options_of(const ComparedMethod& method, int mesh,
+                        const SolveOptions& base) {
+  SolveOptions options{.method = {}, .limits = base.limits};
+  const auto stated = base.or_default<Collocation>();
+  auto& program = options.use<Collocation>();
+  program.linear_solver = stated.linear_solver;
+  program.tolerance = stated.tolerance;
+  program.polish = stated.polish;
+  program.discretisation.elements = mesh;
+  switch (method.kind) {
+    case Kind::RollingTime:
+      program.discretisation.degree = method.degree;
+      break;
+    case Kind::ArcLength:
+      program.discretisation.formulation = Formulation::ArcLength;
+      break;
+    case Kind::Extremal:
+      options.method = Shooting{};
+      break;
+    case Kind::DiscreteSystem: {
+      auto system = base.or_default<DiscreteSystem>();
+      system.nodes = mesh;
+      take_arm(method.arm, system);
+      options.method = system;
+    }
+  }
+  return options;
 }
 
 }  // namespace brachisto::comparison

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Methods by name, and as keys of a problem file.
+/// Methods by name, and what they are run with.
 
 #pragma once
 
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "brachisto/io/problem_file.hpp"
-#include "brachisto/study/work_precision_plan.hpp"
+#include "brachisto/io/work_precision_plan.hpp"
+#include "brachisto/study/solve_options.hpp"
 
 namespace brachisto::comparison {
 
@@ -21,12 +19,6 @@ namespace brachisto::comparison {
 
 /// Without spaces: "rolling_time_3", "fsolve_rest".
 [[nodiscard]] std::string identifier(const ComparedMethod& method);
-
-/// Whether the key of a problem file may have that value.
-[[nodiscard]] bool accepts(std::string_view key, std::string_view word);
-
-/// Whether this program has the method.
-[[nodiscard]] bool available(const ComparedMethod& method);
 
 /// Whether a mesh makes a difference to it.
 [[nodiscard]] bool has_meshes(const ComparedMethod& method);
@@ -38,12 +30,10 @@ namespace brachisto::comparison {
 /// it promises none.
 [[nodiscard]] std::optional<int> promised_order(const ComparedMethod& method);
 
-/// What makes the problem one of this method on that mesh, in the place of all
-/// that it says of discretisation and solver but for its tolerance, linear
-/// solver, limits and reading of the discrete system. All start from the
-/// cycloid.
-[[nodiscard]] std::vector<std::string> overrides(const ComparedMethod& method,
-                                                 int mesh,
-                                                 const io::ProblemFile& base);
+/// Options of this method on that mesh. Of the options of the problem it takes
+/// the limits and, where it has them, tolerance, linear solver, polishing and
+/// the reading of the discrete system. All methods start from the cycloid.
+[[nodiscard]] SolveOptions options_of(const ComparedMethod& method, int mesh,
+                                      const SolveOptions& base);
 
 }  // namespace brachisto::comparison

@@ -52,12 +52,10 @@ class Campaign {
       hooks_.announce(mesh > 0 ? fmt::format("{}, {}", label(method), mesh)
                                : label(method));
     }
-    Experiment experiment{subject_.file, subject_.overrides, repetitions,
-                          plan_.seconds_per_point};
-    for (std::string& change : overrides(method, mesh, subject_.problem)) {
-      experiment.overrides.push_back(std::move(change));
-    }
-    return measure(experiment, hooks_.interrupt);
+    return measure({subject_.file, subject_.overrides,
+                    options_of(method, mesh, subject_.problem.options),
+                    repetitions, plan_.seconds_per_point},
+                   hooks_.interrupt);
   }
 
   const Subject& subject_;
@@ -92,7 +90,6 @@ WorkPrecision run_work_precision(const Subject& subject,
   const Campaign campaign(subject, plan, hooks);
   WorkPrecision out{subject, plan, campaign.reference(), {}};
   for (const ComparedMethod& method : plan.methods) {
-    if (!available(method)) continue;
     out.lines.push_back(campaign.line(method, out.reference));
     out.lines.back().order = order_of(out.lines.back(), out.floor());
   }

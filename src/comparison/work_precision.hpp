@@ -48,10 +48,13 @@ struct WorkPrecision {
   /// most is not of the discretisation. The solver leaves the KKT tolerance or,
   /// if the last digits are polished, rounding.
   [[nodiscard]] double floor() const;
-  [[nodiscard]] bool polished() const { return subject.problem.options.polish; }
+  [[nodiscard]] bool polished() const { return program().polish; }
   /// The KKT tolerance of the problem.
-  [[nodiscard]] double tolerance() const {
-    return subject.problem.options.tolerance;
+  [[nodiscard]] double tolerance() const { return program().tolerance; }
+
+ private:
+  [[nodiscard]] Collocation program() const {
+    return subject.problem.options.or_default<Collocation>();
   }
 };
 

@@ -49,17 +49,17 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
       return {"#000000", Stroke::Dashed, Mark::Square};
     case Kind::Extremal:
       return {"#000000", Stroke::Solid, Mark::Triangle};
-    case Kind::Fsolve:
+    case Kind::DiscreteSystem:
       break;
   }
   switch (method.arm) {
-    case FsolveArm::Rest:
+    case DiscreteArm::Rest:
       return {"#a50026", Stroke::DashDotted, Mark::Triangle};
-    case FsolveArm::Release:
+    case DiscreteArm::Release:
       return {"#d95f02", Stroke::DashDotted, Mark::Circle};
-    case FsolveArm::Newton:
+    case DiscreteArm::Newton:
       return {"#8c510a", Stroke::Dotted, Mark::Diamond};
-    case FsolveArm::Lifted:
+    case DiscreteArm::Lifted:
       return {"#666666", Stroke::Dashed, Mark::Disc};
   }
   return {"#000000", Stroke::Solid, Mark::Disc};

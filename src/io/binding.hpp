@@ -18,24 +18,22 @@
 
 namespace brachisto::io {
 
-/// A part of a problem, which it need not have.
+/// A part of a problem, which it need not have a use for.
 template <class Part>
 struct Place {
-  const Part* (*find)(const ProblemFile&);  ///< nullptr: there is none
-  Part& (*make)(ProblemFile&);              ///< the part, made if need be
+  const Part* (*find)(const Draft&);  ///< nullptr: of no use, or not there
+  Part& (*make)(Draft&);              ///< the part, made if need be
 };
 
-/// A part that every problem has, as a function without captures names it:
-/// [](auto& problem) -> auto& { return problem.scene; }.
-template <class Lens>
-[[nodiscard]] constexpr auto place(Lens) {
-  using Part =
-      std::remove_reference_t<std::invoke_result_t<Lens, ProblemFile&>>;
-  return Place<Part>{
-      [](const ProblemFile& problem) -> const Part* {
-        return &Lens{}(problem);
-      },
-      [](ProblemFile& problem) -> Part& { return Lens{}(problem); }};
+/// A part as a function without captures names it, and which problems have a
+/// use for it: place([](auto& problem) -> auto& { return problem.scene; }).
+template <class Lens, class Used = decltype([](const Draft&) { return true; })>
+[[nodiscard]] constexpr auto place(Lens, Used = {}) {
+  using Part = std::remove_reference_t<std::invoke_result_t<Lens, Draft&>>;
+  return Place<Part>{[](const Draft& problem) -> const Part* {
+                       return Used{}(problem) ? &Lens{}(problem) : nullptr;
+                     },
+                     [](Draft& problem) -> Part& { return Lens{}(problem); }};
 }
 
 template <class Value>
@@ -58,15 +56,29 @@ template <class Part, class Value>
   return {
       .type = std::is_integral_v<Stored> ? KeyType::Integer : KeyType::Number,
       .get =
-          [=](const ProblemFile& problem) {
+          [=](const Draft& problem) {
             const Part* part = place.find(problem);
             return part ? Bare<Value>::json(part->*member) : Json();
           },
       .set =
-          [=](ProblemFile& problem, const Json& value) {
+          [=](Draft& problem, const Json& value) {
             place.make(problem).*member =
                 static_cast<Stored>(value.get<double>());
           }};
+}
+
+/// One key for parts of several methods.
+[[nodiscard]] inline Binding shared(Binding one, const Binding& other) {
+  one.get = [one = one.get, other = other.get](const Draft& problem) {
+    Json value = one(problem);
+    return value.is_null() ? other(problem) : value;
+  };
+  one.set = [one = one.set, other = other.set](Draft& problem,
+                                               const Json& value) {
+    one(problem, value);
+    other(problem, value);
+  };
+  return one;
 }
 
 template <class Part, class Value>
@@ -85,7 +97,7 @@ template <class Part, class Value>
         words) {
   Binding binding{.type = KeyType::Choice};
   for (const auto& [word, value] : words) binding.words.push_back(word);
-  binding.get = [=](const ProblemFile& problem) -> Json {
+  binding.get = [=](const Draft& problem) -> Json {
     const Part* part = place.find(problem);
     if (part == nullptr) return {};
     if constexpr (std::is_same_v<Value, bool>) return part->*member;
@@ -94,7 +106,7 @@ template <class Part, class Value>
     }
     return {};
   };
-  binding.set = [=](ProblemFile& problem, const Json& chosen) {
+  binding.set = [=](Draft& problem, const Json& chosen) {
     for (const auto& [word, value] : words) {
       if (word == chosen.get_ref<const std::string&>()) {
         place.make(problem).*member = value;
@@ -117,7 +129,7 @@ template <class Part>
 /// The same where a problem need not have the part that they are about.
 template <class Part>
 [[nodiscard]] Binding map(Place<Part> place) {
-  return {.type = KeyType::Map, .get = [=](const ProblemFile& problem) {
+  return {.type = KeyType::Map, .get = [=](const Draft& problem) {
             return place.find(problem) ? Json::object() : Json();
           }};
 }

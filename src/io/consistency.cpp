@@ -46,9 +46,7 @@ void check_cylinder(const YamlValue& root, Findings& findings) {
   }
 }
 
-}  // namespace
-
-void check_body(const YamlValue& root, const ProblemFile& problem,
+void check_body(const YamlValue& root, const Draft& problem,
                 Findings& findings) {
   const bool shape_known = find_entry(root, "scene.body.shape") != nullptr &&
                            !findings.concern("scene.body.shape");
@@ -60,94 +58,55 @@ void check_body(const YamlValue& root, const ProblemFile& problem,
   }
 }
 
-namespace {
-
-std::string_view why_idle(const Idle& idle, Method method) {
-  switch (method) {
-    case Method::Ipopt:
-      return {};
-    case Method::NewtonKkt:
-      return idle.with_newton_kkt;
-    case Method::Extremal:
-      return idle.with_extremal;
-    case Method::Fsolve:
-      return idle.with_fsolve;
-  }
-  return {};
+/// "method: fsolve".
+std::string stated(const KeyWord& choice) {
+  return fmt::format("{}: {}", choice.key->name(), choice.word);
 }
 
-/// Refuses keys that have a value of their own and mean nothing to the method.
-void check_idle_keys(const YamlValue& root, const ProblemFile& problem,
-                     Findings& findings) {
-  const SolveOptions& options = problem.options;
-  const bool fsolve = options.method == Method::Fsolve;
-  const bool arc_length =
-      (options.method == Method::Ipopt ||
-       options.method == Method::NewtonKkt) &&
-      options.discretisation.formulation == Formulation::ArcLength;
+/// Refuses keys that have a value of their own and that the problem has no use
+/// for.
+void check_use(const YamlValue& root, const Draft& draft, Findings& findings) {
   for (const KeySpec& spec : key_table()) {
-    const bool of_fsolve = spec.path.starts_with("solver.fsolve.");
-    const std::string_view by_method = why_idle(spec.idle, options.method);
-    const std::string_view by_arc_length =
-        arc_length ? spec.idle.with_arc_length : "";
-    const bool idle_variant = spec.path == "solver.fsolve.epsilon" &&
-                              options.fsolve.variant != FsolveVariant::Hybrid;
-    if (by_method.empty() && by_arc_length.empty() && !of_fsolve) continue;
-    const Entry* entry = find_entry(root, spec.path);
-    if (entry == nullptr || findings.concern(spec.path) ||
-        !differs_from_default(spec, problem)) {
+    const bool of_solve = spec.path.starts_with("discretisation.") ||
+                          spec.path.starts_with("solver.");
+    const Entry* entry = of_solve ? find_entry(root, spec.path) : nullptr;
+    if (entry == nullptr || !spec.value.get || findings.concern(spec.path) ||
+        !spec.value.get(draft).is_null() ||
+        unused_value(spec, draft) == unused_value(spec, {})) {
       continue;
     }
-    const auto refuse = [&](std::string message) {
-      findings.add(entry->value.position, std::string(spec.path),
-                   std::move(message));
-    };
-    if (!by_method.empty()) {
-      const Json method = find_key("solver.method")->value.get(problem);
-      refuse(
-          fmt::format("has no effect with method: {}, {}; leave it out, or "
-                      "take method: ipopt",
-                      method.get_ref<const std::string&>(), by_method));
-    } else if (!by_arc_length.empty()) {
-      refuse(
-          fmt::format("not allowed with formulation: arc_length, {}; leave "
-                      "it out, or take formulation: rolling_time",
-                      by_arc_length));
-    } else if (of_fsolve && !fsolve) {
-      refuse(
-          "has no effect without method: fsolve; leave it out, or take that "
-          "method");
-    } else if (idle_variant) {
-      refuse(
-          "has no effect with exact derivatives; leave it out, or take "
-          "variant: hybrid");
+    std::string message = "has no effect here; leave it out";
+    if (const auto other = word_that_uses(spec, draft)) {
+      const Json now = other->key->value.get(draft);
+      message =
+          fmt::format("has no effect with {}; leave it out, or take {}",
+                      stated({other->key, now.get_ref<const std::string&>()}),
+                      stated(*other));
     }
+    findings.add(entry->value.position, std::string(spec.path),
+                 std::move(message));
   }
 }
 
-}  // namespace
-
-void check_solver(const YamlValue& root, const ProblemFile& problem,
+void check_solver(const YamlValue& root, const Draft& problem,
                   Findings& findings) {
   const Entry* search = find_entry(root, "solver.search");
   if (search != nullptr && !findings.concern("solver.search") &&
       !findings.concern("scene.contact") &&
-      problem.options.search == Search::Global &&
+      problem.program.search == Search::Global &&
       problem.scene.contact == Contact::Centre) {
     findings.add(search->value.position, "solver.search",
                  "global is not allowed with contact: centre; between fixed "
                  "ends of the centre's path there is no contact to search for");
   }
   if (!findings.concern("solver.method")) {
-    check_idle_keys(root, problem, findings);
+    check_use(root, problem, findings);
   }
 }
 
-namespace {
-
-void check_arc_length(const YamlValue& root, const ProblemFile& problem,
+void check_arc_length(const YamlValue& root, const Draft& problem,
                       Findings& findings) {
-  const Discretisation& mesh = problem.options.discretisation;
+  const Discretisation& mesh = problem.program.discretisation;
   const auto too_few = [&](std::string_view key, int count, int fewest) {
     const Entry* entry = find_entry(root, key);
     if (entry == nullptr || findings.concern(key) || count >= fewest) return;
@@ -177,12 +136,10 @@ void check_arc_length(const YamlValue& root, const ProblemFile& problem,
                   kSmallestArcLengthTolerance));
 }
 
-}  // namespace
-
-void check_mesh(const YamlValue& root, const ProblemFile& problem,
+void check_mesh(const YamlValue& root, const Draft& problem,
                 Findings& findings) {
-  const bool arc_length =
-      problem.options.discretisation.formulation == Formulation::ArcLength;
+  if (problem.method == MethodWord::Extremal) return;
+  const bool arc_length = problem.of_pieces();
   if (arc_length) check_arc_length(root, problem, findings);
   const std::string key = "discretisation.nodes";
   const Entry* elements = find_entry(root, "discretisation.elements");
@@ -202,13 +159,13 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
       findings.concern("discretisation.degree")) {
     return;
   }
-  const Discretisation& mesh = problem.options.discretisation;
-  if (problem.options.method == Method::Fsolve) {
-    if (mesh.nodes.value() >= kFewestDiscreteNodes) return;
+  const Discretisation& mesh = problem.program.discretisation;
+  if (problem.method == MethodWord::Fsolve) {
+    if (problem.system.nodes >= kFewestDiscreteNodes) return;
     findings.add(nodes->value.position, key,
                  fmt::format("{} is not allowed; method: fsolve needs {} or "
                              "more",
-                             mesh.nodes.value(), kFewestDiscreteNodes));
+                             problem.system.nodes, kFewestDiscreteNodes));
     return;
   }
   const int p = mesh.degree_of_fixed();
@@ -223,11 +180,11 @@ void check_mesh(const YamlValue& root, const ProblemFile& problem,
                                      : fmt::format("{}", below + p)));
 }
 
-void check_scene(const YamlValue& root, const ProblemFile& problem,
+void check_scene(const YamlValue& root, const Draft& problem,
                  Findings& findings) {
   // NaN stands for every number that should be there and could not be read, so
   // that no bound is checked against a value nobody gave.
-  ProblemFile marked = problem;
+  Draft marked = problem;
   std::vector<std::string_view> unread;
   for (const KeySpec& spec : key_table()) {
     const bool of_scene = spec.path.starts_with("scene.");
@@ -249,6 +206,16 @@ void check_scene(const YamlValue& root, const ProblemFile& problem,
     const Position position = position_of(root, error.key);
     findings.add(position, std::move(error.key), std::move(error.message));
   }
+}
+
+}  // namespace
+
+void check_all(const YamlValue& root, const Draft& problem,
+               Findings& findings) {
+  check_body(root, problem, findings);
+  check_mesh(root, problem, findings);
+  check_solver(root, problem, findings);
+  check_scene(root, problem, findings);
 }
 
 }  // namespace brachisto::io

@@ -14,7 +14,7 @@ namespace brachisto::io {
 namespace {
 
 /// Adds the keys of a section to a document.
-void add_section(Json& document, const ProblemFile& problem,
+void add_section(Json& document, const Draft& problem,
                  std::string_view section) {
   std::string absent = "\n";  // the map that the problem does not have
   for (const KeySpec& spec : key_table()) {
@@ -56,16 +56,17 @@ Json effective_input(const Scene& scene, const SolveOptions& options) {
   ProblemFile problem;
   problem.scene = scene;
   problem.options = options;
+  const Draft draft(problem);
   Json document;
   for (const char* section : {"scene", "discretisation", "solver"}) {
-    add_section(document, problem, section);
+    add_section(document, draft, section);
   }
   return document;
 }
 
 Json effective_section(const ProblemFile& problem, std::string_view section) {
   Json document;
-  add_section(document, problem, section);
+  add_section(document, Draft(problem), section);
   return document.at(section);
 }
 

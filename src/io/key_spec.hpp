@@ -11,12 +11,13 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "brachisto/io/problem_file.hpp"
+#include "io/draft.hpp"
 #include "io/expression.hpp"
 
 namespace brachisto::io {
@@ -60,28 +61,20 @@ struct KeySpec;
 struct YamlValue;
 class Findings;
 /// Stores a list, or reports what is wrong with it.
-using ListReading = void(ProblemFile&, const KeySpec&, const YamlValue&,
-                         Findings&);
+using ListReading = void(Draft&, const KeySpec&, const YamlValue&, Findings&);
 
 /// Where the value of a key lives, in both directions. Made by the functions of
 /// io/binding.hpp.
 struct Binding {
   KeyType type = KeyType::Reserved;
-  /// The value; null if there is none. Empty: it is not echoed.
-  std::function<Json(const ProblemFile&)> get = {};
+  /// The value; null if there is none, and where the problem has no use for
+  /// it. Empty: it is not echoed.
+  std::function<Json(const Draft&)> get = {};
   /// Stores a number, a text, or one of the words.
-  std::function<void(ProblemFile&, const Json&)> set = {};
+  std::function<void(Draft&, const Json&)> set = {};
   std::vector<std::string_view> words = {};  ///< of a Choice
   ListReading* read_list = nullptr;
   std::function<Json()> items = {};  ///< schema of the items of a list
-};
-
-/// Why a key means nothing to a method or a formulation; "": it has a use.
-struct Idle {
-  std::string_view with_extremal = {};
-  std::string_view with_fsolve = {};
-  std::string_view with_arc_length = {};
-  std::string_view with_newton_kkt = {};
 };
 
 /// One key.
@@ -90,13 +83,12 @@ struct KeySpec {
   Binding value = {};
   Presence presence = Presence::Optional;
   std::string_view unit = {};
-  /// What holds if the key is absent; left out: as a new ProblemFile has it.
+  /// What holds if the key is absent; left out: as a new problem has it.
   std::string fallback = {};
   std::string bounds = {};  ///< in words; left out: as the intervals say
   std::string_view description = {};
   Interval interval = {};  ///< for the sake of the program, checked in reading
   Interval physical = {};  ///< what validate(const Scene&) checks at the least
-  Idle idle = {};
 
   [[nodiscard]] std::string_view name() const;    ///< last part of the path
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
@@ -127,9 +119,20 @@ struct KeySpec {
 /// Whether a number of this key may carry the suffix of an angle.
 [[nodiscard]] Unit unit_of(const KeySpec& spec);
 
-/// True if a key has another value than a new ProblemFile.
-[[nodiscard]] bool differs_from_default(const KeySpec& spec,
-                                        const ProblemFile& problem);
+/// A key, and a word of it.
+struct KeyWord {
+  const KeySpec* key = nullptr;
+  std::string_view word;
+};
+
+/// The word that a problem would have to have elsewhere for one of its keys to
+/// mean something; nothing if no single one would do.
+[[nodiscard]] std::optional<KeyWord> word_that_uses(const KeySpec& spec,
+                                                    const Draft& draft);
+
+/// The value of a key that a problem has no use for, but would have with
+/// another word.
+[[nodiscard]] Json unused_value(const KeySpec& spec, const Draft& draft);
 
 /// Why a word is not one of a Choice, with what is expected; "" if it is.
 [[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);

@@ -29,22 +29,52 @@ constexpr Interval kPositive{.lower = 0.0, .lower_allowed = false};
 
 constexpr auto kScene = place([](auto& p) -> auto& { return p.scene; });
 constexpr auto kBody = place([](auto& p) -> auto& { return p.scene.body; });
-constexpr auto kMesh =
-    place([](auto& p) -> auto& { return p.options.discretisation; });
-constexpr auto kSolver = place([](auto& p) -> auto& { return p.options; });
 constexpr auto kLimits =
     place([](auto& p) -> auto& { return p.options.limits; });
-constexpr auto kDiscrete =
-    place([](auto& p) -> auto& { return p.options.fsolve; });
-constexpr auto kReading =
-    place([](auto& p) -> auto& { return p.options.fsolve.reading; });
+constexpr auto kIterations = place(
+    [](auto& p) -> auto& { return p.options.limits; },
+    [](const Draft& d) { return d.method != MethodWord::Extremal; });
+constexpr auto kMethod = place([](auto& p) -> auto& { return p; });
+constexpr auto kProgram = place(
+    [](auto& p) -> auto& { return p.program; },
+    [](const Draft& d) { return d.poses_the_program(); });
+/// Of the program with elements that have a degree.
+constexpr auto kCollocation = place(
+    [](auto& p) -> auto& { return p.program; },
+    [](const Draft& d) { return d.poses_the_program() && !d.of_pieces(); });
+constexpr auto kColdStart = place(
+    [](auto& p) -> auto& { return p.program; },
+    [](const Draft& d) {
+      return d.method == MethodWord::Ipopt && !d.of_pieces();
+    });
+constexpr auto kMesh = place(
+    [](auto& p) -> auto& { return p.program.discretisation; },
+    [](const Draft& d) { return d.poses_the_program(); });
+constexpr auto kElements = place(
+    [](auto& p) -> auto& { return p.program.discretisation; },
+    [](const Draft& d) { return d.poses_the_program() && !d.of_pieces(); });
+constexpr auto kShooting = place(
+    [](auto& p) -> auto& { return p.shooting; },
+    [](const Draft& d) { return d.method == MethodWord::Extremal; });
+constexpr auto kSystem = place(
+    [](auto& p) -> auto& { return p.system; },
+    [](const Draft& d) { return d.method == MethodWord::Fsolve; });
+constexpr auto kReading = place(
+    [](auto& p) -> auto& { return p.system.reading; },
+    [](const Draft& d) { return d.method == MethodWord::Fsolve; });
+constexpr auto kDifferences = place(
+    [](auto& p) -> auto& { return p.system.reading; },
+    [](const Draft& d) {
+      return d.method == MethodWord::Fsolve &&
+             d.system.solver == DiscreteSolver::Hybrid;
+    });
 constexpr auto kPlan = place([](auto& p) -> auto& { return p.work_precision; });
 
 /// The given path. Copies of the scene share it, so that a change makes it
 /// anew.
 constexpr Place<GivenPath> kPath{
-    [](const ProblemFile& p) { return p.scene.path.get(); },
-    [](ProblemFile& p) -> GivenPath& {
+    [](const Draft& p) { return p.scene.path.get(); },
+    [](Draft& p) -> GivenPath& {
       const auto& old = p.scene.path;
       auto path = std::make_shared<GivenPath>(old ? *old : GivenPath{});
       GivenPath& made = *path;
@@ -55,7 +85,7 @@ constexpr Place<GivenPath> kPath{
 /// The start angle is echoed as it is in force.
 Binding start_angle() {
   Binding binding = angle(kPath, &GivenPath::start_angle);
-  binding.get = [](const ProblemFile& p) {
+  binding.get = [](const Draft& p) {
     const auto& path = p.scene.path;
     return path && path->has_start_angle()
                ? Json(path->start_angle_or_vertical())
@@ -66,7 +96,7 @@ Binding start_angle() {
 
 /// The file of points, whose content is echoed in its place.
 Binding points_file() {
-  return {.type = KeyType::Text, .set = [](ProblemFile& p, const Json& text) {
+  return {.type = KeyType::Text, .set = [](Draft& p, const Json& text) {
             p.points_file = text.get<std::string>();
             kPath.make(p);
           }};
@@ -187,12 +217,6 @@ Keys scene_keys() {
   };
 }
 
-constexpr std::string_view kOwnMesh = "which has no elements";
-constexpr std::string_view kNoProgram = "which solves no nonlinear program";
-constexpr std::string_view kOwnNodes = "whose mesh is its nodes";
-constexpr std::string_view kOneBranch = "which follows one branch";
-constexpr std::string_view kOneStart = "which starts from the cycloid";
-
 Keys discretisation_keys() {
   return {
       {.path = "discretisation",
@@ -204,41 +228,36 @@ Keys discretisation_keys() {
                         {"arc_length", Formulation::ArcLength}}),
        .description = "how the problem is made finite. rolling_time: "
                       "collocation; arc_length: the paper's variables, on "
-                      "straight pieces, of order 2",
-       .idle = {.with_extremal = kOwnMesh,
-                .with_fsolve = "which is a formulation of its own"}},
+                      "straight pieces, of order 2"},
       {.path = "discretisation.tolerance",
-       .value = number(kMesh, &Discretisation::tolerance),
+       .value = shared(number(kMesh, &Discretisation::tolerance),
+                       number(kShooting, &Shooting::tolerance)),
        .fallback = "1e-10",
        .bounds = "from 1e-13 to 1e-1",
        .description = "wanted relative error of the transit time; the mesh "
                       "follows unless it is fixed. arc_length: 1e-9 or more, "
                       "1e-6 if absent",
-       .interval = {kSmallestTolerance, kLargestTolerance},
-       .idle = {.with_fsolve = "whose error is what its nodes leave"}},
+       .interval = {kSmallestTolerance, kLargestTolerance}},
       {.path = "discretisation.degree",
-       .value = number(kMesh, &Discretisation::degree),
+       .value = number(kElements, &Discretisation::degree),
        .fallback = "follows the tolerance, 5 on a fixed mesh",
        .description = "p, polynomial degree of an element; not for arc_length",
-       .interval = {kMinDegree, kMaxDegree},
-       .idle = {.with_extremal = kOwnMesh,
-                .with_fsolve = kOwnNodes,
-                .with_arc_length = "whose pieces are straight"}},
+       .interval = {kMinDegree, kMaxDegree}},
       {.path = "discretisation.elements",
        .value = number(kMesh, &Discretisation::elements),
        .bounds = "from 1 to 10 million",
        .description = "N, number of elements, of straight pieces for "
                       "arc_length; fixes the mesh",
-       .interval = {1, kMaxElements},
-       .idle = {.with_extremal = kOwnMesh, .with_fsolve = kOwnNodes}},
+       .interval = {1, kMaxElements}},
       {.path = "discretisation.nodes",
-       .value = number(kMesh, &Discretisation::nodes),
+       .value = shared(number(kMesh, &Discretisation::nodes),
+                       number(kSystem, &DiscreteSystem::nodes)),
+       .fallback = "follows the tolerance, 100 with method: fsolve",
        .bounds = "from 2 to 80000001, and N p + 1",
        .description = "number of nodes, N p + 1, or N + 1 for arc_length; "
                       "fixes the mesh in place of elements. With method: "
-                      "fsolve any n ≥ 3, 100 if absent",
-       .interval = {2, kMaxNodes},
-       .idle = {.with_extremal = kOwnMesh}},
+                      "fsolve any n ≥ 3",
+       .interval = {2, kMaxNodes}},
   };
 }
 
@@ -251,11 +270,11 @@ Keys solver_keys() {
        .value = map(),
        .description = "how the finite problem is solved"},
       {.path = "solver.method",
-       .value = choice(kSolver, &SolveOptions::method,
-                       {{"ipopt", Method::Ipopt},
-                        {"newton_kkt", Method::NewtonKkt},
-                        {"extremal", Method::Extremal},
-                        {"fsolve", Method::Fsolve}}),
+       .value = choice(kMethod, &Draft::method,
+                       {{"ipopt", MethodWord::Ipopt},
+                        {"newton_kkt", MethodWord::NewtonKkt},
+                        {"extremal", MethodWord::Extremal},
+                        {"fsolve", MethodWord::Fsolve}}),
        .description =
            "ipopt: collocation and a nonlinear program; newton_kkt: "
            "the same by Newton's method on its optimality conditions, "
@@ -264,68 +283,54 @@ Keys solver_keys() {
            "the paper's discrete system, for comparison, never "
            "verified"},
       {.path = "solver.linear_solver",
-       .value = choice(kSolver, &SolveOptions::linear_solver,
+       .value = choice(kProgram, &Collocation::linear_solver,
                        {named(LinearSolver::Auto), named(LinearSolver::Mumps),
                         named(LinearSolver::Chain)}),
        .description =
            "what factorises the KKT matrix. chain: along the chain "
            "of elements; mumps: a general sparse solver; auto: chain "
-           "where it is possible, mumps otherwise",
-       .idle = {.with_extremal = kNoProgram, .with_fsolve = kNoProgram}},
+           "where it is possible, mumps otherwise"},
       {.path = "solver.tolerance",
-       .value = number(kSolver, &SolveOptions::tolerance),
+       .value = number(kProgram, &Collocation::tolerance),
        .description = "largest scaled KKT residual of a solution",
-       .interval = {kSmallestResidual, kLargestResidual},
-       .idle = {.with_extremal = kNoProgram, .with_fsolve = kNoProgram}},
+       .interval = {kSmallestResidual, kLargestResidual}},
       {.path = "solver.search",
        .value = choice(
-           kSolver, &SolveOptions::search,
+           kCollocation, &Collocation::search,
            {{"principal", Search::Principal}, {"global", Search::Global}}),
        .description = "which extremal is the answer. principal: the one that "
                       "continues from the cycloid as η_m grows from 0; "
                       "global: of the smooth contacts that a search finds the "
-                      "fastest verified and feasible one",
-       .idle = {.with_extremal = kOneBranch,
-                .with_fsolve = kOneStart,
-                .with_arc_length = kOneBranch}},
+                      "fastest verified and feasible one"},
       {.path = "solver.polish",
-       .value = yes_or_no(kSolver, &SolveOptions::polish),
+       .value = yes_or_no(kProgram, &Collocation::polish),
        .description = "last digits by Newton's method on the optimality "
-                      "conditions and the contact together",
-       .idle = {.with_extremal = kNoProgram, .with_fsolve = kNoProgram}},
+                      "conditions and the contact together"},
       {.path = "solver.certify",
        .value =
-           choice(kSolver, &SolveOptions::certify,
+           choice(kProgram, &Collocation::certify,
                   {{"none", Certify::None}, {"extremal", Certify::Extremal}}),
        .description = "extremal: solve once more by multiple shooting and "
-                      "compare",
-       .idle = {.with_extremal =
-                    "whose second opinion on itself would be its first",
-                .with_fsolve = "which is compared with the extremal anyway"}},
+                      "compare"},
       {.path = "solver.guess",
-       .value = choice(kSolver, &SolveOptions::guess,
+       .value = choice(kColdStart, &Collocation::guess,
                        {{"cycloid", Guess::Cycloid},
                         {"straight", Guess::Straight},
                         {"random", Guess::Random}}),
        .description = "where a cold start begins; straight and random are "
                       "tried in addition and reported, the answer does not "
-                      "depend on them",
-       .idle = {.with_extremal = kOneStart,
-                .with_fsolve = kOneStart,
-                .with_arc_length = kOneStart,
-                .with_newton_kkt = "which starts from the continuation"}},
+                      "depend on them"},
       {.path = "solver.seed",
-       .value = number(kSolver, &SolveOptions::seed),
+       .value = number(kProgram, &Collocation::seed),
        .description = "of the random guess",
        .interval = {0, kMaxInt}},
       {.path = "solver.limits",
        .value = map(),
        .description = "bounds on the work"},
       {.path = "solver.limits.iterations",
-       .value = number(kLimits, &Limits::iterations),
+       .value = number(kIterations, &Limits::iterations),
        .description = "of the solver, in all passes together",
-       .interval = {1, kMaxInt},
-       .idle = {.with_extremal = kNoProgram}},
+       .interval = {1, kMaxInt}},
       {.path = "solver.limits.seconds",
        .value = number(kLimits, &Limits::seconds),
        .unit = "s",
@@ -341,7 +346,7 @@ Keys fsolve_keys() {
   using Slopes = DiscreteReading::Slopes;
   return {
       {.path = "solver.fsolve",
-       .value = map(),
+       .value = map(kSystem),
        .description = "of method: fsolve, what the paper leaves open"},
       {.path = "solver.fsolve.quadrature",
        .value = choice(kReading, &DiscreteReading::quadrature,
@@ -366,15 +371,15 @@ Keys fsolve_keys() {
        .description = "end slopes: literal, by Δz/Δx, which turns round with "
                       "Δx; smooth, by Δx/l and Δz/l"},
       {.path = "solver.fsolve.epsilon",
-       .value = number(kReading, &DiscreteReading::epsilon),
+       .value = number(kDifferences, &DiscreteReading::epsilon),
        .description = "half width of the central differences in units of H, "
                       "of variant hybrid; 0: exact derivatives",
        .interval = {0.0, kLargestEpsilon}},
       {.path = "solver.fsolve.variant",
-       .value = choice(kDiscrete, &FsolveOptions::variant,
-                       {{"hybrid", FsolveVariant::Hybrid},
-                        {"newton", FsolveVariant::Newton},
-                        {"lifted", FsolveVariant::Lifted}}),
+       .value = choice(kSystem, &DiscreteSystem::solver,
+                       {{"hybrid", DiscreteSolver::Hybrid},
+                        {"newton", DiscreteSolver::Newton},
+                        {"lifted", DiscreteSolver::Lifted}}),
        .description = "hybrid: Powell's method with a dense Jacobian by "
                       "differences, as fsolve; newton: exact derivatives, "
                       "dense; lifted: the same steps from a sparse system"},
@@ -446,13 +451,13 @@ std::string written(const Json& value) {
 }
 
 Keys all_keys() {
-  Keys keys{{.path = "version",
-             .value = {.type = KeyType::Integer,
-                       .set = [](ProblemFile&, const Json&) {}},
-             .fallback = "1",
-             .bounds = "1 (this program reads version 1)",
-             .description = "of the file format",
-             .interval = {1, 1}}};
+  Keys keys{
+      {.path = "version",
+       .value = {.type = KeyType::Integer, .set = [](Draft&, const Json&) {}},
+       .fallback = "1",
+       .bounds = "1 (this program reads version 1)",
+       .description = "of the file format",
+       .interval = {1, 1}}};
   const auto add = [&](Keys part) {
     std::ranges::move(part, std::back_inserter(keys));
   };
@@ -468,15 +473,19 @@ Keys all_keys() {
   keys.push_back({.path = "constraints"});
 
   // What is not said in words, the values say.
-  ProblemFile fresh;
+  Draft fresh;
   kPath.make(fresh);
+  Draft fresh_system;
+  fresh_system.method = MethodWord::Fsolve;
   for (KeySpec& key : keys) {
     if (key.bounds.empty()) key.bounds = words_of(key.interval);
     if (key.bounds.empty()) key.bounds = words_of(key.physical);
     const bool has_default =
         key.type() != KeyType::Map && key.value.get && !key.is_required();
     if (key.fallback.empty() && has_default) {
-      key.fallback = written(key.value.get(fresh));
+      const Json value = key.value.get(fresh);
+      key.fallback =
+          written(value.is_null() ? key.value.get(fresh_system) : value);
     }
   }
   return keys;

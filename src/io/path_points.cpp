@@ -71,8 +71,8 @@ std::optional<Point> point_of_item(const YamlValue& item) {
   }
 }
 
-void read_points(ProblemFile& problem, const KeySpec& spec,
-                 const YamlValue& list, Findings& findings) {
+void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                 Findings& findings) {
   std::vector<Point> points;
   std::string mistake;
   Position where = list.position;
@@ -105,7 +105,7 @@ void read_points(ProblemFile& problem, const KeySpec& spec,
   problem.scene.path = std::move(path);
 }
 
-Json points_json(const ProblemFile& problem) {
+Json points_json(const Draft& problem) {
   const auto& path = problem.scene.path;
   if (!path || path->shape != GivenPath::Shape::Points) return {};
   Json list = Json::array();
@@ -167,7 +167,7 @@ Binding points_list() {
 }
 
 void read_path_points(const InputTree& input, const std::vector<Point>* known,
-                      ProblemFile& problem, Findings& findings) {
+                      Draft& problem, Findings& findings) {
   const auto refuse = [&](const std::string& message) {
     findings.add(position_of(input.root, kFileKey), kFileKey, message);
   };

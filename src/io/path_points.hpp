@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/io/problem_file.hpp"
+#include "io/draft.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
 #include "io/key_spec.hpp"
@@ -45,6 +45,6 @@ class PointsError : public std::invalid_argument {
 ///               scene.path names is read
 /// \throws IoError  if it cannot be
 void read_path_points(const InputTree& input, const std::vector<Point>* known,
-                      ProblemFile& problem, Findings& findings);
+                      Draft& problem, Findings& findings);
 
 }  // namespace brachisto::io

@@ -47,7 +47,7 @@ std::string allowed_in(std::string_view map) {
 
 }  // namespace
 
-ProblemFile ProblemReader::read(const YamlValue& root) {
+Draft ProblemReader::read(const YamlValue& root) {
   if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
     read_map(root, "", root.position);
   } else if (root.kind != YamlValue::Kind::Refused) {
@@ -191,15 +191,12 @@ ProblemFile read_problem_text(std::string_view text, const std::string& name,
                               const std::vector<std::string>& overrides) {
   Findings findings;
   const InputTree input = read_input_tree(text, name, overrides, findings);
-  ProblemFile problem = ProblemReader(findings).read(input.root);
-  read_path_points(input, nullptr, problem, findings);
-  check_body(input.root, problem, findings);
-  check_mesh(input.root, problem, findings);
-  check_solver(input.root, problem, findings);
-  check_scene(input.root, problem, findings);
+  Draft draft = ProblemReader(findings).read(input.root);
+  read_path_points(input, nullptr, draft, findings);
+  check_all(input.root, draft, findings);
   findings.throw_if_any(input.sources);
-  problem.warnings = findings.warnings(input.sources);
-  return problem;
+  draft.warnings = findings.warnings(input.sources);
+  return draft.problem();
 }
 
 }  // namespace brachisto::io

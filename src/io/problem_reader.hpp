@@ -8,7 +8,7 @@
 
 #include <string_view>
 
-#include "brachisto/io/problem_file.hpp"
+#include "io/draft.hpp"
 #include "io/findings.hpp"
 #include "io/key_spec.hpp"
 #include "io/yaml_tree.hpp"
@@ -20,17 +20,17 @@ namespace brachisto::io {
 class ProblemReader {
  public:
   /// \param start  what holds for keys that are not read
-  explicit ProblemReader(Findings& findings, const ProblemFile& start = {})
+  explicit ProblemReader(Findings& findings, const Draft& start = {})
       : problem_(start), findings_(findings) {}
 
   /// Reads a whole tree.
-  [[nodiscard]] ProblemFile read(const YamlValue& root);
+  [[nodiscard]] Draft read(const YamlValue& root);
 
   /// Reads the value of one key.
   void read_value(const KeySpec& spec, const Entry& entry);
 
   /// What was read so far.
-  [[nodiscard]] const ProblemFile& problem() const { return problem_; }
+  [[nodiscard]] const Draft& problem() const { return problem_; }
 
  private:
   void read_map(const YamlValue& map, std::string_view path, Position position);
@@ -40,7 +40,7 @@ class ProblemReader {
   void read_choice(const KeySpec& spec, const YamlValue& node);
   void refuse_unknown(const Entry& entry, std::string_view map);
 
-  ProblemFile problem_;
+  Draft problem_;
   Findings& findings_;
 };
 

@@ -100,18 +100,10 @@ class MovingTree {
   std::vector<YamlValue*> values_;
 };
 
-void check_all(const YamlValue& root, const ProblemFile& problem,
-               Findings& findings) {
-  check_body(root, problem, findings);
-  check_mesh(root, problem, findings);
-  check_solver(root, problem, findings);
-  check_scene(root, problem, findings);
-}
-
 }  // namespace
 
 void check_shared(const SweepSection& section, const YamlValue& root,
-                  const ProblemFile& base, Findings& findings) {
+                  const Draft& base, Findings& findings) {
   // A mistake in a key keeps the checks from using it.
   Findings marked = findings;
   for (const SweepEntry& entry : section.entries) {
@@ -126,7 +118,7 @@ void check_shared(const SweepSection& section, const YamlValue& root,
 }
 
 void check_scenes(const SweepScenes& scenes, const YamlValue& root,
-                  const ProblemFile& base, Findings& findings) {
+                  const Draft& base, Findings& findings) {
   MovingTree tree(root, scenes);
   Groups groups;
   std::vector<SweepValue> values;
@@ -134,7 +126,7 @@ void check_scenes(const SweepScenes& scenes, const YamlValue& root,
     Findings found = findings;
     try {
       scenes.evaluate(scene, values);
-      const ProblemFile problem = scenes.problem(base, scene, values, found);
+      const Draft problem = scenes.problem(base, scene, values, found);
       check_all(tree.at(scene), problem, found);
     } catch (const SweepValueError& error) {
       found.add(scenes.position(error.entry, scene),

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "brachisto/io/problem_file.hpp"
+#include "io/draft.hpp"
 #include "io/findings.hpp"
 #include "io/sweep_scenes.hpp"
 #include "io/yaml_tree.hpp"
@@ -22,10 +22,10 @@ inline constexpr std::size_t kShownScenes = 3;
 /// \param root  tree of the file that has an entry for each key that varies
 /// \param base  the problem as far as it does not vary
 void check_shared(const SweepSection& section, const YamlValue& root,
-                  const ProblemFile& base, Findings& findings);
+                  const Draft& base, Findings& findings);
 
 /// Checks each scene as if it were a problem file of its own.
 void check_scenes(const SweepScenes& scenes, const YamlValue& root,
-                  const ProblemFile& base, Findings& findings);
+                  const Draft& base, Findings& findings);
 
 }  // namespace brachisto::io

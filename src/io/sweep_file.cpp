@@ -20,7 +20,7 @@
 namespace brachisto::io {
 
 struct SweepFile::Content {
-  ProblemFile base;
+  Draft base;
   SweepScenes scenes;
   std::vector<SweepKey> keys;
   std::string stated;
@@ -79,7 +79,7 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
   const bool readable = findings.all().empty();
 
   mark_swept(section, input.root);
-  ProblemFile base = ProblemReader(findings).read(input.root);
+  Draft base = ProblemReader(findings).read(input.root);
   read_path_points(input, points, base, findings);
   check_shared(section, input.root, base, findings);
   std::optional<SweepNames> names =
@@ -126,7 +126,8 @@ bool SweepFile::warm_start() const {
 
 ProblemFile SweepFile::problem(std::size_t scene) const {
   Findings none;
-  return content_->scenes.problem(content_->base, scene, values(scene), none);
+  return content_->scenes.problem(content_->base, scene, values(scene), none)
+      .problem();
 }
 
 std::vector<SweepValue> SweepFile::values(std::size_t scene) const {

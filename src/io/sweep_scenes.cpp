@@ -161,9 +161,9 @@ Position SweepScenes::position(std::size_t entry, std::size_t scene) const {
                                  : swept.positions[index(entry, scene)];
 }
 
-ProblemFile SweepScenes::problem(const ProblemFile& base, std::size_t scene,
-                                 const std::vector<SweepValue>& values,
-                                 Findings& findings) const {
+Draft SweepScenes::problem(const Draft& base, std::size_t scene,
+                           const std::vector<SweepValue>& values,
+                           Findings& findings) const {
   ProblemReader reader(findings, base);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Position where = position(i, scene);

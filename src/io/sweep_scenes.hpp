@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/io/problem_file.hpp"
 #include "brachisto/io/sweep_file.hpp"
+#include "io/draft.hpp"
 #include "io/expression.hpp"
 #include "io/findings.hpp"
 #include "io/sweep_section.hpp"
@@ -63,9 +63,9 @@ class SweepScenes {
 
   /// The problem with some values of evaluate(), as ProblemReader reads it.
   /// \param base  what all scenes share
-  [[nodiscard]] ProblemFile problem(const ProblemFile& base, std::size_t scene,
-                                    const std::vector<SweepValue>& values,
-                                    Findings& findings) const;
+  [[nodiscard]] Draft problem(const Draft& base, std::size_t scene,
+                              const std::vector<SweepValue>& values,
+                              Findings& findings) const;
 
  private:
   /// Number of the value of an entry in a scene.

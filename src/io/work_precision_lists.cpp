@@ -32,11 +32,11 @@ constexpr Interval kMeshes{2, 1'000'000};
 
 constexpr std::array<std::string_view, 4> kNames{"rolling_time", "arc_length",
                                                  "extremal", "fsolve"};
-using Arm = std::pair<std::string_view, FsolveArm>;
-constexpr std::array<Arm, 4> kArms{{{"rest", FsolveArm::Rest},
-                                    {"release", FsolveArm::Release},
-                                    {"newton", FsolveArm::Newton},
-                                    {"lifted", FsolveArm::Lifted}}};
+using Arm = std::pair<std::string_view, DiscreteArm>;
+constexpr std::array<Arm, 4> kArms{{{"rest", DiscreteArm::Rest},
+                                    {"release", DiscreteArm::Release},
+                                    {"newton", DiscreteArm::Newton},
+                                    {"lifted", DiscreteArm::Lifted}}};
 
 /// What a name alone stands for.
 Methods methods_of(std::string_view name) {
@@ -172,7 +172,7 @@ class MethodsReader {
                     fmt::format("{} was read", in_quotes(item.text)),
                     suggestion(item.text, names));
       } else {
-        add(fsolve(
+        add(discrete_system(
                 kArms[static_cast<std::size_t>(found - names.begin())].second),
             item.position, item.text);
       }
@@ -200,14 +200,14 @@ class MethodsReader {
   Methods methods_;
 };
 
-void read_methods(ProblemFile& problem, const KeySpec& spec,
-                  const YamlValue& list, Findings& findings) {
+void read_methods(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                  Findings& findings) {
   Methods methods = MethodsReader(spec, findings).read(list);
   if (!methods.empty()) problem.work_precision.methods = std::move(methods);
 }
 
-void read_meshes(ProblemFile& problem, const KeySpec& spec,
-                 const YamlValue& list, Findings& findings) {
+void read_meshes(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                 Findings& findings) {
   const ListReader reader(std::string(spec.path), expected(spec), findings);
   if (!reader.accepts(list)) return;
   std::vector<int> meshes;
@@ -225,7 +225,7 @@ void read_meshes(ProblemFile& problem, const KeySpec& spec,
 }
 
 /// Neighbours of one name share its list.
-Json methods_json(const ProblemFile& problem) {
+Json methods_json(const Draft& problem) {
   Json list = Json::array();
   const auto add = [&](const char* name, const Json& item) {
     const bool shared = !list.empty() && list.back().contains(name);
@@ -236,7 +236,7 @@ Json methods_json(const ProblemFile& problem) {
     const auto name = kNames[static_cast<std::size_t>(method.kind)];
     if (method.kind == Kind::RollingTime) {
       add("rolling_time", method.degree);
-    } else if (method.kind == Kind::Fsolve) {
+    } else if (method.kind == Kind::DiscreteSystem) {
       add("fsolve", std::ranges::find(kArms, method.arm, &Arm::second)->first);
     } else {
       list.push_back(name);
@@ -273,16 +273,15 @@ Binding methods_list() {
 }
 
 Binding meshes_list() {
-  return {
-      .type = KeyType::List,
-      .get = [](const ProblemFile& p) { return Json(p.work_precision.meshes); },
-      .read_list = read_meshes,
-      .items =
-          [] {
-            return Json{{"type", "integer"},
-                        {"minimum", kMeshes.lower},
-                        {"maximum", kMeshes.upper}};
-          }};
+  return {.type = KeyType::List,
+          .get = [](const Draft& p) { return Json(p.work_precision.meshes); },
+          .read_list = read_meshes,
+          .items =
+              [] {
+                return Json{{"type", "integer"},
+                            {"minimum", kMeshes.lower},
+                            {"maximum", kMeshes.upper}};
+              }};
 }
 
 }  // namespace brachisto::io

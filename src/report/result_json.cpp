@@ -248,7 +248,7 @@ std::optional<Value> only_if(bool there, const Value& value) {
 
 /// Not under the answer's keys: these are numbers of another problem.
 Field<Solution> discrete_field() {
-  using A = FsolveAnswer;
+  using A = DiscreteAnswer;
   Fields<Solution> fields;
   const auto if_solved = [](double A::*member) {
     return [=](const A& a) { return only_if(a.solved(), a.*member); };

@@ -45,7 +45,7 @@ std::string describe_track(const Solution& solution) {
   if (scene.path || !scene.body.rolls() || scene.contact == Contact::Centre) {
     return text;
   }
-  if (solution.options.search == Search::Global) {
+  if (solution.options.searches()) {
     text = fmt::format("{} of the {} smooth contact{} found",
                        solution.feasible() ? "fastest verified and feasible"
                                            : "fastest verified",
@@ -106,7 +106,7 @@ void add_second_opinion(std::string& out, const Solution& solution) {
 /// Not under the answer's label: it is the answer to another problem.
 void add_discrete_system(std::string& out, const Solution& solution) {
   if (!solution.discrete()) return;
-  const FsolveAnswer& answer = *solution.discrete();
+  const DiscreteAnswer& answer = *solution.discrete();
   line(out, "discrete system",
        fmt::format("{} nodes, {} unknowns, ‖F‖ = {:.1e}, {} evaluations, "
                    "{:.3f} s CPU",

@@ -73,9 +73,10 @@ Cases::Cases(const std::filesystem::path& directory,
     if (one.file.scene.path) {
       one.fine = one.rough;
     } else {
-      options.certify = Certify::Extremal;
-      options.discretisation.tolerance =
-          kFiner * options.discretisation.tolerance.value_or(kDefaultTolerance);
+      auto& program = options.use<Collocation>();
+      program.certify = Certify::Extremal;
+      program.discretisation.tolerance =
+          kFiner * program.discretisation.wanted_tolerance();
       one.fine = solve(one.file.scene, options, hooks);
     }
     check(interrupt);
@@ -103,7 +104,7 @@ void check(const Interrupt& interrupt) {
 Solution verified_solution(const Scene& scene, const Interrupt& interrupt,
                            double tolerance) {
   SolveOptions options;
-  options.discretisation.tolerance = tolerance;
+  options.use<Collocation>().discretisation.tolerance = tolerance;
   Solution solution = solve(scene, options, {.interrupt = &interrupt});
   check(interrupt);
   if (!solution.verified()) {

@@ -23,8 +23,9 @@ constexpr double kPi = std::numbers::pi;
 
 double tau_on_mesh(const Scene& scene, int degree, int nodes) {
   SolveOptions options;
-  options.discretisation.degree = degree;
-  options.discretisation.nodes = nodes;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = degree;
+  mesh.nodes = nodes;
   const Solution solution = solve(scene, options);
   if (!solution.verified()) {
     throw NotVerified("the grid study has no verified answer: " +
@@ -36,10 +37,11 @@ double tau_on_mesh(const Scene& scene, int degree, int nodes) {
 PaperEquations solve_paper_equations(const Scene& scene, int nodes) {
   using Datum = DiscreteReading::Datum;
   const auto tau = [&](Datum datum) -> std::optional<double> {
-    FsolveOptions options;
-    options.variant = FsolveVariant::Lifted;
-    options.reading.datum = datum;
-    const FsolveAnswer answer = fsolve_answer(scene, nodes, options);
+    DiscreteSystem system;
+    system.nodes = nodes;
+    system.solver = DiscreteSolver::Lifted;
+    system.reading.datum = datum;
+    const DiscreteAnswer answer = solve_discrete_system(scene, system);
     if (!answer.solved()) return std::nullopt;
     return answer.tau;
   };

@@ -62,8 +62,8 @@ Answered answer_on_given_path(const PosedProblem& posed) {
 
 Certified certify(const PosedProblem& posed, MeshAnswer& found) {
   tell_of_certificate(posed, found.problem.mesh().num_nodes());
-  Certified out{certify_answer(found, posed.options.discretisation), {}};
-  if (posed.options.certify == Certify::Extremal) {
+  Certified out{certify_answer(found, posed.program.discretisation), {}};
+  if (posed.program.certify == Certify::Extremal) {
     const ExtremalCurve curve = found.curve();
     out.cross_check = cross_check(posed, curve, found.solution.closure.phi,
                                   curve.transit_time() * posed.units.time,
@@ -77,9 +77,9 @@ Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
                   const ArcLengthMotion& motion, const ExtremalCurve& nearby,
                   double phi) {
   tell_of_certificate(posed, found.problem.layout().num_nodes());
-  Certified out{certify_answer(found, motion, posed.options.discretisation),
+  Certified out{certify_answer(found, motion, posed.program.discretisation),
                 {}};
-  if (posed.options.certify == Certify::Extremal) {
+  if (posed.program.certify == Certify::Extremal) {
     out.cross_check = cross_check(posed, nearby, phi, motion.transit_time(),
                                   found.estimated_error.value_or(0.0),
                                   posed.stop(), out.certificate);
@@ -89,7 +89,7 @@ Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
 
 Certified certify_given_path(const PosedProblem& posed,
                              const PrescribedMotion& motion) {
-  return {certify_path(motion, posed.options.discretisation.tolerance.value_or(
+  return {certify_path(motion, posed.program.discretisation.tolerance.value_or(
                                    kDefaultTolerance)),
           std::nullopt};
 }

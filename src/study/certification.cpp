@@ -85,11 +85,11 @@ CrossCheck cross_check(const PosedScene& scene, const ExtremalCurve& nearby,
   return check;
 }
 
-Certificate certify_discrete(const FsolveAnswer& answer,
+Certificate certify_discrete(const DiscreteAnswer& answer,
                              const CrossCheck& check) {
   Certificate certificate;
   certificate.add("discrete_residual", answer.residual,
-                  FsolveOptions{}.tolerance);
+                  DiscreteSystem{}.tolerance);
   certificate.add(
       "discretisation", check.solved ? check.difference : kUnknown,
       kDefaultTolerance,

@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "brachisto/math/angle.hpp"
 
@@ -44,8 +45,7 @@ class Checker {
   std::vector<std::string> errors_;
 };
 
-void check_mesh(const SolveOptions& options, Checker& check) {
-  const Discretisation& mesh = options.discretisation;
+void check_mesh(const Discretisation& mesh, Checker& check) {
   check.known("discretisation.formulation", mesh.formulation,
               Formulation::ArcLength);
   if (mesh.tolerance) {
@@ -59,46 +59,62 @@ void check_mesh(const SolveOptions& options, Checker& check) {
     check.within("discretisation.elements", *mesh.elements, 1, kMaxElements);
   }
   if (!mesh.nodes) return;
-  const bool discrete = options.method == Method::Fsolve;
-  check.within("discretisation.nodes", *mesh.nodes,
-               discrete ? kFewestDiscreteNodes : 2, kMaxNodes);
+  check.within("discretisation.nodes", *mesh.nodes, 2, kMaxNodes);
   check.require(!mesh.elements,
                 "discretisation.elements and discretisation.nodes both fix the "
                 "mesh; allowed is one of them");
   const int p = mesh.degree_of_fixed();
-  check.require(discrete || p < 1 || (*mesh.nodes - 1) % p == 0,
+  check.require(p < 1 || (*mesh.nodes - 1) % p == 0,
                 fmt::format("discretisation.nodes is {}; nodes − 1 is a "
                             "multiple of the degree {}",
                             *mesh.nodes, p));
 }
 
-void check_arc_length(const SolveOptions& options, Checker& check) {
-  const Discretisation& mesh = options.discretisation;
+void check_arc_length(const Collocation& program, Checker& check) {
+  const Discretisation& mesh = program.discretisation;
   if (mesh.formulation != Formulation::ArcLength) return;
   const int pieces = mesh.elements ? *mesh.elements
                      : mesh.nodes  ? *mesh.nodes - 1
                                    : kFewestPieces;
   check.require(
-      !mesh.degree && pieces >= kFewestPieces && options.solves_the_program() &&
-          options.search == Search::Principal &&
-          options.guess == Guess::Cycloid &&
+      !mesh.degree && pieces >= kFewestPieces &&
+          program.search == Search::Principal &&
+          program.guess == Guess::Cycloid &&
           mesh.wanted_tolerance() >= kSmallestArcLengthTolerance,
       fmt::format(
           "the formulation arc_length has no degree, {} pieces or more, "
-          "the method ipopt or newton_kkt, the search principal, the "
-          "guess cycloid, and a tolerance of {:g} or more",
+          "the search principal, the guess cycloid, and a tolerance of "
+          "{:g} or more",
           kFewestPieces, kSmallestArcLengthTolerance));
 }
 
-void check_fsolve(const FsolveOptions& options, Checker& check) {
+void check_method(const Collocation& program, Checker& check) {
+  check.known("solver", program.solver, ProgramSolver::NewtonKkt);
+  check.known("linear_solver", program.linear_solver, LinearSolver::Mumps);
+  check.known("search", program.search, Search::Global);
+  check.known("certify", program.certify, Certify::Extremal);
+  check.known("guess", program.guess, Guess::Random);
+  check.within("tolerance", program.tolerance, kSmallestResidual,
+               kLargestResidual);
+  check_mesh(program.discretisation, check);
+  check_arc_length(program, check);
+}
+
+void check_method(const Shooting& shooting, Checker& check) {
+  check.within("tolerance", shooting.tolerance, kSmallestTolerance,
+               kLargestTolerance);
+}
+
+void check_method(const DiscreteSystem& system, Checker& check) {
   using Reading = DiscreteReading;
-  check.known("fsolve.variant", options.variant, FsolveVariant::Lifted);
-  check.known("fsolve.quadrature", options.reading.quadrature,
+  check.within("nodes", system.nodes, kFewestDiscreteNodes, kMaxNodes);
+  check.known("solver", system.solver, DiscreteSolver::Lifted);
+  check.known("quadrature", system.reading.quadrature,
               Reading::Quadrature::Trapezoid);
-  check.known("fsolve.datum", options.reading.datum, Reading::Datum::Printed);
-  check.known("fsolve.slopes", options.reading.slopes, Reading::Slopes::Smooth);
-  check.within("fsolve.epsilon", options.reading.epsilon, 0.0, kLargestEpsilon);
-  check.within("fsolve.tolerance", options.tolerance,
+  check.known("datum", system.reading.datum, Reading::Datum::Printed);
+  check.known("slopes", system.reading.slopes, Reading::Slopes::Smooth);
+  check.within("epsilon", system.reading.epsilon, 0.0, kLargestEpsilon);
+  check.within("tolerance", system.tolerance,
                std::numeric_limits<double>::min(), 1.0);
 }
 
@@ -130,22 +146,22 @@ std::vector<std::string> warnings_of(const Scene& scene) {
 /// Options from a problem file have passed the same bounds before.
 std::vector<std::string> option_errors(const SolveOptions& options) {
   Checker check;
-  check.known("method", options.method, Method::Fsolve);
-  check.known("linear_solver", options.linear_solver, LinearSolver::Mumps);
-  check.known("search", options.search, Search::Global);
-  check.known("certify", options.certify, Certify::Extremal);
-  check.known("guess", options.guess, Guess::Random);
-  check.within("tolerance", options.tolerance, kSmallestResidual,
-               kLargestResidual);
   check.within("limits.iterations", options.limits.iterations, 1,
                std::numeric_limits<int>::max());
   check.within("limits.seconds", options.limits.seconds,
                std::numeric_limits<double>::min(),
                std::numeric_limits<double>::infinity());
-  check_mesh(options, check);
-  check_arc_length(options, check);
-  check_fsolve(options.fsolve, check);
+  std::visit([&](const auto& method) { check_method(method, check); },
+             options.method);
   return check.take();
+}
+
+Collocation program_of(const SolveOptions& options) {
+  auto program = options.or_default<Collocation>();
+  if (const auto* shooting = options.of<Shooting>()) {
+    program.discretisation.tolerance = shooting->tolerance;
+  }
+  return program;
 }
 
 }  // namespace
@@ -161,15 +177,16 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
                   const SolveHooks& hooks) {
   refuse("the scene is not valid", errors_of(scene));
   refuse("the options are not valid", option_errors(options));
-  PosedProblem out{PosedScene(scene), options, {}, {}, warnings_of(scene)};
+  PosedProblem out{PosedScene(scene), options, program_of(options), {}, {},
+                   warnings_of(scene)};
   MeshOptions& mesh = out.mesh_options;
-  mesh.ipopt.tolerance = options.tolerance;
-  mesh.ipopt.linear_solver = options.linear_solver;
+  mesh.ipopt.tolerance = out.program.tolerance;
+  mesh.ipopt.linear_solver = out.program.linear_solver;
   mesh.ipopt.verbose = hooks.verbose;
   mesh.ipopt.stop = StopCondition(options.limits.seconds, hooks.interrupt);
-  mesh.polish = options.polish;
+  mesh.polish = out.program.polish;
   mesh.progress = hooks.progress;
-  mesh.newton_alone = options.method == Method::NewtonKkt;
+  mesh.newton_alone = out.program.solver == ProgramSolver::NewtonKkt;
   if (!scene.path) out.cycloid = axisymmetric_optimum(out.natural);
   return out;
 }

@@ -20,6 +20,9 @@ namespace brachisto {
 /// A scene with all that its solve goes by; no stage changes it.
 struct PosedProblem : PosedScene {
   SolveOptions options;
+  /// What meshes, starts and certificates go by: of the method, or where that
+  /// poses no program the defaults at its tolerance.
+  Collocation program;
   MeshOptions mesh_options;  ///< as if nothing had been done
   /// Of the uniform cylinder, in natural units; nothing if there is none.
   std::optional<CycloidArc> cycloid;
@@ -35,8 +38,7 @@ struct PosedProblem : PosedScene {
   [[nodiscard]] MeshOptions mesh_options_after(const Work& done) const;
   /// Whether all smooth contacts are looked for.
   [[nodiscard]] bool searches() const {
-    return options.search == Search::Global &&
-           natural.contact == Contact::Smooth;
+    return options.searches() && natural.contact == Contact::Smooth;
   }
 };
 

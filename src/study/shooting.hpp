@@ -3,7 +3,7 @@
 
 /// \file
 /// Between collocation and the indirect method, whose extremal may be a start,
-/// a witness, and with Method::Extremal the answer.
+/// a witness, and with the method Shooting the answer.
 
 #pragma once
 

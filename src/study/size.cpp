@@ -18,9 +18,9 @@ namespace {
 // Measured on one core of an AMD EPYC: from 122 to 4900 turns of the base body
 // 3.4e-4 down to 2.6e-4 s times the power 3/2 of their number, for the
 // continuation needs more steps too, and 0.22 to 0.32 MB per turn; of fixed
-// meshes 1e-5 s and 3.5 kB per node, 1.7 kB for arc_length. What is refused must
-// be too large for certain, on a faster machine and by a shorter way too: a
-// third of the first time, a tenth of the second, somewhat less memory.
+// meshes 1e-5 s and 3.5 kB per node, 1.7 kB for arc_length. What is refused
+// must be too large for certain, on a faster machine and by a shorter way too:
+// a third of the first time, a tenth of the second, somewhat less memory.
 constexpr double kSecondsOfTurns = 1e-4;
 constexpr double kBytesPerTurn = 0.2e6;
 constexpr double kSecondsPerNode = 1e-6;
@@ -38,30 +38,28 @@ std::string in_bytes(double bytes) {
   return fmt::format("{:.3g} {}", bytes, kUnits.at(unit));
 }
 
-double bytes_of_nodes(const SolveOptions& options, double nodes) {
-  if (options.method == Method::Fsolve) {
-    if (options.fsolve.variant == FsolveVariant::Lifted) return 0.0;
-    // One dense matrix of the paper's 2n + 1 equations.
-    return sizeof(double) * std::pow(2.0 * nodes + 1.0, 2);
-  }
-  return nodes * (options.discretisation.formulation == Formulation::ArcLength
-                      ? kBytesPerArcLengthNode
-                      : kBytesPerNode);
-}
-
 }  // namespace
 
 SizeEstimate estimate_size(double turns, const SolveOptions& options) {
-  const Discretisation& mesh = options.discretisation;
-  SizeEstimate size;
-  size.turns = turns;
-  if (mesh.nodes) {
-    size.nodes = *mesh.nodes;
-  } else if (mesh.elements) {
-    size.nodes = 1.0 + 1.0 * *mesh.elements * mesh.degree_of_fixed();
+  SizeEstimate size{.turns = turns};
+  if (const auto* program = options.of<Collocation>()) {
+    const Discretisation& mesh = program->discretisation;
+    if (mesh.nodes) {
+      size.nodes = *mesh.nodes;
+    } else if (mesh.elements) {
+      size.nodes = 1.0 + 1.0 * *mesh.elements * mesh.degree_of_fixed();
+    }
+    size.bytes = size.nodes * (mesh.formulation == Formulation::ArcLength
+                                   ? kBytesPerArcLengthNode
+                                   : kBytesPerNode);
+  } else if (const auto* system = options.of<DiscreteSystem>()) {
+    size.nodes = system->nodes;
+    // One dense matrix of the paper's 2n + 1 equations.
+    if (system->solver != DiscreteSolver::Lifted) {
+      size.bytes = sizeof(double) * std::pow(2.0 * size.nodes + 1.0, 2);
+    }
   }
-  size.bytes =
-      std::max(kBytesPerTurn * turns, bytes_of_nodes(options, size.nodes));
+  size.bytes = std::max(kBytesPerTurn * turns, size.bytes);
   size.seconds = std::max(kSecondsOfTurns * std::pow(turns, 1.5),
                           kSecondsPerNode * size.nodes);
   return size;

@@ -34,7 +34,8 @@ void solve_posed(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
 void solve_by_shooting(const PosedProblem& posed, Solution& out);
-void solve_discrete_system(const PosedProblem& posed, Solution& out);
+void solve_by_discrete_system(const PosedProblem& posed,
+                              const DiscreteSystem& system, Solution& out);
 void follow_given_path(const PosedProblem& posed, Solution& out);
 void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out);
@@ -67,15 +68,12 @@ namespace {
 void solve_posed(const PosedProblem& posed, Solution& out) {
   if (posed.scene.path) return follow_given_path(posed, out);
   if (auto outcome = too_large(posed)) return record(*std::move(outcome), out);
-  switch (posed.options.method) {
-    case Method::Ipopt:
-    case Method::NewtonKkt:
-      return solve_program(posed, start_from_cycloid(posed), out);
-    case Method::Extremal:
-      return solve_by_shooting(posed, out);
-    case Method::Fsolve:
-      return solve_discrete_system(posed, out);
+  const SolveOptions& options = posed.options;
+  if (options.of<Shooting>() != nullptr) return solve_by_shooting(posed, out);
+  if (const auto* system = options.of<DiscreteSystem>()) {
+    return solve_by_discrete_system(posed, *system, out);
   }
+  solve_program(posed, start_from_cycloid(posed), out);
 }
 
 // ---- The ways, one for each kind of answer.
@@ -87,16 +85,16 @@ void solve_program(const PosedProblem& posed, const Start& start,
   if (posed.stop().met() || !posed.cycloid) return;
   if (posed.searches()) return search_contacts(posed, start, out);
   if (!start.curve) return;
-  if (posed.options.guess != Guess::Cycloid) {
+  if (posed.program.guess != Guess::Cycloid) {
     record(start_elsewhere(posed, start, out.effort), out);
   }
-  if (posed.options.discretisation.formulation == Formulation::ArcLength) {
+  if (posed.program.discretisation.formulation == Formulation::ArcLength) {
     return refine_pieces(posed, start, out);
   }
   refine_elements(posed, start, out);
 }
 
-/// Method::Extremal: the numbers come from the indirect method; the collocation
+/// Shooting: the numbers come from the indirect method; the collocation
 /// problem on a fine mesh, which they must satisfy, is their certificate.
 void solve_by_shooting(const PosedProblem& posed, Solution& out) {
   const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
@@ -110,15 +108,12 @@ void solve_by_shooting(const PosedProblem& posed, Solution& out) {
   conclude(posed, found, out, extremal.transit_time);
 }
 
-/// Method::Fsolve: an answer to other equations, and its distance from this
-/// one.
-void solve_discrete_system(const PosedProblem& posed, Solution& out) {
-  // n where a problem does not say, as in the paper.
-  constexpr int kNodes = 100;
-  const SolveOptions& options = posed.options;
-  const FsolveAnswer found =
-      fsolve_answer(posed.scene, options.discretisation.nodes.value_or(kNodes),
-                    options.fsolve, options.limits.iterations, posed.stop());
+/// The paper's discrete system: an answer to other equations, and its distance
+/// from this one.
+void solve_by_discrete_system(const PosedProblem& posed,
+                              const DiscreteSystem& system, Solution& out) {
+  const DiscreteAnswer found = solve_discrete_system(
+      posed.scene, system, posed.options.limits.iterations, posed.stop());
   out.effort.iterations = found.iterations;
   out.answer = found;
   record(Outcome{found.status, found.message}, out);
@@ -179,7 +174,7 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
       std::move(known), posed.stop(), posed.progress());
   record(search, out);
   JudgedBranches judged =
-      judge_branches(posed, posed.options.discretisation, search.contacts,
+      judge_branches(posed, posed.program.discretisation, search.contacts,
                      principal.curve.has_value(), each);
   record(judged, out);
   JudgedBranch* best = best_branch(judged.branches);
@@ -202,7 +197,7 @@ void refine_elements(const PosedProblem& posed, const Start& start,
                      Solution& out) {
   constexpr int kRounds = 3;
   constexpr double kTighter = 1e-2;
-  Discretisation wanted = posed.options.discretisation;
+  Discretisation wanted = posed.program.discretisation;
   ExtremalCurve curve = *start.curve;
   double phi = start.phi;
   for (int round = 0; round < kRounds; ++round) {
@@ -224,7 +219,7 @@ void refine_elements(const PosedProblem& posed, const Start& start,
 void refine_pieces(const PosedProblem& posed, const Start& start,
                    Solution& out) {
   ArcLengthRefinement refinement = refine_arc_length(
-      posed.natural, posed.options.discretisation, *start.curve, start.phi,
+      posed.natural, posed.program.discretisation, *start.curve, start.phi,
       posed.mesh_options_after(out.effort));
   record(refinement, out);
   if (!refinement.answer || posed.stop().met()) return;

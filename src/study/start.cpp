@@ -96,9 +96,9 @@ OtherStart start_elsewhere(const PosedProblem& posed, const Start& principal,
   const ExtremalCurve& known = *principal.curve;
   RollingTime problem(known.scene(), known.mesh(), principal.phi);
   const PrimalDual guess =
-      posed.options.guess == Guess::Straight
+      posed.program.guess == Guess::Straight
           ? straight_guess(problem)
-          : random_guess(problem, *posed.cycloid, posed.options.seed);
+          : random_guess(problem, *posed.cycloid, posed.program.seed);
   // Lost in nowhere it must not use up what the answer needs.
   MeshOptions half = posed.mesh_options_after(done);
   half.ipopt.max_iterations /= 2;
@@ -118,10 +118,11 @@ OtherStart start_elsewhere(const PosedProblem& posed, const Start& principal,
 }
 
 std::string wider_search(Contact contact, const SolveOptions& options) {
-  if (options.search == Search::Global || contact == Contact::Centre) return {};
+  if (options.searches() || contact == Contact::Centre) return {};
   const std::string search = "search: global";
-  if (options.method == Method::Extremal) return search + " with method: ipopt";
-  return options.discretisation.formulation == Formulation::ArcLength
+  const auto* program = options.of<Collocation>();
+  if (program == nullptr) return search + " with method: ipopt";
+  return program->discretisation.formulation == Formulation::ArcLength
              ? search + " with formulation: rolling_time"
              : search;
 }

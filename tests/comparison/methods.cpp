@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Every method is a problem file that the reader takes, whatever the file said
+// Every method has options that a solve takes, whatever the problem said
 // before.
 
 #include "comparison/methods.hpp"
@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "brachisto/study/solve.hpp"
 #include "io/reading.hpp"
 
 namespace brachisto::comparison {
@@ -18,13 +20,16 @@ namespace {
 
 using Kind = ComparedMethod::Kind;
 
-const std::vector<ComparedMethod> kAll{
-    rolling_time(1),           rolling_time(8),
-    {.kind = Kind::ArcLength}, {.kind = Kind::Extremal},
-    fsolve(FsolveArm::Rest),   fsolve(FsolveArm::Release),
-    fsolve(FsolveArm::Newton), fsolve(FsolveArm::Lifted)};
+const std::vector<ComparedMethod> kAll{rolling_time(1),
+                                       rolling_time(8),
+                                       {.kind = Kind::ArcLength},
+                                       {.kind = Kind::Extremal},
+                                       discrete_system(DiscreteArm::Rest),
+                                       discrete_system(DiscreteArm::Release),
+                                       discrete_system(DiscreteArm::Newton),
+                                       discrete_system(DiscreteArm::Lifted)};
 
-/// Files that state much of what a method has to replace.
+/// Problems that state much of what a method has to replace.
 const std::vector<std::string> kFiles{
     io::kBead, io::kBead + "discretisation: {degree: 3, elements: 7}\n",
     io::kBead +
@@ -35,67 +40,62 @@ const std::vector<std::string> kFiles{
         "solver: {tolerance: 1e-9, polish: false, linear_solver: "
         "mumps, limits: {iterations: 77, seconds: 5}}\n"};
 
-TEST(Methods, AreProblemsThatAreRead) {
+TEST(Methods, AreAcceptedBySolve) {
   for (const std::string& file : kFiles) {
+    const io::ProblemFile base = io::read(file);
     for (const ComparedMethod& method : kAll) {
-      if (!available(method)) continue;
-      EXPECT_EQ(io::errors(file, overrides(method, 20, io::read(file))), "")
-          << label(method) << " of\n"
-          << file;
+      for (const int mesh : {smallest_mesh(method), 20}) {
+        SolveOptions options = options_of(method, mesh, base.options);
+        options.limits.seconds = 1e-9;  // they are checked before
+
+        EXPECT_NO_THROW(static_cast<void>(solve(base.scene, options)))
+            << label(method) << " of\n"
+            << file;
+      }
     }
   }
 }
 
 TEST(Methods, HaveTheMeshTheyAreGiven) {
-  const io::ProblemFile base = io::read(kFiles[1]);
-  const auto read = [&](const ComparedMethod& method) {
-    return io::read(kFiles[1], overrides(method, 20, base)).options;
+  const SolveOptions base = io::read(kFiles[1]).options;
+  const auto of = [&](const ComparedMethod& method) {
+    return options_of(method, 20, base);
   };
 
-  const SolveOptions collocation = read(rolling_time(4));
-  EXPECT_EQ(collocation.method, Method::Ipopt);
-  EXPECT_EQ(collocation.discretisation.degree, 4);
-  EXPECT_EQ(collocation.discretisation.elements, 20);
-  const SolveOptions rest = read(fsolve(FsolveArm::Rest));
-  EXPECT_EQ(rest.method, Method::Fsolve);
-  EXPECT_EQ(rest.discretisation.nodes, 20);
-  EXPECT_EQ(rest.fsolve.reading.datum, DiscreteReading::Datum::Rest);
-  EXPECT_EQ(rest.fsolve.variant, FsolveVariant::Hybrid);
-  EXPECT_EQ(read(fsolve(FsolveArm::Newton)).fsolve.variant,
-            FsolveVariant::Newton);
-  EXPECT_EQ(read({.kind = Kind::Extremal}).method, Method::Extremal);
-}
-
-TEST(Methods, TakeTheirSmallestMesh) {
-  for (const ComparedMethod& method : kAll) {
-    if (!available(method) || !has_meshes(method)) continue;
-    const int mesh = smallest_mesh(method);
-    EXPECT_EQ(
-        io::errors(kFiles[0], overrides(method, mesh, io::read(kFiles[0]))), "")
-        << label(method);
-  }
+  const auto program = std::get<Collocation>(of(rolling_time(4)).method);
+  EXPECT_EQ(program.solver, ProgramSolver::Ipopt);
+  EXPECT_EQ(program.discretisation.degree, 4);
+  EXPECT_EQ(program.discretisation.elements, 20);
+  const auto rest =
+      std::get<DiscreteSystem>(of(discrete_system(DiscreteArm::Rest)).method);
+  EXPECT_EQ(rest.nodes, 20);
+  EXPECT_EQ(rest.reading.datum, DiscreteReading::Datum::Rest);
+  EXPECT_EQ(rest.solver, DiscreteSolver::Hybrid);
+  EXPECT_EQ(
+      std::get<DiscreteSystem>(of(discrete_system(DiscreteArm::Newton)).method)
+          .solver,
+      DiscreteSolver::Newton);
+  EXPECT_TRUE(of({.kind = Kind::Extremal}).of<Shooting>());
 }
 
 TEST(Methods, OfCollocationPromiseTwiceTheirDegree) {
   EXPECT_EQ(promised_order(rolling_time(3)), 6);
   EXPECT_EQ(promised_order({.kind = Kind::ArcLength}), 2);
-  EXPECT_FALSE(promised_order(fsolve(FsolveArm::Rest)));
+  EXPECT_FALSE(promised_order(discrete_system(DiscreteArm::Rest)));
 }
 
 TEST(Methods, KeepWhatIsNotTheirs) {
-  const io::ProblemFile read = io::read(kFiles[2]);
-  const io::ProblemFile limits = io::read(kFiles[3]);
-
-  const FsolveOptions fsolve_options =
-      io::read(kFiles[2], overrides(fsolve(FsolveArm::Rest), 20, read))
-          .options.fsolve;
-  EXPECT_EQ(fsolve_options.reading.quadrature,
-            DiscreteReading::Quadrature::Midpoint);
-  EXPECT_EQ(fsolve_options.reading.epsilon, 1e-4);
+  const auto system =
+      std::get<DiscreteSystem>(options_of(discrete_system(DiscreteArm::Rest),
+                                          20, io::read(kFiles[2]).options)
+                                   .method);
+  EXPECT_EQ(system.reading.quadrature, DiscreteReading::Quadrature::Midpoint);
+  EXPECT_EQ(system.reading.epsilon, 1e-4);
   const SolveOptions options =
-      io::read(kFiles[3], overrides(rolling_time(2), 20, limits)).options;
-  EXPECT_EQ(options.tolerance, 1e-9);
-  EXPECT_FALSE(options.polish);
+      options_of(rolling_time(2), 20, io::read(kFiles[3]).options);
+  const auto program = std::get<Collocation>(options.method);
+  EXPECT_EQ(program.tolerance, 1e-9);
+  EXPECT_FALSE(program.polish);
   EXPECT_EQ(options.limits.iterations, 77);
   EXPECT_EQ(options.limits.seconds, 5.0);
 }

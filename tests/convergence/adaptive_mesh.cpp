@@ -50,7 +50,7 @@ class AdaptiveMesh : public ::testing::TestWithParam<Case> {
  protected:
   [[nodiscard]] static Solution solve_case(const Case& c) {
     SolveOptions options;
-    options.discretisation.tolerance = c.tolerance;
+    options.use<Collocation>().discretisation.tolerance = c.tolerance;
     return solve(c.row->scene(), options);
   }
   /// τ to 13 digits or more.
@@ -107,7 +107,7 @@ TEST(AdaptiveMesh, SpendsMoreOnMoreDigits) {
     int before = 0;
     for (const double tolerance : {1e-2, 1e-5, 1e-8, 1e-11}) {
       SolveOptions options;
-      options.discretisation.tolerance = tolerance;
+      options.use<Collocation>().discretisation.tolerance = tolerance;
 
       const Solution solution = solve(row->scene(), options);
 
@@ -124,13 +124,14 @@ TEST(AdaptiveMesh, NeedsFewerNodesThanAUniformOne) {
   // evenly, T is not as good: elements stand where the error is.
   const ReferenceValue& row = reference("r_0.2");
   SolveOptions options;
-  options.discretisation.degree = 3;
-  options.discretisation.tolerance = 1e-8;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 3;
+  mesh.tolerance = 1e-8;
   const Solution adaptive = solve(row.scene(), options);
   ASSERT_TRUE(adaptive.verified()) << adaptive.message;
   SolveOptions uniform;
-  uniform.discretisation.degree = 3;
-  uniform.discretisation.elements =
+  uniform.use<Collocation>().discretisation.degree = 3;
+  uniform.use<Collocation>().discretisation.elements =
       adaptive.trajectory()->curve().mesh().num_elements();
 
   const Solution even = solve(row.scene(), uniform);

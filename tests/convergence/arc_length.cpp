@@ -22,8 +22,9 @@ using testing::ReferenceValue;
 
 Solution solve_on_pieces(const ReferenceValue& row, int pieces) {
   SolveOptions options;
-  options.discretisation.formulation = Formulation::ArcLength;
-  options.discretisation.elements = pieces;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.formulation = Formulation::ArcLength;
+  mesh.elements = pieces;
   return solve(row.scene(), options);
 }
 
@@ -74,8 +75,9 @@ TEST(ArcLength, MeetsItsTolerance) {
       if (std::string_view(row.name) != name) continue;
       constexpr double kTolerance = 1e-7;
       SolveOptions options;
-      options.discretisation.formulation = Formulation::ArcLength;
-      options.discretisation.tolerance = kTolerance;
+      Discretisation& mesh = options.use<Collocation>().discretisation;
+      mesh.formulation = Formulation::ArcLength;
+      mesh.tolerance = kTolerance;
 
       const Solution solution = solve(row.scene(), options);
 
@@ -118,10 +120,11 @@ TEST(ArcLength, IsTheSameByMumpsAndByNewtonsMethod) {
   constexpr double kDifference = 1e-10;
   const ReferenceValue& row = reference("theta_-30");
   SolveOptions options;
-  options.discretisation.formulation = Formulation::ArcLength;
-  options.discretisation.elements = 200;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.formulation = Formulation::ArcLength;
+  mesh.elements = 200;
   const Solution polished = solve(row.scene(), options);
-  options.polish = false;
+  options.use<Collocation>().polish = false;
 
   const Solution plain = solve(row.scene(), options);
 
@@ -139,8 +142,9 @@ TEST(ArcLength, EndsAtGivenPointsOfTheCentreToo) {
   Scene scene = reference("uniform_L3").scene();
   scene.contact = Contact::Centre;
   SolveOptions options;
-  options.discretisation.formulation = Formulation::ArcLength;
-  options.discretisation.elements = 200;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.formulation = Formulation::ArcLength;
+  mesh.elements = 200;
   const double expected =
       std::sqrt(1.0 + scene.body.k) * reference("bead_L3").tau;
 
@@ -153,8 +157,9 @@ TEST(ArcLength, EndsAtGivenPointsOfTheCentreToo) {
 
 TEST(ArcLength, RefusesWhatItDoesNotHave) {
   SolveOptions options;
-  options.discretisation.formulation = Formulation::ArcLength;
-  options.discretisation.degree = 2;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.formulation = Formulation::ArcLength;
+  mesh.degree = 2;
 
   EXPECT_THROW(static_cast<void>(solve(reference("bead_L3").scene(), options)),
                std::invalid_argument);

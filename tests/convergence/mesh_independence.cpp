@@ -51,7 +51,7 @@ TEST(MeshIndependence, HoldsForAWholeSolve) {
   constexpr int kFromACurve = 3;
   for (const int elements : {20, 100, 500}) {
     SolveOptions options;
-    options.discretisation.elements = elements;
+    options.use<Collocation>().discretisation.elements = elements;
 
     const Solution solution =
         solve(testing::reference("reference_case").scene(), options);

@@ -78,8 +78,9 @@ TEST_P(RollingTimeOrder, IsTwiceTheDegree) {
 
   for (std::size_t i = 0; i < h.size(); ++i) {
     SolveOptions options;
-    options.discretisation.degree = c.degree;
-    options.discretisation.elements = c.elements[i];
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = c.degree;
+    mesh.elements = c.elements[i];
     const Solution solution = solve(c.row->scene(), options);
     ASSERT_TRUE(solution.trajectory()) << solution.message;
     h[i] = 1.0 / c.elements[i];
@@ -100,8 +101,9 @@ TEST(ClosedForm, IsMetToRoundingByAModestMesh) {
   constexpr double kRounding = 1e-12;
   const ReferenceValue& row = reference("uniform_L3");
   SolveOptions options;
-  options.discretisation.degree = 5;
-  options.discretisation.elements = 8;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 5;
+  mesh.elements = 8;
 
   const Solution solution = solve(row.scene(), options);
 

@@ -95,8 +95,9 @@ class RollingBody {
 TEST(Reintegration, InPhysicalTimeArrivesOnTimeWithTheSameSpeed) {
   // A fine mesh, so that β between nodes, of order p + 1, is no limit.
   SolveOptions options;
-  options.discretisation.degree = 8;
-  options.discretisation.elements = 40;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 8;
+  mesh.elements = 40;
   const Solution solution =
       solve(testing::reference("theta_-30").scene(), options);
   ASSERT_TRUE(solution.verified()) << solution.message;

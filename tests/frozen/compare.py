@@ -177,8 +177,8 @@ def shorten(value):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("reference")
-    parser.add_argument("candidate")
+    parser.add_argument("reference", type=lambda name: str(pathlib.Path(name).resolve()))
+    parser.add_argument("candidate", type=lambda name: str(pathlib.Path(name).resolve()))
     parser.add_argument("--arithmetic", action="store_true")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=2000, help="random scenes")

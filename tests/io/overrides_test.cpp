@@ -30,7 +30,7 @@ TEST(Overrides, FillAnEmptySection) {
   const ProblemFile problem =
       read(kBead + "solver:\n", {"solver.guess=straight"});
 
-  EXPECT_EQ(problem.options.guess, Guess::Straight);
+  EXPECT_EQ(problem.options.of<Collocation>()->guess, Guess::Straight);
 }
 
 TEST(Overrides, TakeFlowCollections) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "io/reading.hpp"
 
@@ -59,39 +60,41 @@ solver:
   EXPECT_EQ(problem.scene.H, 1.5);
   EXPECT_EQ(problem.scene.gravity, 1.62);
   EXPECT_EQ(problem.scene.contact, Contact::Centre);
-  const Discretisation& mesh = problem.options.discretisation;
+  const auto program = std::get<Collocation>(problem.options.method);
+  const Discretisation& mesh = program.discretisation;
   EXPECT_EQ(mesh.formulation, Formulation::RollingTime);
   EXPECT_EQ(mesh.tolerance, 1e-8);
   EXPECT_EQ(mesh.degree, 4);
   EXPECT_EQ(mesh.elements, std::nullopt);
   EXPECT_EQ(mesh.nodes, 41);
-  EXPECT_EQ(problem.options.method, Method::Ipopt);
-  EXPECT_EQ(problem.options.linear_solver, LinearSolver::Mumps);
-  EXPECT_EQ(problem.options.tolerance, 1e-10);
-  EXPECT_EQ(problem.options.search, Search::Principal);
-  EXPECT_FALSE(problem.options.polish);
-  EXPECT_EQ(problem.options.certify, Certify::Extremal);
-  EXPECT_EQ(problem.options.guess, Guess::Random);
-  EXPECT_EQ(problem.options.seed, 7u);
+  EXPECT_EQ(program.solver, ProgramSolver::Ipopt);
+  EXPECT_EQ(program.linear_solver, LinearSolver::Mumps);
+  EXPECT_EQ(program.tolerance, 1e-10);
+  EXPECT_EQ(program.search, Search::Principal);
+  EXPECT_FALSE(program.polish);
+  EXPECT_EQ(program.certify, Certify::Extremal);
+  EXPECT_EQ(program.guess, Guess::Random);
+  EXPECT_EQ(program.seed, 7u);
   EXPECT_EQ(problem.options.limits.iterations, 100);
   EXPECT_EQ(problem.options.limits.seconds, 60.0);
 }
 
 TEST(ProblemFile, WordsThatExcludeOtherKeysArrive) {
-  EXPECT_EQ(read(kBead + "solver: {method: extremal}\n").options.method,
-            Method::Extremal);
-  EXPECT_EQ(read(kBead + "solver: {search: global}\n").options.search,
-            Search::Global);
+  EXPECT_TRUE(
+      read(kBead + "solver: {method: extremal}\n").options.of<Shooting>());
+  EXPECT_TRUE(read(kBead + "solver: {search: global}\n").options.searches());
 }
 
 TEST(ProblemFile, ElementsArrive) {
   const ProblemFile problem = read(kBead + "discretisation: {elements: 40}\n");
 
-  EXPECT_EQ(problem.options.discretisation.elements, 40);
+  EXPECT_EQ(problem.options.of<Collocation>()->discretisation.elements, 40);
 }
 
 TEST(ProblemFile, AbsentMeshKeysStayAbsent) {
-  const Discretisation mesh = read(kBead).options.discretisation;
+  const ProblemFile problem = read(kBead);
+  const Discretisation& mesh =
+      problem.options.of<Collocation>()->discretisation;
 
   EXPECT_FALSE(mesh.tolerance || mesh.degree || mesh.elements || mesh.nodes);
 }

@@ -77,8 +77,10 @@ TEST(SweepFile, ASceneIsTheFileWithItsValuesInPlaceOfItsOwn) {
            {"scene.finish.H=1/3", "solver.seed=4", "solver.guess=random"});
   EXPECT_EQ(swept.scene.H, single.scene.H);
   EXPECT_EQ(swept.scene.L, single.scene.L);
-  EXPECT_EQ(swept.options.seed, single.options.seed);
-  EXPECT_EQ(swept.options.guess, single.options.guess);
+  EXPECT_EQ(swept.options.of<Collocation>()->seed,
+            single.options.of<Collocation>()->seed);
+  EXPECT_EQ(swept.options.of<Collocation>()->guess,
+            single.options.of<Collocation>()->guess);
 }
 
 TEST(SweepFile, WordsVaryToo) {
@@ -86,8 +88,8 @@ TEST(SweepFile, WordsVaryToo) {
 
   EXPECT_FALSE(file.keys()[0].numeric);
   EXPECT_EQ(std::get<std::string>(file.values(1)[0]), "extremal");
-  EXPECT_EQ(file.problem(0).options.method, Method::Ipopt);
-  EXPECT_EQ(file.problem(1).options.method, Method::Extremal);
+  EXPECT_TRUE(file.problem(0).options.of<Collocation>());
+  EXPECT_TRUE(file.problem(1).options.of<Shooting>());
 }
 
 TEST(SweepFile, KeysThatVaryNeedNoValueOfTheirOwn) {
@@ -149,7 +151,7 @@ TEST(SweepFile, SingleValuesDoNotMultiplyTheScenes) {
   EXPECT_EQ(file.keys().size(), 3u);
   EXPECT_THAT(numbers(file, 1), ElementsAre(1, 0.75));
   EXPECT_EQ(file.problem(1).scene.body.k, 0.75);
-  EXPECT_EQ(file.problem(1).options.guess, Guess::Straight);
+  EXPECT_EQ(file.problem(1).options.of<Collocation>()->guess, Guess::Straight);
 }
 
 TEST(SweepFile, WithoutAnAxisThereIsOneScene) {
@@ -195,7 +197,9 @@ TEST(SweepFile, TheProblemFilesOfSweepsAreGood) {
   const SweepFile map = read_sweep_file(folder / "map_eta_theta.yaml");
   EXPECT_EQ(map.num_scenes(), 2501u);
   EXPECT_EQ(map.problem(2500).scene.body.eta_m, std::sqrt(0.5));
-  EXPECT_EQ(map.problem(2500).options.discretisation.tolerance, 1e-10);
+  EXPECT_EQ(
+      map.problem(2500).options.of<Collocation>()->discretisation.tolerance,
+      1e-10);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(SweepOverrides, ReplaceWhatDoesNotVary) {
             {"scene.body.k=0.75", "solver.guess=straight"});
 
   EXPECT_THAT(numbers(file), ElementsAre(0, 0.5));
-  EXPECT_EQ(file.problem(0).options.guess, Guess::Straight);
+  EXPECT_EQ(file.problem(0).options.of<Collocation>()->guess, Guess::Straight);
 }
 
 TEST(SweepOverrides, ReplaceWordsOfTheSection) {

@@ -51,8 +51,8 @@ TEST(WorkPrecisionSection, IsRead) {
                                 {.kind = ComparedMethod::Kind::Extremal},
                                 rolling_time(2),
                                 rolling_time(5),
-                                fsolve(FsolveArm::Lifted),
-                                fsolve(FsolveArm::Rest)}));
+                                discrete_system(DiscreteArm::Lifted),
+                                discrete_system(DiscreteArm::Rest)}));
   EXPECT_EQ(stated.meshes, (std::vector<int>{10, 40})) << "ascending";
   EXPECT_EQ(stated.repetitions, 3);
   EXPECT_EQ(stated.seconds_per_point, 0.5);

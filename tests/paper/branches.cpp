@@ -45,7 +45,7 @@ TEST(SearchPrincipal, IsNotLeftForAFasterExtremal) {
 
 TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastestOfThem) {
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
 
   const Solution solution = solve(two_contacts(), options);
 
@@ -85,7 +85,7 @@ TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastestOfThem) {
 
 TEST(SearchGlobal, IsNeverSlowerThanThePrincipalBranch) {
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
   for (const auto* row : {&reference("reference_case"), &reference("bead_L3"),
                           &reference("uniform_L3")}) {
     const Solution solution = solve(row->scene(), options);

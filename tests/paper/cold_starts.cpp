@@ -43,7 +43,7 @@ TEST(AColdStart, FromTheStraightLineGivesTheSameAnswer) {
     ASSERT_TRUE(expected.verified()) << row->name;
     EXPECT_FALSE(expected.cold_start) << row->name;
     SolveOptions options;
-    options.guess = Guess::Straight;
+    options.use<Collocation>().guess = Guess::Straight;
 
     expect_same_answer(solve(row->scene(), options), expected, row->name);
   }
@@ -57,8 +57,9 @@ TEST(AColdStart, FromRandomSlopesGivesTheSameAnswer) {
     ASSERT_TRUE(expected.verified()) << row->name;
     for (const std::uint64_t seed : {1U, 2U, 3U, 17U, 4711U}) {
       SolveOptions options;
-      options.guess = Guess::Random;
-      options.seed = seed;
+      auto& program = options.use<Collocation>();
+      program.guess = Guess::Random;
+      program.seed = seed;
 
       const Solution solution = solve(row->scene(), options);
 
@@ -72,8 +73,9 @@ TEST(AColdStart, FromRandomSlopesGivesTheSameAnswer) {
 
 TEST(AColdStart, IsRepeatable) {
   SolveOptions options;
-  options.guess = Guess::Random;
-  options.seed = 5;
+  auto& program = options.use<Collocation>();
+  program.guess = Guess::Random;
+  program.seed = 5;
   const Scene scene = reference("reference_case").scene();
 
   const Solution first = solve(scene, options);

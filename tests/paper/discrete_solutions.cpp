@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/discrete_answer.hpp"
 #include "support/observed_order.hpp"
 #include "support/reference_values.hpp"
 #include "support/scenes.hpp"
@@ -45,9 +45,10 @@ constexpr double kAgree = 1e-4;
 /// of the Jacobian, 6e3 for n = 60, and room for ten times as much.
 constexpr double kSameSteps = 1e-11;
 
-FsolveOptions options_of(FsolveVariant variant, Datum datum) {
-  FsolveOptions options;
-  options.variant = variant;
+DiscreteSystem options_of(int nodes, DiscreteSolver solver, Datum datum) {
+  DiscreteSystem options;
+  options.nodes = nodes;
+  options.solver = solver;
   options.reading.datum = datum;
   return options;
 }
@@ -56,48 +57,50 @@ TEST(Hybrid, FindsTheSolutionsOfAnIndependentProgram) {
   for (const Elsewhere& row : kElsewhere) {
     if (row.nodes > 100) continue;  // seconds
 
-    const FsolveAnswer answer =
-        fsolve_answer(off_centred_scene(), row.nodes,
-                      options_of(FsolveVariant::Hybrid, row.datum));
+    const DiscreteAnswer answer = solve_discrete_system(
+        off_centred_scene(),
+        options_of(row.nodes, DiscreteSolver::Hybrid, row.datum));
 
     ASSERT_TRUE(answer.solved()) << answer.message;
     EXPECT_NEAR(answer.tau, row.tau, kAgree) << row.nodes;
-    EXPECT_LE(answer.residual, FsolveOptions{}.tolerance);
+    EXPECT_LE(answer.residual, DiscreteSystem{}.tolerance);
     EXPECT_EQ(answer.unknowns, 2 * row.nodes + 1);
     EXPECT_EQ(answer.refused_points, 0);
   }
 }
 
 TEST(ExactNewton, FindsTheSolutionsOfAnIndependentProgram) {
-  for (const auto variant : {FsolveVariant::Newton, FsolveVariant::Lifted}) {
+  for (const auto variant : {DiscreteSolver::Newton, DiscreteSolver::Lifted}) {
     for (const Elsewhere& row : kElsewhere) {
-      const FsolveAnswer answer = fsolve_answer(off_centred_scene(), row.nodes,
-                                                options_of(variant, row.datum));
+      const DiscreteAnswer answer = solve_discrete_system(
+          off_centred_scene(), options_of(row.nodes, variant, row.datum));
 
       ASSERT_TRUE(answer.solved()) << answer.message;
       EXPECT_NEAR(answer.tau, row.tau_limit, kAgree) << row.nodes;
-      EXPECT_EQ(answer.unknowns, variant == FsolveVariant::Lifted
+      EXPECT_EQ(answer.unknowns, variant == DiscreteSolver::Lifted
                                      ? 4 * row.nodes - 1
                                      : 2 * row.nodes + 1);
     }
   }
-  EXPECT_NEAR(fsolve_answer(off_centred_scene(), 400,
-                            options_of(FsolveVariant::Lifted, Datum::Rest))
+  EXPECT_NEAR(solve_discrete_system(
+                  off_centred_scene(),
+                  options_of(400, DiscreteSolver::Lifted, Datum::Rest))
                   .tau,
               5.0985, kAgree);
-  EXPECT_NEAR(fsolve_answer(off_centred_scene(), 400,
-                            options_of(FsolveVariant::Lifted, Datum::Release))
+  EXPECT_NEAR(solve_discrete_system(
+                  off_centred_scene(),
+                  options_of(400, DiscreteSolver::Lifted, Datum::Release))
                   .tau,
               5.0813, kAgree);
 }
 
 TEST(LiftedNewton, GoesTheWayOfTheDenseOne) {
-  const FsolveAnswer dense =
-      fsolve_answer(off_centred_scene(), 50,
-                    options_of(FsolveVariant::Newton, Datum::Release));
-  const FsolveAnswer lifted =
-      fsolve_answer(off_centred_scene(), 50,
-                    options_of(FsolveVariant::Lifted, Datum::Release));
+  const DiscreteAnswer dense = solve_discrete_system(
+      off_centred_scene(),
+      options_of(50, DiscreteSolver::Newton, Datum::Release));
+  const DiscreteAnswer lifted = solve_discrete_system(
+      off_centred_scene(),
+      options_of(50, DiscreteSolver::Lifted, Datum::Release));
 
   ASSERT_TRUE(dense.solved());
   ASSERT_TRUE(lifted.solved());
@@ -111,9 +114,9 @@ double order_of(Datum datum, const std::array<int, 4>& nodes) {
   const double exact = testing::reference("reference_case").tau;
   std::array<double, 4> h{}, error{};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const FsolveAnswer answer =
-        fsolve_answer(off_centred_scene(), nodes[i],
-                      options_of(FsolveVariant::Lifted, datum));
+    const DiscreteAnswer answer = solve_discrete_system(
+        off_centred_scene(),
+        options_of(nodes[i], DiscreteSolver::Lifted, datum));
     EXPECT_TRUE(answer.solved()) << answer.message;
     h[i] = 1.0 / nodes[i];
     error[i] = std::abs(answer.tau - exact);
@@ -139,17 +142,17 @@ TEST(LiftedNewton, GoesToTheExtremalAtOrderOneHalfFromRelease) {
   EXPECT_LE(order, 0.6);
 }
 
-TEST(FsolveAnswer, DoesNotDependOnUnitsOrGravity) {
-  const FsolveOptions options =
-      options_of(FsolveVariant::Lifted, Datum::Release);
+TEST(DiscreteAnswer, DoesNotDependOnUnitsOrGravity) {
+  const DiscreteSystem options =
+      options_of(60, DiscreteSolver::Lifted, Datum::Release);
   Scene scene = off_centred_scene(-0.3);
-  const FsolveAnswer one = fsolve_answer(scene, 60, options);
+  const DiscreteAnswer one = solve_discrete_system(scene, options);
   scene.body.radius *= 7.0;
   scene.L *= 7.0;
   scene.H *= 7.0;
   scene.gravity = 1.6;
 
-  const FsolveAnswer other = fsolve_answer(scene, 60, options);
+  const DiscreteAnswer other = solve_discrete_system(scene, options);
 
   ASSERT_TRUE(one.solved()) << one.message;
   ASSERT_TRUE(other.solved()) << other.message;
@@ -161,10 +164,10 @@ TEST(FsolveAnswer, DoesNotDependOnUnitsOrGravity) {
               7.0 * kSameSteps);
 }
 
-TEST(FsolveAnswer, TouchesBothEnds) {
-  const FsolveAnswer answer =
-      fsolve_answer(off_centred_scene(), 80,
-                    options_of(FsolveVariant::Lifted, Datum::Release));
+TEST(DiscreteAnswer, TouchesBothEnds) {
+  const DiscreteAnswer answer = solve_discrete_system(
+      off_centred_scene(),
+      options_of(80, DiscreteSolver::Lifted, Datum::Release));
 
   ASSERT_TRUE(answer.solved()) << answer.message;
   ASSERT_EQ(answer.centre.size(), 80u);
@@ -176,33 +179,33 @@ TEST(FsolveAnswer, TouchesBothEnds) {
   EXPECT_NEAR(distance(answer.centre.back(), 3.0, 1.0), r, 1e-6);
 }
 
-TEST(FsolveAnswer, TellsThatThePrintedDatumHasNoRealTimes) {
+TEST(DiscreteAnswer, TellsThatThePrintedDatumHasNoRealTimes) {
   // E_1 = −r cos β_1 < 0 as soon as the first chord leaves the vertical.
-  for (const auto variant :
-       {FsolveVariant::Hybrid, FsolveVariant::Newton, FsolveVariant::Lifted}) {
-    const FsolveAnswer answer = fsolve_answer(
-        off_centred_scene(), 50, options_of(variant, Datum::Printed));
+  for (const auto variant : {DiscreteSolver::Hybrid, DiscreteSolver::Newton,
+                             DiscreteSolver::Lifted}) {
+    const DiscreteAnswer answer = solve_discrete_system(
+        off_centred_scene(), options_of(50, variant, Datum::Printed));
 
     EXPECT_EQ(answer.status, Status::NotEvaluable) << answer.message;
     EXPECT_GT(answer.refused_points, 0);
     EXPECT_EQ(answer.tau, 0.0);
     EXPECT_TRUE(answer.centre.empty());
   }
-  const FsolveAnswer hybrid =
-      fsolve_answer(off_centred_scene(), 50,
-                    options_of(FsolveVariant::Hybrid, Datum::Printed));
+  const DiscreteAnswer hybrid = solve_discrete_system(
+      off_centred_scene(),
+      options_of(50, DiscreteSolver::Hybrid, Datum::Printed));
   EXPECT_NE(hybrid.message.find("no real number"), std::string::npos)
       << hybrid.message;
   EXPECT_NE(hybrid.message.find("node 1 "), std::string::npos)
       << hybrid.message;
 }
 
-TEST(FsolveAnswer, TellsThatHybridStaysAtTheCycloidOfAShorterScene) {
+TEST(DiscreteAnswer, TellsThatHybridStaysAtTheCycloidOfAShorterScene) {
   Scene scene = off_centred_scene();
   scene.L = 2.0;
   for (const Datum datum : {Datum::Rest, Datum::Release}) {
-    const FsolveAnswer answer =
-        fsolve_answer(scene, 50, options_of(FsolveVariant::Hybrid, datum));
+    const DiscreteAnswer answer = solve_discrete_system(
+        scene, options_of(50, DiscreteSolver::Hybrid, datum));
 
     EXPECT_FALSE(answer.solved());
     EXPECT_EQ(answer.iterations, 0) << answer.message;
@@ -212,25 +215,26 @@ TEST(FsolveAnswer, TellsThatHybridStaysAtTheCycloidOfAShorterScene) {
   }
 }
 
-TEST(FsolveAnswer, StopsAtItsLimits) {
-  const FsolveOptions options =
-      options_of(FsolveVariant::Lifted, Datum::Release);
+TEST(DiscreteAnswer, StopsAtItsLimits) {
+  const DiscreteSystem options =
+      options_of(50, DiscreteSolver::Lifted, Datum::Release);
   const Scene scene = off_centred_scene();
 
-  EXPECT_EQ(fsolve_answer(scene, 50, options, 2).status,
+  EXPECT_EQ(solve_discrete_system(scene, options, 2).status,
             Status::IterationLimit);
-  EXPECT_EQ(fsolve_answer(scene, 50, options, 500, StopCondition(0.0, nullptr))
-                .status,
-            Status::TimeLimit);
+  EXPECT_EQ(
+      solve_discrete_system(scene, options, 500, StopCondition(0.0, nullptr))
+          .status,
+      Status::TimeLimit);
 }
 
-TEST(FsolveAnswer, NeedsACycloidToStartFrom) {
+TEST(DiscreteAnswer, NeedsACycloidToStartFrom) {
   Scene scene = off_centred_scene();
   scene.body.radius = 1.0;
   scene.L = 1.0;
   scene.H = 0.5;
 
-  const FsolveAnswer answer = fsolve_answer(scene, 50, FsolveOptions{});
+  const DiscreteAnswer answer = solve_discrete_system(scene, DiscreteSystem{});
 
   EXPECT_EQ(answer.status, Status::NoAdmissiblePath);
   EXPECT_NE(answer.message.find("cycloid"), std::string::npos);

@@ -89,7 +89,7 @@ TEST_P(HardProblem, EndsAsItsCommentSays) {
   ASSERT_TRUE(solution.verified()) << solution.message << failed;
   if (promise != "verified") expect_tau(solution, promise.substr(6));
   // τ is that of the continuation wherever a cold start went.
-  const bool cold = problem.options.guess != Guess::Cycloid;
+  const bool cold = problem.options.of<Collocation>()->guess != Guess::Cycloid;
   EXPECT_EQ(comment_of(file, "# Cold start: "), cold ? "principal" : "");
   if (cold) {
     ASSERT_TRUE(solution.cold_start);

@@ -30,11 +30,12 @@ TEST(Polish, LeavesTheTransitTimeAsItIs) {
                           &reference("reference_case"), &reference("fast"),
                           &reference("theta_90"), &reference("r_0.2")}) {
     SolveOptions options;
-    options.discretisation.degree = 6;
-    options.discretisation.elements = 24;
-    options.polish = true;
+    auto& program = options.use<Collocation>();
+    program.discretisation.degree = 6;
+    program.discretisation.elements = 24;
+    program.polish = true;
     const Solution polished = solve(row->scene(), options);
-    options.polish = false;
+    options.use<Collocation>().polish = false;
     const Solution plain = solve(row->scene(), options);
 
     ASSERT_TRUE(polished.verified()) << row->name << polished.message;
@@ -61,7 +62,7 @@ TEST(Polish, NeverLeavesALargerResidual) {
       const Scene scene = in_natural_units(row->scene());
       // From the solution of another mesh, on the branch.
       SolveOptions options;
-      options.discretisation.tolerance = 1e-6;
+      options.use<Collocation>().discretisation.tolerance = 1e-6;
       const Solution coarse = solve(row->scene(), options);
       ASSERT_TRUE(coarse.trajectory()) << row->name;
       const ExtremalCurve& curve = coarse.trajectory()->curve();

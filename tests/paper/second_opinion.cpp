@@ -30,7 +30,7 @@ TEST_P(SecondOpinion, Agrees) {
   // To the default tolerance of the mesh.
   constexpr double kAgreement = 1e-10;
   SolveOptions options;
-  options.certify = Certify::Extremal;
+  options.use<Collocation>().certify = Certify::Extremal;
 
   const Solution solution = solve(GetParam().scene(), options);
 
@@ -46,7 +46,7 @@ TEST_P(SecondOpinion, Agrees) {
 
 TEST_P(SecondOpinion, IsTheSameAnswerIfAskedFirst) {
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
 
   const Solution solution = solve(GetParam().scene(), options);
 

@@ -302,8 +302,23 @@ TEST(InputJson, HoldsTheSceneAndEveryDefault) {
   EXPECT_EQ(document["solver"]["limits"]["iterations"], 500);
   EXPECT_EQ(document["solver"]["limits"]["seconds"], 3600.0);
   EXPECT_EQ(document["solver"]["tolerance"], 1e-12);
+  EXPECT_TRUE(document["solver"]["fsolve"].is_null());
+}
+
+TEST(InputJson, HoldsTheKeysOfItsMethodAlone) {
+  SolveOptions options;
+  options.method = DiscreteSystem{};
+
+  const json document = json::parse(
+      report::input_json(testing::reference("theta_-30").scene(), options));
+
+  EXPECT_EQ(document["solver"]["method"], "fsolve");
   EXPECT_EQ(document["solver"]["fsolve"]["quadrature"], "vmean");
   EXPECT_EQ(document["solver"]["fsolve"]["epsilon"], 1e-3);
+  EXPECT_EQ(document["discretisation"]["nodes"], 100);
+  for (const char* of_another : {"search", "polish", "linear_solver"}) {
+    EXPECT_TRUE(document["solver"][of_another].is_null()) << of_another;
+  }
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ namespace brachisto::testing {
 [[nodiscard]] inline const Solution& unverified_solution() {
   static const Solution kSolution = [] {
     SolveOptions options;
-    options.discretisation.degree = 2;
-    options.discretisation.elements = 8;
-    options.discretisation.tolerance = 1e-9;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = 2;
+    mesh.elements = 8;
+    mesh.tolerance = 1e-9;
     return solve(reference("reference_case").scene(), options);
   }();
   return kSolution;
@@ -38,9 +39,9 @@ namespace brachisto::testing {
 [[nodiscard]] inline const Solution& discrete_solution() {
   static const Solution kSolution = [] {
     SolveOptions options;
-    options.method = Method::Fsolve;
-    options.fsolve.variant = FsolveVariant::Lifted;
-    options.fsolve.reading.datum = DiscreteReading::Datum::Rest;
+    auto& system = options.use<DiscreteSystem>();
+    system.solver = DiscreteSolver::Lifted;
+    system.reading.datum = DiscreteReading::Datum::Rest;
     return solve(reference("reference_case").scene(), options);
   }();
   return kSolution;

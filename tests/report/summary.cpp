@@ -31,7 +31,7 @@ TEST(Summary, SaysWhatTheTrackIs) {
                    "smooth-contact extremal (docs/theory.md, section 3)"))
       << summary(solution);
 
-  solution.options.search = Search::Global;
+  solution.options.use<Collocation>().search = Search::Global;
   solution.branches.resize(3);
 
   // Those that are no minimum are in the list, feasible or not.

@@ -25,12 +25,13 @@ struct Way {
 
 class Factorisations : public ::testing::TestWithParam<Way> {
  protected:
-  static Solution by(Method method, LinearSolver solver) {
+  static Solution by(ProgramSolver method, LinearSolver solver) {
     SolveOptions options;
-    options.method = method;
-    options.linear_solver = solver;
-    options.discretisation.formulation = GetParam().formulation;
-    options.discretisation.nodes = GetParam().nodes;
+    auto& program = options.use<Collocation>();
+    program.solver = method;
+    program.linear_solver = solver;
+    program.discretisation.formulation = GetParam().formulation;
+    program.discretisation.nodes = GetParam().nodes;
     return solve(testing::reference("reference_case").scene(), options);
   }
 };
@@ -43,20 +44,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(Factorisations, AgreeOnTheAnswer) {
   const double exact = testing::reference("reference_case").tau;
-  for (const Method method : {Method::Ipopt, Method::NewtonKkt}) {
+  for (const ProgramSolver method :
+       {ProgramSolver::Ipopt, ProgramSolver::NewtonKkt}) {
     for (const LinearSolver solver :
          {LinearSolver::Chain, LinearSolver::Mumps}) {
       const Solution solution = by(method, solver);
       ASSERT_TRUE(solution.verified()) << solution.message;
       EXPECT_NEAR(solution.motion()->tau(), exact, GetParam().error * exact);
-      EXPECT_EQ(solution.effort.iterations == 0, method == Method::NewtonKkt);
+      EXPECT_EQ(solution.effort.iterations == 0,
+                method == ProgramSolver::NewtonKkt);
     }
   }
 }
 
 TEST_P(Factorisations, TheChainNeedsNoMoreIterations) {
-  const Solution chain = by(Method::Ipopt, LinearSolver::Chain);
-  const Solution mumps = by(Method::Ipopt, LinearSolver::Mumps);
+  const Solution chain = by(ProgramSolver::Ipopt, LinearSolver::Chain);
+  const Solution mumps = by(ProgramSolver::Ipopt, LinearSolver::Mumps);
 
   // The iterates are the same but for rounding, which may cost or spare an
   // iteration on each of the meshes.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Method::Fsolve: what solve() says of the paper's discrete solution.
+// What solve() says of the paper's discrete solution.
 
 #include <gtest/gtest.h>
 
@@ -16,16 +16,15 @@ namespace {
 
 using testing::off_centred_scene;
 
-SolveOptions fsolve_options(FsolveVariant variant) {
+SolveOptions fsolve_options(DiscreteSolver solver) {
   SolveOptions options;
-  options.method = Method::Fsolve;
-  options.fsolve.variant = variant;
+  options.use<DiscreteSystem>().solver = solver;
   return options;
 }
 
 TEST(MethodFsolve, SolvesAndIsNotVerified) {
   const Solution solution =
-      solve(off_centred_scene(), fsolve_options(FsolveVariant::Hybrid));
+      solve(off_centred_scene(), fsolve_options(DiscreteSolver::Hybrid));
 
   EXPECT_EQ(solution.status, Status::Solved) << solution.message;
   ASSERT_TRUE(solution.discrete());
@@ -37,8 +36,8 @@ TEST(MethodFsolve, SolvesAndIsNotVerified) {
 }
 
 TEST(MethodFsolve, StatesItsTrueError) {
-  SolveOptions options = fsolve_options(FsolveVariant::Lifted);
-  options.discretisation.nodes = 50;
+  SolveOptions options = fsolve_options(DiscreteSolver::Lifted);
+  options.use<DiscreteSystem>().nodes = 50;
 
   const Solution solution = solve(off_centred_scene(), options);
 
@@ -61,7 +60,7 @@ TEST(MethodFsolve, IsNotVerifiedEvenIfEveryCheckPassed) {
   Solution solution;
   solution.status = Status::Solved;
   solution.certificate.add("discretisation", 0.0, 1e-10);
-  solution.answer = FsolveAnswer{};
+  solution.answer = DiscreteAnswer{};
 
   EXPECT_FALSE(solution.verified());
 }
@@ -70,7 +69,8 @@ TEST(MethodFsolve, TellsWhyItFailed) {
   Scene scene = off_centred_scene();
   scene.L = 2.0;
 
-  const Solution solution = solve(scene, fsolve_options(FsolveVariant::Hybrid));
+  const Solution solution =
+      solve(scene, fsolve_options(DiscreteSolver::Hybrid));
 
   EXPECT_NE(solution.status, Status::Solved);
   EXPECT_FALSE(solution.verified());
@@ -80,11 +80,11 @@ TEST(MethodFsolve, TellsWhyItFailed) {
 }
 
 TEST(MethodFsolve, KeepsLimits) {
-  SolveOptions options = fsolve_options(FsolveVariant::Lifted);
+  SolveOptions options = fsolve_options(DiscreteSolver::Lifted);
   options.limits.iterations = 1;
 
   EXPECT_EQ(solve(off_centred_scene(), options).status, Status::IterationLimit);
-  options = fsolve_options(FsolveVariant::Hybrid);
+  options = fsolve_options(DiscreteSolver::Hybrid);
   options.limits.seconds = 1e-9;
   const Solution late = solve(off_centred_scene(), options);
   EXPECT_EQ(late.status, Status::TimeLimit);

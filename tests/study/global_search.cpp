@@ -40,7 +40,7 @@ Scene base(double radius) {
 
 Solution search(const Scene& scene) {
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
   return solve(scene, options);
 }
 
@@ -121,7 +121,7 @@ TEST(GlobalSearch, ListsThreeContactsOfTheExampleAndBooksTheirWork) {
 
 TEST(GlobalSearch, StopsWhenItsTimeIsOver) {
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
   options.limits.seconds = 0.3;
 
   const Solution solution = solve(base(0.02), options);

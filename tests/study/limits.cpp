@@ -27,8 +27,9 @@ using testing::reference;
 /// it takes several iterations.
 SolveOptions some_work() {
   SolveOptions options;
-  options.discretisation.degree = 1;
-  options.discretisation.elements = 100;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 1;
+  mesh.elements = 100;
   return options;
 }
 
@@ -36,7 +37,7 @@ SolveOptions some_work() {
 /// that the tests measure it first.
 SolveOptions much_work() {
   SolveOptions options;
-  options.discretisation.elements = 10'000;
+  options.use<Collocation>().discretisation.elements = 10'000;
   return options;
 }
 
@@ -47,8 +48,9 @@ constexpr double kShare = 0.25;
 /// Two meshes, the second one found from the first.
 SolveOptions two_meshes() {
   SolveOptions options;
-  options.discretisation.degree = 2;
-  options.discretisation.tolerance = 1e-9;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 2;
+  mesh.tolerance = 1e-9;
   return options;
 }
 
@@ -138,7 +140,7 @@ TEST(Interrupt, AFlagSetMeanwhileEndsShooting) {
   Scene scene = reference("reference_case").scene();
   scene.body.radius = 0.0005;
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
   std::atomic<int> flag{0};
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -155,7 +157,7 @@ TEST(Interrupt, AFlagSetMeanwhileEndsShooting) {
 TEST(Interrupt, NothingIsLeftOfAnAnswerThatCameTooLate) {
   // Wherever the flag is seen, before, within or after the certificate.
   SolveOptions options;
-  options.certify = Certify::Extremal;
+  options.use<Collocation>().certify = Certify::Extremal;
   const Scene scene = reference("reference_case").scene();
   const double needed = solve(scene, options).effort.seconds;
   constexpr int kMoments = 20;

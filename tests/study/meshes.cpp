@@ -22,8 +22,9 @@ constexpr double kTau = reference("reference_case").tau;
 
 TEST(FixedMesh, IsTakenAsItIs) {
   SolveOptions options;
-  options.discretisation.degree = 3;
-  options.discretisation.elements = 17;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 3;
+  mesh.elements = 17;
 
   const Solution solution = solve(kScene, options);
 
@@ -38,8 +39,9 @@ TEST(FixedMesh, IsTakenAsItIs) {
 
 TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {
   SolveOptions options;
-  options.discretisation.degree = 3;
-  options.discretisation.elements = 17;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 3;
+  mesh.elements = 17;
   for (const auto* row : {&reference("bead_L3"), &reference("uniform_L3")}) {
     const Solution solution = solve(row->scene(), options);
 
@@ -51,11 +53,11 @@ TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {
 
 TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
   SolveOptions elements;
-  elements.discretisation.degree = 4;
-  elements.discretisation.elements = 20;
+  elements.use<Collocation>().discretisation.degree = 4;
+  elements.use<Collocation>().discretisation.elements = 20;
   SolveOptions nodes;
-  nodes.discretisation.degree = 4;
-  nodes.discretisation.nodes = 81;
+  nodes.use<Collocation>().discretisation.degree = 4;
+  nodes.use<Collocation>().discretisation.nodes = 81;
 
   const Solution one = solve(kScene, elements);
   const Solution other = solve(kScene, nodes);
@@ -67,9 +69,10 @@ TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
 
 TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
   SolveOptions options;
-  options.tolerance = 1e-6;
-  options.discretisation.degree = 5;
-  options.discretisation.elements = 20;
+  auto& program = options.use<Collocation>();
+  program.tolerance = 1e-6;
+  program.discretisation.degree = 5;
+  program.discretisation.elements = 20;
 
   const Solution solution = solve(kScene, options);
 
@@ -85,7 +88,7 @@ struct KnownTau {
 
 KnownTau tau_of_extremal_method() {
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
   const Solution solution = solve(kScene, options);
   EXPECT_EQ(solution.status, Status::Solved) << solution.message;
   return {solution.trajectory()->tau(), *solution.estimated_error};
@@ -93,8 +96,9 @@ KnownTau tau_of_extremal_method() {
 
 SolveOptions fine_mesh(int degree, int elements) {
   SolveOptions options;
-  options.discretisation.degree = degree;
-  options.discretisation.elements = elements;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = degree;
+  mesh.elements = elements;
   return options;
 }
 
@@ -138,7 +142,7 @@ TEST(AFineMesh, ReportsHonestlyIfMoreIsWantedThanRoundingAllows) {
   for (const auto& [degree, elements] :
        {std::pair{5, 8000}, {3, 4000}, {3, 8000}, {5, 4000}}) {
     SolveOptions options = fine_mesh(degree, elements);
-    options.discretisation.tolerance = 1e-13;
+    options.use<Collocation>().discretisation.tolerance = 1e-13;
 
     const Solution solution = solve(kScene, options);
 
@@ -167,8 +171,9 @@ TEST(EveryDegree, FindsTheSameAnswer) {
   };
   for (int degree = kMinDegree; degree <= kMaxDegree; ++degree) {
     SolveOptions options;
-    options.discretisation.degree = degree;
-    options.discretisation.elements = 200;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = degree;
+    mesh.elements = 200;
 
     const Solution solution = solve(kScene, options);
 
@@ -183,7 +188,7 @@ TEST(HighestDegree, SolvesWithTheMeshOfItsOwnChoice) {
   for (const auto* row :
        {&reference("reference_case"), &reference("L4"), &reference("r_0.2")}) {
     SolveOptions options;
-    options.discretisation.degree = kMaxDegree;
+    options.use<Collocation>().discretisation.degree = kMaxDegree;
 
     const Solution solution = solve(row->scene(), options);
 
@@ -198,8 +203,9 @@ TEST(WantedTolerance, IsMetByEveryDegreeAndPaidForInNodes) {
     int nodes = 0;
     for (const double tolerance : {1e-4, 1e-7, 1e-9}) {
       SolveOptions options;
-      options.discretisation.degree = degree;
-      options.discretisation.tolerance = tolerance;
+      Discretisation& mesh = options.use<Collocation>().discretisation;
+      mesh.degree = degree;
+      mesh.tolerance = tolerance;
 
       const Solution solution = solve(kScene, options);
 
@@ -220,8 +226,8 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
   scene.body.eta_m = 0.99;
   scene.body.k = 0.0;
   SolveOptions fixed;
-  fixed.discretisation.degree = 8;
-  fixed.discretisation.elements = 60;
+  fixed.use<Collocation>().discretisation.degree = 8;
+  fixed.use<Collocation>().discretisation.elements = 60;
   const Solution known = solve(scene, fixed);
   ASSERT_TRUE(known.trajectory()) << known.message;
   ASSERT_LT(*known.estimated_error, 1e-8);
@@ -229,7 +235,7 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
 
   for (const double tolerance : {1e-6, kDefaultTolerance}) {
     SolveOptions options;
-    options.discretisation.tolerance = tolerance;
+    options.use<Collocation>().discretisation.tolerance = tolerance;
 
     const Solution solution = solve(scene, options);
 
@@ -245,8 +251,9 @@ TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
   for (const auto& [degree, elements] :
        {std::pair{1, 10}, {1, 15}, {1, 20}, {1, 40}, {2, 5}, {2, 8}, {3, 4}}) {
     SolveOptions options;
-    options.discretisation.degree = degree;
-    options.discretisation.elements = elements;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = degree;
+    mesh.elements = elements;
 
     const Solution solution = solve(kScene, options);
 
@@ -264,9 +271,10 @@ TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
 
 TEST(ACoarseMesh, IsNotVerifiedIfMoreIsWanted) {
   SolveOptions options;
-  options.discretisation.degree = 2;
-  options.discretisation.elements = 8;
-  options.discretisation.tolerance = 1e-9;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 2;
+  mesh.elements = 8;
+  mesh.tolerance = 1e-9;
 
   const Solution solution = solve(kScene, options);
 
@@ -287,8 +295,9 @@ TEST(ACoarseMesh, IsNeverVerifiedFarFromTheAnswer) {
   for (const int degree : {1, 2, 3}) {
     for (const int elements : {1, 2, 3, 4, 5}) {
       SolveOptions options;
-      options.discretisation.degree = degree;
-      options.discretisation.elements = elements;
+      Discretisation& mesh = options.use<Collocation>().discretisation;
+      mesh.degree = degree;
+      mesh.elements = elements;
 
       const Solution solution = solve(kScene, options);
 

@@ -51,57 +51,83 @@ INSTANTIATE_TEST_SUITE_P(
     Options, WrongOptions,
     ::testing::Values(
         Spoiled{"no_elements",
-                [](SolveOptions& o) { o.discretisation.elements = 0; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.elements = 0;
+                },
                 "discretisation.elements is 0; allowed is 1 to 10000000"},
         Spoiled{"too_many_elements",
-                [](SolveOptions& o) { o.discretisation.elements = 2000000000; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.elements = 2000000000;
+                },
                 "discretisation.elements is 2000000000"},
         Spoiled{"negative_nodes",
-                [](SolveOptions& o) { o.discretisation.nodes = -1; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.nodes = -1;
+                },
                 "discretisation.nodes is -1; allowed is 2 to 80000001"},
         Spoiled{"odd_nodes",
-                [](SolveOptions& o) { o.discretisation.nodes = 100; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.nodes = 100;
+                },
                 "nodes − 1 is a multiple of the degree 5"},
         Spoiled{"nodes_and_elements",
                 [](SolveOptions& o) {
-                  o.discretisation.nodes = 101;
-                  o.discretisation.elements = 20;
+                  o.use<Collocation>().discretisation.nodes = 101;
+                  o.use<Collocation>().discretisation.elements = 20;
                 },
                 "both fix the mesh"},
         Spoiled{"degree_0",
-                [](SolveOptions& o) { o.discretisation.degree = 0; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.degree = 0;
+                },
                 "discretisation.degree is 0; allowed is 1 to 8"},
         Spoiled{"degree_9",
-                [](SolveOptions& o) { o.discretisation.degree = 9; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.degree = 9;
+                },
                 "discretisation.degree is 9"},
         Spoiled{"tolerance_of_T",
-                [](SolveOptions& o) { o.discretisation.tolerance = kNaN; },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().discretisation.tolerance = kNaN;
+                },
                 "discretisation.tolerance is nan"},
         Spoiled{"formulation",
                 [](SolveOptions& o) {
-                  o.discretisation.formulation = static_cast<Formulation>(5);
+                  o.use<Collocation>().discretisation.formulation =
+                      static_cast<Formulation>(5);
                 },
                 "discretisation.formulation has no value 5"},
-        Spoiled{"tolerance", [](SolveOptions& o) { o.tolerance = kNaN; },
+        Spoiled{"tolerance",
+                [](SolveOptions& o) { o.use<Collocation>().tolerance = kNaN; },
                 "tolerance is nan; allowed is 1e-14 to 1e-06"},
-        Spoiled{"tolerance_0", [](SolveOptions& o) { o.tolerance = 0.0; },
+        Spoiled{"tolerance_0",
+                [](SolveOptions& o) { o.use<Collocation>().tolerance = 0.0; },
                 "tolerance is 0"},
         Spoiled{"method",
-                [](SolveOptions& o) { o.method = static_cast<Method>(17); },
-                "method has no value 17"},
+                [](SolveOptions& o) {
+                  o.use<Collocation>().solver = static_cast<ProgramSolver>(17);
+                },
+                "solver has no value 17"},
         Spoiled{"linear_solver",
                 [](SolveOptions& o) {
-                  o.linear_solver = static_cast<LinearSolver>(-1);
+                  o.use<Collocation>().linear_solver =
+                      static_cast<LinearSolver>(-1);
                 },
                 "linear_solver has no value -1"},
         Spoiled{"search",
-                [](SolveOptions& o) { o.search = static_cast<Search>(2); },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().search = static_cast<Search>(2);
+                },
                 "search has no value 2"},
         Spoiled{"certify",
-                [](SolveOptions& o) { o.certify = static_cast<Certify>(2); },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().certify = static_cast<Certify>(2);
+                },
                 "certify has no value 2"},
         Spoiled{"guess",
-                [](SolveOptions& o) { o.guess = static_cast<Guess>(3); },
+                [](SolveOptions& o) {
+                  o.use<Collocation>().guess = static_cast<Guess>(3);
+                },
                 "guess has no value 3"},
         Spoiled{"seconds", [](SolveOptions& o) { o.limits.seconds = kNaN; },
                 "limits.seconds is nan"},
@@ -110,35 +136,36 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"iterations", [](SolveOptions& o) { o.limits.iterations = -3; },
                 "limits.iterations is -3"},
         Spoiled{"discrete_nodes",
+                [](SolveOptions& o) { o.use<DiscreteSystem>().nodes = 2; },
+                "nodes is 2; allowed is 3"},
+        Spoiled{"discrete_solver",
                 [](SolveOptions& o) {
-                  o.method = Method::Fsolve;
-                  o.discretisation.nodes = 2;
+                  o.use<DiscreteSystem>().solver =
+                      static_cast<DiscreteSolver>(3);
                 },
-                "discretisation.nodes is 2; allowed is 3"},
-        Spoiled{"variant",
-                [](SolveOptions& o) {
-                  o.fsolve.variant = static_cast<FsolveVariant>(3);
-                },
-                "fsolve.variant has no value 3"},
+                "solver has no value 3"},
         Spoiled{"quadrature",
                 [](SolveOptions& o) {
-                  o.fsolve.reading.quadrature =
+                  o.use<DiscreteSystem>().reading.quadrature =
                       static_cast<DiscreteReading::Quadrature>(9);
                 },
-                "fsolve.quadrature has no value 9"},
+                "quadrature has no value 9"},
         Spoiled{"epsilon",
-                [](SolveOptions& o) { o.fsolve.reading.epsilon = -1.0; },
-                "fsolve.epsilon is -1"},
+                [](SolveOptions& o) {
+                  o.use<DiscreteSystem>().reading.epsilon = -1.0;
+                },
+                "epsilon is -1"},
         Spoiled{"arc_length",
                 [](SolveOptions& o) {
-                  o.discretisation.formulation = Formulation::ArcLength;
-                  o.discretisation.elements = 7;
+                  o.use<Collocation>().discretisation.formulation =
+                      Formulation::ArcLength;
+                  o.use<Collocation>().discretisation.elements = 7;
                 },
                 "arc_length has no degree, 8 pieces or more"}));
 
 TEST(WrongOptions, AreToldAllAtOnce) {
   SolveOptions options;
-  options.tolerance = 1.0;
+  options.use<Collocation>().tolerance = 1.0;
   options.limits.iterations = 0;
 
   try {
@@ -154,16 +181,17 @@ TEST(WrongOptions, OfAGivenPathAreRefusedToo) {
   Scene scene = reference("reference_case").scene();
   scene.path = std::make_shared<const GivenPath>();
   SolveOptions options;
-  options.discretisation.tolerance = kNaN;
+  options.use<Collocation>().discretisation.tolerance = kNaN;
 
   EXPECT_THROW(static_cast<void>(solve(scene, options)), std::invalid_argument);
 }
 
 TEST(RightOptions, MayLieOnTheirBounds) {
   SolveOptions options;
-  options.tolerance = 1e-6;
-  options.discretisation.degree = 8;
-  options.discretisation.tolerance = 1e-13;
+  auto& program = options.use<Collocation>();
+  program.tolerance = 1e-6;
+  program.discretisation.degree = 8;
+  program.discretisation.tolerance = 1e-13;
   options.limits.seconds = std::numeric_limits<double>::infinity();
 
   EXPECT_NO_THROW(

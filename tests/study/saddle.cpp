@@ -36,23 +36,28 @@ struct Way {
 const std::vector<Way>& ways() {
   static const std::vector<Way> all = {
       {"ipopt", [](SolveOptions&) {}, "search: global looks"},
-      {"newton_kkt", [](SolveOptions& o) { o.method = Method::NewtonKkt; },
+      {"newton_kkt",
+       [](SolveOptions& o) {
+         o.use<Collocation>().solver = ProgramSolver::NewtonKkt;
+       },
        "search: global looks"},
-      {"extremal", [](SolveOptions& o) { o.method = Method::Extremal; },
+      {"extremal", [](SolveOptions& o) { o.method = Shooting{}; },
        "search: global with method: ipopt looks"},
-      {"another start", [](SolveOptions& o) { o.guess = Guess::Straight; },
+      {"another start",
+       [](SolveOptions& o) { o.use<Collocation>().guess = Guess::Straight; },
        "search: global looks"},
       {"straight pieces",
        [](SolveOptions& o) {
-         o.discretisation.formulation = Formulation::ArcLength;
-         o.discretisation.elements = 200;
+         o.use<Collocation>().discretisation.formulation =
+             Formulation::ArcLength;
+         o.use<Collocation>().discretisation.elements = 200;
        },
        "search: global with formulation: rolling_time looks"},
       {"another check fails too",
        [](SolveOptions& o) {
-         o.discretisation.tolerance = 1e-12;
-         o.discretisation.degree = 5;
-         o.discretisation.elements = 12;
+         o.use<Collocation>().discretisation.tolerance = 1e-12;
+         o.use<Collocation>().discretisation.degree = 5;
+         o.use<Collocation>().discretisation.elements = 12;
        },
        "search: global looks"}};
   return all;
@@ -77,7 +82,7 @@ TEST(Saddle, IsRefusedWithAdviceThatItsOptionsAllow) {
 
 TEST(Saddle, TheAdviceIsGood) {
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
 
   const Solution solution = solve(scene_of_a_saddle(), options);
 
@@ -110,9 +115,10 @@ TEST(Saddle, IsNotAssumedWhereAMinimumIsFound) {
   Scene scene = scene_of_a_saddle();
   scene.body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
   SolveOptions options;
-  options.discretisation.tolerance = 1e-12;
-  options.discretisation.degree = 2;
-  options.discretisation.elements = 8;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.tolerance = 1e-12;
+  mesh.degree = 2;
+  mesh.elements = 8;
 
   const Solution solution = solve(scene, options);
 

@@ -26,7 +26,7 @@ TEST(MethodExtremal, AnswersOnAMeshThatRepresentsItsExtremal) {
   Scene scene = scene_of(Body::cylinder(0.74724, 0.68147, 2.77604, 0.18670));
   scene.L = 2.82062;
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
 
   const Solution solution = solve(scene, options);
 
@@ -40,7 +40,7 @@ TEST(MethodExtremal, AnswersOnAMeshThatRepresentsItsExtremal) {
 TEST(MethodExtremal, ReportsItsOwnTime) {
   const Scene scene = reference("theta_-30").scene();
   SolveOptions options;
-  options.method = Method::Extremal;
+  options.method = Shooting{};
   ExtremalOptions shooting;
   shooting.follow_folds = true;
   const ExtremalSolution extremal = solve_extremal(scene, shooting);
@@ -74,9 +74,9 @@ TEST(WholeTurns, OfTheStartChangeNothing) {
   Scene scene = row.scene();
   scene.body.theta_m += kTurns;
   SolveOptions certified;
-  certified.certify = Certify::Extremal;
+  certified.use<Collocation>().certify = Certify::Extremal;
   SolveOptions shooting;
-  shooting.method = Method::Extremal;
+  shooting.method = Shooting{};
   for (const SolveOptions& options : {certified, shooting}) {
     const Solution solution = solve(scene, options);
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "study/size.hpp"
@@ -35,11 +36,12 @@ TEST(SizeEstimate, IsBelowWhatSolvesWereMeasuredToTake) {
   EXPECT_LT(large.bytes, 0.59e9);
   // A million nodes: 10.2 s and 3.5 GB; on pieces 4.2 s and 1.7 GB.
   SolveOptions options;
-  options.discretisation.nodes = 1'000'001;
+  options.use<Collocation>().discretisation.nodes = 1'000'001;
   // A machine five times as fast is not refused what it can do.
   EXPECT_LT(estimate_size(0.0, options).seconds, 10.2 / 5.0);
   EXPECT_LT(estimate_size(0.0, options).bytes, 3.5e9);
-  options.discretisation.formulation = Formulation::ArcLength;
+  options.use<Collocation>().discretisation.formulation =
+      Formulation::ArcLength;
   EXPECT_LT(estimate_size(0.0, options).seconds, 4.2 / 3.0);
   EXPECT_LT(estimate_size(0.0, options).bytes, 1.7e9);
   // And not so far below that nothing would ever be refused.
@@ -49,7 +51,7 @@ TEST(SizeEstimate, IsBelowWhatSolvesWereMeasuredToTake) {
 
 TEST(SizeEstimate, CountsTheNodesOfAFixedMesh) {
   SolveOptions options;
-  Discretisation& mesh = options.discretisation;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
   mesh.elements = 100;
   EXPECT_EQ(estimate_size(0.0, options).nodes, 501.0);
   mesh.degree = 3;
@@ -61,10 +63,10 @@ TEST(SizeEstimate, CountsTheNodesOfAFixedMesh) {
 
 TEST(SizeEstimate, OfThePapersSystemIsItsDenseMatrix) {
   SolveOptions options;
-  options.method = Method::Fsolve;
-  options.discretisation.nodes = 40'000;
+  auto& system = options.use<DiscreteSystem>();
+  system.nodes = 40'000;
   EXPECT_EQ(estimate_size(0.0, options).bytes, 8.0 * 80'001.0 * 80'001.0);
-  options.fsolve.variant = FsolveVariant::Lifted;
+  system.solver = DiscreteSolver::Lifted;
   EXPECT_LT(estimate_size(0.0, options).bytes, 1e9);
 }
 
@@ -88,13 +90,15 @@ TEST(TooLarge, SaysWhatIsMissing) {
 }
 
 TEST(TooLarge, ABodyOfBillionsOfTurnsIsRefusedAtOnce) {
+  const std::vector<SolveOptions> methods{
+      {Collocation{}, {}},
+      {Collocation{.solver = ProgramSolver::NewtonKkt}, {}},
+      {Shooting{}, {}},
+      {DiscreteSystem{}, {}}};
   for (const double radius : {1e-9, 2e-8, 1e-50}) {
-    for (const Method method :
-         {Method::Ipopt, Method::NewtonKkt, Method::Extremal, Method::Fsolve}) {
+    for (const SolveOptions& options : methods) {
       Scene scene = off_centred_scene();
       scene.body.radius = radius;
-      SolveOptions options;
-      options.method = method;
 
       const Solution solution = solve(scene, options);
 
@@ -120,7 +124,7 @@ TEST(TooLarge, ABodyWhoseTurnsDoNotMatterIsNot) {
 
 TEST(TooLarge, AMeshForWhichThereIsNoTimeIsRefusedAtOnce) {
   SolveOptions options;
-  options.discretisation.elements = 1'000'000;
+  options.use<Collocation>().discretisation.elements = 1'000'000;
   options.limits.seconds = 5.0;
 
   const Solution solution = solve(off_centred_scene(), options);

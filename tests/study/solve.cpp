@@ -26,7 +26,7 @@ constexpr double kTolerance = 1e-9;
 
 TEST(StraightGuess, LeadsToTheSameAnswer) {
   SolveOptions options;
-  options.guess = Guess::Straight;
+  options.use<Collocation>().guess = Guess::Straight;
   for (const auto* row : {&reference("reference_case"), &reference("theta_-30"),
                           &reference("uniform_L3"), &reference("bead_L2")}) {
     const Solution solution = solve(row->scene(), options);
@@ -188,7 +188,7 @@ TEST(InfeasibleBody, IsNotPreferredToAFasterOneThatIsNoWorse) {
   // A slower contact that lifts off at its start as well.
   const Scene scene = leaving_upwards(1.6311, 0.1168, 0.8914, -1.3704, 0.193);
   SolveOptions options;
-  options.search = Search::Global;
+  options.use<Collocation>().search = Search::Global;
 
   const Solution solution = solve(scene, options);
 
@@ -243,9 +243,9 @@ TEST(Log, IsKeptIfAskedForOnly) {
 TEST(Solution, HasOneMotionWhateverTheAnswer) {
   const ReferenceValue& row = reference("uniform_L3");
   SolveOptions pieces;
-  pieces.discretisation.formulation = Formulation::ArcLength;
+  pieces.use<Collocation>().discretisation.formulation = Formulation::ArcLength;
   SolveOptions shooting;
-  shooting.method = Method::Extremal;
+  shooting.method = Shooting{};
   GivenPath cycloid;
   cycloid.curve = GivenPath::Curve::Centre;
   cycloid.shape = GivenPath::Shape::Cycloid;

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
@@ -22,8 +23,7 @@ using testing::ReferenceValue;
 
 struct Way {
   const char* name;
-  Method method;
-  LinearSolver linear_solver;
+  std::variant<Collocation, Shooting, DiscreteSystem> method;
 };
 void PrintTo(const Way& way, std::ostream* out) {
   *out << way.name;
@@ -32,17 +32,17 @@ void PrintTo(const Way& way, std::ostream* out) {
 class Threads : public ::testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(
     Ways, Threads,
-    ::testing::Values(Way{"chain", Method::Ipopt, LinearSolver::Chain},
-                      Way{"mumps", Method::Ipopt, LinearSolver::Mumps},
-                      Way{"newton", Method::NewtonKkt, LinearSolver::Auto},
-                      Way{"extremal", Method::Extremal, LinearSolver::Auto}));
+    ::testing::Values(
+        Way{"chain", Collocation{.linear_solver = LinearSolver::Chain}},
+        Way{"mumps", Collocation{.linear_solver = LinearSolver::Mumps}},
+        Way{"newton", Collocation{.solver = ProgramSolver::NewtonKkt}},
+        Way{"extremal", Shooting{}}));
 
 TEST_P(Threads, FindTheRightAnswersAtOnce) {
   constexpr std::size_t kThreads = 4;
   constexpr int kRounds = 4;
   SolveOptions options;
   options.method = GetParam().method;
-  options.linear_solver = GetParam().linear_solver;
   std::array<std::vector<std::string>, kThreads> wrong;
   std::vector<std::thread> threads;
   for (std::size_t t = 0; t < kThreads; ++t) {

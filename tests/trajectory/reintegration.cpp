@@ -43,8 +43,9 @@ TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
   // β between nodes has order p + 1, 9 here: 1e-9 and less.
   for (const double theta_m : {0.0, -kPi / 6.0, 1.0}) {
     SolveOptions options;
-    options.discretisation.degree = 8;
-    options.discretisation.elements = 30;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = 8;
+    mesh.elements = 30;
     const Solution solution = solve(off_centred_scene(theta_m), options);
     ASSERT_TRUE(solution.trajectory()) << solution.message;
 
@@ -62,8 +63,9 @@ TEST(Reintegration, ImprovesWithTheMesh) {
   double before = 1.0;
   for (const int elements : {8, 16, 32}) {
     SolveOptions options;
-    options.discretisation.degree = 3;
-    options.discretisation.elements = elements;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = 3;
+    mesh.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
     ASSERT_TRUE(solution.trajectory()) << solution.message;
 
@@ -84,8 +86,9 @@ TEST(Reintegration, OfAPolygonOfSpeedsIsThatOfOneAndTheSamePath) {
   double before = 1.0;
   for (const int elements : {5, 10, 20, 40, 80}) {
     SolveOptions options;
-    options.discretisation.degree = 1;
-    options.discretisation.elements = elements;
+    Discretisation& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = 1;
+    mesh.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
     ASSERT_TRUE(solution.trajectory()) << solution.message;
 

@@ -24,8 +24,9 @@ using testing::reference;
 
 SolveOptions mesh(int degree, int elements) {
   SolveOptions options;
-  options.discretisation.degree = degree;
-  options.discretisation.elements = elements;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = degree;
+  mesh.elements = elements;
   return options;
 }
 

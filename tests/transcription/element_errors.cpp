@@ -38,8 +38,9 @@ const ExtremalCurve& exact_curve(double theta_m) {
   const auto known = curves.find(theta_m);
   if (known != curves.end()) return known->second;
   SolveOptions options;
-  options.discretisation.degree = 8;
-  options.discretisation.elements = 40;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 8;
+  mesh.elements = 40;
   const Solution solution = solve(between_centres(theta_m), options);
   return curves.emplace(theta_m, solution.trajectory()->curve()).first->second;
 }

@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/work_precision_plan.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/study/solve_options.hpp"
-#include "brachisto/study/work_precision_plan.hpp"
 
 namespace brachisto::io {
 

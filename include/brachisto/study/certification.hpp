@@ -12,7 +12,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/units.hpp"
 #include "brachisto/study/adaptive_mesh.hpp"
-#include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
@@ -60,7 +60,7 @@ struct CrossCheck {
 /// τ. The latter is held against the accuracy that the other methods have by
 /// default, which a discretisation of order one cannot reach: its solution is
 /// compared with the extremal and never taken for it.
-[[nodiscard]] Certificate certify_discrete(const FsolveAnswer& answer,
+[[nodiscard]] Certificate certify_discrete(const DiscreteAnswer& answer,
                                            const CrossCheck& check);
 
 }  // namespace brachisto

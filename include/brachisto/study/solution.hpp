@@ -19,7 +19,7 @@
 #include "brachisto/study/branches.hpp"
 #include "brachisto/study/certification.hpp"
 #include "brachisto/study/continuation.hpp"
-#include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/certificate.hpp"
@@ -67,7 +67,7 @@ struct ProgramSize {
   int nodes = 0, variables = 0, constraints = 0;
 };
 
-/// Of the formulation rolling_time; of Method::Extremal the extremal sampled on
+/// Of the formulation rolling_time; of Shooting the extremal sampled on
 /// a mesh, with its own T.
 struct CollocationAnswer {
   Trajectory trajectory;
@@ -86,7 +86,7 @@ struct PiecewiseAnswer {
 /// the motion on the path that a scene states, and a solution of the paper's
 /// discrete system, which is not what is asked for.
 using Answer = std::variant<std::monostate, CollocationAnswer, PiecewiseAnswer,
-                            PrescribedMotion, FsolveAnswer>;
+                            PrescribedMotion, DiscreteAnswer>;
 
 /// A start other than the cycloid, and where it led on a coarse mesh.
 struct ColdStart {
@@ -127,9 +127,9 @@ struct Solution {
   [[nodiscard]] const Trajectory* trajectory() const;
   /// The finite problem solved; null if there is none.
   [[nodiscard]] const ProgramSize* program() const;
-  /// With Method::Fsolve; null otherwise.
-  [[nodiscard]] const FsolveAnswer* discrete() const {
-    return std::get_if<FsolveAnswer>(&answer);
+  /// Of a DiscreteSystem; null otherwise.
+  [[nodiscard]] const DiscreteAnswer* discrete() const {
+    return std::get_if<DiscreteAnswer>(&answer);
   }
   /// For scenes not far from this one. Nothing if the answer is not the end of
   /// the branch from the cycloid: what lies beyond a fold is not what

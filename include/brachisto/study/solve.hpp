@@ -28,18 +28,18 @@ struct SolveHooks {
 /// If the scene states its path, that is evaluated, and nothing is optimised: a
 /// body that stalls, does not start or does not fit is Status::Stalled, a path
 /// that does not exist Status::NoAdmissiblePath.
-/// Method::Fsolve solves the paper's discrete system instead, compares its time
-/// with that of the extremal method, and is never verified.
+/// The method DiscreteSystem solves the paper's equations instead, compares
+/// their time with that of the extremal, and is never verified.
 ///
 /// May be called in several threads at once. What they do with Ipopt, which is
 /// not safe in threads with MUMPS, they do one after the other; with
-/// Method::NewtonKkt and a chain, and with Method::Extremal, they do not wait.
+/// ProgramSolver::NewtonKkt and a chain, and with Shooting, they do not wait.
 /// The limit of time counts the waiting too.
 ///
 /// \throws std::invalid_argument  with all that is wrong, if the scene is not
 ///         valid, an option is out of its bounds, or the formulation arc_length
-///         is combined with what it does not have: a degree, another method or
-///         search, a tolerance below kSmallestArcLengthTolerance
+///         is combined with what it does not have: a degree, another search or
+///         start, a tolerance below kSmallestArcLengthTolerance
 [[nodiscard]] Solution solve(const Scene& scene,
                              const SolveOptions& options = {},
                              const SolveHooks& hooks = {});

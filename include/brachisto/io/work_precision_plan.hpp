@@ -11,7 +11,7 @@
 namespace brachisto {
 
 /// A way to solve the paper's discrete system.
-enum class FsolveArm {
+enum class DiscreteArm {
   Rest,     ///< hybrid, A as the zero level of the energy
   Release,  ///< hybrid, the first node as the zero level
   Newton,   ///< exact derivatives, dense
@@ -20,11 +20,11 @@ enum class FsolveArm {
 
 /// A method, and so a line of a work–precision diagram.
 struct ComparedMethod {
-  enum class Kind { RollingTime, ArcLength, Extremal, Fsolve };
+  enum class Kind { RollingTime, ArcLength, Extremal, DiscreteSystem };
 
   Kind kind = Kind::RollingTime;
-  int degree = 0;                      ///< p, of RollingTime alone
-  FsolveArm arm = FsolveArm::Release;  ///< of Fsolve alone
+  int degree = 0;                          ///< p, of RollingTime alone
+  DiscreteArm arm = DiscreteArm::Release;  ///< of DiscreteSystem alone
 
   friend bool operator==(const ComparedMethod&,
                          const ComparedMethod&) = default;
@@ -34,9 +34,9 @@ struct ComparedMethod {
 [[nodiscard]] constexpr ComparedMethod rolling_time(int degree) {
   return {.kind = ComparedMethod::Kind::RollingTime, .degree = degree};
 }
-/// A method as an arm of fsolve.
-[[nodiscard]] constexpr ComparedMethod fsolve(FsolveArm arm) {
-  return {.kind = ComparedMethod::Kind::Fsolve, .arm = arm};
+/// A method as an arm of the discrete system.
+[[nodiscard]] constexpr ComparedMethod discrete_system(DiscreteArm arm) {
+  return {.kind = ComparedMethod::Kind::DiscreteSystem, .arm = arm};
 }
 
 /// The section `work_precision` of a problem file.
@@ -49,8 +49,8 @@ struct WorkPrecisionPlan {
                                       rolling_time(6),
                                       {.kind = ComparedMethod::Kind::ArcLength},
                                       {.kind = ComparedMethod::Kind::Extremal},
-                                      fsolve(FsolveArm::Rest),
-                                      fsolve(FsolveArm::Release)};
+                                      discrete_system(DiscreteArm::Rest),
+                                      discrete_system(DiscreteArm::Release)};
   /// Elements of rolling_time, pieces of arc_length, nodes of fsolve.
   std::vector<int> meshes{10, 20, 40, 80};
   int repetitions = 5;              ///< ≥ 1

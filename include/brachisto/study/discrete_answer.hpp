@@ -20,7 +20,7 @@ namespace brachisto {
 /// What one run on the paper's discrete system came to. Its equations may hold
 /// to rounding; how far their solution is from the extremal is another
 /// matter, which nothing here knows.
-struct FsolveAnswer {
+struct DiscreteAnswer {
   Status status = Status::InternalError;
   std::string message;  ///< how it ended, and why it failed
   int nodes = 0;        ///< n
@@ -52,10 +52,9 @@ struct FsolveAnswer {
 /// iteration was turned back by points without a real transit time,
 /// Status::OutOfMemory if a dense matrix does not fit.
 ///
-/// \param num_nodes  n ≥ 3
 /// \throws std::invalid_argument if n < 3 or ε < 0
-[[nodiscard]] FsolveAnswer fsolve_answer(
-    const Scene& scene, int num_nodes, const FsolveOptions& options,
+[[nodiscard]] DiscreteAnswer solve_discrete_system(
+    const Scene& scene, const DiscreteSystem& options,
     int max_iterations = Limits{}.iterations, const StopCondition& stop = {});
 
 }  // namespace brachisto

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/fsolve_answer.hpp"
+#include "brachisto/study/discrete_answer.hpp"
 
 #include <cmath>
 #include <functional>
@@ -19,30 +19,30 @@ namespace brachisto {
 
 namespace {
 
-DiscreteReading reading_of(const FsolveOptions& options) {
+DiscreteReading reading_of(const DiscreteSystem& options) {
   DiscreteReading reading = options.reading;
-  if (options.variant != FsolveVariant::Hybrid) reading.epsilon = 0.0;
+  if (options.solver != DiscreteSolver::Hybrid) reading.epsilon = 0.0;
   return reading;
 }
 
 /// Runs the solver that the options name; fills in what it costs.
-SquareResult run(const DiscreteVariations& system, FsolveVariant variant,
+SquareResult run(const DiscreteVariations& system, DiscreteSolver solver,
                  std::vector<double> start, const SquareOptions& square,
-                 FsolveAnswer& out) {
+                 DiscreteAnswer& out) {
   const SquareResidual residual = [&](std::span<const double> x,
                                       std::span<double> values) {
     return system.residual(x, values);
   };
-  switch (variant) {
-    case FsolveVariant::Hybrid:
+  switch (solver) {
+    case DiscreteSolver::Hybrid:
       out.memory_bytes = hybrid_memory_bytes(out.unknowns);
       return solve_by_hybrid(residual, std::move(start), square);
-    case FsolveVariant::Newton: {
+    case DiscreteSolver::Newton: {
       const paper::DenseNewtonStep step(system);
       out.memory_bytes = paper::DenseNewtonStep::memory_bytes(out.nodes);
       return solve_by_damped_newton(residual, step, std::move(start), square);
     }
-    case FsolveVariant::Lifted: {
+    case DiscreteSolver::Lifted: {
       paper::LiftedNewtonStep step(system);
       out.unknowns = paper::LiftedNewtonStep::num_unknowns(out.nodes);
       SquareResult result = solve_by_damped_newton(residual, std::ref(step),
@@ -55,7 +55,7 @@ SquareResult run(const DiscreteVariations& system, FsolveVariant variant,
 }
 
 void describe_path(const DiscreteVariations& system, const Scene& scene,
-                   const std::vector<double>& unknowns, FsolveAnswer& out) {
+                   const std::vector<double>& unknowns, DiscreteAnswer& out) {
   const auto n = static_cast<std::size_t>(system.num_nodes());
   const double length = scene.H;
   out.tau = system.tau(unknowns);
@@ -74,12 +74,13 @@ void describe_path(const DiscreteVariations& system, const Scene& scene,
 
 }  // namespace
 
-FsolveAnswer fsolve_answer(const Scene& scene, int num_nodes,
-                           const FsolveOptions& options, int max_iterations,
-                           const StopCondition& stop) {
-  const DiscreteVariations system(scene, num_nodes, reading_of(options));
-  FsolveAnswer out;
-  out.nodes = num_nodes;
+DiscreteAnswer solve_discrete_system(const Scene& scene,
+                                     const DiscreteSystem& options,
+                                     int max_iterations,
+                                     const StopCondition& stop) {
+  const DiscreteVariations system(scene, options.nodes, reading_of(options));
+  DiscreteAnswer out;
+  out.nodes = options.nodes;
   out.unknowns = system.num_unknowns();
   out.residual = std::numeric_limits<double>::quiet_NaN();
   std::optional<std::vector<double>> start = system.cycloid_guess();
@@ -91,7 +92,7 @@ FsolveAnswer fsolve_answer(const Scene& scene, int num_nodes,
   const double begin = process_cpu_seconds();
   try {
     const SquareResult result =
-        run(system, options.variant, std::move(*start),
+        run(system, options.solver, std::move(*start),
             {options.tolerance, max_iterations, stop}, out);
     out.status = result.status;
     out.message = result.message;

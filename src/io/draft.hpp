@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A problem while its keys are read, in whatever order they come.
+
+#pragma once
+
+#include <utility>
+
+#include "brachisto/io/problem_file.hpp"
+
+namespace brachisto::io {
+
+/// What `solver.method` names.
+enum class MethodWord { Ipopt, NewtonKkt, Extremal, Fsolve };
+
+/// A problem with a place for the keys of every method; which of them mean
+/// something, the method decides in the end.
+struct Draft : ProblemFile {
+  MethodWord method = MethodWord::Ipopt;
+  Collocation program;
+  Shooting shooting;
+  DiscreteSystem system;
+
+  Draft() = default;
+  explicit Draft(ProblemFile problem) : ProblemFile(std::move(problem)) {
+    if (const auto* stated = options.of<Collocation>()) {
+      program = *stated;
+      method = program.solver == ProgramSolver::Ipopt ? MethodWord::Ipopt
+                                                      : MethodWord::NewtonKkt;
+    } else if (const auto* shoots = options.of<Shooting>()) {
+      shooting = *shoots;
+      method = MethodWord::Extremal;
+    } else {
+      system = options.or_default<DiscreteSystem>();
+      method = MethodWord::Fsolve;
+    }
+  }
+
+  [[nodiscard]] bool poses_the_program() const {
+    return method == MethodWord::Ipopt || method == MethodWord::NewtonKkt;
+  }
+  [[nodiscard]] bool of_pieces() const {
+    return poses_the_program() &&
+           program.discretisation.formulation == Formulation::ArcLength;
+  }
+
+  /// The problem with the options of its method alone.
+  [[nodiscard]] ProblemFile problem() const {
+    ProblemFile out = *this;
+    if (method == MethodWord::Extremal) {
+      out.options.method = shooting;
+    } else if (method == MethodWord::Fsolve) {
+      out.options.method = system;
+    } else {
+      auto& chosen = out.options.use<Collocation>();
+      chosen = program;
+      chosen.solver = method == MethodWord::Ipopt ? ProgramSolver::Ipopt
+                                                  : ProgramSolver::NewtonKkt;
+    }
+    return out;
+  }
+};
+
+}  // namespace brachisto::io

@@ -4,6 +4,7 @@
 // brachisto body PART…: the numbers of a body that is made of parts.
 
 #include <fmt/format.h>
+#include <memory>
 
 #include <cmath>
 #include <limits>
@@ -11,7 +12,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -19,6 +19,7 @@
 #include "brachisto/report/result_json.hpp"
 #include "io/expression.hpp"
 #include "io/mass_part_text.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::app {
 
@@ -45,6 +46,10 @@ std::string angle(double radians) {
   return tidy(radians * 180.0 / std::numbers::pi) + " deg";
 }
 
+UsageError refused(const std::string& what) {
+  return {"brachisto body", io::visible(what)};
+}
+
 double radius_of(const BodyFlags& flags) {
   if (flags.radius.empty()) return 1.0;
   try {
@@ -52,7 +57,7 @@ double radius_of(const BodyFlags& flags) {
     if (radius > 0.0) return radius;
     throw io::ExpressionError("a radius is > 0");
   } catch (const io::ExpressionError& error) {
-    throw CLI::ValidationError("--radius " + flags.radius, error.what());
+    throw refused("--radius " + flags.radius + ": " + error.what());
   }
 }
 
@@ -62,13 +67,13 @@ MassProperties properties_of(const BodyFlags& flags, double radius) {
     try {
       parts.push_back(io::read_mass_part(text, radius));
     } catch (const std::invalid_argument& error) {
-      throw CLI::ValidationError(text, error.what());
+      throw refused(text + ": " + error.what());
     }
   }
   try {
     return mass_properties(parts, radius);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+    throw refused(error.what());
   }
 }
 
@@ -136,27 +141,31 @@ int run(const BodyFlags& flags) {
 
 }  // namespace
 
-void add_body(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<BodyFlags>(
-      app, exit_code, "body",
-      "Compute eta_m, theta_m and k of a body from its parts", run);
-  verb.add_option("PART", flags.parts,
-                  "Part of the body, KIND:NAME=VALUE,… (see below)")
-      ->required()
-      ->type_name("");
-  verb.add_option("--radius", flags.radius,
-                  "Radius of the cylinder in m; lengths of parts are in m "
-                  "then and masses in kg, else lengths are in radii")
-      ->type_name("LENGTH")
-      ->check(not_empty());
-  add_json(verb, flags.json);
-  verb.footer("Parts:\n" + io::mass_part_grammar() +
-              "Numbers may be expressions as in problem files.\n"
-              "Examples:\n"
-              "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
-              "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
-              "  brachisto body --radius 0.077 disc:m=0.4 "
-              "point:m=0.1,x=0.05,z=-0.02");
+Verb body_verb() {
+  const auto flags = std::make_shared<BodyFlags>();
+  return {
+      .name = "body",
+      .text = "Compute eta_m, theta_m and k of a body from its parts",
+      .flags = {{.name = "PART",
+                 .value = &flags->parts,
+                 .text = "Part of the body, KIND:NAME=VALUE,… (see below)",
+                 .placeholder = "",
+                 .required = true},
+                {.name = "--radius",
+                 .value = &flags->radius,
+                 .text = "Radius of the cylinder in m; lengths of parts are in "
+                         "m then and masses in kg, else lengths are in radii",
+                 .placeholder = "LENGTH",
+                 .check = not_empty()},
+                json_flag(flags->json)},
+      .footer = "Parts:\n" + io::mass_part_grammar() +
+                "Numbers may be expressions as in problem files.\n"
+                "Examples:\n"
+                "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
+                "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
+                "  brachisto body --radius 0.077 disc:m=0.4 "
+                "point:m=0.1,x=0.05,z=-0.02",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

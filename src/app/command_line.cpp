@@ -6,9 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
+#include <sstream>
 #include <string_view>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -124,49 +128,165 @@ std::string unexpected(const CLI::App& app) {
   return fmt::format("{} is one word too many", io::in_quotes(left.front()));
 }
 
+std::string asked(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  return parsed.empty() ? app.get_name()
+                        : app.get_name() + " " + parsed.front()->get_name();
+}
+
+UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
+  std::string what = unexpected(app);
+  if (what.empty() && app.get_subcommands().empty()) {
+    what = fmt::format("a verb is missing; there are {}",
+                       fmt::join(verbs_of(app), ", "));
+  }
+  if (what.empty()) what = io::visible(error.what());
+  return {asked(app), what};
+}
+
+/// A check of the library's own.
+TextCheck of_library(const CLI::Validator& check) {
+  return {[check](const std::string& text) { return check(text); },
+          check.get_description()};
+}
+
+void describe(const Flag& flag, CLI::App& verb) {
+  const auto valued = [&](auto* value) {
+    CLI::Option* option = verb.add_option(flag.name, *value, flag.text);
+    option->type_name(flag.placeholder)->required(flag.required);
+    if (flag.shows_default) option->capture_default_str();
+    if (flag.check.objection) {
+      option->check(CLI::Validator(flag.check.objection, flag.check.kind));
+    }
+    return option;
+  };
+  CLI::Option* const option = std::visit(
+      [&](auto* value) -> CLI::Option* {
+        using Value = std::remove_pointer_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, bool>) {
+          return verb.add_flag(flag.name, *value, flag.text);
+        } else if constexpr (std::is_same_v<Value, Words>) {
+          CLI::Option* list = valued(value);
+          if (!is_flag(flag.name)) return list;
+          return list->expected(1)->multi_option_policy(
+              CLI::MultiOptionPolicy::TakeAll);
+        } else {
+          return valued(value);
+        }
+      },
+      flag.value);
+  if (flag.hidden) option->group("");
+  if (flag.needs != nullptr) option->needs(flag.needs);
+  if (flag.excludes != nullptr) option->excludes(flag.excludes);
+}
+
+void describe(const Verb& verb, CLI::App& app) {
+  CLI::App* const out = app.add_subcommand(verb.name, verb.text);
+  out->footer(verb.footer);
+  if (verb.hidden) out->group("");
+  std::map<std::string, CLI::App*> choices;
+  for (const Flag& flag : verb.flags) {
+    if (flag.choice == nullptr) {
+      describe(flag, *out);
+      continue;
+    }
+    CLI::App*& group = choices[flag.choice];
+    if (group == nullptr) {
+      group = out->add_option_group(flag.choice);
+      group->require_option(1);
+    }
+    describe(flag, *group);
+  }
+}
+
 }  // namespace
 
-CLI::Validator not_empty() {
-  return CLI::Validator(
-      [](const std::string& text) -> std::string {
-        return text.empty() ? "an empty text was read; a name is expected" : "";
-      },
-      "");
+TextCheck not_empty() {
+  return {[](const std::string& text) -> std::string {
+    return text.empty() ? "an empty text was read; a name is expected" : "";
+  }};
 }
 
-CLI::Validator number(std::string kind, bool (*allowed)(double)) {
-  return CLI::Validator(
-      [kind = std::move(kind), allowed](const std::string& text) {
-        double value = 0.0;
-        const bool fine = CLI::detail::lexical_cast(text, value);
-        return fine && allowed(value)
-                   ? std::string()
-                   : fmt::format("{} was read; expected a number {}",
-                                 io::in_quotes(text), kind);
-      },
-      "");
+TextCheck number(std::string kind, bool (*allowed)(double)) {
+  return {[kind = std::move(kind), allowed](const std::string& text) {
+    double value = 0.0;
+    const bool fine = CLI::detail::lexical_cast(text, value);
+    return fine && allowed(value)
+               ? std::string()
+               : fmt::format("{} was read; expected a number {}",
+                             io::in_quotes(text), kind);
+  }};
 }
 
-CLI::Validator seconds() {
+TextCheck seconds() {
   return number("greater than 0, at most 1e9",
                 [](double value) { return value > 0.0 && value <= 1e9; });
 }
 
-void add_json(CLI::App& verb, bool& json) {
-  verb.add_flag("--json", json, "Print one JSON document to stdout");
+TextCheck integer_within(int least, int most) {
+  return of_library(CLI::Range(least, most));
 }
 
-void add_jobs(CLI::App& verb, int& jobs) {
-  verb.add_option("--jobs", jobs, "Worker processes; default: one per core")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+TextCheck positive() {
+  return of_library(CLI::PositiveNumber);
 }
 
-CLI::Option* add_directory(CLI::App& verb, const char* name,
-                           std::string& directory, const char* text) {
-  return verb.add_option(name, directory, text)
-      ->type_name("DIR")
-      ->check(not_empty());
+TextCheck existing_file() {
+  return of_library(CLI::ExistingFile);
+}
+
+TextCheck existing_directory() {
+  return of_library(CLI::ExistingDirectory);
+}
+
+TextCheck one_of(std::vector<std::string> words) {
+  return of_library(CLI::IsMember(std::move(words)));
+}
+
+Flag json_flag(bool& json) {
+  return {"--json", &json, "Print one JSON document to stdout"};
+}
+
+Flag jobs_flag(int& jobs) {
+  return {.name = "--jobs",
+          .value = &jobs,
+          .text = "Worker processes; default: one per core",
+          .placeholder = "N",
+          .check = integer_within(1, 1024)};
+}
+
+Flag directory_flag(const char* name, std::string& directory, const char* text,
+                    bool required) {
+  return {.name = name,
+          .value = &directory,
+          .text = text,
+          .placeholder = "DIR",
+          .check = not_empty(),
+          .required = required};
+}
+
+Flag sweep_directory(std::string& directory) {
+  return {.name = "DIR",
+          .value = &directory,
+          .text = "Directory of the sweep",
+          .check = not_empty(),
+          .required = true};
+}
+
+std::vector<Flag> CommonFlags::with(std::vector<Flag> own) {
+  std::vector<Flag> flags{
+      {.name = "FILE",
+       .value = &file,
+       .text = "Problem file (YAML); - is standard input",
+       .required = true},
+      {.name = "--set",
+       .value = &overrides,
+       .text = "Replace a value of the file, such as scene.body.k=1/4",
+       .placeholder = "KEY=VALUE"},
+      json_flag(json),
+      {"--quiet", &quiet, "Print no results and no progress"}};
+  std::ranges::move(own, std::back_inserter(flags));
+  return flags;
 }
 
 int jobs_or_cores(int jobs) {
@@ -176,32 +296,24 @@ int jobs_or_cores(int jobs) {
                         static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void CommonFlags::add_to(CLI::App& verb) {
-  verb.add_option("FILE", file, "Problem file (YAML); - is standard input")
-      ->required();
-  verb.add_option("--set", overrides,
-                  "Replace a value of the file, such as scene.body.k=1/4")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_json(verb, json);
-  verb.add_flag("--quiet", quiet, "Print no results and no progress");
-}
-
-std::string asked(const CLI::App& app) {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  return parsed.empty() ? app.get_name()
-                        : app.get_name() + " " + parsed.front()->get_name();
-}
-
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  std::string what = unexpected(app);
-  if (what.empty() && app.get_subcommands().empty()) {
-    what = fmt::format("a verb is missing; there are {}",
-                       fmt::join(verbs_of(app), ", "));
+Asked read_command_line(const CommandLine& command, int argc, char** argv) {
+  CLI::App app(command.text, "brachisto");
+  app.set_version_flag("--version", command.version,
+                       "Print versions of the program and its libraries");
+  app.require_subcommand(1);
+  app.footer(command.footer);
+  for (const Verb& verb : command.verbs) describe(verb, app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    std::ostringstream text;
+    app.exit(help_or_version, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    throw explained(app, error);
   }
-  if (what.empty()) what = io::visible(error.what());
-  return asked(app) + ": " + what;
+  const std::string name = app.get_subcommands().front()->get_name();
+  return &*std::ranges::find(command.verbs, name, &Verb::name);
 }
 
 }  // namespace brachisto::app

@@ -1,48 +1,109 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// What the verbs have in common on the command line.
+// The command line as data: what verbs there are, and what each may be told.
+// Only command_line.cpp knows the library that reads it.
 
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 namespace brachisto::app {
 
+/// What a text has to be.
+struct TextCheck {
+  std::function<std::string(const std::string&)> objection;  ///< "": none
+  std::string kind = {};                                     ///< for the help
+};
+
 /// Refuses an empty text, such as the name of a directory in a variable that is
 /// not set.
-[[nodiscard]] CLI::Validator not_empty();
-
+[[nodiscard]] TextCheck not_empty();
 /// Refuses what is no number or not of the kind, NaN included.
 ///
 /// \param kind     what is allowed, "greater than 0, at most 1e9"
 /// \param allowed  whether a number is, false for NaN
-[[nodiscard]] CLI::Validator number(std::string kind, bool (*allowed)(double));
-
+[[nodiscard]] TextCheck number(std::string kind, bool (*allowed)(double));
 /// Of a limit of time: greater than 0, at most 1e9.
-[[nodiscard]] CLI::Validator seconds();
+[[nodiscard]] TextCheck seconds();
+[[nodiscard]] TextCheck integer_within(int least, int most);
+[[nodiscard]] TextCheck positive();
+[[nodiscard]] TextCheck existing_file();
+[[nodiscard]] TextCheck existing_directory();
+[[nodiscard]] TextCheck one_of(std::vector<std::string> words);
+
+/// A flag, or a word without one, and what it is read into.
+struct Flag {
+  const char* name;  ///< "--jobs"; "FILE" of a word
+  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*>
+      value;                         ///< a list: given again and again
+  const char* text = "";             ///< in the help
+  const char* placeholder = "TEXT";  ///< of the value, in the help
+  TextCheck check = {};
+  bool required = false;
+  bool shows_default = false;
+  bool hidden = false;
+  const char* needs = nullptr;     ///< another flag
+  const char* excludes = nullptr;  ///< another flag
+  /// Of the flags that name the same choice one has to be given.
+  const char* choice = nullptr;
+};
 
 /// Flags of several verbs: --json; --jobs, 0 unless it is given; a directory
-/// under whatever name.
-void add_json(CLI::App& verb, bool& json);
-void add_jobs(CLI::App& verb, int& jobs);
-CLI::Option* add_directory(CLI::App& verb, const char* name,
-                           std::string& directory, const char* text);
+/// under whatever name; the DIR of a finished sweep.
+[[nodiscard]] Flag json_flag(bool& json);
+[[nodiscard]] Flag jobs_flag(int& jobs);
+[[nodiscard]] Flag directory_flag(const char* name, std::string& directory,
+                                  const char* text, bool required = false);
+
+[[nodiscard]] Flag sweep_directory(std::string& directory);
 
 /// `jobs`, or one for each core if that is 0.
 [[nodiscard]] int jobs_or_cores(int jobs);
 
-/// "brachisto solve", or "brachisto" as long as there is no verb.
-[[nodiscard]] std::string asked(const CLI::App& app);
+struct Verb {
+  const char* name;
+  const char* text;  ///< in the help
+  std::vector<Flag> flags;
+  std::string footer;
+  std::function<int()> run;  ///< once the flags are read; returns the exit code
+  bool hidden = false;
+};
 
-/// What is wrong with a command line that was refused: the verb or the flag
-/// nobody knows and the nearest one, or the word too many, before what follows
-/// from it.
-///
-/// \param app    after its parse() threw
-/// \param error  what it threw
-[[nodiscard]] std::string explain(const CLI::App& app,
-                                  const CLI::ParseError& error);
+/// The whole command.
+struct CommandLine {
+  const char* text;
+  const char* footer;
+  std::string (*version)();
+  std::vector<Verb> verbs;
+};
+
+/// A command line that is refused; what() begins with the verb.
+class UsageError : public std::runtime_error {
+ public:
+  /// \param asked  "brachisto solve", or "brachisto" if there is no verb
+  UsageError(std::string asked, const std::string& what)
+      : std::runtime_error(asked + ": " + what), asked_(std::move(asked)) {}
+
+  [[nodiscard]] const std::string& asked() const { return asked_; }
+
+ private:
+  std::string asked_;
+};
+
+/// What a command line asks for: a verb, whose flags are read, or a text, of
+/// the help or the version.
+using Asked = std::variant<const Verb*, std::string>;
+
+/// \throws UsageError  of what is wrong first the verb or the flag that nobody
+///         knows, with the nearest one, or the word too many, and only then
+///         what follows from it
+[[nodiscard]] Asked read_command_line(const CommandLine& command, int argc,
+                                      char** argv);
 
 }  // namespace brachisto::app

@@ -3,7 +3,8 @@
 
 // brachisto compare FILE: all methods on one scene.
 
-#include "app/command_line.hpp"
+#include <memory>
+
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -48,45 +49,54 @@ int run(const CompareFlags& flags) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<CompareFlags>(
-      app, exit_code, "compare",
-      "Solve one scene by every method: time, memory, true error", run);
-  flags.add_to(verb);
-  verb.add_option("--nodes", flags.options.nodes,
-                  "n, of the methods on a fixed mesh")
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(CLI::Range(11, 1'000'000));
-  verb.add_option("--repetitions", flags.options.repetitions,
-                  "Timed solves of each method")
-      ->type_name("R")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  verb.add_option("--seconds", flags.options.seconds,
-                  "Wall-clock limit of each method")
-      ->type_name("S")
-      ->capture_default_str()
-      ->check(seconds());
-  verb.add_option("--residual", flags.options.residual,
-                  "Residual at which the iterations of every method stop")
-      ->type_name("R")
-      ->capture_default_str()
-      ->check(number("from 1e-14 to 1e-6", [](double value) {
-        return value >= 1e-14 && value <= 1e-6;
-      }));
-  add_directory(verb, "--out", flags.out,
-                "Write compare.txt and compare.json there");
-  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
-  verb.footer(
-      "Every method runs in a process of its own, from the cycloid. One that\n"
-      "fails is a row with the reason.\n"
-      "Examples:\n"
-      "  brachisto compare problems/paper/fig04_reference_case.yaml\n"
-      "  brachisto compare case.yaml --nodes 201 --json\n"
-      "Exit codes: 0 compared, 3 bad input file, 4 no verified answer of the\n"
-      "extremal method to take errors against, 6 I/O, 130/143 after\n"
-      "SIGINT/SIGTERM.");
+Verb compare_verb() {
+  const auto flags = std::make_shared<CompareFlags>();
+  comparison::ComparisonOptions& options = flags->options;
+  return {.name = "compare",
+          .text = "Solve one scene by every method: time, memory, true error",
+          .flags = flags->with(
+              {{.name = "--nodes",
+                .value = &options.nodes,
+                .text = "n, of the methods on a fixed mesh",
+                .placeholder = "N",
+                .check = integer_within(11, 1'000'000),
+                .shows_default = true},
+               {.name = "--repetitions",
+                .value = &options.repetitions,
+                .text = "Timed solves of each method",
+                .placeholder = "R",
+                .check = integer_within(1, 1000),
+                .shows_default = true},
+               {.name = "--seconds",
+                .value = &options.seconds,
+                .text = "Wall-clock limit of each method",
+                .placeholder = "S",
+                .check = seconds(),
+                .shows_default = true},
+               {.name = "--residual",
+                .value = &options.residual,
+                .text = "Residual at which the iterations of every method stop",
+                .placeholder = "R",
+                .check = number("from 1e-14 to 1e-6",
+                                [](double value) {
+                                  return value >= 1e-14 && value <= 1e-6;
+                                }),
+                .shows_default = true},
+               directory_flag("--out", flags->out,
+                              "Write compare.txt and compare.json there"),
+               {"--force", &flags->force, "Replace existing files in DIR"}}),
+          .footer =
+              "Every method runs in a process of its own, from the cycloid. "
+              "One that\n"
+              "fails is a row with the reason.\n"
+              "Examples:\n"
+              "  brachisto compare problems/paper/fig04_reference_case.yaml\n"
+              "  brachisto compare case.yaml --nodes 201 --json\n"
+              "Exit codes: 0 compared, 3 bad input file, 4 no verified answer "
+              "of the\n"
+              "extremal method to take errors against, 6 I/O, 130/143 after\n"
+              "SIGINT/SIGTERM.",
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

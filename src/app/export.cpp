@@ -4,8 +4,8 @@
 // brachisto export DIR: the results of a sweep as a flat table.
 
 #include <fmt/format.h>
+#include <memory>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -39,23 +39,27 @@ int run(const ExportFlags& flags) {
 
 }  // namespace
 
-void add_export(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<ExportFlags>(
-      app, exit_code, "export", "Print the results of a sweep as a flat table",
-      run);
-  verb.add_option("DIR", flags.directory, "Directory of the sweep")
-      ->check(not_empty())
-      ->required();
-  CLI::App* form = verb.add_option_group("form");
-  form->add_flag("--csv", flags.csv, "Comma-separated values");
-  form->add_flag("--json", flags.json, "One JSON document");
-  form->require_option(1);
-  verb.footer(
-      "Examples:\n"
-      "  brachisto export map --csv > map.csv\n"
-      "  brachisto export map --json | jq '.rows[0].tau'\n"
-      "Exit codes: 0 the table has all that is there, 6 I/O, or results are\n"
-      "damaged, which are named and not in the table.");
+Verb export_verb() {
+  const auto flags = std::make_shared<ExportFlags>();
+  return {.name = "export",
+          .text = "Print the results of a sweep as a flat table",
+          .flags = {sweep_directory(flags->directory),
+                    {.name = "--csv",
+                     .value = &flags->csv,
+                     .text = "Comma-separated values",
+                     .choice = "form"},
+                    {.name = "--json",
+                     .value = &flags->json,
+                     .text = "One JSON document",
+                     .choice = "form"}},
+          .footer =
+              "Examples:\n"
+              "  brachisto export map --csv > map.csv\n"
+              "  brachisto export map --json | jq '.rows[0].tau'\n"
+              "Exit codes: 0 the table has all that is there, 6 I/O, or "
+              "results are\n"
+              "damaged, which are named and not in the table.",
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -5,17 +5,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -71,36 +70,23 @@ nlohmann::ordered_json to_json(const io::InputError& error) {
   return list;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app(
+CommandLine command_line() {
+  return {
       "Computes brachistochrones of a bead or a rolling, possibly off-centred "
       "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
-      "brachisto");
-  app.set_version_flag("--version", version_text,
-                       "Print versions of the program and its libraries");
-  app.require_subcommand(1);
-  app.footer(
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto validate my_case.yaml\n"
       "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
-      "`brachisto VERB --help` tells more.");
-  int code = kInternalError;
-  add_solve(app, code);
-  add_validate(app, code);
-  add_schema(app, code);
-  add_sweep(app, code);
-  add_export(app, code);
-  add_merge(app, code);
-  add_report(app, code);
-  add_paper(app, code);
-  add_body(app, code);
-  add_compare(app, code);
-  add_work_precision(app, code);
-  add_worker(app, code);
-  add_measure(app, code);
+      "`brachisto VERB --help` tells more.",
+      version_text,
+      {solve_verb(), validate_verb(), schema_verb(), sweep_verb(),
+       export_verb(), merge_verb(), report_verb(), paper_verb(), body_verb(),
+       compare_verb(), work_precision_verb(), worker_verb(), measure_verb()}};
+}
 
+int run(int argc, char** argv) {
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a).starts_with("--json");
   });
@@ -111,13 +97,13 @@ int run(int argc, char** argv) {
     return fail(how, status, before + io::visible(error.what()), json);
   };
   try {
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::Success& help_or_version) {
-      std::ostringstream text;
-      app.exit(help_or_version, text);
-      print(text.str());
-      code = kSuccess;
+    const CommandLine command = command_line();
+    const Asked asked = read_command_line(command, argc, argv);
+    int code = kSuccess;
+    if (const auto* text = std::get_if<std::string>(&asked)) {
+      print(*text);
+    } else {
+      code = std::get<const Verb*>(asked)->run();
     }
     // A full disk or a closed pipe shows when the buffer is written.
     if (!flush_results()) {
@@ -125,10 +111,10 @@ int run(int argc, char** argv) {
                   false);
     }
     return code;
-  } catch (const CLI::ParseError& error) {
-    code = fail(kUsage, "usage", explain(app, error), json);
-    tell(fmt::format("Run {} --help for more information.\n", asked(app)));
-    return code;
+  } catch (const UsageError& error) {
+    fail(kUsage, "usage", error.what(), json);
+    tell(fmt::format("Run {} --help for more information.\n", error.asked()));
+    return kUsage;
   } catch (const io::InputError& error) {
     return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
   } catch (const io::IoError& error) {

@@ -5,6 +5,7 @@
 // times and the result in one line. For compare and work-precision, which run
 // it as a process of its own; not for people.
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
@@ -83,15 +84,22 @@ int run(const MeasureFlags& flags) {
 
 }  // namespace
 
-void add_measure(CLI::App& app, int& exit_code) {
-  auto [verb, flags] =
-      add_verb<MeasureFlags>(app, exit_code, "measure", "", run);
-  verb.group("");  // not in the help
-  flags.add_to(verb);
-  verb.add_option("--repetitions", flags.repetitions)
-      ->check(CLI::PositiveNumber);
-  verb.add_option("--seconds", flags.seconds)->check(CLI::PositiveNumber);
-  verb.add_option("--residual", flags.residual)->check(CLI::PositiveNumber);
+Verb measure_verb() {
+  const auto flags = std::make_shared<MeasureFlags>();
+  return {
+      .name = "measure",
+      .text = "",
+      .flags = flags->with(
+          {{.name = "--repetitions",
+            .value = &flags->repetitions,
+            .check = positive()},
+           {.name = "--seconds", .value = &flags->seconds, .check = positive()},
+           {.name = "--residual",
+            .value = &flags->residual,
+            .check = positive()}}),
+      .footer = "",
+      .run = [flags] { return run(*flags); },
+      .hidden = true};
 }
 
 }  // namespace brachisto::app

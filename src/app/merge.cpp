@@ -4,11 +4,11 @@
 // brachisto merge DIR…: parts of a sweep into one.
 
 #include <fmt/format.h>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -104,25 +104,33 @@ int run(const MergeFlags& flags) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<MergeFlags>(
-      app, exit_code, "merge", "Join parts of a sweep into one", run);
-  verb.add_option("DIR", flags.parts, "Directories of the parts")
-      ->check(not_empty())
-      ->required();
-  verb.add_option("--out", flags.out,
-                  "Directory of the whole; it may exist and be part of it")
-      ->check(not_empty())
-      ->required();
-  add_json(verb, flags.json);
-  verb.add_flag("--quiet", flags.quiet, "Print no results");
-  verb.footer(
-      "Example:\n"
-      "  brachisto merge part1 part2 part3 part4 --out map\n"
-      "Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts "
-      "have\n"
-      "different results for a scene; 6 I/O, parts of different sweeps, or\n"
-      "damaged results that are sound in no part.");
+Verb merge_verb() {
+  const auto flags = std::make_shared<MergeFlags>();
+  return {
+      .name = "merge",
+      .text = "Join parts of a sweep into one",
+      .flags = {{.name = "DIR",
+                 .value = &flags->parts,
+                 .text = "Directories of the parts",
+                 .check = not_empty(),
+                 .required = true},
+                {.name = "--out",
+                 .value = &flags->out,
+                 .text = "Directory of the whole; it may exist and be part of "
+                         "it",
+                 .check = not_empty(),
+                 .required = true},
+                json_flag(flags->json),
+                {"--quiet", &flags->quiet, "Print no results"}},
+      .footer =
+          "Example:\n"
+          "  brachisto merge part1 part2 part3 part4 --out map\n"
+          "Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts "
+          "have\n"
+          "different results for a scene; 6 I/O, parts of different sweeps, "
+          "or\n"
+          "damaged results that are sound in no part.",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

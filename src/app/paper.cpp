@@ -4,12 +4,12 @@
 // brachisto paper: every figure and every number of the paper.
 
 #include <fmt/format.h>
+#include <memory>
 
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -83,28 +83,32 @@ int run(const PaperFlags& flags) {
 
 }  // namespace
 
-void add_paper(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<PaperFlags>(
-      app, exit_code, "paper",
-      "Reproduce every figure and every number of the paper", run);
-  add_directory(verb, "--out", flags.out,
-                "Write index.html, figures and tables there")
-      ->required();
-  verb.add_option("--problems", flags.problems,
-                  "Directory of the problem files; default: those that came "
-                  "with the program")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
-  add_jobs(verb, flags.jobs);
-  add_json(verb, flags.json);
-  verb.add_flag("--quiet", flags.quiet, "Print no results and no progress");
-  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
-  verb.footer(
-      "Example:\n"
-      "  brachisto paper --out paper && xdg-open paper/index.html\n"
-      "Exit codes: 0 all verified, 3 a problem file is wrong, 4 something has\n"
-      "no verified answer and nothing was written, 6 I/O, 130/143 after\n"
-      "SIGINT/SIGTERM.");
+Verb paper_verb() {
+  const auto flags = std::make_shared<PaperFlags>();
+  return {
+      .name = "paper",
+      .text = "Reproduce every figure and every number of the paper",
+      .flags = {directory_flag("--out", flags->out,
+                               "Write index.html, figures and tables there",
+                               true),
+                {.name = "--problems",
+                 .value = &flags->problems,
+                 .text = "Directory of the problem files; default: those that "
+                         "came with the program",
+                 .placeholder = "DIR",
+                 .check = existing_directory()},
+                jobs_flag(flags->jobs),
+                json_flag(flags->json),
+                {"--quiet", &flags->quiet, "Print no results and no progress"},
+                {"--force", &flags->force, "Replace existing files in DIR"}},
+      .footer =
+          "Example:\n"
+          "  brachisto paper --out paper && xdg-open paper/index.html\n"
+          "Exit codes: 0 all verified, 3 a problem file is wrong, 4 something "
+          "has\n"
+          "no verified answer and nothing was written, 6 I/O, 130/143 after\n"
+          "SIGINT/SIGTERM.",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -4,8 +4,8 @@
 // brachisto report DIR: a sweep as a page with figures.
 
 #include <filesystem>
+#include <memory>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -42,20 +42,20 @@ int run(const ReportFlags& flags) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& exit_code) {
-  auto [verb, flags] =
-      add_verb<ReportFlags>(app, exit_code, "report",
-                            "Draw the results of a sweep into DIR/report", run);
-  verb.add_option("DIR", flags.directory, "Directory of the sweep")
-      ->check(not_empty())
-      ->required();
-  verb.add_flag("--force", flags.force, "Replace an earlier report");
-  verb.add_flag("--quiet", flags.quiet, "Do not list what was written");
-  verb.footer(
-      "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
-      "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
-      "and\n"
-      "not in the figures.");
+Verb report_verb() {
+  const auto flags = std::make_shared<ReportFlags>();
+  return {
+      .name = "report",
+      .text = "Draw the results of a sweep into DIR/report",
+      .flags = {sweep_directory(flags->directory),
+                {"--force", &flags->force, "Replace an earlier report"},
+                {"--quiet", &flags->quiet, "Do not list what was written"}},
+      .footer =
+          "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
+          "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
+          "and\n"
+          "not in the figures.",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

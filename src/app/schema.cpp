@@ -14,25 +14,26 @@
 
 namespace brachisto::app {
 
-void add_schema(CLI::App& app, int& exit_code) {
-  auto kind = std::make_shared<std::string>("problem");
-  CLI::App* verb = app.add_subcommand(
-      "schema", "Print a JSON Schema, by which editors check files");
-  verb->add_option("KIND", *kind,
-                   "problem: of problem files, sweeps included; result: of "
-                   "result documents")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"problem", "result"}));
-  verb->footer(
-      "Examples:\n"
-      "  brachisto schema > brachisto.schema.json\n"
-      "and as the first line of a problem file:\n"
-      "  # yaml-language-server: $schema=brachisto.schema.json");
-  verb->callback([kind, &exit_code] {
-    print_data(*kind == "result" ? report::result_schema()
-                                 : io::problem_schema());
-    exit_code = kSuccess;
-  });
+Verb schema_verb() {
+  const auto kind = std::make_shared<std::string>("problem");
+  return {.name = "schema",
+          .text = "Print a JSON Schema, by which editors check files",
+          .flags = {{.name = "KIND",
+                     .value = kind.get(),
+                     .text = "problem: of problem files, sweeps included; "
+                             "result: of result documents",
+                     .check = one_of({"problem", "result"}),
+                     .shows_default = true}},
+          .footer =
+              "Examples:\n"
+              "  brachisto schema > brachisto.schema.json\n"
+              "and as the first line of a problem file:\n"
+              "  # yaml-language-server: $schema=brachisto.schema.json",
+          .run = [kind] {
+            print_data(*kind == "result" ? report::result_schema()
+                                         : io::problem_schema());
+            return static_cast<int>(kSuccess);
+          }};
 }
 
 }  // namespace brachisto::app

@@ -4,12 +4,12 @@
 // brachisto solve FILE: the smooth-contact extremal of one scene.
 
 #include <fmt/format.h>
+#include <memory>
 
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/last_resort.hpp"
 #include "app/signals.hpp"
@@ -127,28 +127,33 @@ int run(const SolveFlags& flags) {
 
 }  // namespace
 
-void add_solve(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<SolveFlags>(
-      app, exit_code, "solve",
-      "Compute the track of one scene, its smooth-contact extremal", run);
-  flags.add_to(verb);
-  add_directory(verb, "--out", flags.out,
-                "Write result.json, trajectory.csv and path.svg there");
-  verb.add_option("--certify", flags.certify,
-                  "Second opinion: none or extremal (solver.certify)")
-      ->type_name("METHOD")
-      ->check(not_empty());
-  verb.add_flag("--force", flags.force, "Replace existing results in DIR");
-  verb.add_flag("--verbose", flags.verbose, "Print the solver's log");
-  verb.footer(
-      "Examples:\n"
-      "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
-      "  brachisto solve case.yaml --json | jq .tau\n"
-      "  brachisto solve case.yaml --certify extremal\n"
-      "  brachisto solve case.yaml --set scene.finish.L=4 --out results\n"
-      "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or\n"
-      "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"
-      "reached, 130/143 after SIGINT/SIGTERM.");
+Verb solve_verb() {
+  const auto flags = std::make_shared<SolveFlags>();
+  return {
+      .name = "solve",
+      .text = "Compute the track of one scene, its smooth-contact extremal",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Write result.json, trajectory.csv and path.svg "
+                          "there"),
+           {.name = "--certify",
+            .value = &flags->certify,
+            .text = "Second opinion: none or extremal (solver.certify)",
+            .placeholder = "METHOD",
+            .check = not_empty()},
+           {"--force", &flags->force, "Replace existing results in DIR"},
+           {"--verbose", &flags->verbose, "Print the solver's log"}}),
+      .footer =
+          "Examples:\n"
+          "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
+          "  brachisto solve case.yaml --json | jq .tau\n"
+          "  brachisto solve case.yaml --certify extremal\n"
+          "  brachisto solve case.yaml --set scene.finish.L=4 --out results\n"
+          "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved "
+          "or\n"
+          "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"
+          "reached, 130/143 after SIGINT/SIGTERM.",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

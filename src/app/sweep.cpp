@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 #include <sys/sysinfo.h>
+#include <memory>
 
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -211,70 +211,84 @@ int run(const SweepFlags& flags) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& exit_code) {
-  auto [verb, flags] =
-      add_verb<SweepFlags>(app, exit_code, "sweep",
-                           "Solve the family of scenes of a problem file", run);
-  flags.add_to(verb);
-  add_directory(verb, "--out", flags.out,
-                "Keep the results in DIR/sweep.sqlite")
-      ->required();
-  add_jobs(verb, flags.jobs);
-  verb.add_option("--shard", flags.shard,
-                  "Do the i-th of N parts only; `merge` joins them")
-      ->type_name("i/N")
-      ->check([](const std::string& text) -> std::string {
-        try {
-          (void)Shard::parse(text);
-          return {};
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-      });
-  verb.add_flag("--resume", flags.resume,
-                "Go on with the results in DIR, if there are any");
-  verb.add_flag("--retry-failed", flags.retry,
-                "Solve scenes again that no worker answered for")
-      ->needs("--resume");
-  verb.add_flag("--force", flags.force, "Replace the results in DIR")
-      ->excludes("--resume");
-  verb.add_option("--timeout", flags.timeout,
-                  "Kill a worker that takes longer for one scene; default: "
-                  "three times solver.limits.seconds and a minute")
-      ->type_name("SECONDS")
-      ->check(seconds());
-  verb.add_option("--memory", flags.memory,
-                  "Bound on a worker's address space, 0 for none; default: "
-                  "the machine's memory / N")
-      ->type_name("MIB")
-      ->check(number("from 0 to 1e12", [](double mebibytes) {
-        return mebibytes >= 0.0 && mebibytes <= 1e12;
-      }));
-  verb.add_option("--worker", flags.program,
-                  "Program to run as worker, for tests")
-      ->type_name("PROGRAM")
-      ->check(CLI::ExistingFile)
-      ->group("");
-  verb.footer(
-      "Examples:\n"
-      "  brachisto sweep map.yaml --out map\n"
-      "  brachisto sweep map.yaml --out map --resume\n"
-      "  brachisto sweep map.yaml --out part2 --shard 2/4\n"
-      "  brachisto export map --csv > map.csv\n"
-      "  brachisto report map\n"
-      "Exit codes: 0 all solved and verified, 3 bad input file, 4 some are\n"
-      "not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.");
+Verb sweep_verb() {
+  const auto flags = std::make_shared<SweepFlags>();
+  const TextCheck shard{[](const std::string& text) -> std::string {
+    try {
+      (void)Shard::parse(text);
+      return {};
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  }};
+  const TextCheck memory = number("from 0 to 1e12", [](double mebibytes) {
+    return mebibytes >= 0.0 && mebibytes <= 1e12;
+  });
+  return {
+      .name = "sweep",
+      .text = "Solve the family of scenes of a problem file",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Keep the results in DIR/sweep.sqlite", true),
+           jobs_flag(flags->jobs),
+           {.name = "--shard",
+            .value = &flags->shard,
+            .text = "Do the i-th of N parts only; `merge` joins them",
+            .placeholder = "i/N",
+            .check = shard},
+           {"--resume", &flags->resume,
+            "Go on with the results in DIR, if there are any"},
+           {.name = "--retry-failed",
+            .value = &flags->retry,
+            .text = "Solve scenes again that no worker answered for",
+            .needs = "--resume"},
+           {.name = "--force",
+            .value = &flags->force,
+            .text = "Replace the results in DIR",
+            .excludes = "--resume"},
+           {.name = "--timeout",
+            .value = &flags->timeout,
+            .text = "Kill a worker that takes longer for one scene; default: "
+                    "three times solver.limits.seconds and a minute",
+            .placeholder = "SECONDS",
+            .check = seconds()},
+           {.name = "--memory",
+            .value = &flags->memory,
+            .text = "Bound on a worker's address space, 0 for none; default: "
+                    "the machine's memory / N",
+            .placeholder = "MIB",
+            .check = memory},
+           {.name = "--worker",
+            .value = &flags->program,
+            .text = "Program to run as worker, for tests",
+            .placeholder = "PROGRAM",
+            .check = existing_file(),
+            .hidden = true}}),
+      .footer =
+          "Examples:\n"
+          "  brachisto sweep map.yaml --out map\n"
+          "  brachisto sweep map.yaml --out map --resume\n"
+          "  brachisto sweep map.yaml --out part2 --shard 2/4\n"
+          "  brachisto export map --csv > map.csv\n"
+          "  brachisto report map\n"
+          "Exit codes: 0 all solved and verified, 3 bad input file, 4 some "
+          "are\n"
+          "not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.",
+      .run = [flags] { return run(*flags); }};
 }
 
-void add_worker(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand(
-      "worker", "Solve what the manager of a sweep asks for");
-  verb->group("");  // not for people
-  verb->callback([&exit_code] {
-    std::ios::sync_with_stdio(false);
-    sweep::run_worker(std::cin, std::cout);
-    exit_code = kSuccess;
-  });
+Verb worker_verb() {
+  return {.name = "worker",
+          .text = "Solve what the manager of a sweep asks for",
+          .flags = {},
+          .footer = "",
+          .run =
+              [] {
+                std::ios::sync_with_stdio(false);
+                sweep::run_worker(std::cin, std::cout);
+                return static_cast<int>(kSuccess);
+              },
+          .hidden = true};
 }
 
 }  // namespace brachisto::app

@@ -186,23 +186,24 @@ void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, int& exit_code) {
-  auto flags = std::make_shared<CommonFlags>();
-  CLI::App* verb = app.add_subcommand(
-      "validate", "Check a problem file and print its effective input");
-  flags->add_to(*verb);
-  verb->footer(
-      "Of a file with a section sweep, all scenes are checked and some "
-      "listed.\n"
-      "Examples:\n"
-      "  brachisto validate case.yaml\n"
-      "  brachisto validate case.yaml --set scene.body.k=1/4 --json");
-  verb->callback([flags, &exit_code] {
-    const auto content =
-        io::read_problem_or_sweep_file(flags->file, flags->overrides);
-    std::visit([&](const auto& what) { describe(*flags, what); }, content);
-    exit_code = kSuccess;
-  });
+Verb validate_verb() {
+  const auto flags = std::make_shared<CommonFlags>();
+  return {.name = "validate",
+          .text = "Check a problem file and print its effective input",
+          .flags = flags->with({}),
+          .footer =
+              "Of a file with a section sweep, all scenes are checked and some "
+              "listed.\n"
+              "Examples:\n"
+              "  brachisto validate case.yaml\n"
+              "  brachisto validate case.yaml --set scene.body.k=1/4 --json",
+          .run = [flags] {
+            const auto content =
+                io::read_problem_or_sweep_file(flags->file, flags->overrides);
+            std::visit([&](const auto& what) { describe(*flags, what); },
+                       content);
+            return static_cast<int>(kSuccess);
+          }};
 }
 
 }  // namespace brachisto::app

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
-#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
@@ -69,26 +69,31 @@ int run(const WorkPrecisionFlags& flags) {
 
 }  // namespace
 
-void add_work_precision(CLI::App& app, int& exit_code) {
-  auto [verb, flags] = add_verb<WorkPrecisionFlags>(
-      app, exit_code, "work-precision",
-      "Processor time against true error, method by method", run);
-  flags.add_to(verb);
-  add_directory(verb, "--out", flags.out,
-                "Write work_precision.svg, .csv, .gp and .json there");
-  verb.add_flag("--force", flags.force, "Replace existing files in DIR");
-  verb.add_flag(
-      "--quick", flags.quick,
-      "The three coarsest meshes that all methods take, one repetition");
-  verb.footer(
-      "The section work_precision of the file says which methods run on which\n"
-      "meshes; it has defaults.\n"
-      "Examples:\n"
-      "  brachisto work-precision problems/work_precision/base.yaml --out wp\n"
-      "  brachisto work-precision case.yaml --quick\n"
-      "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
-      "extremal method to take errors against, 6 I/O, 130/143 after\n"
-      "SIGINT/SIGTERM.");
+Verb work_precision_verb() {
+  const auto flags = std::make_shared<WorkPrecisionFlags>();
+  return {
+      .name = "work-precision",
+      .text = "Processor time against true error, method by method",
+      .flags = flags->with(
+          {directory_flag(
+               "--out", flags->out,
+               "Write work_precision.svg, .csv, .gp and .json there"),
+           {"--force", &flags->force, "Replace existing files in DIR"},
+           {"--quick", &flags->quick,
+            "The three coarsest meshes that all methods take, one "
+            "repetition"}}),
+      .footer =
+          "The section work_precision of the file says which methods run on "
+          "which\n"
+          "meshes; it has defaults.\n"
+          "Examples:\n"
+          "  brachisto work-precision problems/work_precision/base.yaml --out "
+          "wp\n"
+          "  brachisto work-precision case.yaml --quick\n"
+          "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
+          "extremal method to take errors against, 6 I/O, 130/143 after\n"
+          "SIGINT/SIGTERM.",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

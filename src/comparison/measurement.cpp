@@ -8,13 +8,12 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 namespace brachisto::comparison {
 
 namespace {
 
-using sweep::ChildRun;
 
 using Json = nlohmann::json;
 
@@ -108,12 +107,12 @@ Measurement measure(const Experiment& experiment,
       {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
        fmt::format("{}", experiment.seconds), "--residual",
        fmt::format("{}", experiment.discrete_residual)});
-  const ChildRun run = sweep::run_child("/proc/self/exe", arguments,
+  const ChildRun run = run_child("/proc/self/exe", arguments,
                                         experiment.seconds, interrupt);
   Measurement out;
   switch (run.end) {
     case ChildRun::End::Interrupted:
-      throw sweep::Interrupted{};
+      throw Interrupted{};
     case ChildRun::End::OutOfTime:
       out.outcome = Measurement::Outcome::Limit;
       out.cause = fmt::format("killed after {:g} s", experiment.seconds);

@@ -12,12 +12,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
 
-namespace brachisto::sweep {
+namespace brachisto {
 
 /// What a signal leaves work of many solves with.
 class Interrupted : public Stopped {
@@ -79,6 +80,10 @@ class ChildProcess {
     const std::filesystem::path& program,
     const std::vector<std::string>& arguments);
 
+/// All files of that name on the PATH that can be run, in its order.
+[[nodiscard]] std::vector<std::filesystem::path> programs_on_path(
+    const std::string& name);
+
 /// Appends what can be read at once. \return as read() of the system does: the
 /// number of bytes, 0 at the end of the stream, −1 if there is nothing yet
 ssize_t read_some(int file, std::string& text);
@@ -107,10 +112,12 @@ struct ChildRun {
 ///
 /// \param seconds    wall-clock limit
 /// \param interrupt  nonzero: stop; may be null
+/// \param input      what it reads; none: it shares our standard input
 /// \throws std::system_error if it cannot be started
 [[nodiscard]] ChildRun run_child(const std::filesystem::path& program,
                                  const std::vector<std::string>& arguments,
                                  double seconds,
-                                 const std::atomic<int>* interrupt);
+                                 const std::atomic<int>* interrupt,
+                                 const std::optional<std::string>& input = {});
 
-}  // namespace brachisto::sweep
+}  // namespace brachisto

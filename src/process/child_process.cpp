@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,14 +16,17 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "math/wall_clock.hpp"
 
-namespace brachisto::sweep {
+namespace brachisto {
 
 namespace {
 
@@ -35,6 +39,39 @@ void close_both(std::array<int, 2>& pipe) {
     end = -1;
   }
 }
+
+/// A file in memory with that content, to be read from its start: unlike a
+/// pipe it takes all of it at once, whoever reads.
+class UnnamedFile {
+ public:
+  explicit UnnamedFile(std::string_view content)
+      : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
+    while (descriptor_ >= 0 && !content.empty()) {
+      const ssize_t count =
+          ::write(descriptor_, content.data(), content.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) close();
+      if (count > 0) content.remove_prefix(static_cast<std::size_t>(count));
+    }
+    if (descriptor_ < 0 || ::lseek(descriptor_, 0, SEEK_SET) < 0) {
+      const int error = errno;
+      close();
+      throw std::system_error(error, std::generic_category(), "memfd");
+    }
+  }
+  ~UnnamedFile() { close(); }
+  UnnamedFile(const UnnamedFile&) = delete;
+  UnnamedFile& operator=(const UnnamedFile&) = delete;
+
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  void close() {
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  }
+
+  int descriptor_;
+};
 
 /// Runs in the child: only what is safe after a fork.
 void set_up(const std::array<int, 3>& theirs, const ChildLimits& limits,
@@ -178,6 +215,17 @@ ChildProcess::Work run_program(const std::filesystem::path& program,
   };
 }
 
+std::vector<std::filesystem::path> programs_on_path(const std::string& name) {
+  const char* path = std::getenv("PATH");  // NOLINT: nobody sets it here
+  std::istringstream folders(path == nullptr ? "" : path);
+  std::vector<std::filesystem::path> found;
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::filesystem::path file = std::filesystem::path(folder) / name;
+    if (::access(file.c_str(), X_OK) == 0) found.push_back(std::move(file));
+  }
+  return found;
+}
+
 ssize_t read_some(int file, std::string& text) {
   std::array<char, 1U << 16U> buffer{};
   while (true) {
@@ -190,11 +238,19 @@ ssize_t read_some(int file, std::string& text) {
 
 ChildRun run_child(const std::filesystem::path& program,
                    const std::vector<std::string>& arguments, double seconds,
-                   const std::atomic<int>* interrupt) {
+                   const std::atomic<int>* interrupt,
+                   const std::optional<std::string>& input) {
   const WallClock::time_point begin = WallClock::now();
   const WallClock::time_point until = seconds_from_now(seconds);
-  ChildProcess child(run_program(program, arguments),
-                     {.input = false, .output = true, .error = true}, {});
+  ChildProcess::Work work = run_program(program, arguments);
+  std::optional<UnnamedFile> file;
+  if (input) {
+    file.emplace(*input);
+    work = [run = std::move(work), descriptor = file->descriptor()] {
+      return ::dup2(descriptor, STDIN_FILENO) < 0 ? kCannotRun : run();
+    };
+  }
+  ChildProcess child(work, {.input = false, .output = true, .error = true}, {});
   ChildRun run;
   run.end = collect(run, child, until, interrupt);
   if (run.end != ChildRun::End::Exited) child.kill();
@@ -210,4 +266,4 @@ ChildRun run_child(const std::filesystem::path& program,
   return run;
 }
 
-}  // namespace brachisto::sweep
+}  // namespace brachisto

@@ -3,7 +3,7 @@
 
 // How a process ended is told apart, and what it wrote is kept.
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <csignal>
 #include <string>
 
-namespace brachisto::sweep {
+namespace brachisto {
 namespace {
 
 using End = ChildRun::End;
@@ -32,6 +32,24 @@ TEST(ChildProcess, KeepsBothStreamsAndTheExitCode) {
   EXPECT_EQ(run.out, "out\n");
   EXPECT_EQ(run.err, "err\n");
   EXPECT_GT(run.peak_memory, 0.0);
+}
+
+TEST(ChildProcess, IsGivenMoreThanAPipeHolds) {
+  const std::string input(300000, 'x');
+
+  const ChildRun run =
+      run_child("/bin/sh", {"-c", "cat"}, kPatience, nullptr, input);
+
+  EXPECT_EQ(run.end, End::Exited);
+  EXPECT_TRUE(run.out == input) << run.out.size() << " bytes came back";
+}
+
+TEST(ChildProcess, NeedNotReadWhatItIsGiven) {
+  const ChildRun run = run_child("/bin/sh", {"-c", "exit 4"}, kPatience,
+                                 nullptr, std::string(300000, 'x'));
+
+  EXPECT_EQ(run.end, End::Exited);
+  EXPECT_EQ(run.code, 4);
 }
 
 TEST(ChildProcess, ReadsMoreThanAPipeHolds) {
@@ -99,4 +117,4 @@ TEST(ChildProcess, HasALimitOfProcessorTime) {
 }
 
 }  // namespace
-}  // namespace brachisto::sweep
+}  // namespace brachisto

@@ -3,6 +3,8 @@
 
 // brachisto work-precision FILE: what accuracy costs, method by method.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -52,7 +54,12 @@ int run(const WorkPrecisionFlags& flags) {
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
   if (!flags.out.empty()) {
-    report::write_files(flags.out, comparison::files(found), flags.force);
+    const report::DrawnFigure diagram =
+        comparison::drawn(found, hooks.interrupt);
+    if (!diagram.missing.empty()) {
+      tell(fmt::format("warning: {}\n", diagram.missing));
+    }
+    report::write_files(flags.out, diagram.files, flags.force, names);
   }
   if (flags.json) {
     print_data(comparison::to_json(found));

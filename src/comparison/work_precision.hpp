@@ -6,14 +6,15 @@
 
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
 #include "comparison/comparison.hpp"
 #include "comparison/statistics.hpp"
+#include "report/figure.hpp"
 
 namespace brachisto::comparison {
 
@@ -64,8 +65,11 @@ struct WorkPrecision {
 
 /// Names of the files, of which the last one is written last.
 [[nodiscard]] std::vector<std::string> work_precision_file_names();
-/// The diagram, its numbers and script, and a document with all there is.
-[[nodiscard]] std::vector<report::OutputFile> files(const WorkPrecision& found);
+/// The diagram with its numbers and script, and a document with all there is.
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] report::DrawnFigure drawn(const WorkPrecision& found,
+                                        const std::atomic<int>* interrupt);
 [[nodiscard]] std::string summary(const WorkPrecision& found);
 [[nodiscard]] std::string to_json(const WorkPrecision& found);
 

@@ -13,6 +13,7 @@
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
 #include "report/chart.hpp"
+#include "report/track_kind.hpp"
 
 namespace brachisto::comparison {
 
@@ -77,6 +78,7 @@ class Diagram {
   explicit Diagram(const WorkPrecision& found) : found_(found) {
     chart_.name = kName;
     chart_.title = "Processor time against error of the transit time";
+    chart_.subtitle = report::in_words(found.subject.problem.scene);
     chart_.x.label = "relative error of τ";
     chart_.x.scale = report::Scale::Logarithmic;
     chart_.y.label = "processor time [s]";
@@ -107,13 +109,19 @@ class Diagram {
                      std::numeric_limits<double>::epsilon()});
   }
 
-  /// With the order that was observed, where there is one.
+  /// With the order that was observed, where it is more than a guess: from four
+  /// meshes on, and certainly above zero.
   [[nodiscard]] static std::string key_of(const PrecisionLine& line) {
     std::string key = words(line.method);
-    if (!line.order) return key;
-    key += fmt::format(", order {:.1f}", line.order->order);
-    if (line.order->uncertainty) {
-      key += fmt::format(" ± {:.1f}", *line.order->uncertainty);
+    constexpr int kLeastMeshes = 4;
+    const std::optional<ObservedOrder>& order = line.order;
+    if (!order || order->points < kLeastMeshes ||
+        !(order->order > 2.0 * order->uncertainty.value_or(0.0))) {
+      return key;
+    }
+    key += fmt::format(", order {:.1f}", order->order);
+    if (order->uncertainty) {
+      key += fmt::format(" ± {:.1f}", *order->uncertainty);
     }
     return key;
   }
@@ -269,13 +277,13 @@ std::vector<std::string> work_precision_file_names() {
   return {name + ".svg", name + ".csv", name + ".gp", name + ".json"};
 }
 
-std::vector<report::OutputFile> files(const WorkPrecision& found) {
-  const report::Chart chart = Diagram(found).draw();
-  const std::vector<std::string> names = work_precision_file_names();
-  return {{names[0], report::chart_svg(chart)},
-          {names[1], report::chart_csv(chart)},
-          {names[2], report::chart_gnuplot(chart)},
-          {names[3], to_json(found)}};
+report::DrawnFigure drawn(const WorkPrecision& found,
+                          const std::atomic<int>* interrupt) {
+  report::DrawnFigure out =
+      report::draw(report::chart_figure(Diagram(found).draw()),
+                   report::Format::Svg, interrupt);
+  out.files.push_back({work_precision_file_names().back(), to_json(found)});
+  return out;
 }
 
 }  // namespace brachisto::comparison

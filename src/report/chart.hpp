@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A figure of curves: what it shows, and the three files it is printed to.
+/// A figure of curves: what it shows.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "report/axis.hpp"
 #include "report/colour_map.hpp"
+#include "report/figure.hpp"
 
 namespace brachisto::report {
 
@@ -83,8 +84,9 @@ struct Side {
 /// Words are rich text: an underscore or a caret lowers or raises the letter,
 /// or the group in braces, that follows.
 struct Chart {
-  std::string name;   ///< of its files, without ending
-  std::string title;  ///< for those who cannot see it; no markup
+  std::string name;      ///< of its files, without ending
+  std::string title;     ///< above the plot; no markup
+  std::string subtitle;  ///< below the title, smaller; no markup
   Side x, y;
   bool equal_scale = false;  ///< one unit has one length in both directions
   bool y_down = false;       ///< y grows downwards, as z does
@@ -95,21 +97,10 @@ struct Chart {
   std::vector<Note> notes;
 };
 
-/// An SVG document that prints well: 720 px wide, key below the plot in columns
-/// if there is more than one name. On axes of equal scale the height follows
-/// the data within limits; a range is widened rather than a scale changed.
-[[nodiscard]] std::string chart_svg(const Chart& chart);
-
-/// `curve,x,y`, one row per point, 12 significant digits; outlines of areas
-/// first. Identifiers have no commas and are made different where they are not.
-[[nodiscard]] std::string chart_csv(const Chart& chart);
-
-/// A gnuplot script that redraws the chart from `<name>.csv` beside it as
-/// `<name>.pdf`.
-[[nodiscard]] std::string chart_gnuplot(const Chart& chart);
-
-/// n colours for a family of curves, dark to light, the lightest still to be
-/// seen on white.
-[[nodiscard]] std::vector<std::string> family_colours(std::size_t n);
+/// The chart as table (`part,x,y`, one row per point, 12 significant digits)
+/// and script: 720 px wide, with the key below the plot in columns if there is
+/// more than one name. On axes of equal scale the height follows the data
+/// within limits; a range is widened rather than a scale changed.
+[[nodiscard]] Figure chart_figure(const Chart& chart);
 
 }  // namespace brachisto::report

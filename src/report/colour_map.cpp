@@ -57,4 +57,16 @@ std::string hex(const Colour& colour) {
                      std::lround(colour[1]), std::lround(colour[2]));
 }
 
+std::vector<std::string> family_colours(std::size_t n) {
+  constexpr double kLightest = 0.75;  // lighter ones would be lost on white
+  constexpr double kAlone = 0.4;
+  std::vector<std::string> colours;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share =
+        n == 1 ? kAlone : static_cast<double>(i) / static_cast<double>(n - 1);
+    colours.push_back(hex(colour_at(kLightest * share)));
+  }
+  return colours;
+}
+
 }  // namespace brachisto::report

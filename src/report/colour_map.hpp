@@ -7,7 +7,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace brachisto::report {
 
@@ -33,5 +35,9 @@ struct ValueRange {
     return (value - low) / (high - low);
   }
 };
+
+/// n colours for a family of curves, dark to light, the lightest still to be
+/// seen on white.
+[[nodiscard]] std::vector<std::string> family_colours(std::size_t n);
 
 }  // namespace brachisto::report

@@ -14,11 +14,13 @@ namespace {
 
 constexpr double kFontSize = 13.0;  // [px]
 
-/// With equal sizes of letters and widths of lines in all formats: pdfcairo
-/// sets letters in two thirds of their size and draws linewidth 1 half a point
-/// wide (measured with gnuplot 5.4).
+/// With equal sizes of letters and widths of lines in all formats, and dashes
+/// in units of the width: pdfcairo sets letters in two thirds of their size and
+/// draws linewidth 1 half a point wide; a dash of length 1 is 0.275 of the
+/// width of the line with Cairo, 0.5 in SVG (measured with gnuplot 5.4).
 std::string terminal(const Figure& figure, Format format) {
   constexpr double kPixelsPerInch = 96.0;
+  constexpr double kDashInCairo = 1.0 / 0.275, kDashInSvg = 1.0 / 0.5;
   constexpr double kPointsPerPixel = 0.75;
   switch (format) {
     case Format::Svg:
@@ -26,23 +28,27 @@ std::string terminal(const Figure& figure, Format format) {
     case Format::Pdf:
       return fmt::format(
           "pdfcairo enhanced size {:.4f}in,{:.4f}in font 'DejaVu Sans,{:.4g}' "
-          "linewidth {:.4g}",
+          "linewidth {:.4g} dashlength {:.4g}",
           figure.width / kPixelsPerInch, figure.height / kPixelsPerInch,
-          kFontSize * kPointsPerPixel * 1.5, kPointsPerPixel / 0.5);
+          kFontSize * kPointsPerPixel * 1.5, kPointsPerPixel / 0.5,
+          kDashInCairo);
     case Format::Png:
       return fmt::format(
-          "pngcairo enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}'",
-          figure.width, figure.height, kFontSize * kPointsPerPixel);
+          "pngcairo enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
+          "dashlength {:.4g}",
+          figure.width, figure.height, kFontSize * kPointsPerPixel,
+          kDashInCairo);
   }
   return fmt::format(
       "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
-      "background '#ffffff'",
-      figure.width, figure.height, kFontSize);
+      "dashlength {:.4g} background '#ffffff'",
+      figure.width, figure.height, kFontSize, kDashInSvg);
 }
 
 std::string script(const Figure& figure, Format format, std::string_view data) {
   return fmt::format(
       "set encoding utf8\n"
+      "set minussign\n"
       "set terminal {}\n"
       "data = '{}'\n"
       "set datafile separator comma\n"
@@ -111,8 +117,8 @@ DrawnFigure draw(const Figure& figure, Format format,
   return drawn;
 }
 
-std::string gnuplot_text(std::string_view text) {
-  std::string out = "'";
+std::string gnuplot_escaped(std::string_view text) {
+  std::string out;
   for (const char c : text) {
     if (c == '\'') {
       out += "''";
@@ -125,7 +131,7 @@ std::string gnuplot_text(std::string_view text) {
       out += c;
     }
   }
-  return out + "'";
+  return out;
 }
 
 }  // namespace brachisto::report

@@ -50,8 +50,8 @@ struct DrawnFigure {
 
 inline constexpr double kDrawingSeconds = 60.0;  ///< wall clock; it needs 0.1
 
-/// A string of gnuplot within single quotes that shows the text as it is, in
-/// enhanced text as well.
-[[nodiscard]] std::string gnuplot_text(std::string_view text);
+/// For a string of gnuplot within single quotes that shows the text as it is,
+/// in enhanced text as well.
+[[nodiscard]] std::string gnuplot_escaped(std::string_view text);
 
 }  // namespace brachisto::report

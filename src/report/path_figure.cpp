@@ -233,7 +233,7 @@ class Picture {
         "set tics out nomirror format '%g'\n"
         "set xlabel 'x [m]' offset 0,0.2\n"
         "set ylabel 'z [m], down'\n"
-        "set key center top horizontal Left reverse samplen 3 maxcols 4\n");
+        "set key center top vertical Left reverse samplen 3 maxrows 2\n");
   }
 
   void title() {
@@ -241,8 +241,8 @@ class Picture {
     kind[0] = static_cast<char>(std::toupper(kind[0]));
     const auto line = [&](int index, double y, std::string_view style,
                           const std::string& text) {
-      put("set label {} {} at screen {:.5f}, screen {:.5f} {}\n", index,
-          gnuplot_text(text), kLeft / width_, 1.0 - y / height_, style);
+      put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n", index,
+          gnuplot_escaped(text), kLeft / width_, 1.0 - y / height_, style);
     };
     line(1, 22.0, "font ',16'",
          fmt::format("{}: τ = {:.8f}, T = {:.6g} s", kind, motion_.tau(),
@@ -298,11 +298,11 @@ class Picture {
            "body, " + times);
     }
     if (body_.rolls()) {
-      item(curves, "c", " with lines lw 1.4 dt (8,5) lc rgb '#777777'",
+      item(curves, "c", " with lines lw 1.4 dt (5,3) lc rgb '#777777'",
            "its centre");
     }
     if (body_.off_centred()) {
-      item(curves, "cm", " with lines lw 1.6 dt (2,3) lc rgb '#1f5fa8'",
+      item(curves, "cm", " with lines lw 1.6 dt (1.2,2.2) lc rgb '#1f5fa8'",
            "its centre of mass");
     }
     item(curves, "b", " with lines lw 2.6 lc rgb '#000000'", "track");

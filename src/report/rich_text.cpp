@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "report/figure.hpp"
 #include "report/svg.hpp"
 
 namespace brachisto::report {
@@ -72,24 +73,6 @@ int shift(Level level) {
       return -5;
   }
   return 0;
-}
-
-/// For the enhanced text of gnuplot within single quotes.
-std::string gnuplot_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\'') {
-      out += "''";
-    } else if (c == '\n' || c == '\r') {
-      out += ' ';
-    } else {
-      if (std::string_view("\\_^{}@&~").find(c) != std::string_view::npos) {
-        out += '\\';
-      }
-      out += c;
-    }
-  }
-  return out;
 }
 
 }  // namespace

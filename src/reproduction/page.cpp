@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <initializer_list>
+#include <iterator>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "brachisto/report/provenance.hpp"
 #include "report/page_style.hpp"
@@ -105,15 +108,37 @@ std::string orientation_table(const std::vector<OrientationRow>& fastest) {
                     rows);
 }
 
-std::string figure_html(const Figure& figure) {
+/// A drawing of gnuplot within a page: without its prologue, and with
+/// identifiers that no other one has.
+std::string embedded(std::string svg, const std::string& name) {
+  svg.erase(0, svg.find("<svg"));
+  for (const auto& [before, after] :
+       {std::pair{"id='gp", fmt::format("id='{}_gp", name)},
+        {"id=\"gnuplot_", fmt::format("id=\"{}_", name)},
+        {"#gp", fmt::format("#{}_gp", name)}}) {
+    const std::string_view old = before;
+    for (std::size_t at = svg.find(old); at != std::string::npos;
+         at = svg.find(old, at + after.size())) {
+      svg.replace(at, old.size(), after);
+    }
+  }
+  return svg;
+}
+
+std::string figure_html(const Figure& figure,
+                        const report::DrawnFigure& drawn) {
+  const std::string& name = figure.drawing.name;
   return fmt::format(
       "<figure>\n<h3>{}</h3>\n<div "
       "class=\"drawing\">\n{}</div>\n<figcaption>{} "
       "<span class=\"files\"><a href=\"{}.svg\">SVG</a>, "
       "<a href=\"{}.csv\">CSV</a>, <a href=\"{}.gp\">gnuplot</a></span>"
       "</figcaption>\n</figure>\n",
-      html_words(figure.heading), figure.svg, html_words(figure.caption),
-      figure.name, figure.name, figure.name);
+      html_words(figure.heading),
+      drawn.missing.empty()
+          ? embedded(drawn.files.back().content, name)
+          : fmt::format("<p>{}</p>\n", report::xml_escaped(drawn.missing)),
+      html_words(figure.caption), name, name, name);
 }
 
 std::string introduction(const Results& found) {
@@ -144,7 +169,9 @@ std::string introduction(const Results& found) {
       html_words("R_n = 0 and κ_b = −1/r"));
 }
 
-std::string page(const Results& found, const Reproduction& made) {
+/// \param figures  in HTML
+std::string page(const Results& found, const Reproduction& made,
+                 const std::string& figures) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
@@ -155,7 +182,7 @@ std::string page(const Results& found, const Reproduction& made) {
   out += "<h2>Numbers</h2>\n" + comparison_table(made.comparisons);
   out += "<h2>Statements</h2>\n" + claims_table(made.claims);
   out += "<h2>Figures</h2>\n";
-  for (const Figure& figure : made.figures) out += figure_html(figure);
+  out += figures;
   out += "<h2>The initial orientation of the smallest τ</h2>\n" +
          orientation_table(found.orientations);
   out += "<h2>All cases</h2>\n" + cases_table(found.cases);
@@ -173,13 +200,17 @@ Reproduction reproduce(const Results& found) {
   return {printed_numbers(found), judge(found), all_figures(found)};
 }
 
-std::vector<report::OutputFile> files(const Results& found,
-                                      const Reproduction& made) {
-  std::vector<report::OutputFile> out;
+PaperFiles files(const Results& found, const Reproduction& made,
+                 const std::atomic<int>* interrupt) {
+  PaperFiles written;
+  std::vector<report::OutputFile>& out = written.files;
+  std::string figures;
   for (const Figure& figure : made.figures) {
-    out.push_back({figure.name + ".svg", figure.svg});
-    out.push_back({figure.name + ".csv", figure.csv});
-    out.push_back({figure.name + ".gp", figure.gnuplot});
+    report::DrawnFigure drawn =
+        report::draw(figure.drawing, report::Format::Svg, interrupt);
+    figures += figure_html(figure, drawn);
+    if (!drawn.missing.empty()) written.missing = drawn.missing;
+    std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(out));
   }
   out.push_back({"comparison.csv", comparison_csv(made.comparisons)});
   out.push_back({"claims.csv", claims_csv(made.claims)});
@@ -187,8 +218,8 @@ std::vector<report::OutputFile> files(const Results& found,
   out.push_back({"orientations.csv", orientations_csv(found.orientations)});
   out.push_back({"boundary.csv", boundary_csv(found)});
   // Last, so that whoever sees the page sees what it refers to.
-  out.push_back({"index.html", page(found, made)});
-  return out;
+  out.push_back({"index.html", page(found, made, figures)});
+  return written;
 }
 
 }  // namespace brachisto::reproduction

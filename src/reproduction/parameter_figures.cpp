@@ -10,9 +10,6 @@
 #include <utility>
 
 #include "brachisto/model/mass_distribution.hpp"
-#include "report/heat_map_svg.hpp"
-#include "report/sweep_csv.hpp"
-#include "report/sweep_scenes.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/figures.hpp"
 
@@ -86,54 +83,55 @@ std::string palette() {
   return out;
 }
 
-/// gnuplot script of the map; the file has one row per scene.
-std::string map_script(const std::string& name, const SweepTable& map) {
-  const std::size_t first = 2;  // after the number of the scene
-  const std::size_t after = first + map.columns.size();
-  return fmt::format(
-      "# Redraws {0}.pdf from {0}.csv: gnuplot {0}.gp\n"
-      "set terminal pdfcairo enhanced font 'Sans,10' size 12cm,9cm\n"
-      "set output '{0}.pdf'\n"
-      "set datafile separator ','\n"
-      "set key autotitle columnhead\nunset key\n"
-      "set xlabel 'θ_m [°]'\nset ylabel 'η_m'\nset cblabel 'τ'\n"
-      "set palette defined ({6})\nset view map\n"
-      "set autoscale xfix\nset autoscale yfix\n"
-      "set contour base\nset cntrparam levels 14\nset cntrlabel onecolor\n"
-      "set dgrid3d {1},{2} qnorm 4\n"
-      "splot '{0}.csv' using (${3}*180/pi):{4}:{5} with pm3d, "
-      "'' using (${3}*180/pi):{4}:{5} with lines lc 'black' nosurface\n",
-      name, map.axes.front().count, map.axes.back().count,
-      first + column(map, kThetaKey), first + column(map, kEtaKey), after + 3,
-      palette());
-}
-
+/// θ_m to the right as everywhere, η_m upwards. A row of the grid ends with an
+/// empty line, so that gnuplot finds its contours.
 Figure map_as_colours(const SweepTable& table) {
-  report::SweepMap map;
-  map.x_column = column(table, kThetaKey);
-  map.y_column = column(table, kEtaKey);
-  map.nx = table.axes.back().count;
-  map.ny = table.axes.front().count;
-  map.name = "fig13_map";
-  // Scene (i, j) of a map has its x first.
-  for (std::size_t i = 0; i < map.nx; ++i) {
-    for (std::size_t j = 0; j < map.ny; ++j) {
-      map.scenes.push_back(j * map.nx + i);
-    }
+  const std::vector<double>& eta =
+      table.columns[column(table, kEtaKey)].numbers;
+  const std::vector<double>& theta =
+      table.columns[column(table, kThetaKey)].numbers;
+  const std::size_t row = table.axes.back().count;
+  std::string rows = "part,theta_m,eta_m,tau\n";
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < table.outcomes.size(); ++i) {
+    if (i > 0 && i % row == 0) rows += '\n';
+    const double tau = table.outcomes[i].tau;
+    rows += fmt::format("grid,{:.12g},{:.12g},{:.12g}\n", theta[i] * kDegrees,
+                        eta[i], tau);
+    if (tau < table.outcomes[least].tau) least = i;
   }
-  const report::Scenes all = report::all_scenes(table);
-  const report::SweepDigest found = report::digest(table, all);
-  const report::ValueRange range{table.outcomes[found.fastest.value()].tau,
-                                 table.outcomes[found.slowest.value()].tau};
-  return {.name = map.name,
-          .heading = "Fig. 13 as a map",
-          .caption = fmt::format(
-              "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
-              "verified. The smallest value of the grid is {:.6f}.",
-              table.outcomes.size(), range.low),
-          .svg = report::heat_map_svg(table, map, range),
-          .csv = report::sweep_csv(table, all),
-          .gnuplot = map_script(map.name, table)};
+  const double smallest = table.outcomes[least].tau;
+  rows += fmt::format("\n\nminimum,{:.12g},{:.12g},{:.12g}\n",
+                      theta[least] * kDegrees, eta[least], smallest);
+  return {
+      .heading = "Fig. 13 as a map",
+      .caption = fmt::format(
+          "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
+          "verified. The smallest value of the grid is {:.6f}.",
+          table.outcomes.size(), smallest),
+      .drawing = {
+          .name = "fig13_map",
+          .table = std::move(rows),
+          .commands = fmt::format(
+              "set view map\n"
+              "set lmargin at screen 0.11\nset rmargin at screen 0.84\n"
+              "set tmargin at screen 0.95\nset bmargin at screen 0.2\n"
+              "set xlabel 'θ_{{m}} [°]'\nset ylabel 'η_{{m}}'\n"
+              "set cblabel 'τ'\nset tics out nomirror\nset xtics 30\n"
+              "set autoscale xfix\nset autoscale yfix\nset autoscale cbfix\n"
+              "set palette defined ({})\n"
+              "set key at screen 0.5, screen 0.07 center top Left reverse\n"
+              "set contour base\nset cntrparam levels 14\n"
+              "set cntrlabel onecolor\n"
+              "splot data using 2:3:4 index 0 with image notitle, \\\n"
+              "  data using 2:3:4 index 0 with lines lc rgb '#333333' lw 0.8 "
+              "nosurface notitle, \\\n"
+              "  data using 2:3:4 index 1 with points pt 7 ps 1.4 "
+              "lc rgb '#ffffff' nocontour notitle, \\\n"
+              "  data using 2:3:4 index 1 with points pt 6 ps 1.4 "
+              "lc rgb '#000000' nocontour title 'smallest value of the grid, "
+              "τ = {:.6f}'\n",
+              palette(), smallest)}};
 }
 
 Figure fastest_orientation_figure(const Results& found) {

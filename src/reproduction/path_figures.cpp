@@ -63,27 +63,29 @@ void add_body(Chart& chart, const Motion& motion) {
       {{start.centre.x, start.centre.z}, body.radius, Datum{m.x, m.z}});
 }
 
-/// Tracks as full lines, paths of the centre of mass dashed in the same colour.
+/// Tracks, told apart by their dashes in grey, and thin the paths of the centre
+/// of mass in the same colour.
 Chart family(const Cases& cases, std::string name, std::string title,
              const Members& members) {
   Chart chart = path_chart(std::move(name), std::move(title));
   const std::vector<std::string> colours =
       report::family_colours(members.size());
+  constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
+                                 Stroke::DashDotted, Stroke::Dotted};
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Case& one = cases[members[i].file];
     chart.curves.push_back(
         {.name =
              fmt::format("{}: τ = {:.4f}", members[i].name, one.tau().value),
          .points = along(one.motion(), track),
+         .stroke = kStrokes[i % std::size(kStrokes)],
          .colour = colours[i],
-         .width = i % 2 == 0 ? 1.4 : 2.6,  // for those who print in grey
          .id = members[i].file + " track"});
     if (!one.scene().body.rolls()) continue;
     chart.curves.push_back({.name = "",
                             .points = along(one.motion(), mass_centre),
-                            .stroke = Stroke::Dashed,
                             .colour = colours[i],
-                            .width = 1.0,
+                            .width = 0.8,
                             .id = members[i].file + " centre of mass"});
   }
   return chart;

@@ -99,7 +99,8 @@ TEST(Figure, IsGivenUpAtASignal) {
 TEST(Figure, ShowsWordsOfOthersAsTheyAre) {
   Figure figure = line();
   const std::string words = R"(a_b^c {d} \n 'e' "f" @g & ~h `id` $i)";
-  figure.commands = "set title " + gnuplot_text(words) + "\n" + figure.commands;
+  figure.commands =
+      "set title '" + gnuplot_escaped(words) + "'\n" + figure.commands;
 
   const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
 

@@ -136,8 +136,12 @@ int run(const SolveFlags& flags) {
   if (flags.out.empty()) {
     json = report::result_json(solution);
   } else {
-    const StopScope scope(
-        StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    // What a signal has ended already is written all the same.
+    std::optional<StopScope> scope;
+    if (solution.verified()) {
+      scope.emplace(
+          StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    }
     std::vector<report::OutputFile> files = path_files(solution, signal);
     json = report::result_json(solution);
     write_results(flags, std::move(files), json);

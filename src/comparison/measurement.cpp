@@ -14,7 +14,6 @@ namespace brachisto::comparison {
 
 namespace {
 
-
 using Json = nlohmann::json;
 
 constexpr int kBadInput = 3;  // exit code of a problem that is refused
@@ -107,8 +106,8 @@ Measurement measure(const Experiment& experiment,
       {"--repetitions", fmt::format("{}", experiment.repetitions), "--seconds",
        fmt::format("{}", experiment.seconds), "--residual",
        fmt::format("{}", experiment.discrete_residual)});
-  const ChildRun run = run_child("/proc/self/exe", arguments,
-                                        experiment.seconds, interrupt);
+  const ChildRun run =
+      run_child("/proc/self/exe", arguments, experiment.seconds, interrupt);
   Measurement out;
   switch (run.end) {
     case ChildRun::End::Interrupted:

@@ -192,11 +192,9 @@ Fields<Effort> effort_fields() {
   return {
       value<Effort>("iterations", "", "of Ipopt, in all passes on all meshes",
                     &Effort::iterations),
-      value<Effort>("first_iterations", "",
-                    "of the first pass on the final mesh",
-                    [](const Effort& e) {
-                      return e.final_mesh().first_iterations;
-                    }),
+      value<Effort>(
+          "first_iterations", "", "of the first pass on the final mesh",
+          [](const Effort& e) { return e.final_mesh().first_iterations; }),
       value<Effort>("closure_passes", "",
                     "solves between fixed end points on the final mesh",
                     [](const Effort& e) { return e.final_mesh().passes; }),
@@ -283,7 +281,7 @@ Field<Solution> discrete_field() {
             s.discrete()->solved() && s.extremal && s.extremal->solved;
         return compared
                    ? std::optional(s.discrete()->tau / s.extremal->tau - 1.0)
-                        : std::nullopt;
+                   : std::nullopt;
       }));
   return object<Solution>(
       "discrete_system", "",
@@ -374,15 +372,12 @@ Field<Solution> certificate_field() {
   }
   fixed.push_back(value<Solution>(
       "tau", "", "τ, if there is a second opinion", [](const Solution& s) {
-        return comparable(s) ? std::optional(s.motion()->tau())
-                                     : std::nullopt;
+        return comparable(s) ? std::optional(s.motion()->tau()) : std::nullopt;
       }));
-  splice(
-      fixed, comparable,
-      {value<CrossCheck>("extremal_tau", "", "its τ",
-                              &CrossCheck::tau),
-       value<CrossCheck>("extremal_difference", "", "relative, of both τ",
-                              &CrossCheck::difference)});
+  splice(fixed, comparable,
+         {value<CrossCheck>("extremal_tau", "", "its τ", &CrossCheck::tau),
+          value<CrossCheck>("extremal_difference", "", "relative, of both τ",
+                            &CrossCheck::difference)});
   const Field<Certificate> checks = list(
       "checks", "all checks", &Certificate::checks,
       {value<Check>("name", "", "also a key of the certificate", &Check::name),

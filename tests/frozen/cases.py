@@ -38,6 +38,12 @@ def of_problems():
         yield Case(name + " summary", ["solve", "case.yaml"], files)
 
 
+def of_memory():
+    """More than any machine has."""
+    yield solve("memory/turns", "scene: {body: {shape: cylinder, radius: 1e-9, eta_m: 0.5, k: 0.5}, "
+                                "finish: {L: 3, H: 1}}\n")
+
+
 def number(value):
     return repr(value)
 
@@ -212,5 +218,5 @@ def verbs():
 
 
 def all_cases(seed, count):
-    return [*of_problems(), *refused(), *verbs(),
+    return [*of_problems(), *of_memory(), *refused(), *verbs(),
             *(random_case(i, seed) for i in range(count))]

@@ -33,7 +33,7 @@ SECONDS = 300
 VOLATILE = re.compile(r"^seconds\.|_seconds$|memory|^(provenance|machine|date|version)$")
 # Progress, and times that messages tell.
 PROGRESS = re.compile(r"^\[ *\d+ s\].*$|^\r.*$", re.MULTILINE)
-TIMES = re.compile(r"\d+(\.\d+)? (s|ms|min)\b")
+TIMES = re.compile(r"\d+(\.\d+)? (s|ms|min|[kMGT]?B)\b")
 # Of a result: equal in every arithmetic.
 DISCRETE = {"status", "verified", "feasible", "nodes", "principal", "minimum",
             "schema_version", "solved"}

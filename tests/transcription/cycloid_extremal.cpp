@@ -42,8 +42,7 @@ TEST(CycloidExtremal, SatisfiesTheOptimalityConditionsToTheOrderOfTheMesh) {
 
         const PrimalDual point = cycloid_extremal(problem, arc);
 
-        const nlp::KktResidual residual =
-            nlp::kkt_residual(problem, point);
+        const nlp::KktResidual residual = nlp::kkt_residual(problem, point);
         h[level] = 1.0 / elements;
         defects[level] = residual.infeasibility;
         stationarity[level] = residual.stationarity;

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "report/axis.hpp"
 #include "report/colour_map.hpp"
 #include "report/figure.hpp"
+#include "report/scale.hpp"
 
 namespace brachisto::report {
 
@@ -35,6 +35,7 @@ struct Curve {
   std::string colour = "#000000";
   double width = 1.8;  ///< [px]; 0: marks alone
   Mark mark = Mark::None;
+  double mark_size = 0.8;
   /// Column of the CSV file by which the curve is told from others; `name`
   /// without markup if empty.
   std::string id = {};
@@ -73,20 +74,29 @@ struct Note {
                                ///< dx ends them there
 };
 
+/// How the n-th line of a family is told from others in grey.
+[[nodiscard]] Stroke stroke_of(std::size_t n);
+
 /// A side of a chart.
 struct Side {
   std::string label;  ///< rich text with the unit, "R_n [m g]"
   Scale scale = Scale::Linear;
   std::optional<double> low, high;  ///< of the range, in its units; else from
                                     ///< the curves, with a little room
+  std::vector<std::string> words = {};  ///< that stand at 0, 1, 2, … instead of
+                                        ///< numbers; no markup
 };
+
+/// Commands that lay out the ticks of an axis, 'x' or 'y'.
+[[nodiscard]] std::string tics(char axis, const Side& side,
+                               const Extent& range);
 
 /// Words are rich text: an underscore or a caret lowers or raises the letter,
 /// or the group in braces, that follows.
 struct Chart {
   std::string name;      ///< of its files, without ending
-  std::string title;     ///< above the plot; no markup
-  std::string subtitle;  ///< below the title, smaller; no markup
+  std::string title;     ///< above the plot
+  std::string subtitle;  ///< below the title, smaller; in lines if it is long
   Side x, y;
   bool equal_scale = false;  ///< one unit has one length in both directions
   bool y_down = false;       ///< y grows downwards, as z does

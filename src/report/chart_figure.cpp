@@ -23,7 +23,8 @@ constexpr double kWidth = 720.0, kHeight = 380.0;   // the latter of the plot
 constexpr double kLeast = 180.0, kLargest = 620.0;  // height at equal scales
 constexpr double kLeft = 84.0, kRight = 24.0, kAbove = 18.0;
 constexpr double kTitle = 24.0, kSubtitle = 18.0, kTitleLeft = 20.0;
-constexpr double kToKey = 56.0, kKeyLine = 17.0, kBelow = 10.0;
+constexpr double kSlanted = 60.0;  // room for words
+constexpr double kToKey = 66.0, kKeyLine = 19.5, kBelow = 10.0;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 
 std::string quoted_words(std::string_view source) {
@@ -71,10 +72,24 @@ bool look_the_same(const Curve& a, const Curve& b) {
          a.width == b.width && a.mark == b.mark;
 }
 
+/// Whether the words along a side are more than fit beside one another.
+bool slanted(const Side& side) {
+  constexpr std::size_t kLetters = 80;
+  std::size_t longest = 0;
+  for (const std::string& word : side.words) {
+    longest = std::max(longest, letters(word));
+  }
+  return longest * side.words.size() > kLetters;
+}
+
 /// A chart as table and commands.
 class Drawing {
  public:
   explicit Drawing(const Chart& chart) : chart_(chart) {
+    constexpr std::size_t kLetters = 94;  // of a line across the picture
+    if (!chart.subtitle.empty()) {
+      subtitle_ = lines_of(chart.subtitle, kLetters);
+    }
     equal_ = chart.equal_scale && chart.x.scale == Scale::Linear &&
              chart.y.scale == Scale::Linear;
     set_ranges();
@@ -83,9 +98,9 @@ class Drawing {
 
   [[nodiscard]] Figure figure() {
     const double above = kAbove + (chart_.title.empty() ? 0.0 : kTitle) +
-                         (chart_.subtitle.empty() ? 0.0 : kSubtitle);
+                         kSubtitle * static_cast<double>(subtitle_.size());
     const double bottom = above + plot_height_;
-    const double key = bottom + kToKey;
+    const double key = bottom + kToKey + (slanted(chart_.x) ? kSlanted : 0.0);
     height_ = key + kKeyLine * static_cast<double>(rows_) + kBelow;
     put("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
         "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
@@ -105,11 +120,14 @@ class Drawing {
     sketches();
     notes();
     plot();
+    const std::string title =
+        chart_.title + (subtitle_.empty() ? "" : ": " + chart_.subtitle);
     return {.name = chart_.name,
             .table = std::move(table_),
             .commands = std::move(commands_),
             .width = kWidth,
-            .height = height_};
+            .height = height_,
+            .title = plain_words(title)};
   }
 
  private:
@@ -138,6 +156,7 @@ class Drawing {
   }
 
   const Chart& chart_;
+  std::vector<std::string> subtitle_;
   bool equal_ = false;
   Extent x_, y_;
   double plot_height_ = kHeight, height_ = 0.0;
@@ -201,7 +220,8 @@ void Drawing::count_names() {
   };
   for (const Curve& curve : chart_.curves) count(curve.name);
   for (const Area& area : chart_.areas) count(area.name);
-  if (names < 2) return;
+  // One thing alone needs no name.
+  if (names == 0 || chart_.curves.size() + chart_.areas.size() < 2) return;
   constexpr double kSample = 64.0, kSize = 13.0;  // [px]
   const int columns = std::clamp(
       static_cast<int>(kWidth / (kSample + width_of(longest, kSize))), 1,
@@ -211,31 +231,24 @@ void Drawing::count_names() {
 
 void Drawing::side(char name, const Side& side, const Extent& range,
                    bool reversed) {
-  constexpr double kManyDegrees = 240.0;
   put("set {}label {}\n", name, quoted_words(side.label));
   put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
       reversed ? range.high : range.low, reversed ? range.low : range.high);
-  switch (side.scale) {
-    case Scale::Linear:
-      return put("set format {} '%g'\n", name);
-    case Scale::Degrees:
-
-      return put("set {}tics {}\n", name,
-                 range.high - range.low > kManyDegrees ? 90 : 30);
-    case Scale::Logarithmic:
-      return put("set logscale {0}\nset format {0} '10^{{%L}}'\n", name);
-  }
+  put("{}", tics(name, side, range));
 }
 
 void Drawing::titles() {
   const auto line = [&](const std::string& words, double y,
                         std::string_view style) {
     if (words.empty()) return;
-    put("set label '{}' at screen {:.5f}, screen {:.5f} {}\n",
-        gnuplot_escaped(words), kTitleLeft / kWidth, 1.0 - y / height_, style);
+    put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
+        quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_, style);
   };
   line(chart_.title, kTitle, "font ',15'");
-  line(chart_.subtitle, kTitle + kSubtitle, "textcolor rgb '#444444'");
+  double y = chart_.title.empty() ? 0.0 : kTitle;
+  for (const std::string& words : subtitle_) {
+    line(words, y += kSubtitle, "textcolor rgb '#444444'");
+  }
 }
 
 void Drawing::rounds() {
@@ -352,8 +365,8 @@ void Drawing::plot() {
       // No line within open marks.
       const bool open =
           curve->mark == Mark::Circle || curve->mark == Mark::Diamond;
-      style += fmt::format(" pt {} ps 0.8{}", point_type(curve->mark),
-                           open && line ? " pi -1" : "");
+      style += fmt::format(" pt {} ps {:g}{}", point_type(curve->mark),
+                           curve->mark_size, open && line ? " pi -1" : "");
     }
     const bool known = std::any_of(
         chart_.curves.begin(), curve,
@@ -368,6 +381,48 @@ void Drawing::plot() {
 }
 
 }  // namespace
+
+Stroke stroke_of(std::size_t n) {
+  constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
+                                 Stroke::DashDotted, Stroke::Dotted};
+  return kStrokes[n % std::size(kStrokes)];
+}
+
+std::string tics(char name, const Side& side, const Extent& range) {
+  constexpr double kManyDegrees = 240.0, kFewDegrees = 60.0, kDecades = 1e3;
+  const double span = range.high - range.low;
+  if (!side.words.empty()) {
+    std::string out;
+    for (std::size_t i = 0; i < side.words.size(); ++i) {
+      constexpr std::size_t kLetters = 18;
+      out +=
+          fmt::format("{}'{}' {}", i == 0 ? "" : ", ",
+                      gnuplot_escaped(shortened(side.words[i], kLetters)), i);
+    }
+    return fmt::format("set {}tics ({}){}\n", name, out,
+                       slanted(side) ? " rotate by -30" : "");
+  }
+  switch (side.scale) {
+    case Scale::Linear:
+      break;
+    case Scale::Degrees:
+      if (span < kFewDegrees) break;
+      return fmt::format("set {}tics {}\n", name,
+                         span > kManyDegrees ? 90 : 30);
+    case Scale::Logarithmic:
+      if (range.high > kDecades * range.low) {
+        return fmt::format("set logscale {0}\nset format {0} '10^{{%L}}'\n",
+                           name);
+      }
+      // Of few decades also what is between them.
+      return fmt::format(
+          "set logscale {0}\nset format {0} '%g'\n"
+          "set for [e={1:.0f}:{2:.0f}] {0}tics add (2*10.**e, 5*10.**e)\n",
+          name, std::floor(std::log10(range.low)),
+          std::floor(std::log10(range.high)));
+  }
+  return fmt::format("set format {} '%g'\n", name);
+}
 
 Figure chart_figure(const Chart& chart) {
   return Drawing(chart).figure();

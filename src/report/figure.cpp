@@ -7,6 +7,7 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "process/child_process.hpp"
+#include "report/rich_text.hpp"
 
 namespace brachisto::report {
 
@@ -55,6 +56,15 @@ std::string script(const Figure& figure, Format format, std::string_view data) {
       "part(p, c) = strcol('part') eq p ? column(c) : NaN\n"
       "{}",
       terminal(figure, format), data, figure.commands);
+}
+
+/// gnuplot calls every SVG document by its own name.
+std::string with_title(std::string svg, const std::string& title) {
+  constexpr std::string_view kIts = "<title>Gnuplot</title>";
+  const std::size_t at = svg.find(kIts);
+  if (at == std::string::npos || title.empty()) return svg;
+  return svg.replace(at, kIts.size(),
+                     "<title>" + xml_escaped(title) + "</title>");
 }
 
 }  // namespace
@@ -113,7 +123,7 @@ DrawnFigure draw(const Figure& figure, Format format,
   if (run.code != 0 || run.out.empty()) {
     return without(fmt::format("gnuplot ended with exit code {}", run.code));
   }
-  drawn.files.push_back({picture, run.out});
+  drawn.files.push_back({picture, with_title(run.out, figure.title)});
   return drawn;
 }
 

@@ -24,6 +24,7 @@ struct Figure {
   /// in column c of the rows whose column `part` is p, NaN in all others.
   std::string commands;
   double width = 720.0, height = 480.0;  ///< [px]
+  std::string title = {};  ///< plain: for those who cannot see the picture
 };
 
 enum class Format { Svg, Pdf, Png };

@@ -8,13 +8,11 @@
 #include <initializer_list>
 #include <iterator>
 #include <numbers>
-#include <string_view>
 #include <utility>
 
 #include "brachisto/report/provenance.hpp"
-#include "report/page_style.hpp"
+#include "report/page.hpp"
 #include "report/rich_text.hpp"
-#include "report/svg.hpp"
 
 namespace brachisto::reproduction {
 
@@ -108,39 +106,6 @@ std::string orientation_table(const std::vector<OrientationRow>& fastest) {
                     rows);
 }
 
-/// A drawing of gnuplot within a page: without its prologue, and with
-/// identifiers that no other one has.
-std::string embedded(std::string svg, const std::string& name) {
-  svg.erase(0, svg.find("<svg"));
-  for (const auto& [before, after] :
-       {std::pair{"id='gp", fmt::format("id='{}_gp", name)},
-        {"id=\"gnuplot_", fmt::format("id=\"{}_", name)},
-        {"#gp", fmt::format("#{}_gp", name)}}) {
-    const std::string_view old = before;
-    for (std::size_t at = svg.find(old); at != std::string::npos;
-         at = svg.find(old, at + after.size())) {
-      svg.replace(at, old.size(), after);
-    }
-  }
-  return svg;
-}
-
-std::string figure_html(const Figure& figure,
-                        const report::DrawnFigure& drawn) {
-  const std::string& name = figure.drawing.name;
-  return fmt::format(
-      "<figure>\n<h3>{}</h3>\n<div "
-      "class=\"drawing\">\n{}</div>\n<figcaption>{} "
-      "<span class=\"files\"><a href=\"{}.svg\">SVG</a>, "
-      "<a href=\"{}.csv\">CSV</a>, <a href=\"{}.gp\">gnuplot</a></span>"
-      "</figcaption>\n</figure>\n",
-      html_words(figure.heading),
-      drawn.missing.empty()
-          ? embedded(drawn.files.back().content, name)
-          : fmt::format("<p>{}</p>\n", report::xml_escaped(drawn.missing)),
-      html_words(figure.caption), name, name, name);
-}
-
 std::string introduction(const Results& found) {
   const Case& reference = found.cases["fig04_reference_case"];
   return fmt::format(
@@ -172,12 +137,7 @@ std::string introduction(const Results& found) {
 /// \param figures  in HTML
 std::string page(const Results& found, const Reproduction& made,
                  const std::string& figures) {
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
-      "<h1>{0}: the paper and brachisto</h1>\n",
-      kTitle, report::page_style());
+  std::string out = report::page_head(kTitle, ": the paper and brachisto");
   out += introduction(found);
   out += "<h2>Numbers</h2>\n" + comparison_table(made.comparisons);
   out += "<h2>Statements</h2>\n" + claims_table(made.claims);
@@ -205,10 +165,13 @@ PaperFiles files(const Results& found, const Reproduction& made,
   PaperFiles written;
   std::vector<report::OutputFile>& out = written.files;
   std::string figures;
+  std::size_t room = report::kMostOfPictures;
   for (const Figure& figure : made.figures) {
     report::DrawnFigure drawn =
         report::draw(figure.drawing, report::Format::Svg, interrupt);
-    figures += figure_html(figure, drawn);
+    figures += fmt::format("<h3>{}</h3>\n", html_words(figure.heading)) +
+               report::figure_html(drawn, figure.drawing.name,
+                                   html_words(figure.caption), room);
     if (!drawn.missing.empty()) written.missing = drawn.missing;
     std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(out));
   }

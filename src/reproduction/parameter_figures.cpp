@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brachisto/model/mass_distribution.hpp"
+#include "report/sweep_plots.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/figures.hpp"
 
@@ -54,9 +55,7 @@ Figure map_as_curves(const SweepTable& map) {
     curve.name = fmt::format("η_m = {:.3f}", offset);
     curve.id = fmt::format("eta_m = {:.6f}", offset);
     curve.colour = colours[r / kEvery];
-    constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
-                                   Stroke::DashDotted, Stroke::Dotted};
-    curve.stroke = kStrokes[r / kEvery % std::size(kStrokes)];
+    curve.stroke = report::stroke_of(r / kEvery);
     for (std::size_t i = r * row; i < (r + 1) * row; ++i) {
       curve.points.push_back(
           {map.columns[theta].numbers[i] * kDegrees, map.outcomes[i].tau});
@@ -71,67 +70,23 @@ Figure map_as_curves(const SweepTable& map) {
                             map.outcomes.front().tau));
 }
 
-/// The colours of maps in gnuplot's words.
-std::string palette() {
-  constexpr int kColours = 9;
-  std::string out;
-  for (int i = 0; i < kColours; ++i) {
-    const double share = static_cast<double>(i) / (kColours - 1);
-    out += fmt::format("{}{:g} '{}'", i == 0 ? "" : ", ", share,
-                       report::hex(report::colour_at(share)));
-  }
-  return out;
-}
-
-/// θ_m to the right as everywhere, η_m upwards. A row of the grid ends with an
-/// empty line, so that gnuplot finds its contours.
 Figure map_as_colours(const SweepTable& table) {
-  const std::vector<double>& eta =
-      table.columns[column(table, kEtaKey)].numbers;
-  const std::vector<double>& theta =
-      table.columns[column(table, kThetaKey)].numbers;
-  const std::size_t row = table.axes.back().count;
-  std::string rows = "part,theta_m,eta_m,tau\n";
-  std::size_t least = 0;
-  for (std::size_t i = 0; i < table.outcomes.size(); ++i) {
-    if (i > 0 && i % row == 0) rows += '\n';
-    const double tau = table.outcomes[i].tau;
-    rows += fmt::format("grid,{:.12g},{:.12g},{:.12g}\n", theta[i] * kDegrees,
-                        eta[i], tau);
-    if (tau < table.outcomes[least].tau) least = i;
-  }
-  const double smallest = table.outcomes[least].tau;
-  rows += fmt::format("\n\nminimum,{:.12g},{:.12g},{:.12g}\n",
-                      theta[least] * kDegrees, eta[least], smallest);
-  return {
-      .heading = "Fig. 13 as a map",
-      .caption = fmt::format(
-          "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
-          "verified. The smallest value of the grid is {:.6f}.",
-          table.outcomes.size(), smallest),
-      .drawing = {
-          .name = "fig13_map",
-          .table = std::move(rows),
-          .commands = fmt::format(
-              "set view map\n"
-              "set lmargin at screen 0.11\nset rmargin at screen 0.84\n"
-              "set tmargin at screen 0.95\nset bmargin at screen 0.2\n"
-              "set xlabel 'θ_{{m}} [°]'\nset ylabel 'η_{{m}}'\n"
-              "set cblabel 'τ'\nset tics out nomirror\nset xtics 30\n"
-              "set autoscale xfix\nset autoscale yfix\nset autoscale cbfix\n"
-              "set palette defined ({})\n"
-              "set key at screen 0.5, screen 0.07 center top Left reverse\n"
-              "set contour base\nset cntrparam levels 14\n"
-              "set cntrlabel onecolor\n"
-              "splot data using 2:3:4 index 0 with image notitle, \\\n"
-              "  data using 2:3:4 index 0 with lines lc rgb '#333333' lw 0.8 "
-              "nosurface notitle, \\\n"
-              "  data using 2:3:4 index 1 with points pt 7 ps 1.4 "
-              "lc rgb '#ffffff' nocontour notitle, \\\n"
-              "  data using 2:3:4 index 1 with points pt 6 ps 1.4 "
-              "lc rgb '#000000' nocontour title 'smallest value of the grid, "
-              "τ = {:.6f}'\n",
-              palette(), smallest)}};
+  const report::Scenes scenes = report::all_scenes(table);
+  const report::SweepDigest found = report::digest(table, scenes);
+  const report::SweepMap map{.name = "fig13_map",
+                             .first = column(table, kEtaKey),
+                             .second = column(table, kThetaKey),
+                             .n_first = table.axes.front().count,
+                             .n_second = table.axes.back().count,
+                             .scenes = scenes};
+  const double least = table.outcomes[*found.fastest].tau;
+  const double most = table.outcomes[*found.slowest].tau;
+  return {.heading = "Fig. 13 as a map",
+          .caption = fmt::format(
+              "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
+              "verified. The smallest value of the grid is {:.6f}.",
+              table.outcomes.size(), least),
+          .drawing = report::map_figure(table, map, {least, most})};
 }
 
 Figure fastest_orientation_figure(const Results& found) {

@@ -70,15 +70,13 @@ Chart family(const Cases& cases, std::string name, std::string title,
   Chart chart = path_chart(std::move(name), std::move(title));
   const std::vector<std::string> colours =
       report::family_colours(members.size());
-  constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
-                                 Stroke::DashDotted, Stroke::Dotted};
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Case& one = cases[members[i].file];
     chart.curves.push_back(
         {.name =
              fmt::format("{}: τ = {:.4f}", members[i].name, one.tau().value),
          .points = along(one.motion(), track),
-         .stroke = kStrokes[i % std::size(kStrokes)],
+         .stroke = report::stroke_of(i),
          .colour = colours[i],
          .id = members[i].file + " track"});
     if (!one.scene().body.rolls()) continue;

@@ -1,12 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/page_style.hpp"
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "report/rich_text.hpp"
 
 namespace brachisto::report {
 
-std::string page_style() {
-  return R"(<style>
+namespace {
+
+constexpr const char* kStyle = R"(<style>
 :root { color-scheme: light; }
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1.25rem 4rem;
@@ -57,6 +65,60 @@ footer { margin-top: 3rem; font-size: .85rem; color: #666666; }
 }
 </style>
 )";
+
+/// A drawing of gnuplot within a page: without its prologue, and with
+/// identifiers that no other one has.
+std::string embedded(std::string svg, const std::string& name) {
+  svg.erase(0, svg.find("<svg"));
+  for (const auto& [before, after] :
+       {std::pair{"id='gp", fmt::format("id='{}_gp", name)},
+        {"id=\"gnuplot_", fmt::format("id=\"{}_", name)},
+        {"#gp", fmt::format("#{}_gp", name)}}) {
+    const std::string_view old = before;
+    std::string out;
+    std::size_t from = 0;
+    for (std::size_t at = svg.find(old); at != std::string::npos;
+         at = svg.find(old, from)) {
+      out.append(svg, from, at - from).append(after);
+      from = at + old.size();
+    }
+    svg = out.append(svg, from);
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string page_head(const std::string& title, const std::string& more) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
+      "<h1>{0}{2}</h1>\n",
+      title, kStyle, more);
+}
+
+std::string figure_html(const DrawnFigure& drawn, const std::string& name,
+                        const std::string& caption, std::size_t& room) {
+  std::string picture, link;
+  if (!drawn.missing.empty()) {
+    picture = fmt::format("<p>{}</p>\n", xml_escaped(drawn.missing));
+  } else {
+    const std::string& svg = drawn.files.back().content;
+    const std::string& file = drawn.files.back().name;
+    link = fmt::format("<a href=\"{}\">SVG</a>, ", file);
+    if (svg.size() > room) {
+      picture = fmt::format("<img src=\"{0}\" alt=\"{0}\"/>\n", file);
+    } else {
+      room -= svg.size();
+      picture = embedded(svg, name);
+    }
+  }
+  return fmt::format(
+      "<figure>\n<div class=\"drawing\">\n{0}</div>\n<figcaption>{1} "
+      "<span class=\"files\">{2}<a href=\"{3}.csv\">CSV</a>, "
+      "<a href=\"{3}.gp\">gnuplot</a></span></figcaption>\n</figure>\n",
+      picture, caption, link, name);
 }
 
 }  // namespace brachisto::report

@@ -82,7 +82,8 @@ void add_work_precision(CLI::App& app, int& exit_code) {
       "Processor time against true error, method by method", run);
   flags.add_to(verb);
   add_directory(verb, "--out", flags.out,
-                "Write work_precision.svg, .csv, .gp and .json there");
+                "Write diagrams, their tables and scripts, and "
+                "work_precision.json there");
   verb.add_flag("--force", flags.force, "Replace existing files in DIR");
   verb.add_flag(
       "--quick", flags.quick,

@@ -51,6 +51,13 @@ Measurement from_document(const Json& json) {
     out.tau = *tau;
     out.verified = result.at("verified").get<bool>();
     out.estimated_error = value_at<double>(result, "estimated_error");
+    if (result.contains("certificate") && result["certificate"].is_object()) {
+      out.energy_drift =
+          value_at<double>(result["certificate"], "energy_drift");
+    }
+    for (const Json& at : json.value("path", Json::array())) {
+      out.path.push_back({at.at(0).get<double>(), at.at(1).get<double>()});
+    }
     if (!out.verified) out.cause = joined(result, "not_verified_because");
     return out;
   }

@@ -21,7 +21,7 @@ namespace {
 // Lengths on the picture [px].
 constexpr double kWidth = 720.0, kHeight = 380.0;   // the latter of the plot
 constexpr double kLeast = 180.0, kLargest = 620.0;  // height at equal scales
-constexpr double kLeft = 84.0, kRight = 24.0, kAbove = 18.0;
+constexpr double kLeft = 96.0, kRight = 24.0, kAbove = 18.0;
 constexpr double kTitle = 24.0, kSubtitle = 18.0, kTitleLeft = 20.0;
 constexpr double kSlanted = 60.0;  // room for words
 constexpr double kToKey = 66.0, kKeyLine = 19.5, kBelow = 10.0;

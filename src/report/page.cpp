@@ -46,14 +46,25 @@ sub { line-height: 0; font-size: .72em; }
 .digest { width: 100%; }
 .digest td { white-space: normal; overflow-wrap: anywhere; }
 .digest small { color: #555555; }
-td.words { white-space: normal; min-width: 18rem; max-width: 40rem;
+td.words { white-space: normal; min-width: 14rem; max-width: 40rem;
   overflow-wrap: anywhere; }
+td.brief { white-space: normal; }
 .wide { overflow-x: auto; }
 code { font-family: ui-monospace, Menlo, Consolas, monospace; font-size: .9em; }
 summary { cursor: pointer; }
 a { color: #1f4e8c; }
 footer { margin-top: 3rem; font-size: .85rem; color: #666666; }
 @media (max-width: 60rem) { .part { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 44rem) {
+  body { padding: 1rem .75rem 3rem; }
+  .drawing svg, .drawing img { min-width: 0; }
+  .stacked, .stacked tbody, .stacked tr, .stacked td { display: block; }
+  .stacked thead { display: none; }
+  .stacked tr { padding: .5rem 0; }
+  .stacked td, .stacked td.words { white-space: normal; min-width: 0; padding: .1rem 0; }
+  .stacked td:empty { display: none; }
+  .stacked td:not(:first-child)::before { content: attr(data-label) ": "; color: #666666; }
+}
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; }
   .part { display: block; }

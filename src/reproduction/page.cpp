@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
 #include <iterator>
 #include <numbers>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "brachisto/report/provenance.hpp"
 #include "report/page.hpp"
@@ -22,14 +23,30 @@ using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
 
-/// A table from the rows of its body, which are markup.
-std::string html_table(std::initializer_list<const char*> heads,
+/// A table from the rows of its body, which are markup. Each cell is told its
+/// column, by whose name it is known where there is no room for columns.
+std::string html_table(const std::vector<std::string>& heads,
                        const std::string& rows) {
-  std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const char* head : heads) {
+  constexpr std::string_view kRow = "<tr>", kCell = "<td";
+  std::string out = "<div class=\"wide\"><table class=\"stacked\"><thead><tr>";
+  for (const std::string& head : heads) {
     out += fmt::format("<th>{}</th>", html_words(head));
   }
-  return out + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
+  out += "</tr></thead><tbody>\n";
+  std::size_t column = 0;
+  for (std::string_view rest = rows; !rest.empty();) {
+    if (rest.starts_with(kRow)) column = 0;
+    if (!rest.starts_with(kCell)) {
+      out += rest.front();
+      rest.remove_prefix(1);
+      continue;
+    }
+    out += fmt::format(
+        "{} data-label=\"{}\"", kCell,
+        report::xml_escaped(report::plain_words(heads.at(column++))));
+    rest.remove_prefix(kCell.size());
+  }
+  return out + "</tbody></table></div>\n";
 }
 
 std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
@@ -37,8 +54,9 @@ std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
   for (const PrintedNumber& row : numbers) {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     rows += fmt::format(
-        "<tr><td>{}<br/><small>{}</small></td><td>{}{}</td><td>{}{}</td>"
-        "<td>{}</td><td class=\"words\">{}</td></tr>\n",
+        "<tr><td class=\"brief\">{}<br/><small>{}</small></td><td>{}{}</td>"
+        "<td>{}{}</td><td class=\"brief\">{}</td>"
+        "<td class=\"words\">{}</td></tr>\n",
         html_words(row.quantity), html_words(row.place), html_words(row.paper),
         html_words(unit), with_error(row.ours), html_words(unit),
         difference_text(row), html_words(row.remark));

@@ -222,7 +222,7 @@ void Drawing::count_names() {
   for (const Area& area : chart_.areas) count(area.name);
   // One thing alone needs no name.
   if (names == 0 || chart_.curves.size() + chart_.areas.size() < 2) return;
-  constexpr double kSample = 64.0, kSize = 13.0;  // [px]
+  constexpr double kSample = 80.0, kSize = 13.0;  // [px]
   const int columns = std::clamp(
       static_cast<int>(kWidth / (kSample + width_of(longest, kSize))), 1,
       names);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "brachisto/trajectory/feasibility.hpp"
+#include "report/rich_text.hpp"
 #include "report/track_kind.hpp"
 
 namespace brachisto::report {
@@ -26,8 +27,8 @@ namespace {
 constexpr double kPlotWidth = 860.0, kLeastWidth = 400.0;
 constexpr double kPlotHeight = 800.0, kLeastHeight = 150.0;
 constexpr double kLeft = 80.0, kRight = 30.0;
-constexpr double kTitle = 74.0, kTitleLine = 18.0, kBelow = 112.0;
-constexpr double kEnlargedAbove = 34.0, kEnlargedBelow = 56.0;
+constexpr double kTitle = 74.0, kTitleLine = 18.0, kBelow = 120.0;
+constexpr double kEnlargedAbove = 34.0, kEnlargedBelow = 74.0;
 /// Bodies smaller than this are enlarged to that, and those as small as a dot
 /// are drawn as one.
 constexpr double kSmallRadius = 8.0, kEnlargedRadius = 45.0, kDot = 3.0;
@@ -174,7 +175,7 @@ class Picture {
     width_ = kLeft + kPlotWidth + kRight;
     const double above =
         kTitle + kTitleLine * static_cast<double>(reasons_.size());
-    constexpr double kKey = 58.0;  // below the plot
+    constexpr double kKey = 66.0;  // below the plot
     const double bottom = above + frame_.height() + kBelow;
     height_ = bottom;
     if (enlarged_) {
@@ -208,6 +209,7 @@ class Picture {
     figure.commands = std::move(commands_);
     figure.width = width_;
     figure.height = height_;
+    figure.title = std::move(title_);
     return figure;
   }
 
@@ -239,14 +241,15 @@ class Picture {
   void title() {
     std::string kind(track_kind(motion_.scene()));
     kind[0] = static_cast<char>(std::toupper(kind[0]));
+    const std::string head = fmt::format("{}: τ = {:.8f}, T = {:.6g} s", kind,
+                                         motion_.tau(), motion_.transit_time());
+    title_ = plain_words(head + ", " + in_words(motion_.scene()));
     const auto line = [&](int index, double y, std::string_view style,
                           const std::string& text) {
       put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n", index,
-          gnuplot_escaped(text), kLeft / width_, 1.0 - y / height_, style);
+          gnuplot_words(text), kLeft / width_, 1.0 - y / height_, style);
     };
-    line(1, 22.0, "font ',16'",
-         fmt::format("{}: τ = {:.8f}, T = {:.6g} s", kind, motion_.tau(),
-                     motion_.transit_time()));
+    line(1, 22.0, "font ',16'", head);
     line(2, 46.0, "textcolor rgb '#444444'", in_words(motion_.scene()));
     double y = 46.0;
     int index = 3;
@@ -359,7 +362,7 @@ class Picture {
   Frame frame_;
   std::optional<Enlarged> enlarged_;
   double width_ = 0.0, height_ = 0.0;
-  std::string table_, commands_;
+  std::string table_, commands_, title_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "brachisto/model/mass_distribution.hpp"
 #include "report/sweep_plots.hpp"
+#include "report/track_kind.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/figures.hpp"
 
@@ -216,11 +217,63 @@ Figure region(const Results& found) {
       "The command brachisto body tells where a body made of parts lies.");
 }
 
+/// The third trap as a picture.
+Figure slope_at_b(const Results& found) {
+  const auto points = [](const std::vector<BentTrack>& tracks) {
+    std::vector<Datum> out;
+    for (const BentTrack& track : tracks) {
+      out.push_back({track.phi * kDegrees, track.tau});
+    }
+    return out;
+  };
+  const std::vector<Datum> kinked = points(found.kinked);
+  const Datum smooth = kinked.front();
+  const Datum least = *std::ranges::min_element(kinked, {}, &Datum::y);
+  Chart chart;
+  chart.name = "slope_at_b";
+  chart.title = "The third trap: bending the track next to B makes it faster";
+  chart.subtitle =
+      report::in_words(found.cases["fig04_reference_case"].scene());
+  chart.x.label = "slope of the track at B [°]";
+  chart.x.scale = report::Scale::Degrees;
+  chart.x.high = 22.0;
+  chart.y.label = "τ = T √(2g/H)";
+  chart.y.low = 4.5;
+  chart.y.high = 5.17;
+  chart.curves = {
+      {.name = "extremal of the centre, then a kink at B: the limit, no track",
+       .points = kinked,
+       .stroke = Stroke::Dashed,
+       .colour = "#1a3f8f",
+       .id = "kink"},
+      {.name = fmt::format("bent on an arc of radius {:g} H: a track, feasible",
+                           found.bent.radius),
+       .points = points(found.arched),
+       .colour = "#b5651d",
+       .width = 0.0,
+       .mark = report::Mark::Disc,
+       .id = "arc"}};
+  chart.notes = {{smooth, fmt::format("smooth contact, τ = {:.4f}", smooth.y),
+                  report::Mark::Square, -12.0, -10.0},
+                 {least, fmt::format("τ = {:.3f}, not attained", least.y),
+                  report::Mark::Circle, 8.0, 16.0}};
+  return figure(
+      chart, "The slope at B",
+      fmt::format(
+          "The reference case: the smooth contact is stationary between its "
+          "own "
+          "ends of the centre's path, but not when the slope at B may vary. "
+          "The sharper the track bends next to B, the faster it is, down to "
+          "τ = {:.4f}; the dots are tracks that the body can follow "
+          "(docs/theory.md, section 3, third trap).",
+          least.y));
+}
+
 }  // namespace
 
 std::vector<Figure> parameter_figures(const Results& found) {
   return {map_as_curves(found.map), map_as_colours(found.map),
-          fastest_orientation_figure(found), region(found)};
+          fastest_orientation_figure(found), region(found), slope_at_b(found)};
 }
 
 }  // namespace brachisto::reproduction

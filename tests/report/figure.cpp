@@ -58,6 +58,16 @@ TEST(Figure, IsATableAScriptAndAPicture) {
   EXPECT_EQ(xml_flaw(drawn.files[2].content), "");
 }
 
+TEST(Figure, HasATitleForThoseWhoCannotSeeIt) {
+  Figure figure = line();
+  figure.title = "a < b & c";
+
+  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+
+  EXPECT_NE(drawn.files.back().content.find("<title>a &lt; b &amp; c</title>"),
+            std::string::npos);
+}
+
 TEST(Figure, IsDrawnInEachFormat) {
   const auto begin = [](Format format) {
     const DrawnFigure drawn = draw(line(), format, nullptr);

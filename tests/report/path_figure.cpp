@@ -51,6 +51,13 @@ bool says(const Figure& figure, const std::string& words) {
 // Columns behind `part`.
 constexpr std::size_t kT = 0, kX = 1, kZ = 2;
 
+TEST(PathFigure, SaysByItsTitleWhatItIs) {
+  EXPECT_TRUE(figure_of(off_centred_solution())
+                  .title.starts_with("Smooth-contact extremal: τ = "));
+  EXPECT_TRUE(figure_of(bead_solution())
+                  .title.starts_with("Brachistochrone of a bead: τ = "));
+}
+
 TEST(PathFigure, IsDrawn) {
   for (const Solution* solution :
        {&off_centred_solution(), &uniform_solution(), &bead_solution()}) {

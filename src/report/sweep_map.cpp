@@ -71,7 +71,7 @@ class Picture {
     const auto layer_of = [&](std::string_view state, std::string_view mark,
                               std::string_view what, std::size_t count) {
       if (count == 0) return;
-      layer(fmt::format("data using (at('{}')):(column('y')):(middle) with "
+      layer(fmt::format("data using (at('{}')):(column(up)):(middle) with "
                         "points {} ps 0.9 lw 1.4{}",
                         state, mark, style),
             fmt::format("{} ({})", what, count));
@@ -113,18 +113,19 @@ class Picture {
     const double key = top + kPlotHeight + kToKey;
     const double height = key + kKeyLine * names_ + kBelow;
     std::string head = fmt::format(
-        "middle = {:.12g}\n"
-        "at(state) = strcol('state') eq state ? column('x') : NaN\n"
+        "right = '{}'\nup = '{}'\nmiddle = {:.12g}\n"
+        "at(state) = strcol('state') eq state ? column(right) : NaN\n"
         "set border 15 lw 1 lc rgb '#333333'\nset tics out nomirror front\n"
         "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
         "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
         "set key at screen {:.5f}, screen {:.5f} left top vertical Left "
         "reverse samplen 2 maxrows {}\n"
         "set cbrange [{:.12g}:{:.12g}]\nset cblabel '{}'\n{}",
-        0.5 * (range.low + range.high), kLeft / kWidth, 1.0 - kRight / kWidth,
-        1.0 - top / height, 1.0 - (top + kPlotHeight) / height,
-        kLeft / kWidth - 0.02, 1.0 - key / height, std::max(1, names_),
-        range.low, range.high, kTauLabel, colour_bar ? "" : "unset colorbox\n");
+        column_name(x_), column_name(y_), 0.5 * (range.low + range.high),
+        kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - top / height,
+        1.0 - (top + kPlotHeight) / height, kLeft / kWidth - 0.02,
+        1.0 - key / height, std::max(1, names_), range.low, range.high,
+        kTauLabel, colour_bar ? "" : "unset colorbox\n");
     double y = kTitle;
     const auto line = [&](const std::string& text, std::string_view style) {
       head += fmt::format("set label {} at screen 0.03, screen {:.5f} {}\n",
@@ -139,7 +140,9 @@ class Picture {
     // A frame of nothing is drawn for what lies outside of it.
     if (items_.empty()) layer("data using (NaN):(NaN):(middle) with points");
     return {.name = map_.name,
-            .table = "x,y,tau,state,feasible\n" + rows_,
+            .table = fmt::format("{},{},tau,state,feasible\n", column_name(x_),
+                                 column_name(y_)) +
+                     rows_,
             .commands = head + fmt::format("{} {}\n", plot, items_),
             .width = kWidth,
             .height = height,
@@ -147,6 +150,15 @@ class Picture {
   }
 
  private:
+  /// "θm [°]", without what would have to be quoted in a table or a script.
+  [[nodiscard]] std::string column_name(std::size_t column) const {
+    const KeyLabel label = key_label(table_.columns[column].key);
+    std::string name = plain_words(label.text(Markup::Rich, false));
+    std::erase_if(name, [](char c) {
+      return std::string_view(",\"'\\").find(c) != std::string_view::npos;
+    });
+    return label.unit.empty() ? name : fmt::format("{} [{}]", name, label.unit);
+  }
   [[nodiscard]] std::string label(std::size_t column, bool with_unit) const {
     constexpr std::size_t kLetters = 40;
     return key_label(table_.columns[column].key)
@@ -217,7 +229,7 @@ void edge(Picture& picture) {
   picture.put(
       "set contour base\nset cntrparam levels discrete 0.5\nunset surface\n"
       "set table $edge\n"
-      "splot data using (column('x')):(column('y')):(column('feasible'))\n"
+      "splot data using (column(right)):(column(up)):(column('feasible'))\n"
       "unset table\nset surface\nunset contour\n"
       "edge(n) = real(word(strcol(1), n))\n");
   const auto line = [&](std::string_view look, const std::string& name) {
@@ -236,7 +248,7 @@ void edge(Picture& picture) {
 Figure map_figure(const SweepTable& table, const SweepMap& map,
                   ValueRange range) {
   constexpr std::string_view kTau =
-      "data using (column('x')):(column('y')):(column('tau'))";
+      "data using (column(right)):(column(up)):(column('tau'))";
   Picture picture(table, map, "τ");
   picture.put("{}{}set palette defined ({})\n", kView, interpolation(map),
               palette());
@@ -269,7 +281,7 @@ Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
       "{}{}set palette defined (0 '#68788a', 1 '#e3e8ee') maxcolors 2\n", kView,
       interpolation(map));
   picture.layer(
-      "data using (column('x')):(column('y')):(column('feasible')) "
+      "data using (column(right)):(column(up)):(column('feasible')) "
       "with pm3d nocontour");
   const auto grey = [&](std::string_view colour, std::string_view what,
                         std::size_t count) {
@@ -293,13 +305,13 @@ Figure scatter_figure(const SweepTable& table, const SweepMap& sample,
   const bool any = picture.found().verified > 0;
   if (any) {
     picture.layer(
-        "data using (at('verified')):(column('y')):(column('tau')) with points "
+        "data using (at('verified')):(column(up)):(column('tau')) with points "
         "pt 7 ps 0.9 palette");
   }
   if (picture.found().infeasible > 0) {
     picture.layer(
-        "data using (column('feasible') == 0 ? column('x') : NaN)"
-        ":(column('y')) with points pt 6 ps 1.2 lc rgb '#000000'",
+        "data using (column('feasible') == 0 ? column(right) : NaN)"
+        ":(column(up)) with points pt 6 ps 1.2 lc rgb '#000000'",
         fmt::format("infeasible ({})", picture.found().infeasible));
   }
   picture.others("");

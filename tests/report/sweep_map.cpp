@@ -72,7 +72,8 @@ TEST(MapFigure, HasARowPerSceneAndAnEmptyLineAfterEachRowOfTheGrid) {
 
   const Figure figure = map_figure(table, whole(table), kRange);
 
-  EXPECT_TRUE(figure.table.starts_with("x,y,tau,state,feasible\n-180,0,"));
+  EXPECT_TRUE(
+      figure.table.starts_with("θm [°],ηm,tau,state,feasible\n-180,0,"));
   EXPECT_EQ(count(figure.table, "\n"), 1 + kNx * kNy + kNx - 1);
   EXPECT_EQ(count(figure.table, "\n\n"), kNx - 1);
   EXPECT_TRUE(says(figure.table, "\n45,0.35,5,verified,1\n"));

@@ -18,14 +18,7 @@ namespace brachisto::comparison {
 
 using Json = nlohmann::ordered_json;
 
-namespace {
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Json to_json(const Measurement& run) {
   Json json = {{"outcome", name(run.outcome)},

@@ -7,11 +7,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "comparison/comparison.hpp"
 
 namespace brachisto::comparison {
+
+/// The value, or null.
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json or_null(
+    const std::optional<Value>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
 
 /// Outcome, cause, times and effort of a run; what there is not is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const Measurement& run);

@@ -19,21 +19,6 @@ double degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 
-std::string describe(const Scene& scene) {
-  const Body& body = scene.body;
-  std::string text =
-      body.rolls() ? fmt::format(
-                         "cylinder r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, "
-                         "k = {:.6g}",
-                         body.radius, body.eta_m, degrees(body.theta_m), body.k)
-                   : std::string("bead");
-  return text + fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²{}",
-                            scene.L, scene.H, scene.gravity,
-                            scene.contact == Contact::Centre
-                                ? ", between points of the centre's path"
-                                : "");
-}
-
 void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
@@ -144,7 +129,7 @@ void add_branches(std::string& out, const Solution& solution) {
 }  // namespace
 
 std::string summary(const Solution& solution) {
-  std::string out = describe(solution.scene) + "\n";
+  std::string out = in_words(solution.scene) + "\n";
   const bool verified = solution.verified();
   if (verified) add_answer(out, solution);
 

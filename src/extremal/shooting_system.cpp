@@ -8,6 +8,7 @@
 
 #include "brachisto/model/contact.hpp"
 #include "extremal/boundary.hpp"
+#include "math/index.hpp"
 
 namespace brachisto::shooting {
 
@@ -21,10 +22,6 @@ State to_state(const Vector6& v) {
 
 Vector6 to_vector(const State& y) {
   return Eigen::Map<const Vector6>(y.data());
-}
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
 }
 
 /// Which states the start fixes, in the order of its rows.

@@ -6,15 +6,9 @@
 #include <cassert>
 #include <utility>
 
+#include "math/index.hpp"
+
 namespace brachisto::math {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 LagrangeBasis::LagrangeBasis(std::vector<double> nodes)
     : nodes_(std::move(nodes)), weights_(nodes_.size()) {

@@ -10,13 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "math/index.hpp"
+
 namespace brachisto::nlp {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check_size(const char* name, const std::vector<double>& values,
                 int expected) {

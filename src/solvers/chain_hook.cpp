@@ -166,7 +166,6 @@ static void chain_factor(int, const int[], const int[], const double val[],
   kept([&] {
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
-    if (current != nullptr) current->count_factorisation();
     scale_barrier(matrix, val);
     const bool factorised = matrix.ldlt->factorise(values);
     const Inertia& inertia = matrix.ldlt->inertia();

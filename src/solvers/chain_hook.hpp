@@ -41,7 +41,6 @@ class ChainHook {
   /// Why the matrix Ipopt came with is not the chain it should be; empty if it
   /// is. Ipopt itself then ends with an internal error.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
-  [[nodiscard]] int factorisations() const { return factorisations_; }
 
   /// The release of the Ipopt that runs, by its own words; empty until then.
   [[nodiscard]] const std::string& release() const { return release_; }
@@ -60,7 +59,6 @@ class ChainHook {
   /// What the factorisation threw, if it did.
   [[nodiscard]] std::exception_ptr exception() const { return exception_; }
   void keep(std::exception_ptr exception) { exception_ = std::move(exception); }
-  void count_factorisation() { ++factorisations_; }
 
  private:
   nlp::ChainStructure structure_;
@@ -69,7 +67,6 @@ class ChainHook {
   std::string release_;
   std::string refusal_;
   std::exception_ptr exception_;
-  int factorisations_ = 0;
 };
 
 /// The same as without a release, for the chain to insist on another one.

@@ -38,7 +38,7 @@ using EntryValues = std::span<const std::span<const double>>;
 /// The inertia is exact as far as rounding allows: the factorisation is that of
 /// a matrix within a few units of rounding of the given one.
 ///
-/// Memory is linear in the length of the chain, state_bytes() tells how much.
+/// Memory is linear in the length of the chain.
 class ChainLdlt {
  public:
   /// Null if the positions are no chain of that structure. The positions need
@@ -65,13 +65,8 @@ class ChainLdlt {
   void subtract_product(std::span<const double> x,
                         std::span<long double> residual) const;
 
-  /// Solves A x = b with steps of refinement, residuals in long double.
-  void solve_refined(std::span<const double> b, std::span<double> x,
-                     int refinements) const;
-
   /// Links whose interior was factorised as a dense front.
   [[nodiscard]] int num_dense_links() const { return num_dense_links_; }
-  [[nodiscard]] std::size_t state_bytes() const;
 
  private:
   /// Sequences chosen for a run, by the zeros of the matrix they were chosen

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 #include "solvers/chain_entries.hpp"
 
 namespace brachisto {
@@ -14,10 +15,6 @@ namespace brachisto {
 namespace {
 
 using nlp::ChainStructure;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Joins `group` links to one: separators within a group turn interior.
 ChainStructure joined(const ChainStructure& fine, int group) {

@@ -1,24 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Solutions by a chain factorisation, their residuals and refinement.
+// Solutions by a chain factorisation, and their residuals.
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 
 namespace brachisto {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 /// visit(run, analysis, slots, first link, number of links, flags of failure).
 template <class Visit>
@@ -110,23 +103,6 @@ void ChainLdlt::subtract_product(std::span<const double> x,
   for (const ChainMap::Entry& entry : map_.border_entries()) {
     add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
         values_[at(entry.array)][entry.source.at(0)]);
-  }
-}
-
-void ChainLdlt::solve_refined(std::span<const double> b, std::span<double> x,
-                              int refinements) const {
-  std::copy(b.begin(), b.end(), x.begin());
-  solve(x);
-  std::vector<long double> residual(b.size());
-  std::vector<double> correction(b.size());
-  for (int step = 0; step < refinements; ++step) {
-    std::copy(b.begin(), b.end(), residual.begin());
-    subtract_product(x, residual);
-    for (std::size_t i = 0; i < correction.size(); ++i) {
-      correction[i] = static_cast<double>(residual[i]);
-    }
-    solve(correction);
-    for (std::size_t i = 0; i < correction.size(); ++i) x[i] += correction[i];
   }
 }
 

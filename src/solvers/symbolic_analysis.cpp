@@ -7,6 +7,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "math/index.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -18,10 +20,6 @@ using Set = std::bitset<SymbolicAnalysis::kMaxSize>;
 // to it.
 constexpr double kWantedGrowth = 10.0;
 constexpr double kLargestGrowth = 1e3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Candidate {
   double cost = 0.0;  ///< operations per eliminated unknown

@@ -14,6 +14,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -23,10 +24,6 @@ using enum StateComponent;
 using Real = long double;
 // Derivatives with respect to θ, w, β and U at a collocation point.
 using Jet = math::Jet2<Real, 4>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Keeps the largest absolute value and its index; a NaN stays.
 struct Worst {

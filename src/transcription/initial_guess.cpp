@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "brachisto/model/inertia.hpp"
+#include "math/index.hpp"
 #include "math/portable_random.hpp"
 
 namespace brachisto {
@@ -23,7 +24,6 @@ struct GuessPoint {
 PrimalDual sample(const RollingTime& problem, double U,
                   const std::function<GuessPoint(double)>& guess) {
   using enum StateComponent;
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const VariableLayout& layout = problem.layout();
   const Mesh& mesh = problem.mesh();
   const Body& body = problem.scene().body;
@@ -81,7 +81,6 @@ PrimalDual cycloid_guess(const RollingTime& problem, const CycloidArc& arc) {
 
 PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
   using enum StateComponent;
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   PrimalDual out = cycloid_guess(problem, arc);
   const VariableLayout& layout = problem.layout();
   const Mesh& mesh = problem.mesh();
@@ -133,7 +132,6 @@ PrimalDual straight_guess(const RollingTime& problem) {
 PrimalDual random_guess(const RollingTime& problem, const CycloidArc& arc,
                         std::uint64_t seed) {
   using enum StateComponent;
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   PrimalDual out = cycloid_guess(problem, arc);
   SplitMix64 random(seed);
   const VariableLayout& layout = problem.layout();

@@ -24,7 +24,7 @@
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 #include "solvers/inequality_problems.hpp"
 #include "support/refined_solution.hpp"
 #include "support/scenes.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,6 +17,25 @@
 #include "extremal/first_unknowns.hpp"
 
 namespace brachisto {
+
+std::string_view describe(ExtremalStatus status) {
+  constexpr std::array<std::string_view, 12> kSentences{
+      "solved to the accuracy asked for",
+      "an extremal was found, with fewer digits than asked for",
+      "no path exists for a centred body, from which to start",
+      "the branch of extremals from the cycloid turns back before η_m",
+      "the continuation from the cycloid got stuck before η_m",
+      "Newton's method did not converge",
+      "the equations cannot be integrated from the guess",
+      "the extremal found has a loop, which is no track",
+      "the body comes to rest on the extremal found",
+      "the Hamiltonian is not minimal along the extremal found",
+      "the time allowed ran out",
+      "stopped from outside"};
+  static_assert(kSentences.size() ==
+                static_cast<std::size_t>(ExtremalStatus::Interrupted) + 1);
+  return kSentences.at(static_cast<std::size_t>(status));
+}
 
 namespace {
 

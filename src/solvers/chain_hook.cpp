@@ -14,7 +14,7 @@
 
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
     IPOPT_VERSION_RELEASE == 9 && __has_include(<HSLLoader.h>)

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/nlp/active_set.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/inertia.hpp"
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
@@ -136,5 +137,14 @@ class ChainLdlt {
   Inertia inertia_;
   std::vector<double> matrix_;
 };
+
+/// For the matrix [H Jᵀ; J 0] of variables that are not held and constraints
+/// that are, values in two arrays: those of hess_lag_pattern() and those of
+/// jac_g_pattern(). Unknowns are numbered as they are in the problem,
+/// variables, then multipliers.
+///
+/// \return null if the problem states no chain structure that fits its patterns
+[[nodiscard]] std::unique_ptr<ChainLdlt> make_chain_ldlt(
+    const nlp::Problem& problem, const nlp::ActiveSet& active);
 
 }  // namespace brachisto

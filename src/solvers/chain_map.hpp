@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 namespace brachisto {
 

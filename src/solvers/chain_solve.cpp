@@ -4,9 +4,11 @@
 // Solutions by a chain factorisation, and their residuals.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
@@ -104,6 +106,27 @@ void ChainLdlt::subtract_product(std::span<const double> x,
     add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
         values_[at(entry.array)][entry.source.at(0)]);
   }
+}
+
+std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
+                                           const nlp::ActiveSet& active) {
+  const PhaseTimer timer(Phase::SetUp);
+  nlp::ChainStructure chain = problem.chain_structure();
+  if (chain.empty()) return nullptr;
+  const std::size_t n = active.variables.size();
+  for (std::size_t i = 0; i < chain.block.size(); ++i) {
+    const bool present = i < n ? active.variables[i] == nlp::Held::No
+                               : active.constraints[i - n] != nlp::Held::No;
+    if (present) continue;
+    chain.block[i] = nlp::ChainStructure::kAbsent;
+    if (!chain.scale.empty()) chain.scale[i] = 1.0;
+  }
+  const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
+  const nlp::SparsityPattern& jac = problem.jac_g_pattern();
+  const std::array<EntryPositions, 2> positions = {
+      EntryPositions{hess.rows, hess.cols, 0},
+      EntryPositions{jac.rows, jac.cols, problem.num_variables()}};
+  return ChainLdlt::make(chain, positions);
 }
 
 }  // namespace brachisto

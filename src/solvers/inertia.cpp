@@ -13,7 +13,7 @@
 
 #include "brachisto/nlp/active_set.hpp"
 #include "math/index.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 #include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {

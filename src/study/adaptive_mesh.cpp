@@ -14,8 +14,8 @@
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
 #include "brachisto/transcription/discretisation.hpp"
-#include "brachisto/transcription/element_errors.hpp"
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+#include "brachisto/transcription/mesh.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 
 namespace brachisto {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "brachisto/model/centre_curve.hpp"
-#include "brachisto/trajectory/path_certificate.hpp"
+#include "brachisto/trajectory/certificate.hpp"
 
 namespace brachisto {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/transcription/element_errors.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
 #include "study/shooting.hpp"
 
 namespace brachisto {

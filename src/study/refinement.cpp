@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "brachisto/transcription/element_errors.hpp"
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+#include "brachisto/transcription/mesh.hpp"
 
 namespace brachisto {
 

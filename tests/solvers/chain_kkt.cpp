@@ -4,7 +4,7 @@
 // The chain factorisation on KKT matrices of rolling_time, against dense
 // methods and MUMPS.
 
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,8 @@
 #include <limits>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/inertia.hpp"
-#include "solvers/chain_kkt.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "support/random_points.hpp"
 

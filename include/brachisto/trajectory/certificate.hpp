@@ -128,4 +128,17 @@ class ArcLengthMotion;
                                   double error,
                                   const CertificateThresholds& thresholds = {});
 
+class PrescribedMotion;
+
+/// Tests a motion that arrived.
+///
+///   quadrature_error     what the last halving of the cells changed in T
+///   contact_error        distance of the ends of the track, or of the centre's
+///                        path, from A and B, in units of max(L, H)
+///   reintegration_error  the motion integrated again
+///
+/// \param tolerance  wanted relative error of T
+[[nodiscard]] Certificate certify_path(const PrescribedMotion& motion,
+                                       double tolerance);
+
 }  // namespace brachisto

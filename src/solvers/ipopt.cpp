@@ -219,7 +219,7 @@ class ReleaseReader final : public Ipopt::Journal {
 
   bool IsAccepted(Ipopt::EJournalCategory category,
                   Ipopt::EJournalLevel level) const override {
-    return hook_.release().empty() && category == Ipopt::J_MAIN &&
+    return hook_.release.empty() && category == Ipopt::J_MAIN &&
            level == Ipopt::J_ITERSUMMARY;
   }
 
@@ -229,8 +229,8 @@ class ReleaseReader final : public Ipopt::Journal {
     int version[3];
     if (std::sscanf(line, "This is Ipopt version %d.%d.%d", &version[0],
                     &version[1], &version[2]) == 3) {
-      hook_.set_release(
-          fmt::format("{}.{}.{}", version[0], version[1], version[2]));
+      hook_.release =
+          fmt::format("{}.{}.{}", version[0], version[1], version[2]);
     }
   }
   void PrintfImpl(Ipopt::EJournalCategory category, Ipopt::EJournalLevel level,
@@ -282,7 +282,7 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   }());
   if (solver == LinearSolver::Mumps) book_linear_solver(*application);
   rethrow(adapter->exception(), options.stop);
-  if (hook != nullptr) rethrow(hook->exception(), options.stop);
+  if (hook != nullptr) rethrow(hook->exception, options.stop);
 
   result.log = log.str();
   if (solver == LinearSolver::Chain) {
@@ -326,8 +326,8 @@ SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
     } else {
       ChainHook hook(problem, release);
       SolverResult result = run(problem, start, options, &hook);
-      if (hook.refusal().empty()) return result;
-      why_not = hook.refusal();
+      if (hook.refusal.empty()) return result;
+      why_not = hook.refusal;
     }
   }
   if (options.linear_solver == LinearSolver::Chain) {

@@ -194,9 +194,9 @@ bool finite(const State& y) {
 }
 
 /// One motion from rest.
-class Release {
+class Journey {
  public:
-  Release(const EquationOfMotion& motion, const PathByLength& path, Point start,
+  Journey(const EquationOfMotion& motion, const PathByLength& path, Point start,
           double duration)
       : motion_(motion),
         path_(path),
@@ -243,7 +243,7 @@ class Release {
   int steps_ = 0;
 };
 
-MotionEnd Release::leave() {
+MotionEnd Journey::leave() {
   constexpr double kPart = 0.1;
   constexpr double kFirstStep = 1e-3;
   const double goal = kPart * path_.end(1);
@@ -279,7 +279,7 @@ MotionEnd Release::leave() {
   return MotionEnd::Arrived;
 }
 
-MotionEnd Release::cross(int e) {
+MotionEnd Journey::cross(int e) {
   const double end = path_.end(e + 1);
   auto stepper = odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
   const auto by_length = [&](const State& q, State& dq, double s) {
@@ -331,14 +331,14 @@ Reintegration reintegrate(const ExtremalCurve& curve) {
   const double T = curve.transit_time();
   const double S = curve.arc_length();
 
-  Release release(motion, path, curve.at(0.0).centre, T);
+  Journey journey(motion, path, curve.at(0.0).centre, T);
   Reintegration out;
-  out.end = release.run();
-  out.steps = release.steps();
+  out.end = journey.run();
+  out.steps = journey.steps();
   out.integration_error = kTolerance * out.steps;
-  out.share = release.length() / S;
+  out.share = journey.length() / S;
   if (!out.arrived()) return out;
-  const auto [time, speed, x, z] = release.state();
+  const auto [time, speed, x, z] = journey.state();
   const double v =
       end.w / std::sqrt(inertia_factor(scene.body, end.theta, end.beta));
   const Point beyond{x - end.centre.x, z - end.centre.z};

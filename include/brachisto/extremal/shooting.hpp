@@ -67,8 +67,7 @@ struct ExtremalOptions {
   int max_newton_steps = 50;
   /// Arcs of the multiple shooting; 0: from the number of turns of the body.
   int arcs = 0;
-  /// Steps of the continuation, those repeated with half the length included.
-  int max_continuation_steps = 2000;
+
   /// Goes on through folds of the branch instead of stopping at the first; an
   /// answer beyond a fold is connected with the cycloid, but is not what the
   /// cycloid turns into as η grows.

@@ -99,8 +99,7 @@ struct CertificateThresholds {
 /// \param error  relative error of T that the solution has or may have; the
 ///               thresholds between nodes follow from it
 [[nodiscard]] Certificate certify(RollingTime& problem, const PrimalDual& point,
-                                  double phi, double error,
-                                  const CertificateThresholds& thresholds = {});
+                                  double phi, double error);
 
 class ArcLength;
 class ArcLengthMotion;
@@ -125,8 +124,7 @@ class ArcLengthMotion;
 /// \param error  relative error of T that the solution has or may have
 [[nodiscard]] Certificate certify(ArcLength& problem, const PrimalDual& point,
                                   double phi, const ArcLengthMotion& motion,
-                                  double error,
-                                  const CertificateThresholds& thresholds = {});
+                                  double error);
 
 class PrescribedMotion;
 

@@ -137,7 +137,7 @@ std::optional<ChainMap> ChainMap::make(
   std::vector<EntriesByLink::Place> places;
   for (int link = 0; link < chain.num_links; ++link) {
     check_stop(link);
-    now.first_link = link;
+
     now.num_links = 1;
     now.interior = members.count(2 * link + 1);
     now.left = members.count(2 * link);

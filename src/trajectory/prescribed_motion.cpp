@@ -220,14 +220,6 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   return out;
 }
 
-double PrescribedMotion::start_angle() const {
-  return start_.beta;
-}
-
-double PrescribedMotion::end_angle() const {
-  return curve_->at(1.0).beta;
-}
-
 StartLimits PrescribedMotion::at_start() const {
   if (start_.turning != 0.0) {
     return start_limits(scene_.body, start_.beta, start_slope_rate());
@@ -235,10 +227,6 @@ StartLimits PrescribedMotion::at_start() const {
   const CurvePlace next = curve_->at(kNextToStart);
   return start_limits_of_curvature(scene_.body, start_.beta,
                                    next.turning / next.speed);
-}
-
-TrajectoryPoint PrescribedMotion::at(double q) const {
-  return point_at(sums_at(q));
 }
 
 std::vector<TrajectoryPoint> PrescribedMotion::at_nodes() const {

@@ -5,12 +5,11 @@
 /// Smooth curves through given points, both coordinates by cubic splines.
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <stdexcept>
-#include <utility>
 
 #include "brachisto/model/plane_curve.hpp"
 #include "math/index.hpp"

@@ -5,13 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-#include <cmath>
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unsupported/Eigen/NonLinearOptimization>
-
+#include <utility>
 
 namespace brachisto {
 
@@ -24,45 +23,38 @@ class CountedResidual {
  public:
   /// \param result  keeps counts and the best point; outlives this
   CountedResidual(const SquareResidual& residual, std::vector<double> start,
-                  SquareResult& result);
+                  SquareResult& result)
+      : residual_(residual), result_(result) {
+    result_ = {};
+    result_.x = std::move(start);
+    result_.residual = kUndefined;
+  }
 
   /// The norm of F(x); NaN if F is not defined there.
-  double operator()(std::span<const double> x, std::span<double> residual);
+  double operator()(std::span<const double> x, std::span<double> residual) {
+    ++result_.evaluations;
+    if (!residual_(x, residual)) {
+      ++result_.refused_points;
+      if (result_.first_refused.empty()) {
+        result_.first_refused.assign(x.begin(), x.end());
+      }
+      std::fill(residual.begin(), residual.end(), kUndefined);
+      return kUndefined;
+    }
+    double sum = 0.0;
+    for (const double value : residual) sum += value * value;
+    const double norm = std::sqrt(sum);
+    if (!(norm >= result_.residual)) {
+      result_.residual = norm;
+      result_.x.assign(x.begin(), x.end());
+    }
+    return norm;
+  }
 
  private:
   const SquareResidual& residual_;
   SquareResult& result_;
 };
-
-CountedResidual::CountedResidual(const SquareResidual& residual,
-                                 std::vector<double> start,
-                                 SquareResult& result)
-    : residual_(residual), result_(result) {
-  result_ = {};
-  result_.x = std::move(start);
-  result_.residual = kUndefined;
-}
-
-double CountedResidual::operator()(std::span<const double> x,
-                                   std::span<double> residual) {
-  ++result_.evaluations;
-  if (!residual_(x, residual)) {
-    ++result_.refused_points;
-    if (result_.first_refused.empty()) {
-      result_.first_refused.assign(x.begin(), x.end());
-    }
-    std::fill(residual.begin(), residual.end(), kUndefined);
-    return kUndefined;
-  }
-  double sum = 0.0;
-  for (const double value : residual) sum += value * value;
-  const double norm = std::sqrt(sum);
-  if (!(norm >= result_.residual)) {
-    result_.residual = norm;
-    result_.x.assign(x.begin(), x.end());
-  }
-  return norm;
-}
 
 /// The status of an iteration that ended for a reason of its own: by the best
 /// residual, then by what stopped it.

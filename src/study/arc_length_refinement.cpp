@@ -66,31 +66,24 @@ double estimate(const ArcLengthAnswer& finer, const ArcLengthAnswer& coarser) {
   // Of terms of higher order in the change from mesh to mesh: as if the order
   // was only this.
   constexpr double kLeastOrder = 1.58;
-  const Scene& scene = finer.problem.scene();
   const double n = finer.problem.num_intervals();
   const double ratio = n / coarser.problem.num_intervals();
   const double q = ratio * ratio;
   const ContactClosure& closure = finer.solution.closure;
-  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
-  // dT/dφ
-  const double per_radian =
-      scene.contact == Contact::Smooth
-          ? -scene.body.radius *
-                (p.p_x * std::cos(closure.phi) + p.p_z * std::sin(closure.phi))
-          : 0.0;
+  const EndErrors ends =
+      errors_of_end(finer.problem.scene(), closure,
+                    finer.problem.end_costates(finer.solution.point.lambda));
   const double T = finer.transit_time;
   const double of_ends =
-      per_radian * (closure.phi - coarser.solution.closure.phi);
+      ends.per_radian * (closure.phi - coarser.solution.closure.phi);
   const double rest = T - coarser.transit_time - of_ends;
   const double between = (std::abs(of_ends) + std::abs(rest)) /
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
-  const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
-  const double ends = rounding_of_ends(scene, closure.phi, p.p_x, p.p_z);
   // A sum of N terms, each rounded.
   const double rounding =
       2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
-  return std::max(between, before) + (open + ends) / T + rounding;
+  return std::max(between, before) + (ends.open + ends.rounding) / T + rounding;
 }
 
 /// Climbs from coarse meshes to fine ones, each from the solution before.

@@ -20,13 +20,19 @@ namespace brachisto {
          solution.status == Status::NotEvaluable;
 }
 
-/// What rounding leaves of T where the path ends, in natural units:
-/// the ends are sums of lengths, a dozen roundings of the largest of them go
-/// into the path and its end slope, and with Contact::Smooth that slope moves
-/// the end by r for each radian. T changes by |p| for each length.
-/// \param p_x, p_z  costates at the end
-[[nodiscard]] double rounding_of_ends(const Scene& scene, double phi,
-                                      double p_x, double p_z);
+/// What the end of a path means for the error of T, in natural units.
+struct EndErrors {
+  double per_radian;  ///< dT/dφ: the end point moves along the path
+  double open;        ///< of a contact that is not quite closed
+  /// The ends are sums of lengths; a dozen roundings of the largest of them go
+  /// into the path and its end slope, and with Contact::Smooth that slope moves
+  /// the end by r for each radian. T changes by |p| for each length.
+  double rounding;
+};
+/// \param p  at the end
+[[nodiscard]] EndErrors errors_of_end(const Scene& scene,
+                                      const ContactClosure& closure,
+                                      const Costates& p);
 
 /// What is known of a mesh that was solved on.
 [[nodiscard]] MeshRecord record_of(const Transcription& problem,

@@ -38,34 +38,22 @@ double sum_of_absolutes(const std::vector<double>& values) {
       [](double sum, double value) { return sum + std::abs(value); });
 }
 
-/// dT/dφ = r √A / w at the end: the end point moves along the path.
-double time_per_radian(const ExtremalCurve& curve) {
-  const ExtremalPoint end = curve.at(1.0);
-  const Body& body = curve.scene().body;
-  return body.radius * std::sqrt(inertia_factor(body, end.theta, end.beta)) /
-         end.w;
-}
-
 /// What a better or an independent solution says of the error of `answer`,
 /// given a bound on that solution's own, relative.
 double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
                 const ExtremalCurve& other, double other_phi,
                 double error_of_other, double weight) {
   const double T = curve.transit_time();
-  const bool smooth = curve.scene().contact == Contact::Smooth;
   const ContactClosure& closure = answer.solution.closure;
-  const double per_radian = smooth ? time_per_radian(curve) : 0.0;
+  const EndErrors ends = errors_of_end(
+      curve.scene(), closure, {.p_x = curve.p_x(), .p_z = curve.p_z()});
   // Two parts of the error, that of the end point and that between fixed ends,
   // may have opposite signs; the estimate must not profit from it.
   const double difference = other.transit_time() - T;
-  const double of_ends = per_radian * (other_phi - closure.phi);
+  const double of_ends = ends.per_radian * (other_phi - closure.phi);
   const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
-  const double open_contact =
-      smooth ? std::abs(closure.mismatch / closure.slope) * per_radian : 0.0;
-  const double of_ends_rounded =
-      rounding_of_ends(curve.scene(), closure.phi, curve.p_x(), curve.p_z());
-  return (std::max(weight * std::abs(difference), apart) + open_contact +
-          of_ends_rounded) /
+  return (std::max(weight * std::abs(difference), apart) + ends.open +
+          ends.rounding) /
              T +
          error_of_other + rounding_error(curve.mesh());
 }
@@ -118,11 +106,11 @@ double departure(const RollingTime& problem, const MeshSolution& solution,
 ///
 ///     max(2 |ΔT|, |T_φ Δφ| + |ΔT − T_φ Δφ|) + Σ_e |U ∫_e 𝓗 dσ|,
 ///
-/// T_φ = r √A / w being dT/dφ, and the sum taken on the finer solution: ΔT is
-/// the error but for that of the finer solution, which the sum bounds from
-/// above. The factor 2 keeps it honest where the two degrees err to the same
-/// side, the split where the errors of the end point and between fixed ends
-/// cancel by accident. What an open contact and rounding add comes on top.
+/// T_φ = −r (p_x cos φ + p_z sin φ) being dT/dφ, and the sum taken on the finer
+/// solution: ΔT is the error but for that of the finer solution, which the sum
+/// bounds from above. The factor 2 keeps it honest where the two degrees err to
+/// the same side, the split where the errors of the end point and between fixed
+/// ends cancel by accident. What an open contact and rounding add comes on top.
 ///
 /// If the answer of a coarser mesh is given, it takes the place of degree p +
 /// 1, and its own estimate that of the sum: the triangle inequality, for the
@@ -346,18 +334,23 @@ class Elements {
 
 }  // namespace
 
-double rounding_of_ends(const Scene& scene, double phi, double p_x,
-                        double p_z) {
+EndErrors errors_of_end(const Scene& scene, const ContactClosure& closure,
+                        const Costates& p) {
   constexpr double kRoundings = 16.0;
+  const bool smooth = scene.contact == Contact::Smooth;
+  const double r = smooth ? scene.body.radius : 0.0;
+  const double phi = closure.phi;
+  // C_B moves by r (cos φ, sin φ) per radian.
+  const double per_radian =
+      -r * (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
   const Point start = start_of_centre(scene);
   const Point end = end_of_centre(scene, phi);
   const double largest =
       std::max({std::abs(start.x), std::abs(start.z), std::abs(end.x),
                 std::abs(end.z), scene.L, scene.H});
-  const double per_radian =
-      scene.contact == Contact::Smooth ? scene.body.radius : 0.0;
-  return kRoundings * std::numeric_limits<double>::epsilon() * largest *
-         (1.0 + per_radian) * std::hypot(p_x, p_z);
+  return {per_radian, std::abs(closure.mismatch / closure.slope * per_radian),
+          kRoundings * std::numeric_limits<double>::epsilon() * largest *
+              (1.0 + r) * std::hypot(p.p_x, p.p_z)};
 }
 
 MeshRecord record_of(const Transcription& problem, const MeshSolution& solution,

@@ -10,6 +10,8 @@ namespace brachisto::shooting {
 
 namespace {
 
+// Those repeated with half the length included.
+constexpr int kMostSteps = 2000;
 constexpr double kFirstStep = 0.1;  // in scaled globals, η among them
 constexpr double kLongestStep = 0.4;
 constexpr double kShortestStep = 1e-7;
@@ -127,7 +129,7 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
   Tangent tangent = tangent_at(here.at, scale, Globals::Unit(kEta));
   double step = kFirstStep;
 
-  for (int i = 0; i < options.max_continuation_steps; ++i) {
+  for (int i = 0; i < kMostSteps; ++i) {
     const double eta = here.point.globals(kEta);
     const double eta_slope = tangent.direction.globals(kEta);
     const double to_target = (target - eta) / eta_slope;

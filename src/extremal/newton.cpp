@@ -8,13 +8,6 @@
 
 namespace brachisto::shooting {
 
-ClosingRow ClosingRow::offset(double eta) {
-  ClosingRow closing;
-  closing.row = Globals::Unit(kEta);
-  closing.value = eta;
-  return closing;
-}
-
 NewtonResult solve_newton(const ShootingSystem& system,
                           const ChainVector& start, const ChainScale& scale,
                           const ClosingRow& closing,

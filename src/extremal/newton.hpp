@@ -17,7 +17,9 @@ struct ClosingRow {
   double value = 0.0;
 
   /// η is given.
-  [[nodiscard]] static ClosingRow offset(double eta);
+  [[nodiscard]] static ClosingRow offset(double eta) {
+    return {Globals::Unit(kEta), eta};
+  }
 };
 
 struct ShootingOptions {

@@ -11,17 +11,10 @@
 
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "math/index.hpp"
+#include "solvers/chain_ldlt.hpp"
 
 namespace brachisto {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 std::unique_ptr<BorderedChain> BorderedChain::make(const KktSystem& system) {
   std::unique_ptr<ChainLdlt> chain =

@@ -8,16 +8,9 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
                      nlp::ActiveSet active)

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/model/contact.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/transcription/contact_equation.hpp"
@@ -17,6 +16,10 @@
 namespace brachisto {
 
 namespace {
+
+/// With polishing, the mismatch at which Newton's method takes over [rad]: its
+/// first step leaves the square of it.
+constexpr double kPolishedFrom = 1e-5;
 
 /// A problem with its tangency condition, if there is one, at an end angle.
 struct BetweenEnds {
@@ -84,20 +87,6 @@ double reachable(double tolerance, const Transcription& problem,
   return std::max(tolerance, problem.rounding(x));
 }
 
-double rounding_of_ends(const Scene& scene, double phi, double p_x,
-                        double p_z) {
-  constexpr double kRoundings = 16.0;
-  const Point start = start_of_centre(scene);
-  const Point end = end_of_centre(scene, phi);
-  const double largest =
-      std::max({std::abs(start.x), std::abs(start.z), std::abs(end.x),
-                std::abs(end.z), scene.L, scene.H});
-  const double per_radian =
-      scene.contact == Contact::Smooth ? scene.body.radius : 0.0;
-  return kRoundings * std::numeric_limits<double>::epsilon() * largest *
-         (1.0 + per_radian) * std::hypot(p_x, p_z);
-}
-
 MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
                           const MeshOptions& options) {
   BetweenEnds ends(problem, start.phi);
@@ -113,7 +102,7 @@ MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
     solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
   }
   solution.closure.closed =
-      std::abs(solution.closure.mismatch) <= options.closure.loose_tolerance;
+      std::abs(solution.closure.mismatch) <= ClosureOptions{}.loose_tolerance;
   solution.status =
       result.residual <= ends.reachable(kRoundingResidual, solution.point) &&
               solution.closure.closed
@@ -161,16 +150,15 @@ MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
     return ends.end_slope(solution.point);
   };
 
-  ClosureOptions closure = options.closure;
+  ClosureOptions closure;
   closure.initial_slope = start.closure_slope;
   if (options.polish) closure.tolerance = kPolishedFrom;
   if (smooth) {
-    const double final_tolerance = options.closure.loose_tolerance;
     solution.closure = close_contact(pass, start.phi, closure);
     if (solution.closure.closed && options.polish) {
       polish(ends, options, solution);
       solution.closure.closed =
-          std::abs(solution.closure.mismatch) <= final_tolerance;
+          std::abs(solution.closure.mismatch) <= closure.loose_tolerance;
     }
   } else {
     pass(start.phi);

@@ -9,7 +9,7 @@
 
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/transcription/mesh.hpp"
 #include "brachisto/transcription/prolongation.hpp"
 #include "study/turn_meshes.hpp"
 

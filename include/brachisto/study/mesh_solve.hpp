@@ -52,7 +52,6 @@ struct MeshSolution {
 /// Budget and precision of the passes on one mesh.
 struct MeshOptions {
   IpoptOptions ipopt;
-  ClosureOptions closure;
   bool polish = true;
   bool newton_alone = false;   ///< no Ipopt: stay_on_mesh() in place of passes
   ProgressHook progress = {};  ///< may be empty
@@ -63,21 +62,9 @@ struct MeshOptions {
 /// is reachable() if that is more.
 inline constexpr double kRoundingResidual = 1e-10;
 
-/// With polishing, the mismatch at which Newton's method takes over [rad]: its
-/// first step leaves the square of it.
-inline constexpr double kPolishedFrom = 1e-5;
-
 /// The larger of `tolerance` and what rounding leaves of residuals at x.
 [[nodiscard]] double reachable(double tolerance, const Transcription& problem,
                                std::span<const double> x);
-
-/// What rounding leaves of T where the path ends, in natural units:
-/// the ends are sums of lengths, a dozen roundings of the largest of them go
-/// into the path and its end slope, and with Contact::Smooth that slope moves
-/// the end by r for each radian. T changes by |p| for each length.
-/// \param p_x, p_z  costates at the end
-[[nodiscard]] double rounding_of_ends(const Scene& scene, double phi,
-                                      double p_x, double p_z);
 
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With

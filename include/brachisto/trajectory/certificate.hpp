@@ -99,8 +99,7 @@ struct CertificateThresholds {
 /// \param error  relative error of T that the solution has or may have; the
 ///               thresholds between nodes follow from it
 [[nodiscard]] Certificate certify(RollingTime& problem, const PrimalDual& point,
-                                  double phi, double error,
-                                  const CertificateThresholds& thresholds = {});
+                                  double phi, double error);
 
 class ArcLength;
 class ArcLengthMotion;
@@ -125,7 +124,19 @@ class ArcLengthMotion;
 /// \param error  relative error of T that the solution has or may have
 [[nodiscard]] Certificate certify(ArcLength& problem, const PrimalDual& point,
                                   double phi, const ArcLengthMotion& motion,
-                                  double error,
-                                  const CertificateThresholds& thresholds = {});
+                                  double error);
+
+class PrescribedMotion;
+
+/// Tests a motion that arrived.
+///
+///   quadrature_error     what the last halving of the cells changed in T
+///   contact_error        distance of the ends of the track, or of the centre's
+///                        path, from A and B, in units of max(L, H)
+///   reintegration_error  the motion integrated again
+///
+/// \param tolerance  wanted relative error of T
+[[nodiscard]] Certificate certify_path(const PrescribedMotion& motion,
+                                       double tolerance);
 
 }  // namespace brachisto

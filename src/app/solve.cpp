@@ -149,7 +149,10 @@ int run(const SolveFlags& flags) {
   if (flags.json) {
     print_data(json);
   } else if (!flags.quiet) {
-    print(report::summary(solution));
+    print_with_verdict(report::summary(solution),
+                       !solution.verified()  ? Colour::Red
+                       : solution.feasible() ? Colour::Green
+                                             : Colour::Yellow);
   }
   const std::string why = complaint(solution);
   if (flags.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));

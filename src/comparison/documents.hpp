@@ -30,7 +30,7 @@ template <class Value>
 /// The keys `machine`, `provenance` and `scene`.
 void add_origin(nlohmann::ordered_json& document, const Subject& subject);
 
-/// "τ = 5.093444466618 ± 2e-14 by the extremal method".
+/// "τ = 5.09344446661800(4) by the extremal method".
 [[nodiscard]] std::string reference_text(const Reference& reference);
 
 /// "1.6e-06", or that it is less than the reference can tell.

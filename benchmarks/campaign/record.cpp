@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "brachisto/model/cycloid.hpp"
 #include "brachisto/study/solve.hpp"
 #include "math/wall_clock.hpp"
+#include "model/cycloid.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -58,10 +59,10 @@ Record examine(const Scene& scene) {
   record.feasible = found.verified() && found.feasible();
   record.reason = FixedText<400>(why_not_verified(found));
   if (found.estimated_error) record.estimated_error = *found.estimated_error;
-  if (found.trajectory()) {
-    record.tau = found.trajectory()->tau();
-    record.degree = found.trajectory()->curve().mesh().degree;
-    record.elements = found.trajectory()->curve().mesh().num_elements();
+  if (trajectory_of(found)) {
+    record.tau = found.motion()->tau();
+    record.degree = trajectory_of(found)->curve().mesh().degree;
+    record.elements = trajectory_of(found)->curve().mesh().num_elements();
   }
   record.meshes = static_cast<int>(found.effort.meshes.size());
   record.iterations = found.effort.iterations;
@@ -80,8 +81,8 @@ Record examine(const Scene& scene) {
   if (witness.usable()) {
     record.witness_tau = witness.tau;
     record.witness_error = witness.error_estimate;
-    if (found.trajectory()) {
-      record.difference = compare(*found.trajectory(), witness);
+    if (trajectory_of(found)) {
+      record.difference = compare(*trajectory_of(found), witness);
     }
   }
   record.verdict = judge(record, witness.usable());

@@ -17,17 +17,17 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/extremal_curve.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "model/cycloid.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/inequality_problems.hpp"
 #include "support/refined_solution.hpp"
 #include "support/scenes.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/extremal_curve.hpp"
+#include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace {
 

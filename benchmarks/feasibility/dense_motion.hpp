@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "brachisto/transcription/extremal_curve.hpp"
+#include "transcription/extremal_curve.hpp"
 
 namespace brachisto::benchmarks {
 

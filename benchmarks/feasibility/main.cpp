@@ -16,6 +16,7 @@
 #include "brachisto/study/solve.hpp"
 #include "campaign/random_scene.hpp"
 #include "feasibility/dense_motion.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 
@@ -47,7 +48,7 @@ Record examine(const Scene& scene) {
   out.least_force = found.min_normal_force.value;
   out.force_rate = found.at_start.normal_force_rate;
   out.least_margin = found.min_fold_margin.value;
-  out.dense = look_densely(solution.trajectory()->curve());
+  out.dense = look_densely(trajectory_of(solution)->curve());
   return out;
 }
 

@@ -6,12 +6,12 @@
 #include <functional>
 #include <span>
 
-#include "brachisto/paper/discrete_variations.hpp"
-#include "brachisto/solvers/square_system.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "fsolve/mean_time.hpp"
 #include "math/cpu_clock.hpp"
+#include "paper/discrete_variations.hpp"
 #include "paper/newton_steps.hpp"
+#include "solvers/square_system.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brachisto/report/provenance.hpp"
 #include "comparison/documents.hpp"
 #include "fsolve/findings.hpp"
+#include "report/provenance.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/mesh_solve.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
 #include "fsolve/mean_time.hpp"
 #include "math/cpu_clock.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
+#include "study/answer_kinds.hpp"
+#include "study/mesh_solve.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -72,9 +73,9 @@ RollingRun time_whole(const Scene& scene, const SolveOptions& options,
   run.way = {Work::Whole, options.or_default<Collocation>().solver};
   run.cpu_seconds = time.seconds;
   run.repetitions = time.repetitions;
-  run.solved = solution->status == Status::Solved && solution->trajectory();
+  run.solved = solution->status == Status::Solved && trajectory_of(*solution);
   if (run.solved) {
-    const Mesh& mesh = solution->trajectory()->curve().mesh();
+    const Mesh& mesh = trajectory_of(*solution)->curve().mesh();
     run.degree = mesh.degree;
     run.elements = mesh.num_elements();
     run.nodes = mesh.num_nodes();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/criterion.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
@@ -53,11 +54,11 @@ Row run(const std::string& path) {
   row.iterations = solution.effort.iterations;
   row.newton_steps = solution.effort.newton_steps;
   row.folds = static_cast<int>(solution.folds.size());
-  if (solution.trajectory()) {
-    row.tau = solution.trajectory()->tau();
+  if (trajectory_of(solution)) {
+    row.tau = solution.motion()->tau();
     row.estimated_error = solution.estimated_error.value_or(0.0);
-    row.degree = solution.trajectory()->curve().mesh().degree;
-    row.elements = solution.trajectory()->curve().mesh().num_elements();
+    row.degree = trajectory_of(solution)->curve().mesh().degree;
+    row.elements = trajectory_of(solution)->curve().mesh().num_elements();
   }
   return judge(objection(criterion, solution));
 }

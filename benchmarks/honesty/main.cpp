@@ -15,6 +15,7 @@
 #include "brachisto/study/solve.hpp"
 #include "honesty/cases.hpp"
 #include "honesty/summary.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 
@@ -31,11 +32,11 @@ Measurement measure(const KnownScene& known, double tolerance) {
   measured.tolerance = tolerance;
   measured.verified = solution.verified();
   measured.reason = FixedText<300>(why_not_verified(solution));
-  if (solution.trajectory()) {
+  if (trajectory_of(solution)) {
     measured.true_error =
-        std::abs(solution.trajectory()->tau() - known.tau) / known.tau;
-    measured.degree = solution.trajectory()->curve().mesh().degree;
-    measured.elements = solution.trajectory()->curve().mesh().num_elements();
+        std::abs(solution.motion()->tau() - known.tau) / known.tau;
+    measured.degree = trajectory_of(solution)->curve().mesh().degree;
+    measured.elements = trajectory_of(solution)->curve().mesh().num_elements();
   }
   if (solution.estimated_error) measured.estimate = *solution.estimated_error;
   measured.meshes = static_cast<int>(solution.effort.meshes.size());

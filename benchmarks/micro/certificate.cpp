@@ -3,10 +3,10 @@
 
 // All checks of a solution.
 
-#include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
 #include "micro/extremal_on_mesh.hpp"
+#include "trajectory/certify.hpp"
+#include "transcription/contact_equation.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -6,9 +6,9 @@
 
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/costates.hpp"
 #include "micro/extremal_on_mesh.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/costates.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/extremal_curve.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/extremal_curve.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -8,8 +8,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "brachisto/nlp/primal_dual.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto::benchmarks {
 

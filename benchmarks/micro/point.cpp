@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "brachisto/model/hamiltonian.hpp"
-#include "brachisto/transcription/extremal_curve.hpp"
 #include "micro/extremal_on_mesh.hpp"
+#include "model/hamiltonian.hpp"
+#include "transcription/extremal_curve.hpp"
 
 namespace brachisto::benchmarks {
 

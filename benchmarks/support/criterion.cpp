@@ -95,7 +95,7 @@ std::string objection(const Criterion& criterion, const Solution& solution) {
     return "the cold start led elsewhere";
   }
   if (criterion.kind == Tau) {
-    const double tau = solution.trajectory()->tau();
+    const double tau = solution.motion()->tau();
     const double allowed = criterion.half_unit * 1.001 +
                            solution.estimated_error.value_or(0) * tau;
     if (std::abs(tau - criterion.tau) > allowed) {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "brachisto/report/provenance.hpp"
 #include "comparison/documents.hpp"
+#include "report/provenance.hpp"
 #include "support/table.hpp"
 
 namespace brachisto::benchmarks {

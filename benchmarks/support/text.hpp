@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/study/solve.hpp"
+#include "extremal/shooting.hpp"
 
 namespace brachisto::benchmarks {
 

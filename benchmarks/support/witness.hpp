@@ -6,8 +6,8 @@
 
 #pragma once
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/trajectory/trajectory.hpp"
+#include "extremal/shooting.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -16,7 +16,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/model/mass_distribution.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "io/expression.hpp"
 #include "io/mass_part_text.hpp"
 #include "io/visible_text.hpp"

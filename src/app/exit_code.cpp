@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/terminal.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 
 namespace brachisto::app {
 

@@ -24,10 +24,10 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
-#include "brachisto/report/provenance.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "comparison/work_precision.hpp"
 #include "io/visible_text.hpp"
+#include "report/provenance.hpp"
 #include "reproduction/cases.hpp"
 #include "sweep/manager.hpp"
 

@@ -12,7 +12,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "comparison/path_error.hpp"
 #include "math/wall_clock.hpp"

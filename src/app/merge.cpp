@@ -12,7 +12,7 @@
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "io/visible_text.hpp"
 #include "report/held_signals.hpp"
 #include "sweep/directory_lock.hpp"

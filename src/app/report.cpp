@@ -13,8 +13,8 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
-#include "brachisto/report/sweep_page.hpp"
 #include "io/visible_text.hpp"
+#include "report/sweep_page.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::app {

@@ -9,8 +9,8 @@
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/io/key_table.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
+#include "io/key_table.hpp"
 
 namespace brachisto::app {
 

@@ -22,9 +22,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
-#include "brachisto/report/result_json.hpp"
-#include "brachisto/report/summary.hpp"
-#include "brachisto/report/trajectory_csv.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/path_figure.hpp"
 

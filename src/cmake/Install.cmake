@@ -1,4 +1,4 @@
-# Installs the library, its headers and package files, and the command.
+# Installs the library, its headers and package files, the command and the documents.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brachisto)
@@ -19,7 +19,23 @@ install(FILES
   ${PROJECT_BINARY_DIR}/brachistoConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/src/cmake/Dependencies.cmake
   DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+
+# An archive brings the libraries along that it stands on; a shared library has them.
+file(RELATIVE_PATH prefix_from_pc
+  ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_packages "ipopt, fmt, yaml-cpp, muparser")
+  set(pc_libraries "-lklu")
+endif()
+configure_file(${PROJECT_SOURCE_DIR}/src/cmake/brachisto.pc.in
+  ${PROJECT_BINARY_DIR}/brachisto.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/brachisto.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES
+  ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems
   DESTINATION ${CMAKE_INSTALL_DATADIR}/brachisto)

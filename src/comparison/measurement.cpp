@@ -8,7 +8,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "process/child_process.hpp"
 
 namespace brachisto::comparison {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "brachisto/transcription/discretisation.hpp"
+#include "brachisto/study/solve_options.hpp"
 
 namespace brachisto::comparison {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "brachisto/io/work_precision_plan.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve_options.hpp"
 
 namespace brachisto::comparison {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "comparison/documents.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/text_table.hpp"

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/extremal/extremal_path.hpp"
 #include "extremal/canonical_flow.hpp"
+#include "extremal/extremal_path.hpp"
 
 namespace brachisto::shooting {
 

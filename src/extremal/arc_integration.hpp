@@ -10,8 +10,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "brachisto/extremal/extremal_path.hpp"
 #include "extremal/canonical_flow.hpp"
+#include "extremal/extremal_path.hpp"
 
 namespace brachisto::shooting {
 

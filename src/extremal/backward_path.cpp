@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
 #include "extremal/adaptive_integration.hpp"
+#include "model/contact.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto::shooting {
 

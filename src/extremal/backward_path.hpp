@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "brachisto/extremal/extremal_path.hpp"
 #include "brachisto/model/scene.hpp"
 #include "extremal/boundary.hpp"
 #include "extremal/canonical_flow.hpp"
+#include "extremal/extremal_path.hpp"
 
 namespace brachisto::shooting {
 

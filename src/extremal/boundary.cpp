@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "model/contact.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto::shooting {
 

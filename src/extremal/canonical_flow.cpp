@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/model/inertia.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto::shooting {
 

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/hamiltonian.hpp"
+#include "model/hamiltonian.hpp"
 
 namespace brachisto::shooting {
 

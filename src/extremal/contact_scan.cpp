@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/extremal/contact_scan.hpp"
+#include "extremal/contact_scan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <numbers>
 #include <optional>
 
-#include "brachisto/model/units.hpp"
 #include "extremal/backward_path.hpp"
+#include "model/units.hpp"
 
 namespace brachisto {
 

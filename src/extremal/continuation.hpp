@@ -6,8 +6,8 @@
 
 #pragma once
 
-#include "brachisto/extremal/shooting.hpp"
 #include "extremal/newton.hpp"
+#include "extremal/shooting.hpp"
 
 namespace brachisto::shooting {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/extremal/extremal_path.hpp"
+#include "extremal/extremal_path.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/extremal/shooting.hpp"
+#include "extremal/shooting.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/inertia.hpp"
-#include "brachisto/model/start_angle.hpp"
 #include "extremal/boundary.hpp"
 #include "extremal/continuation.hpp"
+#include "model/cycloid.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 

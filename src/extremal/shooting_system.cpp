@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/model/contact.hpp"
 #include "extremal/boundary.hpp"
 #include "math/index.hpp"
+#include "model/contact.hpp"
 
 namespace brachisto::shooting {
 

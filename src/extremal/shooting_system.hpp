@@ -7,11 +7,11 @@
 
 #pragma once
 
-#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
-#include "brachisto/model/units.hpp"
 #include "extremal/chain_elimination.hpp"
+#include "extremal/shooting.hpp"
+#include "model/units.hpp"
 
 namespace brachisto::shooting {
 

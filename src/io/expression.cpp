@@ -13,8 +13,8 @@
 #include <mutex>
 #include <numbers>
 
-#include "brachisto/math/angle.hpp"
 #include "io/expression_syntax.hpp"
+#include "math/angle.hpp"
 
 namespace brachisto::io {
 

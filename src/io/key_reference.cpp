@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "brachisto/io/key_table.hpp"
 #include "io/key_spec.hpp"
+#include "io/key_table.hpp"
 
 namespace brachisto::io {
 

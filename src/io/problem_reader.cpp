@@ -11,13 +11,13 @@
 #include <numbers>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/math/angle.hpp"
 #include "io/consistency.hpp"
 #include "io/expression.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
 #include "io/suggestion.hpp"
+#include "math/angle.hpp"
 
 namespace brachisto::io {
 

@@ -11,11 +11,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "brachisto/io/key_table.hpp"
 #include "io/expression.hpp"
 #include "io/expression_syntax.hpp"
 #include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
+#include "io/key_table.hpp"
 #include "io/sweep_section.hpp"
 
 namespace brachisto::io {

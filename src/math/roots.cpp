@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/roots.hpp"
+#include "math/roots.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/centre_curve.hpp"
+#include "model/centre_curve.hpp"
 
 #include <cmath>
 #include <functional>
@@ -9,10 +9,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "brachisto/math/roots.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/cycloid.hpp"
+#include "math/roots.hpp"
+#include "model/contact.hpp"
+#include "model/cycloid.hpp"
 
 namespace brachisto {
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/contact.hpp"
+#include "model/contact.hpp"
 
 #include <cmath>
 
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/math/roots.hpp"
+#include "math/roots.hpp"
 
 namespace brachisto {
 

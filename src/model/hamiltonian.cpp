@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/hamiltonian.hpp"
+#include "model/hamiltonian.hpp"
 
 #include <algorithm>
 #include <array>

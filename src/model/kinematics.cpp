@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
+#include "model/contact.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

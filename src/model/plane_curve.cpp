@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/plane_curve.hpp"
+#include "model/plane_curve.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/cycloid.hpp"
+#include "model/contact.hpp"
+#include "model/cycloid.hpp"
 
 namespace brachisto {
 

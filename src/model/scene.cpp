@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/math/angle.hpp"
 #include "brachisto/model/mass_distribution.hpp"
+#include "math/angle.hpp"
 
 namespace brachisto {
 

@@ -11,9 +11,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "brachisto/model/plane_curve.hpp"
 #include "math/index.hpp"
 #include "model/cubic_spline.hpp"
+#include "model/plane_curve.hpp"
 
 namespace brachisto {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/math/roots.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
+#include "math/roots.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

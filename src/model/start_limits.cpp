@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/start_limits.hpp"
+#include "brachisto/model/kinematics.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/units.hpp"
+#include "model/units.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/nlp/active_set.hpp"
+#include "nlp/active_set.hpp"
 
 #include <algorithm>
 #include <stdexcept>

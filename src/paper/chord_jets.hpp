@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/math/jet2.hpp"
-#include "brachisto/paper/discrete_variations.hpp"
+#include "math/jet2.hpp"
+#include "paper/discrete_variations.hpp"
 
 namespace brachisto::paper {
 

@@ -8,9 +8,9 @@
 
 #include <cmath>
 
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
 #include "brachisto/paper/discrete_reading.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto::paper {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/paper/discrete_variations.hpp"
+#include "paper/discrete_variations.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
 #include "paper/chord_jets.hpp"
 #include "paper/chord_time.hpp"
 #include "paper/layout.hpp"

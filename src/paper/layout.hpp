@@ -13,9 +13,9 @@
 #include <span>
 
 #include "brachisto/paper/discrete_reading.hpp"
-#include "brachisto/paper/discrete_variations.hpp"
 #include "math/index.hpp"
 #include "paper/chord_time.hpp"
+#include "paper/discrete_variations.hpp"
 
 namespace brachisto::paper {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-#include "brachisto/paper/discrete_variations.hpp"
+#include "paper/discrete_variations.hpp"
 #include "solvers/sparse_lu.hpp"
 
 namespace brachisto::paper {

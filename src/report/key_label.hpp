@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/report/sweep_table.hpp"
 #include "report/scale.hpp"
+#include "report/sweep_table.hpp"
 
 namespace brachisto::report {
 

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/trajectory/feasibility.hpp"
 #include "report/rich_text.hpp"
 #include "report/track_kind.hpp"
+#include "trajectory/feasibility.hpp"
 
 namespace brachisto::report {
 

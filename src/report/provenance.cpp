@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/provenance.hpp"
+#include "report/provenance.hpp"
 
 #include <SuiteSparse_config.h>
 #include <dlfcn.h>

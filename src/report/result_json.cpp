@@ -5,15 +5,16 @@
 /// result_fields(): every key of a result document, once. The document, its
 /// reference in docs/results.md and its schema are made from it.
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "brachisto/report/provenance.hpp"
 #include "io/effective_input.hpp"
+#include "report/provenance.hpp"
 #include "report/result_field.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto::report {
 
@@ -173,16 +174,17 @@ void add_size(Fields<Solution>& fields) {
   fields.push_back(object<Solution>(
       "mesh", "", "on which the answer was computed",
       [](S s) { return s.program() ? &s : nullptr; },
-      {value<Solution>("degree", "", "p; null for straight pieces",
-                       [](S s) {
-                         return s.trajectory()
-                                    ? std::optional(
-                                          s.trajectory()->curve().mesh().degree)
-                                    : std::nullopt;
-                       }),
+      {value<Solution>(
+           "degree", "", "p; null for straight pieces",
+           [](S s) {
+             return trajectory_of(s)
+                        ? std::optional(trajectory_of(s)->curve().mesh().degree)
+                        : std::nullopt;
+           }),
        value<Solution>("elements", "", "N, or pieces", [](S s) {
-         return s.trajectory() ? s.trajectory()->curve().mesh().num_elements()
-                               : s.program()->nodes - 1;
+         return trajectory_of(s)
+                    ? trajectory_of(s)->curve().mesh().num_elements()
+                    : s.program()->nodes - 1;
        })}));
 }
 

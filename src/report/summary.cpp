@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/summary.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

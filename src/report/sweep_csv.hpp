@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 
 namespace brachisto::report {
 

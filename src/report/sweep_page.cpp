@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/sweep_page.hpp"
+#include "report/sweep_page.hpp"
 
 #include <fmt/format.h>
 

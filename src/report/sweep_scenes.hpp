@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 
 namespace brachisto::report {
 

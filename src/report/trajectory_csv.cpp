@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/trajectory_csv.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <fmt/format.h>
 

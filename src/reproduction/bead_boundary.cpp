@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/math/roots.hpp"
 #include "brachisto/model/mass_distribution.hpp"
+#include "math/roots.hpp"
 #include "reproduction/orientation.hpp"
 
 namespace brachisto::reproduction {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "brachisto/model/contact.hpp"
+#include "model/contact.hpp"
 
 namespace brachisto::reproduction {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
-#include "brachisto/model/inertia.hpp"
 #include "brachisto/model/mass_distribution.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 #include "reproduction/claims.hpp"
 
 namespace brachisto::reproduction {

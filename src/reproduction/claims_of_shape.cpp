@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
 #include "reproduction/claims.hpp"
 #include "reproduction/members.hpp"
 #include "reproduction/peaks.hpp"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-#include "brachisto/model/inertia.hpp"
+#include "model/inertia.hpp"
 #include "reproduction/figures.hpp"
 #include "reproduction/printed_numbers.hpp"
 

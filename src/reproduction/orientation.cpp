@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "brachisto/math/polynomial_basis.hpp"
-#include "brachisto/math/roots.hpp"
+#include "math/polynomial_basis.hpp"
+#include "math/roots.hpp"
 #include "reproduction/cases.hpp"
 
 namespace brachisto::reproduction {

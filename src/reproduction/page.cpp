@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/report/provenance.hpp"
 #include "report/page.hpp"
+#include "report/provenance.hpp"
 #include "report/rich_text.hpp"
 
 namespace brachisto::reproduction {

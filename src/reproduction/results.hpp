@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 #include "reproduction/bead_boundary.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/orientation.hpp"

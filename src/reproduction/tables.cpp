@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "brachisto/report/provenance.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "report/csv.hpp"
 #include "report/letters.hpp"
+#include "report/provenance.hpp"
 #include "reproduction/page.hpp"
 
 namespace brachisto::reproduction {

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/nlp/active_set.hpp"
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/inertia.hpp"
+#include "nlp/active_set.hpp"
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
+#include "solvers/inertia.hpp"
 #include "solvers/numeric_factorisation.hpp"
 #include "solvers/symbolic_analysis.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/inertia.hpp"
+#include "solvers/inertia.hpp"
 
 #include <dmumps_c.h>
 
@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "brachisto/nlp/active_set.hpp"
 #include "math/index.hpp"
+#include "nlp/active_set.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/one_at_a_time.hpp"
 

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/nlp/active_set.hpp"
-#include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "nlp/active_set.hpp"
+#include "nlp/closing_equation.hpp"
 
 namespace brachisto {
 

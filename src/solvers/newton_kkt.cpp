@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "brachisto/math/phase_clock.hpp"
-#include "brachisto/nlp/active_set.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
+#include "nlp/active_set.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
 #include "solvers/sparse_lu.hpp"

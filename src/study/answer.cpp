@@ -8,8 +8,9 @@
 
 #include <utility>
 
-#include "brachisto/model/centre_curve.hpp"
-#include "brachisto/trajectory/certificate.hpp"
+#include "model/centre_curve.hpp"
+#include "study/certification.hpp"
+#include "trajectory/certify.hpp"
 
 namespace brachisto {
 
@@ -39,12 +40,12 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
   const PhaseTimer timer(Phase::Diagnosis);
   Trajectory trajectory(found.curve(), posed.asked, posed.units, transit_time);
   PathDiagnostics diagnostics = trajectory.diagnose();
-  return {CollocationAnswer{
+  return {std::make_shared<const Answer>(CollocationAnswer{
               std::move(trajectory),
               {found.problem.mesh().num_nodes(), found.problem.num_variables(),
                found.problem.num_constraints()},
               found.solution.point,
-              found.solution.closure.phi},
+              found.solution.closure.phi}),
           found.estimated_error, std::move(diagnostics)};
 }
 
@@ -56,11 +57,12 @@ Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
                          posed.asked, posed.units);
   std::optional<PathDiagnostics> diagnostics;
   if (!motion.on_curve().stall()) diagnostics = motion.diagnose();
-  return {PiecewiseAnswer{
-              std::move(motion),
-              {found.problem.layout().num_nodes(),
-               found.problem.num_variables(), found.problem.num_constraints()}},
-          found.estimated_error, std::move(diagnostics)};
+  return {
+      std::make_shared<const Answer>(PiecewiseAnswer{
+          std::move(motion),
+          {found.problem.layout().num_nodes(), found.problem.num_variables(),
+           found.problem.num_constraints()}}),
+      found.estimated_error, std::move(diagnostics)};
 }
 
 Answered answer_on_given_path(const PosedProblem& posed) {
@@ -69,7 +71,8 @@ Answered answer_on_given_path(const PosedProblem& posed) {
   std::optional<PathDiagnostics> diagnostics;
   if (!motion.stall()) diagnostics = motion.diagnose();
   const double error = motion.error_estimate();
-  return {std::move(motion), error, std::move(diagnostics)};
+  return {std::make_shared<const Answer>(std::move(motion)), error,
+          std::move(diagnostics)};
 }
 
 Certified certify(const PosedProblem& posed, MeshAnswer& found) {

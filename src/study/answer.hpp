@@ -7,17 +7,19 @@
 
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "brachisto/study/refinement.hpp"
+#include "study/answer_kinds.hpp"
 #include "study/pose.hpp"
+#include "study/refinement.hpp"
 
 namespace brachisto {
 
 /// The motion that was found and its figures.
 struct Answered {
-  Answer answer;
+  std::shared_ptr<const Answer> answer;
   std::optional<double> estimated_error;       ///< relative, of T
   std::optional<PathDiagnostics> diagnostics;  ///< unless the motion stalls
 };

@@ -11,10 +11,10 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/study/refinement.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 #include "study/mesh_sequence.hpp"
+#include "study/refinement.hpp"
 #include "study/turn_meshes.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

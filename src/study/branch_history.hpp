@@ -8,8 +8,8 @@
 
 #include <deque>
 
-#include "brachisto/nlp/primal_dual.hpp"
-#include "brachisto/transcription/mesh.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "transcription/mesh.hpp"
 
 namespace brachisto {
 

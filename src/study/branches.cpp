@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/branches.hpp"
+#include "study/branches.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/study/certification.hpp"
-#include "brachisto/trajectory/feasibility.hpp"
-#include "brachisto/trajectory/trajectory.hpp"
+#include "study/certification.hpp"
+#include "trajectory/feasibility.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace brachisto {
 

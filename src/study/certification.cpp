@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/certification.hpp"
+#include "study/certification.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,9 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/transcription/extremal_curve.hpp"
 #include "study/shooting.hpp"
+#include "trajectory/certify.hpp"
+#include "transcription/extremal_curve.hpp"
 
 namespace brachisto {
 

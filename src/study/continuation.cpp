@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/continuation.hpp"
+#include "study/continuation.hpp"
 
 #include <fmt/format.h>
 
@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/model/units.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/discretisation.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "brachisto/study/solve_options.hpp"
 #include "math/index.hpp"
+#include "model/units.hpp"
 #include "study/branch_history.hpp"
 #include "study/turn_meshes.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "brachisto/solvers/inertia.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "solvers/inertia.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

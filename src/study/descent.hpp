@@ -8,9 +8,9 @@
 
 #include <vector>
 
-#include "brachisto/study/global_search.hpp"
-#include "brachisto/study/mesh_solve.hpp"
 #include "brachisto/study/solution.hpp"
+#include "study/global_search.hpp"
+#include "study/mesh_solve.hpp"
 
 namespace brachisto {
 

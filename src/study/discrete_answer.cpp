@@ -9,10 +9,10 @@
 #include <new>
 #include <optional>
 
-#include "brachisto/paper/discrete_variations.hpp"
-#include "brachisto/solvers/square_system.hpp"
 #include "math/cpu_clock.hpp"
+#include "paper/discrete_variations.hpp"
 #include "paper/newton_steps.hpp"
+#include "solvers/square_system.hpp"
 
 namespace brachisto {
 

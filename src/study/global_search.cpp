@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/global_search.hpp"
+#include "study/global_search.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +10,10 @@
 #include <cmath>
 #include <utility>
 
-#include "brachisto/extremal/contact_scan.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "extremal/contact_scan.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "brachisto/study/refinement.hpp"
+#include "study/refinement.hpp"
 
 namespace brachisto {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "brachisto/math/angle.hpp"
+#include "math/angle.hpp"
 
 namespace brachisto {
 

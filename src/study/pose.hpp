@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/mesh_solve.hpp"
 #include "brachisto/study/solve.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
+#include "study/mesh_solve.hpp"
 
 namespace brachisto {
 

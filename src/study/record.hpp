@@ -8,9 +8,10 @@
 
 #include <vector>
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/study/refinement.hpp"
+#include "extremal/shooting.hpp"
 #include "study/answer.hpp"
+#include "study/branches.hpp"
+#include "study/refinement.hpp"
 #include "study/start.hpp"
 
 namespace brachisto {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/refinement.hpp"
+#include "study/refinement.hpp"
 
 #include <fmt/format.h>
 
@@ -11,13 +11,13 @@
 #include <numeric>
 #include <utility>
 
-#include "brachisto/model/contact.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/extremal_curve.hpp"
-#include "brachisto/transcription/mesh.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "model/contact.hpp"
 #include "study/mesh_sequence.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/extremal_curve.hpp"
+#include "transcription/mesh.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

@@ -8,10 +8,11 @@
 #include <limits>
 
 #include "brachisto/trajectory/certificate.hpp"
-#include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/transcription/mesh.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 #include "study/turn_meshes.hpp"
+#include "trajectory/certify.hpp"
+#include "trajectory/extended_residual.hpp"
+#include "transcription/mesh.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

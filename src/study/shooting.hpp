@@ -7,10 +7,11 @@
 
 #pragma once
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/transcription/extremal_curve.hpp"
+#include "extremal/shooting.hpp"
+#include "model/units.hpp"
 #include "study/pose.hpp"
+#include "study/refinement.hpp"
+#include "transcription/extremal_curve.hpp"
 
 namespace brachisto {
 

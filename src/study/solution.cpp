@@ -5,8 +5,10 @@
 
 #include <cmath>
 
-#include "brachisto/trajectory/feasibility.hpp"
+#include "study/answer_kinds.hpp"
+#include "study/continuation.hpp"
 #include "study/start.hpp"
+#include "trajectory/feasibility.hpp"
 
 namespace brachisto {
 
@@ -19,33 +21,33 @@ Work& Work::operator+=(const Work& other) {
 }
 
 const Motion* Solution::motion() const {
-  if (const Trajectory* found = trajectory()) return found;
-  if (const auto* pieces = std::get_if<PiecewiseAnswer>(&answer)) {
+  if (const Trajectory* found = trajectory_of(*this)) return found;
+  if (const auto* pieces = answer_as<PiecewiseAnswer>(answer)) {
     return &pieces->motion;
   }
-  return std::get_if<PrescribedMotion>(&answer);
-}
-
-const Trajectory* Solution::trajectory() const {
-  const auto* found = std::get_if<CollocationAnswer>(&answer);
-  return found == nullptr ? nullptr : &found->trajectory;
+  return answer_as<PrescribedMotion>(answer);
 }
 
 const ProgramSize* Solution::program() const {
-  if (const auto* found = std::get_if<CollocationAnswer>(&answer)) {
+  if (const auto* found = answer_as<CollocationAnswer>(answer)) {
     return &found->program;
   }
-  const auto* pieces = std::get_if<PiecewiseAnswer>(&answer);
+  const auto* pieces = answer_as<PiecewiseAnswer>(answer);
   return pieces == nullptr ? nullptr : &pieces->program;
 }
 
-std::optional<Neighbour> Solution::as_neighbour() const {
-  const auto* found = std::get_if<CollocationAnswer>(&answer);
+const DiscreteAnswer* Solution::discrete() const {
+  return answer_as<DiscreteAnswer>(answer);
+}
+
+std::shared_ptr<const Neighbour> Solution::as_neighbour() const {
+  const auto* found = answer_as<CollocationAnswer>(answer);
   if (found == nullptr || !folds.empty() || !options.follows_the_branch()) {
-    return std::nullopt;
+    return nullptr;
   }
-  return Neighbour{without_whole_turns(scene), found->trajectory.curve().mesh(),
-                   found->point, found->phi};
+  return std::make_shared<const Neighbour>(
+      Neighbour{without_whole_turns(scene), found->trajectory.curve().mesh(),
+                found->point, found->phi});
 }
 
 bool Solution::verified() const {
@@ -73,7 +75,7 @@ std::string Solution::advice() const {
 }
 
 void Solution::discard_answer() {
-  answer = {};
+  answer.reset();
   diagnostics.reset();
   estimated_error.reset();
   extremal.reset();

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "study/answer.hpp"
+#include "study/certification.hpp"
 #include "study/descent.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"
@@ -115,7 +116,7 @@ void solve_by_discrete_system(const PosedProblem& posed,
   const DiscreteAnswer found = solve_discrete_system(
       posed.scene, system, posed.options.limits.iterations, posed.stop());
   out.effort.iterations = found.iterations;
-  out.answer = found;
+  out.answer = std::make_shared<const Answer>(found);
   record(Outcome{found.status, found.message}, out);
   if (!found.solved()) return;
   const CertificateTimer timer(out.effort);
@@ -131,7 +132,7 @@ void solve_by_discrete_system(const PosedProblem& posed,
 void follow_given_path(const PosedProblem& posed, Solution& out) {
   try {
     Answered answered = answer_on_given_path(posed);
-    const auto& motion = std::get<PrescribedMotion>(answered.answer);
+    const auto& motion = std::get<PrescribedMotion>(*answered.answer);
     if (motion.stall()) {
       return record(Outcome{Status::Stalled, motion.stall()->message()}, out);
     }
@@ -243,11 +244,11 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
   record(answer_of(posed, found), out);
   {
     const CertificateTimer timer(out.effort);
-    const auto& motion = std::get<PiecewiseAnswer>(out.answer).motion;
+    const auto& motion = std::get<PiecewiseAnswer>(*out.answer).motion;
     record(certify(posed, found, motion, *start.curve, start.phi), out);
   }
   // Of a motion that stalls the certificate says so.
-  if (!out.diagnostics) out.answer = {};
+  if (!out.diagnostics) out.answer.reset();
   record(verdict(out, found.solution.message), out);
 }
 

@@ -10,9 +10,10 @@
 #include <numbers>
 #include <utility>
 
-#include "brachisto/transcription/initial_guess.hpp"
 #include "study/shooting.hpp"
 #include "study/turn_meshes.hpp"
+#include "trajectory/trajectory.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto {
 

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "brachisto/math/roots.hpp"
-#include "brachisto/transcription/discretisation.hpp"
+#include "brachisto/study/solve_options.hpp"
 #include "math/index.hpp"
+#include "math/roots.hpp"
 
 namespace brachisto {
 

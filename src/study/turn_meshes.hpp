@@ -9,9 +9,9 @@
 
 #include <span>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/transcription/mesh.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
+#include "model/cycloid.hpp"
+#include "transcription/mesh.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto {
 

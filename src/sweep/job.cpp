@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "io/input_tree.hpp"
 
 namespace brachisto::sweep {

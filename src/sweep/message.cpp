@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/transcription/collocation.hpp"
-#include "brachisto/transcription/variable_layout.hpp"
 #include "sweep/outcome.hpp"
+#include "transcription/collocation.hpp"
+#include "transcription/variable_layout.hpp"
 
 namespace brachisto::sweep {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/study/continuation.hpp"
+#include "study/continuation.hpp"
 
 namespace brachisto::sweep {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 
 namespace brachisto::sweep {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "brachisto/study/solve.hpp"
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 
 namespace brachisto::sweep {
 

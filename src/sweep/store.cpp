@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "brachisto/report/provenance.hpp"
+#include "report/provenance.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {

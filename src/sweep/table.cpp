@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "report/csv.hpp"
 #include "sweep/outcome.hpp"
 

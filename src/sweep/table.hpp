@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string>
 
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 #include "sweep/job.hpp"
 #include "sweep/store.hpp"
 

@@ -9,7 +9,7 @@
 #include <exception>
 #include <iostream>
 #include <istream>
-#include <optional>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -25,15 +25,15 @@ namespace {
 
 /// Solves one scene; `neighbour` becomes what the next may start from.
 Answer solve_scene(const io::SweepFile& file, std::size_t scene,
-                   std::optional<Neighbour>& neighbour) {
+                   std::shared_ptr<const Neighbour>& neighbour) {
   Answer answer;
   answer.scene = scene;
-  const bool warm = file.warm_start() && neighbour.has_value();
+  const bool warm = file.warm_start() && neighbour != nullptr;
   try {
     const io::ProblemFile problem = file.problem(scene);
     const Solution solution =
         solve(problem.scene, problem.options,
-              {.neighbour = warm ? &*neighbour : nullptr});
+              {.neighbour = warm ? neighbour.get() : nullptr});
     answer.result = outcome_json(solution);
     neighbour.reset();
     if (solution.verified()) neighbour = solution.as_neighbour();
@@ -53,11 +53,11 @@ void run_worker(std::istream& in, std::ostream& out) {
   const Job job = job_from_line(line);
   while (std::getline(in, line)) {
     const Request request = request_from_line(line);
-    std::optional<Neighbour> neighbour;
+    std::shared_ptr<const Neighbour> neighbour;
     if (!request.state.empty() && request.first > 0) {
       try {
-        neighbour = neighbour_from_state(
-            request.state, job.file.problem(request.first - 1).scene);
+        neighbour = std::make_shared<const Neighbour>(neighbour_from_state(
+            request.state, job.file.problem(request.first - 1).scene));
       } catch (const std::exception& error) {
         std::cerr << "brachisto worker: a state cannot be read, so scene "
                   << request.first << " starts cold: " << error.what() << '\n';

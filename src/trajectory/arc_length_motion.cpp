@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/arc_length_motion.hpp"
+#include "trajectory/arc_length_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/start_angle.hpp"
-#include "brachisto/transcription/arc_length.hpp"
+#include "model/contact.hpp"
+#include "model/start_angle.hpp"
+#include "transcription/arc_length.hpp"
 
 namespace brachisto {
 

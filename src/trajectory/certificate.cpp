@@ -12,13 +12,14 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/contact.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/start_angle.hpp"
-#include "brachisto/solvers/inertia.hpp"
-#include "brachisto/trajectory/arc_length_motion.hpp"
-#include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/trajectory/reintegration.hpp"
+#include "model/contact.hpp"
+#include "model/energy.hpp"
+#include "model/start_angle.hpp"
+#include "solvers/inertia.hpp"
+#include "trajectory/arc_length_motion.hpp"
+#include "trajectory/certify.hpp"
+#include "trajectory/extended_residual.hpp"
+#include "trajectory/reintegration.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/extended_residual.hpp"
+#include "trajectory/extended_residual.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/math/jet1.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
 #include "math/index.hpp"
+#include "math/jet1.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

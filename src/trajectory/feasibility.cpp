@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/feasibility.hpp"
+#include "trajectory/feasibility.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "brachisto/model/contact.hpp"
+#include "model/contact.hpp"
 
 namespace brachisto {
 

@@ -8,10 +8,10 @@
 #include <limits>
 #include <span>
 
-#include "brachisto/math/minima.hpp"
-#include "brachisto/math/roots.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/trajectory/self_crossing.hpp"
+#include "math/minima.hpp"
+#include "math/roots.hpp"
+#include "trajectory/self_crossing.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/prescribed_motion.hpp"
+#include "trajectory/prescribed_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/math/gauss.hpp"
-#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
+#include "math/gauss.hpp"
+#include "math/polynomial_basis.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/reintegration.hpp"
+#include "trajectory/reintegration.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

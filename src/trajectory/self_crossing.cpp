@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/self_crossing.hpp"
+#include "trajectory/self_crossing.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/trajectory.hpp"
+#include "trajectory/trajectory.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/arc_length.hpp"
+#include "transcription/arc_length.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/energy.hpp"
 #include "math/index.hpp"
+#include "model/energy.hpp"
 
 namespace brachisto {
 

@@ -10,8 +10,8 @@
 #include <cstddef>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/transcription/arc_length.hpp"
 #include "math/index.hpp"
+#include "transcription/arc_length.hpp"
 
 namespace brachisto {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/contact_equation.hpp"
+#include "transcription/contact_equation.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "brachisto/model/hamiltonian.hpp"
+#include "model/hamiltonian.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/costates.hpp"
+#include "transcription/costates.hpp"
 
 #include <cmath>
 

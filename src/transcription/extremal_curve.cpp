@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/extremal_curve.hpp"
+#include "transcription/extremal_curve.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/math/gauss.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "math/gauss.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/initial_guess.hpp"
+#include "transcription/initial_guess.hpp"
 
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "brachisto/model/inertia.hpp"
-#include "brachisto/transcription/prolongation.hpp"
 #include "math/index.hpp"
 #include "math/portable_random.hpp"
+#include "model/inertia.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/mesh.hpp"
+#include "transcription/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/prolongation.hpp"
+#include "transcription/prolongation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brachisto/math/roots.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
+#include "math/roots.hpp"
 
 namespace brachisto {
 

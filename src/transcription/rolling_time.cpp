@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/rolling_time.hpp"
+#include "transcription/rolling_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/inertia.hpp"
 #include "math/index.hpp"
+#include "model/inertia.hpp"
 
 namespace brachisto {
 

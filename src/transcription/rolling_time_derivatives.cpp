@@ -9,8 +9,8 @@
 #include <cstddef>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
 #include "math/index.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto {
 

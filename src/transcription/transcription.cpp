@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/transcription.hpp"
+#include "transcription/transcription.hpp"
 
 #include <fmt/format.h>
 

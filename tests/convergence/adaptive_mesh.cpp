@@ -11,8 +11,9 @@
 #include <cmath>
 #include <ostream>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/study/solve.hpp"
+#include "extremal/shooting.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -71,7 +72,7 @@ TEST_P(AdaptiveMesh, MeetsItsToleranceAndKnowsIt) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   ASSERT_TRUE(solution.estimated_error);
   const double estimate = *solution.estimated_error;
-  const double error = std::abs(solution.trajectory()->tau() / exact - 1.0);
+  const double error = std::abs(solution.motion()->tau() / exact - 1.0);
   EXPECT_LE(error, estimate + kReferenceError);
   EXPECT_LE(estimate, c.tolerance);
   // The estimate has a factor 2 and adds what may cancel in T: some ten times
@@ -85,7 +86,7 @@ TEST_P(AdaptiveMesh, KeepsARecordOfItsMeshes) {
   const std::vector<MeshRecord>& meshes = solution.effort.meshes;
   ASSERT_FALSE(meshes.empty());
   EXPECT_EQ(meshes.back().estimated_error, solution.estimated_error);
-  const Mesh& mesh = solution.trajectory()->curve().mesh();
+  const Mesh& mesh = trajectory_of(solution)->curve().mesh();
   EXPECT_EQ(meshes.back().degree, mesh.degree);
   EXPECT_EQ(meshes.back().elements, mesh.num_elements());
   EXPECT_EQ(solution.program()->nodes, mesh.num_nodes());
@@ -132,7 +133,7 @@ TEST(AdaptiveMesh, NeedsFewerNodesThanAUniformOne) {
   SolveOptions uniform;
   uniform.use<Collocation>().discretisation.degree = 3;
   uniform.use<Collocation>().discretisation.elements =
-      adaptive.trajectory()->curve().mesh().num_elements();
+      trajectory_of(adaptive)->curve().mesh().num_elements();
 
   const Solution even = solve(row.scene(), uniform);
 

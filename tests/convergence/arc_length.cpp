@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/observed_order.hpp"
 #include "support/reference_values.hpp"
 
@@ -101,7 +102,7 @@ TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   const double error = std::abs(solution.motion()->tau() / row.tau - 1.0);
   EXPECT_NEAR(
-      std::get<PiecewiseAnswer>(solution.answer).motion.on_curve().tau() /
+      answer_as<PiecewiseAnswer>(solution.answer)->motion.on_curve().tau() /
           row.tau,
       1.0, 0.1 * error);
   // κ_b and R_n are second derivatives of the curve: compared to collocation.

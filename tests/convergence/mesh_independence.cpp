@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/mesh_solve.hpp"
 #include "brachisto/study/solve.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
+#include "study/mesh_solve.hpp"
 #include "support/reference_values.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto {
 namespace {

@@ -11,6 +11,7 @@
 #include <ostream>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/observed_order.hpp"
 #include "support/reference_values.hpp"
 
@@ -82,12 +83,12 @@ TEST_P(RollingTimeOrder, IsTwiceTheDegree) {
     mesh.degree = c.degree;
     mesh.elements = c.elements[i];
     const Solution solution = solve(c.row->scene(), options);
-    ASSERT_TRUE(solution.trajectory()) << solution.message;
+    ASSERT_TRUE(trajectory_of(solution)) << solution.message;
     h[i] = 1.0 / c.elements[i];
     error[i] =
         c.figure == Figure::Tau
-            ? std::abs(solution.trajectory()->tau() / c.row->tau - 1.0)
-            : std::abs(solution.trajectory()->end_angle() - c.row->end_angle);
+            ? std::abs(solution.motion()->tau() / c.row->tau - 1.0)
+            : std::abs(solution.motion()->end_angle() - c.row->end_angle);
   }
 
   EXPECT_NEAR(observed_order(h, error), 2.0 * c.degree, kSlopeTolerance)
@@ -107,9 +108,9 @@ TEST(ClosedForm, IsMetToRoundingByAModestMesh) {
 
   const Solution solution = solve(row.scene(), options);
 
-  ASSERT_TRUE(solution.trajectory());
-  EXPECT_NEAR(solution.trajectory()->tau(), row.tau, kRounding * row.tau);
-  EXPECT_NEAR(solution.trajectory()->end_angle(), row.end_angle, kRounding);
+  ASSERT_TRUE(trajectory_of(solution));
+  EXPECT_NEAR(solution.motion()->tau(), row.tau, kRounding * row.tau);
+  EXPECT_NEAR(solution.motion()->end_angle(), row.end_angle, kRounding);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -101,7 +102,7 @@ TEST(Reintegration, InPhysicalTimeArrivesOnTimeWithTheSameSpeed) {
   const Solution solution =
       solve(testing::reference("theta_-30").scene(), options);
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory();
+  const Trajectory& path = *trajectory_of(solution);
   const double T = path.transit_time();
   constexpr double kIntegrator = 1e-11;
   constexpr double kRelease = 1e-5;  // share of T

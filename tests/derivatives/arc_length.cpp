@@ -5,16 +5,16 @@
 // the formulas written down again; the sparsity against their zeros; no
 // allocation.
 
-#include "brachisto/transcription/arc_length.hpp"
+#include "transcription/arc_length.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "brachisto/math/jet2.hpp"
 #include "derivatives/arc_length_problems.hpp"
 #include "derivatives/counting_new.hpp"
+#include "math/jet2.hpp"
 #include "support/rounding.hpp"
 
 namespace brachisto::testing {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/transcription/arc_length.hpp"
 #include "support/random_points.hpp"
 #include "support/scenes.hpp"
+#include "transcription/arc_length.hpp"
 
 namespace brachisto::testing {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/transcription/rolling_time.hpp"
 #include "support/scenes.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto::testing {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/hamiltonian.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
+#include "model/hamiltonian.hpp"
 
 namespace brachisto {
 namespace {

@@ -11,12 +11,12 @@
 #include <random>
 #include <vector>
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/hamiltonian.hpp"
-#include "brachisto/model/units.hpp"
 #include "extremal/boundary.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
 #include "extremal/shooting_system.hpp"
+#include "model/hamiltonian.hpp"
+#include "model/units.hpp"
 
 namespace brachisto::shooting {
 namespace {

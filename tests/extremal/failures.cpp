@@ -12,8 +12,8 @@
 #include <numbers>
 #include <thread>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
 
 namespace brachisto {
 namespace {

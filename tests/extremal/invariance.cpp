@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
 
 namespace brachisto {
 namespace {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/hamiltonian.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
+#include "model/energy.hpp"
+#include "model/hamiltonian.hpp"
 
 namespace brachisto {
 namespace {

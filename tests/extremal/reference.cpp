@@ -9,8 +9,8 @@
 #include <numbers>
 #include <string>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "extremal/scenes.hpp"
+#include "extremal/shooting.hpp"
 
 namespace brachisto {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "brachisto/io/sweep_file.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "fuzz/law.hpp"
 #include "io/path_points.hpp"
 

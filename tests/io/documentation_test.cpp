@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/io/key_table.hpp"
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "io/expression.hpp"
 #include "io/key_spec.hpp"
+#include "io/key_table.hpp"
 #include "io/reading.hpp"
 #include "io/sweep_reading.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto::io {
 namespace {
@@ -201,12 +202,12 @@ TEST(KeyTable, TheDegreeOfAFixedMeshIsTheOneItTells) {
 
   const Solution solution = solve(bead, fixed);
 
-  ASSERT_TRUE(solution.trajectory());
+  ASSERT_TRUE(trajectory_of(solution));
   EXPECT_EQ(degree->fallback, "follows the tolerance, 5 on a fixed mesh");
   EXPECT_EQ(find_key("discretisation.nodes")->fallback,
             "follows the tolerance, 100 with method: fsolve");
   EXPECT_EQ(DiscreteSystem{}.nodes, 100);
-  EXPECT_EQ(solution.trajectory()->curve().mesh().degree, 5);
+  EXPECT_EQ(trajectory_of(solution)->curve().mesh().degree, 5);
 }
 
 TEST(KeyTable, IsComplete) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/minima.hpp"
+#include "math/minima.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/contact.hpp"
+#include "model/contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
 
 #include <gtest/gtest.h>
 

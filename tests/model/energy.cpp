@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/energy.hpp"
+#include "model/energy.hpp"
 
 #include <gtest/gtest.h>
 
-#include "brachisto/math/jet2.hpp"
+#include "math/jet2.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/hamiltonian.hpp"
+#include "model/hamiltonian.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/math/jet2.hpp"
-#include "brachisto/model/cycloid.hpp"
+#include "math/jet2.hpp"
+#include "model/cycloid.hpp"
 #include "support/observed_order.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/inertia.hpp"
+#include "model/inertia.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "brachisto/math/jet2.hpp"
+#include "math/jet2.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/inertia.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/plane_curve.hpp"
+#include "model/plane_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/start_limits.hpp"
+#include "brachisto/model/kinematics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "brachisto/model/energy.hpp"
-#include "brachisto/model/kinematics.hpp"
-#include "brachisto/model/start_angle.hpp"
+#include "model/energy.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/units.hpp"
+#include "model/units.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 

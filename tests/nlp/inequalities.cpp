@@ -11,8 +11,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "brachisto/nlp/active_set.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
+#include "nlp/active_set.hpp"
 #include "nlp/tiny_problem.hpp"
 #include "solvers/inequality_problems.hpp"
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/study/solve.hpp"
+#include "extremal/shooting.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -39,7 +39,7 @@ TEST(SearchPrincipal, IsNotLeftForAFasterExtremal) {
   const Solution solution = solve(two_contacts());
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), kPrincipal, kPrinted);
+  EXPECT_NEAR(solution.motion()->tau(), kPrincipal, kPrinted);
   EXPECT_TRUE(solution.branches.empty());
 }
 
@@ -51,7 +51,7 @@ TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastestOfThem) {
 
   ASSERT_TRUE(solution.verified()) << solution.message;
   EXPECT_TRUE(solution.feasible());
-  EXPECT_NEAR(solution.trajectory()->tau(), kFaster, kPrinted);
+  EXPECT_NEAR(solution.motion()->tau(), kFaster, kPrinted);
   const auto near = [](double tau) {
     return [tau](const Branch& branch) {
       return std::abs(branch.tau - tau) <= kPrinted;
@@ -80,7 +80,7 @@ TEST(SearchGlobal, ListsTheContactsItFindsAndAnswersWithTheFastestOfThem) {
   const auto first =
       std::find_if(branches.begin(), branches.end(),
                    [](const Branch& b) { return b.verified && b.feasible; });
-  EXPECT_EQ(first->tau, solution.trajectory()->tau());
+  EXPECT_EQ(first->tau, solution.motion()->tau());
 }
 
 TEST(SearchGlobal, IsNeverSlowerThanThePrincipalBranch) {
@@ -91,8 +91,7 @@ TEST(SearchGlobal, IsNeverSlowerThanThePrincipalBranch) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
-    EXPECT_LE(solution.trajectory()->tau(), row->tau * (1.0 + 1e-9))
-        << row->name;
+    EXPECT_LE(solution.motion()->tau(), row->tau * (1.0 + 1e-9)) << row->name;
     EXPECT_TRUE(std::any_of(solution.branches.begin(), solution.branches.end(),
                             [&](const Branch& branch) {
                               return branch.principal &&
@@ -120,7 +119,7 @@ TEST(AFold, IsFollowedAndTold) {
   options.follow_folds = true;
   const ExtremalSolution other = solve_extremal(scene, options);
   ASSERT_TRUE(other.solved()) << other.message;
-  EXPECT_NEAR(solution.trajectory()->tau() / other.tau, 1.0, 1e-10);
+  EXPECT_NEAR(solution.motion()->tau() / other.tau, 1.0, 1e-10);
 }
 
 TEST(APlainBranch, HasNoFolds) {
@@ -138,7 +137,7 @@ TEST(ASmallRadius, IsFollowedOnThePrincipalBranch) {
   const Solution solution = solve(scene);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), 5.7071701888, 5e-10);
+  EXPECT_NEAR(solution.motion()->tau(), 5.7071701888, 5e-10);
 }
 
 }  // namespace

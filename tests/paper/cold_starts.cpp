@@ -23,7 +23,7 @@ constexpr double kCoarse = 1e-4;
 void expect_same_answer(const Solution& solution, const Solution& expected,
                         const char* name) {
   ASSERT_TRUE(solution.verified()) << name << ": " << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau() / expected.trajectory()->tau(), 1.0,
+  EXPECT_NEAR(solution.motion()->tau() / expected.motion()->tau(), 1.0,
               kRounding)
       << name;
   ASSERT_TRUE(solution.cold_start) << name;
@@ -31,7 +31,7 @@ void expect_same_answer(const Solution& solution, const Solution& expected,
   EXPECT_EQ(cold.tau.has_value(), cold.status == Status::Solved) << name;
   if (cold.principal) {
     ASSERT_TRUE(cold.tau) << name;
-    EXPECT_NEAR(*cold.tau / expected.trajectory()->tau(), 1.0, kCoarse) << name;
+    EXPECT_NEAR(*cold.tau / expected.motion()->tau(), 1.0, kCoarse) << name;
   }
 }
 
@@ -84,7 +84,7 @@ TEST(AColdStart, IsRepeatable) {
   ASSERT_TRUE(first.cold_start && second.cold_start);
   EXPECT_EQ(first.cold_start->tau, second.cold_start->tau);
   EXPECT_EQ(first.effort.iterations, second.effort.iterations);
-  EXPECT_EQ(first.trajectory()->tau(), second.trajectory()->tau());
+  EXPECT_EQ(first.motion()->tau(), second.motion()->tau());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
 #include "paper/discrete_paths.hpp"
 
 namespace brachisto {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/paper/discrete_variations.hpp"
+#include "paper/discrete_variations.hpp"
 #include "support/random_points.hpp"
 #include "support/scenes.hpp"
 

@@ -17,6 +17,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
 #include "paper/names.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto {
 namespace {
@@ -50,7 +51,7 @@ void expect_refused(const fs::path& file, const std::string& because) {
     const io::ProblemFile problem = io::read_problem_file(file);
     const Solution solution = solve(problem.scene, problem.options);
     EXPECT_EQ(solution.status, Status::NoAdmissiblePath);
-    EXPECT_FALSE(solution.trajectory());
+    EXPECT_FALSE(trajectory_of(solution));
     message = solution.message;
   } catch (const io::InputError& error) {
     message = error.what();
@@ -63,7 +64,7 @@ void expect_tau(const Solution& solution, const std::string& digits) {
   const std::size_t point = digits.find('.');
   const auto decimals = static_cast<double>(digits.size() - point - 1);
   const double half_digit = 0.5 * std::pow(10.0, -decimals);
-  const double tau = solution.trajectory()->tau();
+  const double tau = solution.motion()->tau();
 
   EXPECT_NEAR(tau, expected, half_digit + *solution.estimated_error * tau);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -28,8 +29,8 @@ void expect_same_path(const Solution& solution, const Solution& expected,
                       double scale) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   ASSERT_TRUE(expected.verified()) << expected.message;
-  const Trajectory& path = *solution.trajectory();
-  const Trajectory& other = *expected.trajectory();
+  const Trajectory& path = *trajectory_of(solution);
+  const Trajectory& other = *trajectory_of(expected);
   EXPECT_NEAR(path.tau(), other.tau(), kTimeRounding * other.tau());
   EXPECT_NEAR(path.end_angle(), other.end_angle(), kPathRounding);
   EXPECT_NEAR(path.centre_path_length() / scale, other.centre_path_length(),
@@ -48,8 +49,8 @@ TEST(Tau, IsFreeOfGravity) {
 
     expect_same_path(elsewhere, earth, 1.0);
     // T ~ 1/√g, the law of free fall.
-    EXPECT_NEAR(elsewhere.trajectory()->transit_time() * std::sqrt(gravity),
-                earth.trajectory()->transit_time() * std::sqrt(9.81),
+    EXPECT_NEAR(elsewhere.motion()->transit_time() * std::sqrt(gravity),
+                earth.motion()->transit_time() * std::sqrt(9.81),
                 kTimeRounding * 10.0);
   }
 }
@@ -67,8 +68,8 @@ TEST(Tau, IsFreeOfTheUnitOfLength) {
 
     expect_same_path(scaled, expected, scale);
     // T ~ √length.
-    EXPECT_NEAR(scaled.trajectory()->transit_time() / std::sqrt(scale),
-                expected.trajectory()->transit_time(), kTimeRounding * 2.0);
+    EXPECT_NEAR(scaled.motion()->transit_time() / std::sqrt(scale),
+                expected.motion()->transit_time(), kTimeRounding * 2.0);
   }
 }
 
@@ -80,7 +81,7 @@ TEST(Tau, IsFreeOfTheMass) {
   const Solution heavy = solve(scene);
 
   // The mass is no part of the equations: not even a rounding differs.
-  EXPECT_EQ(heavy.trajectory()->tau(), massless.trajectory()->tau());
+  EXPECT_EQ(heavy.motion()->tau(), massless.motion()->tau());
 }
 
 TEST(Tau, IsFreeOfTheStartingAngleOfACentredCylinder) {

@@ -7,13 +7,14 @@
 
 #include <cmath>
 
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/mesh_solve.hpp"
 #include "brachisto/study/solve.hpp"
-#include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "model/units.hpp"
+#include "study/answer_kinds.hpp"
+#include "study/mesh_solve.hpp"
 #include "support/reference_values.hpp"
+#include "trajectory/extended_residual.hpp"
+#include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 namespace {
@@ -42,7 +43,7 @@ TEST(Polish, LeavesTheTransitTimeAsItIs) {
     ASSERT_TRUE(plain.verified()) << row->name << plain.message;
     const double open = plain.certificate.find("closure")->value;
     EXPECT_LE(open, 1e-10) << row->name;
-    EXPECT_NEAR(polished.trajectory()->tau() / plain.trajectory()->tau(), 1.0,
+    EXPECT_NEAR(polished.motion()->tau() / plain.motion()->tau(), 1.0,
                 kTolerance + std::min(open, kOpenContact))
         << row->name;
     const double before = plain.certificate.find("kkt_residual")->value;
@@ -64,15 +65,15 @@ TEST(Polish, NeverLeavesALargerResidual) {
       SolveOptions options;
       options.use<Collocation>().discretisation.tolerance = 1e-6;
       const Solution coarse = solve(row->scene(), options);
-      ASSERT_TRUE(coarse.trajectory()) << row->name;
-      const ExtremalCurve& curve = coarse.trajectory()->curve();
+      ASSERT_TRUE(trajectory_of(coarse)) << row->name;
+      const ExtremalCurve& curve = trajectory_of(coarse)->curve();
       RollingTime problem(scene, uniform_mesh(degree, 30),
-                          coarse.trajectory()->end_angle());
+                          coarse.motion()->end_angle());
       MeshOptions mesh_options;
 
       const MeshSolution solution = solve_on_mesh(
           problem,
-          {prolong(curve, problem), coarse.trajectory()->end_angle(), -1.0},
+          {prolong(curve, problem), coarse.motion()->end_angle(), -1.0},
           mesh_options);
 
       ASSERT_TRUE(solution.solved()) << row->name << solution.message;

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto {
 namespace {
@@ -47,7 +48,7 @@ TEST_P(ReferenceValues, AreReproducedAndVerified) {
   const Solution solution = solve(expected.scene());
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory();
+  const Trajectory& path = *trajectory_of(solution);
   const double tolerance = expected.source == Source::ClosedForm
                                ? kClosedFormTolerance
                                : kTimeTolerance;
@@ -66,9 +67,8 @@ TEST_P(ReferenceValues, TheEstimatedErrorIsNeitherTooSmallNorFarTooGreat) {
 
   const Solution solution = solve(expected.scene());
 
-  ASSERT_TRUE(solution.trajectory() && solution.estimated_error);
-  const double error =
-      std::abs(solution.trajectory()->tau() / expected.tau - 1.0);
+  ASSERT_TRUE(trajectory_of(solution) && solution.estimated_error);
+  const double error = std::abs(solution.motion()->tau() / expected.tau - 1.0);
   EXPECT_GE(*solution.estimated_error, error - kReferenceDigits);
   EXPECT_LE(*solution.estimated_error,
             std::max(kGreatestRatio * error, kReferenceDigits));
@@ -88,10 +88,10 @@ TEST(HalfAnArchOfTheCycloid, TakesTheTimeOfTheClosedForm) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory()->transit_time(), expected,
+    EXPECT_NEAR(solution.motion()->transit_time(), expected,
                 kClosedFormTolerance * expected)
         << "r = " << r;
-    EXPECT_NEAR(solution.trajectory()->end_angle(), 0.0, kClosedFormTolerance)
+    EXPECT_NEAR(solution.motion()->end_angle(), 0.0, kClosedFormTolerance)
         << "r = " << r;
   }
 }
@@ -110,7 +110,7 @@ TEST(AVanishingCylinder, IsABeadWithMoreInertia) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    const double slope = (solution.trajectory()->tau() - limit) / r;
+    const double slope = (solution.motion()->tau() - limit) / r;
     // The slope of τ over r tends to a constant, with an error of O(r).
     if (previous != 0.0) {
       EXPECT_NEAR(slope / previous, 1.0, 1e-2);

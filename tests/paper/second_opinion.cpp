@@ -11,6 +11,7 @@
 
 #include "brachisto/study/solve.hpp"
 #include "paper/names.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -51,7 +52,7 @@ TEST_P(SecondOpinion, IsTheSameAnswerIfAskedFirst) {
   const Solution solution = solve(GetParam().scene(), options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const Trajectory& path = *solution.trajectory();
+  const Trajectory& path = *trajectory_of(solution);
   EXPECT_NEAR(path.tau(), GetParam().tau, 1e-11 * GetParam().tau);
   EXPECT_NEAR(path.end_angle(), GetParam().end_angle, 1e-9);
   EXPECT_NEAR(path.centre_path_length(), GetParam().centre_path_length,

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 #include "support/scenes.hpp"
 
@@ -86,7 +87,7 @@ TEST(SmallBodies, TendToTheLimitLikeTheRootOfTheRadius) {
         solve(scene_of(Body::cylinder(r, kEta, 0.0, kInertia)));
     ASSERT_TRUE(solution.verified()) << r << ": " << solution.message;
 
-    const double missing = limit - solution.trajectory()->tau();
+    const double missing = limit - solution.motion()->tau();
 
     EXPECT_GT(missing, 0.0) << r;
     EXPECT_LT(missing / std::sqrt(r), by_root) << r;
@@ -134,7 +135,7 @@ TEST(SmallBodies, KeepTheActionOfTheirRotation) {
     const Solution solution =
         solve(scene_of(Body::cylinder(kRadius, eta, 0.0, kInertia)));
     ASSERT_TRUE(solution.verified()) << solution.message;
-    const ExtremalCurve& curve = solution.trajectory()->curve();
+    const ExtremalCurve& curve = trajectory_of(solution)->curve();
 
     const Turn first = mean_over_a_turn(curve, 0.3);
 
@@ -154,7 +155,8 @@ TEST(SmallBodies, OfThePrincipalBranchNeedNotHaveTheBestNumberOfTurns) {
       solve(scene_of(Body::cylinder(0.02, 2.0 / 3.0, 0.0, 0.5)));
   ASSERT_TRUE(solution.verified()) << solution.message;
 
-  EXPECT_GT(mean_over_a_turn(solution.trajectory()->curve(), 0.5).J_per_r, 0.3);
+  EXPECT_GT(mean_over_a_turn(trajectory_of(solution)->curve(), 0.5).J_per_r,
+            0.3);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/result_json.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "report/solutions.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto {
 namespace {
@@ -113,7 +114,7 @@ TEST(ResultJson, NamesTheMembersOfItsObjects) {
 
 TEST(ResultJson, NumbersComeBackBitForBit) {
   const Solution& solution = off_centred_solution();
-  const Trajectory& path = *solution.trajectory();
+  const Trajectory& path = *trajectory_of(solution);
 
   const json document = json::parse(result_json(solution));
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/sweep_page.hpp"
+#include "report/sweep_page.hpp"
 #include "report/sweep_tables.hpp"
 
 namespace brachisto {

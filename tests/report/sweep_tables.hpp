@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/report/sweep_table.hpp"
+#include "report/sweep_table.hpp"
 
 namespace brachisto::testing {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/trajectory_csv.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/solutions.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto {
 namespace {
@@ -36,7 +37,7 @@ std::vector<std::vector<std::string>> cells(const std::string& text) {
 }
 
 TEST(TrajectoryCsv, HasTheHeaderThatOtherProgramsRelyOn) {
-  const std::string text = trajectory_csv(*off_centred_solution().trajectory());
+  const std::string text = trajectory_csv(*off_centred_solution().motion());
 
   EXPECT_EQ(
       text.substr(0, text.find('\n')),
@@ -45,7 +46,7 @@ TEST(TrajectoryCsv, HasTheHeaderThatOtherProgramsRelyOn) {
 
 TEST(TrajectoryCsv, HasOneRowPerNode) {
   for (const Solution* solution : {&off_centred_solution(), &bead_solution()}) {
-    const auto table = cells(trajectory_csv(*solution->trajectory()));
+    const auto table = cells(trajectory_csv(*solution->motion()));
 
     ASSERT_EQ(table.size(),
               static_cast<std::size_t>(solution->program()->nodes) + 1);
@@ -54,7 +55,7 @@ TEST(TrajectoryCsv, HasOneRowPerNode) {
 }
 
 TEST(TrajectoryCsv, NumbersComeBackBitForBit) {
-  const Trajectory& path = *off_centred_solution().trajectory();
+  const Trajectory& path = *trajectory_of(off_centred_solution());
   const std::vector<TrajectoryPoint> rows = path.at_nodes();
 
   const auto table = cells(trajectory_csv(path));
@@ -86,7 +87,7 @@ TEST(TrajectoryCsv, NumbersComeBackBitForBit) {
 
 TEST(TrajectoryCsv, EveryNumberOfARollingBodyIsFinite) {
   for (const auto& row :
-       cells(trajectory_csv(*off_centred_solution().trajectory()))) {
+       cells(trajectory_csv(*off_centred_solution().motion()))) {
     if (row[0] == "u") continue;
     for (const std::string& cell : row) {
       EXPECT_TRUE(std::isfinite(std::stod(cell))) << cell;
@@ -95,7 +96,7 @@ TEST(TrajectoryCsv, EveryNumberOfARollingBodyIsFinite) {
 }
 
 TEST(TrajectoryCsv, LeavesEmptyWhatABeadDoesNotHave) {
-  const auto table = cells(trajectory_csv(*bead_solution().trajectory()));
+  const auto table = cells(trajectory_csv(*bead_solution().motion()));
 
   for (std::size_t i = 1; i < table.size(); ++i) {
     for (std::size_t c = 0; c < table[i].size(); ++c) {
@@ -108,7 +109,7 @@ TEST(TrajectoryCsv, LeavesEmptyWhatABeadDoesNotHave) {
 }
 
 TEST(TrajectoryCsv, RunsFromRestAtAToBInTheTransitTime) {
-  const Trajectory& path = *off_centred_solution().trajectory();
+  const Trajectory& path = *trajectory_of(off_centred_solution());
 
   const auto table = cells(trajectory_csv(path));
 

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "model/cycloid.hpp"
 #include "solvers/small_problem.hpp"
 #include "support/scenes.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto::testing {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/inertia.hpp"
 #include "solvers/chain_ldlt.hpp"
+#include "solvers/inertia.hpp"
 #include "support/random_points.hpp"
 
 namespace brachisto::testing {

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/nlp/active_set.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/inertia.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
+#include "nlp/active_set.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/hock_schittkowski.hpp"
 #include "solvers/inequality_problems.hpp"
+#include "solvers/inertia.hpp"
 
 namespace brachisto::testing {
 namespace {

@@ -3,7 +3,7 @@
 
 // Numbers of eigenvalues by sign, against the eigenvalues themselves.
 
-#include "brachisto/solvers/inertia.hpp"
+#include "solvers/inertia.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <chrono>
 #include <thread>
 
-#include "brachisto/solvers/inertia.hpp"
 #include "brachisto/solvers/ipopt.hpp"
+#include "solvers/inertia.hpp"
 #include "solvers/small_problem.hpp"
 
 namespace brachisto {

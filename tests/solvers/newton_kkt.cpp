@@ -10,15 +10,15 @@
 #include <limits>
 #include <vector>
 
-#include "brachisto/model/units.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/study/mesh_solve.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
+#include "model/units.hpp"
 #include "solvers/small_problem.hpp"
+#include "study/mesh_solve.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
+#include "transcription/contact_equation.hpp"
 
 namespace brachisto::testing {
 namespace {

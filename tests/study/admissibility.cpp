@@ -12,6 +12,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto {
 namespace {
@@ -33,7 +34,7 @@ TEST(NoAdmissiblePath, IfBLiesInsideTheBodyAtItsStart) {
 
     EXPECT_EQ(solution.status, Status::NoAdmissiblePath);
     EXPECT_FALSE(solution.verified());
-    EXPECT_FALSE(solution.trajectory());
+    EXPECT_FALSE(trajectory_of(solution));
     EXPECT_EQ(solution.effort.iterations, 0);
     EXPECT_NE(solution.message.find("inside"), std::string::npos)
         << solution.message;
@@ -56,7 +57,7 @@ TEST(NoAdmissiblePath, IsNotSaidOnEitherSideOfTheBody) {
 
   EXPECT_TRUE(beyond.verified()) << beyond.message;
   EXPECT_TRUE(before.verified()) << before.message;
-  EXPECT_GT(before.trajectory()->end_angle(), 0.0);
+  EXPECT_GT(before.motion()->end_angle(), 0.0);
 }
 
 TEST(InvalidScenes, AreRefusedWithTheKeyInTheMessage) {

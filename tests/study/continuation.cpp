@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/continuation.hpp"
+#include "study/continuation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
 
-#include "brachisto/model/units.hpp"
+#include "model/units.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {

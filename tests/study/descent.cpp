@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/model/units.hpp"
-#include "brachisto/solvers/inertia.hpp"
-#include "brachisto/study/continuation.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "model/units.hpp"
+#include "solvers/inertia.hpp"
+#include "study/continuation.hpp"
 #include "study/turn_meshes.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 namespace {

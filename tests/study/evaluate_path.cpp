@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "brachisto/model/centre_curve.hpp"
-#include "brachisto/model/cycloid.hpp"
+#include "model/centre_curve.hpp"
+#include "model/cycloid.hpp"
 
 namespace brachisto {
 namespace {
@@ -88,7 +88,7 @@ TEST(EvaluatePath, FindsTheExtremalAgainFromItsPoints) {
     path->shape = Shape::Points;
     for (int i = 0; i <= n; ++i) {
       path->points.push_back(
-          extremal.trajectory()->at(static_cast<double>(i) / n).motion.contact);
+          extremal.motion()->at(static_cast<double>(i) / n).motion.contact);
     }
     Scene given = scene;
     given.path = path;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 #include "support/scenes.hpp"
 
@@ -60,7 +61,7 @@ TEST(MethodFsolve, IsNotVerifiedEvenIfEveryCheckPassed) {
   Solution solution;
   solution.status = Status::Solved;
   solution.certificate.add("discretisation", 0.0, 1e-10);
-  solution.answer = DiscreteAnswer{};
+  solution.answer = std::make_shared<const Answer>(DiscreteAnswer{});
 
   EXPECT_FALSE(solution.verified());
 }

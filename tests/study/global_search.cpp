@@ -4,7 +4,7 @@
 // Search::Global: what it lists and what it answers with. The expected τ come
 // from backward shooting over (θ_end, φ) that shares no code with the project.
 
-#include "brachisto/study/global_search.hpp"
+#include "study/global_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,11 @@
 #include <numeric>
 #include <vector>
 
-#include "brachisto/extremal/contact_scan.hpp"
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/units.hpp"
 #include "brachisto/study/solve.hpp"
+#include "extremal/contact_scan.hpp"
+#include "extremal/shooting.hpp"
+#include "model/units.hpp"
+#include "study/branches.hpp"
 
 namespace brachisto {
 namespace {
@@ -57,8 +58,8 @@ TEST(GlobalSearch, FindsTheFeasibleContactBeyondTheFolds) {
 
   ASSERT_TRUE(solution.verified()) << solution.message;
   EXPECT_TRUE(solution.feasible());
-  EXPECT_NEAR(solution.trajectory()->tau(), 5.671362, kSixDecimals);
-  EXPECT_NEAR(solution.trajectory()->end_angle(), -0.28541, 5e-6);
+  EXPECT_NEAR(solution.motion()->tau(), 5.671362, kSixDecimals);
+  EXPECT_NEAR(solution.motion()->end_angle(), -0.28541, 5e-6);
   const Branch* principal = find_branch(solution, 5.609105, kSixDecimals);
   ASSERT_NE(principal, nullptr);
   EXPECT_TRUE(principal->principal);
@@ -103,7 +104,7 @@ TEST(GlobalSearch, ListsThreeContactsOfTheExampleAndBooksTheirWork) {
       search(scene_of(Body::cylinder(0.4041, 0.458, -0.0867, 0.2594), 4.6395));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), 6.2360317459, kAccuracy);
+  EXPECT_NEAR(solution.motion()->tau(), 6.2360317459, kAccuracy);
   EXPECT_NE(find_branch(solution, 6.2360317459, kAccuracy), nullptr);
   const Branch* principal = find_branch(solution, 6.3038676047, kAccuracy);
   ASSERT_NE(principal, nullptr);

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -115,7 +116,7 @@ TEST(Interrupt, APresetFlagEndsTheSolveAtOnce) {
 
   EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
   EXPECT_FALSE(solution.verified());
-  EXPECT_FALSE(solution.trajectory());
+  EXPECT_FALSE(trajectory_of(solution));
 }
 
 TEST(Interrupt, AFlagSetMeanwhileEndsALargeSolve) {
@@ -174,7 +175,7 @@ TEST(Interrupt, NothingIsLeftOfAnAnswerThatCameTooLate) {
 
     if (solution.status == Status::Solved) continue;
     EXPECT_EQ(solution.status, Status::Interrupted) << solution.message;
-    EXPECT_FALSE(solution.trajectory() || solution.diagnostics ||
+    EXPECT_FALSE(trajectory_of(solution) || solution.diagnostics ||
                  solution.estimated_error || solution.extremal ||
                  solution.as_neighbour())
         << i;
@@ -196,7 +197,7 @@ TEST(Memory, ThatRunsOutIsAStatus) {
 
     EXPECT_EQ(solution.status, Status::OutOfMemory) << phase;
     EXPECT_NE(solution.message.find("memory ran out"), std::string::npos);
-    EXPECT_FALSE(solution.trajectory()) << phase;
+    EXPECT_FALSE(trajectory_of(solution)) << phase;
   }
 }
 

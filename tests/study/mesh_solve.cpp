@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/mesh_solve.hpp"
+#include "study/mesh_solve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <numbers>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
 #include "support/reference_values.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -29,8 +30,8 @@ TEST(FixedMesh, IsTakenAsItIs) {
   const Solution solution = solve(kScene, options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_EQ(solution.trajectory()->curve().mesh().degree, 3);
-  EXPECT_EQ(solution.trajectory()->curve().mesh().num_elements(), 17);
+  EXPECT_EQ(trajectory_of(solution)->curve().mesh().degree, 3);
+  EXPECT_EQ(trajectory_of(solution)->curve().mesh().num_elements(), 17);
   EXPECT_EQ(solution.program()->nodes, 3 * 17 + 1);
   // Four states and β at N p nodes and points, and U.
   EXPECT_EQ(solution.program()->variables, 4 * 52 + 51 + 1);
@@ -64,7 +65,7 @@ TEST(FixedMesh, NodesAreAnotherWayToSayElements) {
 
   ASSERT_TRUE(one.verified() && other.verified());
   EXPECT_EQ(other.program()->nodes, 81);
-  EXPECT_EQ(other.trajectory()->tau(), one.trajectory()->tau());
+  EXPECT_EQ(other.motion()->tau(), one.motion()->tau());
 }
 
 TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
@@ -77,7 +78,7 @@ TEST(FixedMesh, IsJudgedWithALooseToleranceToo) {
   const Solution solution = solve(kScene, options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_LE(std::abs(solution.trajectory()->tau() / kTau - 1.0),
+  EXPECT_LE(std::abs(solution.motion()->tau() / kTau - 1.0),
             solution.estimated_error.value());
 }
 
@@ -91,7 +92,7 @@ KnownTau tau_of_extremal_method() {
   options.method = Shooting{};
   const Solution solution = solve(kScene, options);
   EXPECT_EQ(solution.status, Status::Solved) << solution.message;
-  return {solution.trajectory()->tau(), *solution.estimated_error};
+  return {solution.motion()->tau(), *solution.estimated_error};
 }
 
 SolveOptions fine_mesh(int degree, int elements) {
@@ -116,7 +117,7 @@ TEST(AFineMesh, IsJudgedByOneOfAnEighthOfTheElements) {
             std::string::npos)
       << agreement->where;
   EXPECT_EQ(agreement->value, *solution.estimated_error);
-  EXPECT_LE(std::abs(solution.trajectory()->tau() / known.tau - 1.0),
+  EXPECT_LE(std::abs(solution.motion()->tau() / known.tau - 1.0),
             *solution.estimated_error + known.error);
 }
 
@@ -130,7 +131,7 @@ TEST(AFineMesh, OfDegreeOneIsJudgedByDegreeTwo) {
   ASSERT_NE(agreement, nullptr);
   EXPECT_NE(agreement->where.find("degree 1 against 2"), std::string::npos)
       << agreement->where;
-  const double error = std::abs(solution.trajectory()->tau() / kTau - 1.0);
+  const double error = std::abs(solution.motion()->tau() / kTau - 1.0);
   EXPECT_LE(error, *solution.estimated_error);
   // Order 2 from there: a four-hundredth.
   EXPECT_GT(error, 1e-9);
@@ -150,9 +151,9 @@ TEST(AFineMesh, ReportsHonestlyIfMoreIsWantedThanRoundingAllows) {
         std::to_string(degree) + " × " + std::to_string(elements);
     ASSERT_EQ(solution.status, Status::Solved)
         << what << ": " << solution.message;
-    ASSERT_TRUE(solution.trajectory() && solution.estimated_error) << what;
+    ASSERT_TRUE(trajectory_of(solution) && solution.estimated_error) << what;
     EXPECT_EQ(solution.program()->nodes, degree * elements + 1) << what;
-    EXPECT_LE(std::abs(solution.trajectory()->tau() / known.tau - 1.0),
+    EXPECT_LE(std::abs(solution.motion()->tau() / known.tau - 1.0),
               *solution.estimated_error + known.error)
         << what;
     EXPECT_EQ(solution.verified(), solution.not_verified_because().empty());
@@ -178,8 +179,7 @@ TEST(EveryDegree, FindsTheSameAnswer) {
     const Solution solution = solve(kScene, options);
 
     ASSERT_TRUE(solution.verified()) << degree << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), kTau,
-                expected_error(degree) * kTau)
+    EXPECT_NEAR(solution.motion()->tau(), kTau, expected_error(degree) * kTau)
         << "degree " << degree;
   }
 }
@@ -193,7 +193,7 @@ TEST(HighestDegree, SolvesWithTheMeshOfItsOwnChoice) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, 1e-9 * row->tau)
+    EXPECT_NEAR(solution.motion()->tau(), row->tau, 1e-9 * row->tau)
         << row->name;
   }
 }
@@ -211,7 +211,7 @@ TEST(WantedTolerance, IsMetByEveryDegreeAndPaidForInNodes) {
 
       ASSERT_TRUE(solution.verified())
           << degree << ", " << tolerance << ": " << solution.message;
-      EXPECT_NEAR(solution.trajectory()->tau(), kTau, 10.0 * tolerance * kTau);
+      EXPECT_NEAR(solution.motion()->tau(), kTau, 10.0 * tolerance * kTau);
       EXPECT_LE(*solution.estimated_error, tolerance);
       EXPECT_GE(solution.program()->nodes, nodes);
       nodes = solution.program()->nodes;
@@ -229,9 +229,9 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
   fixed.use<Collocation>().discretisation.degree = 8;
   fixed.use<Collocation>().discretisation.elements = 60;
   const Solution known = solve(scene, fixed);
-  ASSERT_TRUE(known.trajectory()) << known.message;
+  ASSERT_TRUE(trajectory_of(known)) << known.message;
   ASSERT_LT(*known.estimated_error, 1e-8);
-  const double tau = known.trajectory()->tau();
+  const double tau = known.motion()->tau();
 
   for (const double tolerance : {1e-6, kDefaultTolerance}) {
     SolveOptions options;
@@ -240,7 +240,7 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
     const Solution solution = solve(scene, options);
 
     ASSERT_TRUE(solution.verified()) << tolerance << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), tau,
+    EXPECT_NEAR(solution.motion()->tau(), tau,
                 (tolerance + *known.estimated_error) * tau);
   }
 }
@@ -259,7 +259,7 @@ TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
 
     ASSERT_TRUE(solution.verified())
         << degree << "×" << elements << ": " << solution.message;
-    EXPECT_LE(std::abs(solution.trajectory()->tau() / kTau - 1.0),
+    EXPECT_LE(std::abs(solution.motion()->tau() / kTau - 1.0),
               *solution.estimated_error)
         << degree << "×" << elements;
     for (const Check& check : solution.certificate.checks) {
@@ -302,7 +302,7 @@ TEST(ACoarseMesh, IsNeverVerifiedFarFromTheAnswer) {
       const Solution solution = solve(kScene, options);
 
       if (!solution.verified()) continue;
-      EXPECT_NEAR(solution.trajectory()->tau(), kTau, 0.03 * kTau)
+      EXPECT_NEAR(solution.motion()->tau(), kTau, 0.03 * kTau)
           << "degree " << degree << ", " << elements << " elements";
     }
   }

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
+#include "study/continuation.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -213,13 +214,13 @@ TEST_P(BrokenNeighbour, IsNotUsed) {
   const auto& row = reference("reference_case");
   Scene near = row.scene();
   near.body.eta_m -= 0.01;
-  Neighbour neighbour = solve(near).as_neighbour().value();
+  Neighbour neighbour = *solve(near).as_neighbour();
   GetParam().spoil(neighbour);
 
   const Solution solution = solve(row.scene(), {}, {.neighbour = &neighbour});
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), row.tau,
+  EXPECT_NEAR(solution.motion()->tau(), row.tau,
               2.0 * kDefaultTolerance * row.tau);
   // From the cycloid.
   EXPECT_EQ(solution.effort.continuation.front().eta_m, 0.0);
@@ -256,7 +257,7 @@ TEST(GoodNeighbour, IsUsed) {
   const auto& row = reference("reference_case");
   Scene near = row.scene();
   near.body.eta_m -= 0.01;
-  const Neighbour neighbour = solve(near).as_neighbour().value();
+  const Neighbour neighbour = *solve(near).as_neighbour();
 
   const Solution solution = solve(row.scene(), {}, {.neighbour = &neighbour});
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/study/solve.hpp"
+#include "extremal/shooting.hpp"
 #include "support/reference_values.hpp"
 #include "support/scenes.hpp"
 
@@ -33,8 +33,8 @@ TEST(MethodExtremal, AnswersOnAMeshThatRepresentsItsExtremal) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   const Solution other = solve(scene);
   ASSERT_TRUE(other.verified()) << other.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), other.trajectory()->tau(),
-              2.0 * kDefaultTolerance * other.trajectory()->tau());
+  EXPECT_NEAR(solution.motion()->tau(), other.motion()->tau(),
+              2.0 * kDefaultTolerance * other.motion()->tau());
 }
 
 TEST(MethodExtremal, ReportsItsOwnTime) {
@@ -49,7 +49,7 @@ TEST(MethodExtremal, ReportsItsOwnTime) {
   const Solution solution = solve(scene, options);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_EQ(solution.trajectory()->transit_time(), extremal.transit_time);
+  EXPECT_EQ(solution.motion()->transit_time(), extremal.transit_time);
   EXPECT_GE(*solution.estimated_error, extremal.error_estimate);
 }
 
@@ -81,14 +81,13 @@ TEST(WholeTurns, OfTheStartChangeNothing) {
     const Solution solution = solve(scene, options);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), row.tau,
+    EXPECT_NEAR(solution.motion()->tau(), row.tau,
                 2.0 * kDefaultTolerance * row.tau);
     ASSERT_EQ(solution.warnings.size(), 1U);
     EXPECT_NE(solution.warnings[0].find("more than a turn"), std::string::npos);
     // The user's own angle is the one that is reported.
     EXPECT_EQ(solution.scene.body.theta_m, scene.body.theta_m);
-    EXPECT_NEAR(solution.trajectory()->at(0.0).theta, scene.body.theta_m,
-                1e-12);
+    EXPECT_NEAR(solution.motion()->at(0.0).theta, scene.body.theta_m, 1e-12);
   }
 }
 

@@ -12,7 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
+#include "model/cycloid.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
@@ -32,7 +33,7 @@ TEST(StraightGuess, LeadsToTheSameAnswer) {
     const Solution solution = solve(row->scene(), options);
 
     ASSERT_TRUE(solution.verified()) << row->name << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, kTolerance * row->tau)
+    EXPECT_NEAR(solution.motion()->tau(), row->tau, kTolerance * row->tau)
         << row->name;
   }
 }
@@ -62,7 +63,7 @@ TEST(BetweenCentres, ABeadTakesTheTimeOfTheCycloid) {
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory()->transit_time(), expected, 1e-11) << r;
+    EXPECT_NEAR(solution.motion()->transit_time(), expected, 1e-11) << r;
     EXPECT_EQ(solution.effort.final_mesh().passes, 1);
   }
 }
@@ -74,8 +75,8 @@ TEST(BetweenCentres, AnOffCentredCylinderIsSolvedFromPointToPoint) {
   const Solution solution = solve(scene);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const TrajectoryPoint start = solution.trajectory()->at(0.0);
-  const TrajectoryPoint end = solution.trajectory()->at(1.0);
+  const TrajectoryPoint start = solution.motion()->at(0.0);
+  const TrajectoryPoint end = solution.motion()->at(1.0);
   // The end points of the centre are fixed variables: exact but for units.
   EXPECT_NEAR(start.centre.x, 0.0, 1e-15);
   EXPECT_NEAR(start.centre.z, 0.0, 1e-15);
@@ -90,8 +91,8 @@ TEST(BetweenCentres, TheSmoothContactIsTheCaseOfItsOwnEndPoints) {
   const Scene smooth = reference("reference_case").scene();
   const Solution expected = solve(smooth);
   ASSERT_TRUE(expected.verified()) << expected.message;
-  const Point from = expected.trajectory()->at(0.0).centre;
-  const Point to = expected.trajectory()->at(1.0).centre;
+  const Point from = expected.motion()->at(0.0).centre;
+  const Point to = expected.motion()->at(1.0).centre;
   Scene centre = smooth;
   centre.contact = Contact::Centre;
   centre.L = to.x - from.x;
@@ -100,11 +101,11 @@ TEST(BetweenCentres, TheSmoothContactIsTheCaseOfItsOwnEndPoints) {
   const Solution solution = solve(centre);
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->transit_time(),
-              expected.trajectory()->transit_time(),
-              kTolerance * expected.trajectory()->transit_time());
-  EXPECT_NEAR(solution.trajectory()->end_angle(),
-              expected.trajectory()->end_angle(), 100.0 * kTolerance);
+  EXPECT_NEAR(solution.motion()->transit_time(),
+              expected.motion()->transit_time(),
+              kTolerance * expected.motion()->transit_time());
+  EXPECT_NEAR(solution.motion()->end_angle(), expected.motion()->end_angle(),
+              100.0 * kTolerance);
 }
 
 TEST(PrincipalBranch, IsFollowedFromTheCycloidToTheBodyOfTheScene) {
@@ -112,7 +113,7 @@ TEST(PrincipalBranch, IsFollowedFromTheCycloidToTheBodyOfTheScene) {
     const Solution solution = solve(row->scene());
 
     ASSERT_TRUE(solution.verified()) << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau(), row->tau, kTolerance * row->tau);
+    EXPECT_NEAR(solution.motion()->tau(), row->tau, kTolerance * row->tau);
     const std::vector<ContinuationStep>& steps = solution.effort.continuation;
     ASSERT_FALSE(steps.empty()) << row->name;
     EXPECT_EQ(steps.front().eta_m, 0.0);
@@ -255,7 +256,7 @@ TEST(Solution, HasOneMotionWhateverTheAnswer) {
   for (Solution solution : {solve(row.scene()), solve(row.scene(), pieces),
                             solve(row.scene(), shooting), solve(given)}) {
     const bool on_pieces =
-        std::holds_alternative<PiecewiseAnswer>(solution.answer);
+        answer_as<PiecewiseAnswer>(solution.answer) != nullptr;
     const double tolerance =
         on_pieces ? kDefaultArcLengthTolerance : kTolerance;
     ASSERT_TRUE(solution.verified()) << solution.message;
@@ -266,7 +267,7 @@ TEST(Solution, HasOneMotionWhateverTheAnswer) {
     solution.discard_answer();
 
     EXPECT_EQ(solution.motion(), nullptr);
-    EXPECT_FALSE(solution.program() || solution.trajectory() ||
+    EXPECT_FALSE(solution.program() || trajectory_of(solution) ||
                  solution.as_neighbour() || solution.diagnostics);
   }
 }
@@ -277,7 +278,7 @@ TEST(Solve, GivesTheSameNumbersEveryTime) {
   const Solution first = solve(scene);
   const Solution second = solve(scene);
 
-  EXPECT_EQ(first.trajectory()->tau(), second.trajectory()->tau());
+  EXPECT_EQ(first.motion()->tau(), second.motion()->tau());
   EXPECT_EQ(first.effort.iterations, second.effort.iterations);
 }
 

@@ -55,10 +55,10 @@ TEST_P(Threads, FindTheRightAnswersAtOnce) {
         const Solution solution = solve(row.scene(), options);
         if (!solution.verified()) {
           wrong[t].push_back(row.name + std::string(": ") + solution.message);
-        } else if (!(std::abs(solution.trajectory()->tau() / row.tau - 1.0) <=
+        } else if (!(std::abs(solution.motion()->tau() / row.tau - 1.0) <=
                      2.0 * kDefaultTolerance)) {
           wrong[t].push_back(row.name + std::string(": ") +
-                             std::to_string(solution.trajectory()->tau()));
+                             std::to_string(solution.motion()->tau()));
         }
       }
     });

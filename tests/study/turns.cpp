@@ -7,13 +7,13 @@
 
 #include <cmath>
 
-#include "brachisto/extremal/shooting.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/continuation.hpp"
 #include "brachisto/study/solve.hpp"
-#include "brachisto/transcription/discretisation.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "brachisto/study/solve_options.hpp"
+#include "extremal/shooting.hpp"
+#include "model/units.hpp"
+#include "study/continuation.hpp"
 #include "study/turn_meshes.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto {
 namespace {
@@ -94,8 +94,8 @@ TEST(ContinuationByTurns, LeadsToAnAnswerAboveTheHomogenisedLimit) {
   const Solution solution = solve(base(0.002));
 
   ASSERT_TRUE(solution.verified()) << solution.message;
-  EXPECT_NEAR(solution.trajectory()->tau(), 5.852381, kPrinted);
-  EXPECT_GT(solution.trajectory()->tau(), kLimit);
+  EXPECT_NEAR(solution.motion()->tau(), 5.852381, kPrinted);
+  EXPECT_GT(solution.motion()->tau(), kLimit);
 }
 
 TEST(AnOffsetNextToNothing, ChangesTheTimeByNextToNothing) {
@@ -105,14 +105,14 @@ TEST(AnOffsetNextToNothing, ChangesTheTimeByNextToNothing) {
   scene.body.eta_m = 0.0;
   const Solution uniform = solve(scene);
   ASSERT_TRUE(uniform.verified());
-  const double tau = uniform.trajectory()->tau();
+  const double tau = uniform.motion()->tau();
   for (const double eta : {1e-6, 1e-7, 1e-8, 1e-14, 1e-50}) {
     scene.body.eta_m = eta;
 
     const Solution solution = solve(scene);
 
     ASSERT_TRUE(solution.verified()) << eta << ": " << solution.message;
-    EXPECT_NEAR(solution.trajectory()->tau() / tau, 1.0,
+    EXPECT_NEAR(solution.motion()->tau() / tau, 1.0,
                 eta + 2.0 * kDefaultTolerance)
         << eta;
   }

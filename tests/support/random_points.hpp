@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto::testing {
 

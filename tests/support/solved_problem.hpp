@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/model/cycloid.hpp"
 #include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "model/cycloid.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto::testing {
 

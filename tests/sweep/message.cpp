@@ -57,8 +57,7 @@ TEST(State, LeadsToTheSameResultAsTheSolutionItself) {
   const Solution resumed = solve(next, {}, {.neighbour = &after});
 
   ASSERT_TRUE(direct.verified());
-  EXPECT_EQ(direct.trajectory()->transit_time(),
-            resumed.trajectory()->transit_time());
+  EXPECT_EQ(direct.motion()->transit_time(), resumed.motion()->transit_time());
   EXPECT_EQ(direct.as_neighbour()->point.x, resumed.as_neighbour()->point.x);
 }
 
@@ -169,8 +168,8 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
 
   EXPECT_EQ(outcome.state, SweepOutcome::State::Verified);
   EXPECT_EQ(outcome.status, "solved");
-  EXPECT_EQ(outcome.tau, solved().trajectory()->tau());
-  EXPECT_EQ(outcome.transit_time, solved().trajectory()->transit_time());
+  EXPECT_EQ(outcome.tau, solved().motion()->tau());
+  EXPECT_EQ(outcome.transit_time, solved().motion()->transit_time());
   EXPECT_EQ(outcome.estimated_error, solved().estimated_error);
   EXPECT_EQ(outcome.feasible, solved().feasible());
 }

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/units.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
-#include "brachisto/trajectory/arc_length_motion.hpp"
-#include "brachisto/trajectory/certificate.hpp"
-#include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "model/units.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
+#include "trajectory/arc_length_motion.hpp"
+#include "trajectory/certify.hpp"
+#include "trajectory/extended_residual.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto::testing {
 namespace {

@@ -3,7 +3,7 @@
 
 // Two evaluations of the optimality conditions that share no derivative.
 
-#include "brachisto/trajectory/extended_residual.hpp"
+#include "trajectory/extended_residual.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 // Motions on given paths against closed forms and the equation of motion.
 
-#include "brachisto/trajectory/prescribed_motion.hpp"
+#include "trajectory/prescribed_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/trajectory/certificate.hpp"
+#include "model/cycloid.hpp"
+#include "trajectory/certify.hpp"
 
 namespace brachisto {
 namespace {

@@ -11,11 +11,12 @@
 #include <limits>
 #include <numbers>
 
-#include "brachisto/model/start_angle.hpp"
-#include "brachisto/solvers/inertia.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
+#include "model/start_angle.hpp"
+#include "solvers/inertia.hpp"
 #include "support/random_points.hpp"
 #include "support/scenes.hpp"
+#include "trajectory/certify.hpp"
 #include "trajectory/sliding_end.hpp"
 #include "trajectory/solved_case.hpp"
 

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/reintegration.hpp"
+#include "trajectory/reintegration.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "brachisto/study/solve.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
 
@@ -47,9 +48,9 @@ TEST(Reintegration, AgreesForABodyOffItsAxisToTheErrorOfTheMesh) {
     mesh.degree = 8;
     mesh.elements = 30;
     const Solution solution = solve(off_centred_scene(theta_m), options);
-    ASSERT_TRUE(solution.trajectory()) << solution.message;
+    ASSERT_TRUE(trajectory_of(solution)) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory()->curve());
+    const Reintegration motion = reintegrate(trajectory_of(solution)->curve());
 
     ASSERT_TRUE(motion.arrived()) << theta_m;
     EXPECT_LE(motion.time_error, 1e-9) << theta_m;
@@ -67,9 +68,9 @@ TEST(Reintegration, ImprovesWithTheMesh) {
     mesh.degree = 3;
     mesh.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
-    ASSERT_TRUE(solution.trajectory()) << solution.message;
+    ASSERT_TRUE(trajectory_of(solution)) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory()->curve());
+    const Reintegration motion = reintegrate(trajectory_of(solution)->curve());
 
     ASSERT_TRUE(motion.arrived()) << elements;
     const double error = std::max(motion.time_error, motion.position_error);
@@ -90,9 +91,9 @@ TEST(Reintegration, OfAPolygonOfSpeedsIsThatOfOneAndTheSamePath) {
     mesh.degree = 1;
     mesh.elements = elements;
     const Solution solution = solve(off_centred_scene(), options);
-    ASSERT_TRUE(solution.trajectory()) << solution.message;
+    ASSERT_TRUE(trajectory_of(solution)) << solution.message;
 
-    const Reintegration motion = reintegrate(solution.trajectory()->curve());
+    const Reintegration motion = reintegrate(trajectory_of(solution)->curve());
 
     ASSERT_TRUE(motion.arrived()) << elements << describe(motion.end);
     EXPECT_LT(motion.corrected_time_error, *solution.estimated_error);

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/nlp/primal_dual.hpp"
-#include "brachisto/transcription/rolling_time.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto::testing {
 

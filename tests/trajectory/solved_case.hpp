@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/cycloid.hpp"
-#include "brachisto/model/units.hpp"
-#include "brachisto/study/mesh_solve.hpp"
-#include "brachisto/trajectory/certificate.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
+#include "study/mesh_solve.hpp"
 #include "support/reference_values.hpp"
+#include "trajectory/certify.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto::testing {
 

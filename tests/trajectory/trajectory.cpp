@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/trajectory.hpp"
+#include "trajectory/trajectory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,9 @@
 #include <numbers>
 #include <vector>
 
-#include "brachisto/model/energy.hpp"
 #include "brachisto/study/solve.hpp"
+#include "model/energy.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/observed_order.hpp"
 #include "support/reference_values.hpp"
 
@@ -33,7 +34,7 @@ SolveOptions mesh(int degree, int elements) {
 /// On a mesh so fine that values between nodes are good to some 1e-11.
 Trajectory fine_path(const testing::ReferenceValue& row) {
   Solution solution = solve(row.scene(), mesh(8, 40));
-  return *solution.trajectory();
+  return *trajectory_of(solution);
 }
 
 TEST(Trajectory, TheNormalForceVanishesAtTheStartAndFrictionDoesNot) {
@@ -114,9 +115,9 @@ TEST(EnergyDrift, FallsWithTwiceTheDegree) {
     for (std::size_t i = 0; i < h.size(); ++i) {
       const Solution solution =
           solve(reference("reference_case").scene(), mesh(degree, elements));
-      ASSERT_TRUE(solution.trajectory()) << solution.message;
+      ASSERT_TRUE(trajectory_of(solution)) << solution.message;
       h[i] = 1.0 / elements;
-      drift[i] = energy_drift(*solution.trajectory());
+      drift[i] = energy_drift(*trajectory_of(solution));
       elements = elements * 3 / 2;
     }
 
@@ -134,9 +135,9 @@ TEST(EnergyDrift, IsNothingButRoundingOnceTheCylinderIsCentred) {
   for (const int degree : {1, 2, 5}) {
     const Solution solution =
         solve(reference("uniform_L3").scene(), mesh(degree, 12));
-    ASSERT_TRUE(solution.trajectory()) << solution.message;
+    ASSERT_TRUE(trajectory_of(solution)) << solution.message;
 
-    EXPECT_LE(energy_drift(*solution.trajectory()), kTolerance) << degree;
+    EXPECT_LE(energy_drift(*trajectory_of(solution)), kTolerance) << degree;
   }
 }
 
@@ -288,12 +289,12 @@ TEST(Rotation, IsTheArcLengthOverTheRadius) {
 TEST(Sampling, NodesAreInOrderFromAToB) {
   const Solution solution = solve(reference("theta_-30").scene(), mesh(5, 20));
 
-  const std::vector<TrajectoryPoint> rows = solution.trajectory()->at_nodes();
+  const std::vector<TrajectoryPoint> rows = solution.motion()->at_nodes();
 
   ASSERT_EQ(rows.size(), 101u);
   EXPECT_EQ(rows.front().u, 0.0);
   EXPECT_EQ(rows.front().t, 0.0);
-  EXPECT_DOUBLE_EQ(rows.back().t, solution.trajectory()->transit_time());
+  EXPECT_DOUBLE_EQ(rows.back().t, solution.motion()->transit_time());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     EXPECT_GT(rows[i].u, rows[i - 1].u) << i;
     EXPECT_GT(rows[i].t, rows[i - 1].t) << i;
@@ -344,9 +345,9 @@ TEST(Diagnostics, AreThoseOfThePathAndNotOfTheMesh) {
   constexpr double kTolerance = 1e-4;
   for (const auto* row : {&reference("reference_case"), &reference("fast")}) {
     const PathDiagnostics coarse =
-        solve(row->scene(), mesh(5, 20)).trajectory()->diagnose();
+        solve(row->scene(), mesh(5, 20)).motion()->diagnose();
     const PathDiagnostics fine =
-        solve(row->scene(), mesh(5, 80)).trajectory()->diagnose();
+        solve(row->scene(), mesh(5, 80)).motion()->diagnose();
 
     const auto expect_same = [&](const Extreme& a, const Extreme& b) {
       EXPECT_NEAR(a.value, b.value, kTolerance * std::abs(b.value))

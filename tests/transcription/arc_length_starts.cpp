@@ -10,11 +10,11 @@
 #include <cmath>
 
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/inertia.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "solvers/inertia.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto::testing {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/collocation.hpp"
+#include "transcription/collocation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/contact_equation.hpp"
+#include "transcription/contact_equation.hpp"
 
 #include <gtest/gtest.h>
 

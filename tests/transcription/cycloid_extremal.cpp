@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/transcription/contact_equation.hpp"
-#include "brachisto/transcription/initial_guess.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/initial_guess.hpp"
 
 namespace brachisto::testing {
 namespace {

@@ -4,7 +4,7 @@
 // The shares of the elements add up to the error of T: not a bound, the error
 // itself as the mesh is refined.
 
-#include "brachisto/transcription/extremal_curve.hpp"
+#include "transcription/extremal_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,10 @@
 
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/solve.hpp"
-#include "brachisto/transcription/prolongation.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -42,7 +43,8 @@ const ExtremalCurve& exact_curve(double theta_m) {
   mesh.degree = 8;
   mesh.elements = 40;
   const Solution solution = solve(between_centres(theta_m), options);
-  return curves.emplace(theta_m, solution.trajectory()->curve()).first->second;
+  return curves.emplace(theta_m, trajectory_of(solution)->curve())
+      .first->second;
 }
 
 /// The same extremal on another mesh, by Newton's method, which stays near.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/extremal_curve.hpp"
+#include "transcription/extremal_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/initial_guess.hpp"
+#include "transcription/initial_guess.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/prolongation.hpp"
+#include "transcription/prolongation.hpp"
 
 #include <gtest/gtest.h>
 

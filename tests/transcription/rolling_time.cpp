@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/rolling_time.hpp"
+#include "transcription/rolling_time.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-#include "brachisto/model/start_angle.hpp"
+#include "model/start_angle.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/smooth_contact.hpp"
+#include "transcription/smooth_contact.hpp"
 
 #include <gtest/gtest.h>
 

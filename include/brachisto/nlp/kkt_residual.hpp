@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::nlp {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/status.hpp"

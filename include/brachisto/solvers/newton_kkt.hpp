@@ -7,11 +7,15 @@
 #pragma once
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/nlp/closing_equation.hpp"
-#include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/status.hpp"
+
+namespace brachisto::nlp {
+
+class ClosingEquation;  // of this library's own problems
+
+}  // namespace brachisto::nlp
 
 namespace brachisto {
 

@@ -12,7 +12,6 @@
 
 #include "brachisto/model/kinematics.hpp"
 #include "brachisto/model/scene.hpp"
-#include "brachisto/model/start_limits.hpp"
 
 namespace brachisto {
 

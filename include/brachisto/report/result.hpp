@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Results: as JSON, the form that other programs read, as a table, and for a
+/// person.
+
+#pragma once
+
+#include <string>
+
+#include "brachisto/study/solution.hpp"
+
+namespace brachisto::report {
+
+/// Version of the layout of result documents; grows when a key changes its
+/// meaning. New keys may come at any time.
+inline constexpr int kSchemaVersion = 2;
+
+/// The document of one solve. Numbers of the path are null unless the result is
+/// verified; so is whatever the scene does not have.
+[[nodiscard]] std::string result_json(const Solution& solution);
+
+/// The reference of its keys as a Markdown table, made from the very table that
+/// writes them. docs/results.md quotes it.
+[[nodiscard]] std::string result_reference_markdown();
+
+/// A JSON Schema of the document, made from the same table.
+[[nodiscard]] std::string result_schema();
+
+/// The effective input, defaults filled in, as `validate --json` prints it.
+[[nodiscard]] std::string input_json(const Scene& scene,
+                                     const SolveOptions& options);
+
+/// A dozen lines: the scene, the answer if it is verified, how it was found,
+/// and what each check of the certificate said if one failed.
+[[nodiscard]] std::string summary(const Solution& solution);
+
+/// Comma-separated values with a header line, one row per node, 17 digits:
+/// u, t, x_c, z_c, x_cm, z_cm, x_b, z_b, theta, beta, v_c, omega, R_n, R_t,
+/// kappa_b, in SI units, angles in radians, forces in m g. A bead has no theta,
+/// omega and R_t, which stay empty.
+[[nodiscard]] std::string trajectory_csv(const Motion& motion);
+
+}  // namespace brachisto::report

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A sweep as a page to read.
+
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "brachisto/report/output_files.hpp"
+#include "report/sweep_table.hpp"
+
+namespace brachisto::report {
+
+/// The report of a sweep.
+struct SweepPage {
+  /// index.html, scenes.csv, and each picture as an SVG document with the table
+  /// and the gnuplot script that it is drawn from.
+  std::vector<OutputFile> files;
+  std::string missing;  ///< why pictures are missing; empty if none is
+};
+
+/// The page needs nothing beside it, but that it shows pictures from their
+/// files when all take more than some megabytes.
+///
+/// The two ordered axes that change fastest make a map of τ, one ordered axis a
+/// curve, a random sample one scatter plot per key; values may come in any
+/// order. Scenes that failed are marked and nothing is drawn across them;
+/// scenes not run yet stay open.
+///
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] SweepPage sweep_report(const SweepTable& table,
+                                     const std::atomic<int>* interrupt);
+
+}  // namespace brachisto::report

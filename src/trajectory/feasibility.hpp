@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Whether the body could run on a track.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brachisto/model/scene.hpp"
+#include "trajectory/trajectory.hpp"
+
+namespace brachisto {
+
+/// Why not: B lies inside the body at its start, the body would lift off
+/// (R_n ≤ 0 for a u > 0), the track folds (1 − r κ_c ≤ 0) or crosses itself;
+/// each with the place. Empty if none of that happens. A bead on a wire may do
+/// all of it. Next to the start, where R_n is as small as one likes, the signs
+/// of the limits decide.
+///
+/// That the body touches the track at a second place is not looked for.
+[[nodiscard]] std::vector<std::string> infeasible_because(
+    const Scene& scene, const PathDiagnostics& path);
+
+}  // namespace brachisto

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Where a track meets itself.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/contact.hpp"
+
+namespace brachisto {
+
+/// A point where the polyline through `points` crosses itself, the first one
+/// in the order of x; nothing if it does not. Segments that share an end do not
+/// cross there. O(n log n) for a line that mostly advances in x.
+[[nodiscard]] std::optional<Point> self_crossing(
+    const std::vector<Point>& points);
+
+}  // namespace brachisto

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The least time between fixed end points as a nonlinear program in the
+/// rolling time.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "transcription/collocation.hpp"
+#include "transcription/transcription.hpp"
+
+namespace brachisto {
+
+/// Gauss–Legendre collocation of
+///
+///     minimise T = U ∫₀¹ √A dσ  subject to
+///     x' = U w cos β      z' = U w sin β
+///     r θ' = U w          w' = U g (sin β + η cos θ),      ' = d/dσ,
+///
+/// where dt = U √A dσ and w = √(2 g E). The start (x, z, θ, w) = (C_A, θ_m, 0)
+/// and the end (x, z) = C_B(φ) are fixed, θ and w are free at the end. Nothing
+/// is singular at the start. r θ' = U w is the no-slip relation (eq. (6)); it
+/// and θ are left out for a body whose centre of mass lies on its axis.
+///
+/// The defects of element e, D X − h_e U f with X at the nodes and f at the
+/// collocation points, are in integral form: a tolerance on them means the
+/// same on every mesh. VariableLayout tells the order of all of them.
+///
+/// A point is refused unless U > 0 and, at every collocation point, w > 0 and
+/// A > 0: the body moves on and its kinetic energy is positive.
+class RollingTime final : public Transcription {
+ public:
+  /// \param scene  valid, in units of the caller's choice
+  /// \param phi    end angle φ [rad]; without effect with Contact::Centre
+  RollingTime(const Scene& scene, Mesh mesh, double phi);
+
+  [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
+
+  /// Along the path: β, node and multipliers of one collocation point after the
+  /// other, U last. The pivots are the defects for the node they lead to.
+  [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
+
+  /// p_x = −λ_x/b and p_z likewise, read at the last collocation point.
+  [[nodiscard]] std::optional<End> end(std::span<const double> x,
+                                       std::span<const double> lambda) override;
+  /// The same at all collocation points, averaged over σ: they are constant but
+  /// for the solver's residual.
+  [[nodiscard]] Costates end_costates(
+      std::span<const double> lambda) const override;
+  /// A defect is a sum of some p + 1 unknowns times matrix entries of order p,
+  /// and θ runs to thousands on the way of a small body.
+  [[nodiscard]] double rounding(std::span<const double> x) const override;
+
+ private:
+  /// What f, g and their derivatives share, one entry per collocation point.
+  struct Points {
+    std::vector<double> w, cos_beta, sin_beta;
+    std::vector<double> root;    ///< √A
+    std::vector<double> d_root;  ///< ∂√A/∂β = −∂√A/∂θ
+    std::vector<double> d2_root;  ///< ∂²√A/∂β² = ∂²√A/∂θ² = −∂²√A/∂θ∂β
+    std::vector<double> eta_cos_theta, eta_sin_theta;
+  };
+
+  bool evaluate() override;
+  [[nodiscard]] double do_eval_f() const override;
+  void do_eval_grad_f(std::span<double> grad_f) const override;
+  void do_eval_g(std::span<double> g) const override;
+  void put_jac_g(Entries& put) const override;
+  void put_hess_lag(double objective_factor, std::span<const double> lambda,
+                    Entries& put) const override;
+
+  const CollocationScheme* scheme_;
+  Points points_;
+};
+
+}  // namespace brachisto

@@ -1,0 +1,35 @@
+# cmake -DPROGRAMS=DIRECTORY -DPROBLEMS=DIRECTORY -P run_programs.cmake
+#
+# Runs the programs of an install tree and compares what they print with numbers that
+# come from elsewhere.
+
+# expect(CODE PATTERN PROGRAM ARGUMENTS…): exit code and what standard output matches.
+function(expect code pattern program)
+  execute_process(COMMAND ${PROGRAMS}/${program} ${ARGN}
+    WORKING_DIRECTORY ${PROGRAMS}
+    RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err TIMEOUT 120)
+  if(NOT result STREQUAL code OR NOT out MATCHES "${pattern}")
+    message(SEND_ERROR "${program} ${ARGN}: exit code ${result}, not ${code}; "
+      "or this does not match ${pattern}:\n${out}\n${err}")
+  endif()
+endfunction()
+
+# docs/validation.md, "the base case".
+expect(0 "tau = 5\\.09344446" solve_scene)
+expect(0 "tau = 5\\.09344446" read_track)
+# The rows begin at rest in A and end in B.
+expect(0 "  0\\.0000  -?0\\.0000  -?0\\.0000 .*  3\\.0000   1\\.0000 [^\n]*\n$" read_track)
+file(STRINGS ${PROGRAMS}/track/trajectory.csv rows)
+list(LENGTH rows count)
+if(count LESS 20)
+  message(SEND_ERROR "track/trajectory.csv has ${count} lines")
+endif()
+expect(0 "tau = 5\\.09344446" read_track ${PROBLEMS}/paper/fig04_reference_case.yaml)
+expect(1 "^$" read_track ${PROBLEMS}/no_such_file.yaml)
+expect(0 "eta_m = 0\\.00: .*eta_m = 0\\.60: tau" follow_offset)
+expect(130 "^eta_m = 0\\.00: [^\n]*\n$" follow_offset 0)
+# A catenary: 2a sinh(1/2a) = 1.5, at the middle a (cosh(1/2a) − 1) deep, mean depth
+# ∫ z ds / 1.5. With a ground at 0.4 two arcs of catenaries and a straight piece. 1000
+# links err by about 1e-6.
+expect(0 "^chain, .*yes\nmean depth 0\\.30269, at the middle 0\\.50263\n" hanging_rope)
+expect(0 "^chain, .*yes\nmean depth 0\\.28520, at the middle 0\\.40000\n" hanging_rope 0.4)

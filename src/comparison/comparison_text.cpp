@@ -11,11 +11,17 @@
 #include "brachisto/report/result_json.hpp"
 #include "comparison/documents.hpp"
 #include "comparison/statistics.hpp"
-#include "comparison/text_table.hpp"
 #include "report/digits.hpp"
 #include "report/letters.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
+
+using report::memory_text;
+using report::or_dash;
+using report::Rows;
+using report::seconds_text;
+using report::text_table;
 
 using Json = nlohmann::ordered_json;
 
@@ -84,7 +90,8 @@ std::string iterations_text(const Measurement& run) {
 /// Without a reference as the method itself sees its error.
 std::string tau_text(const ComparisonRow& row) {
   const double tau = row.run.tau;
-  const double error = row.error.value_or(row.run.estimated_error.value_or(0.0));
+  const double error =
+      row.error.value_or(row.run.estimated_error.value_or(0.0));
   return report::within_error(tau, error * tau);
 }
 
@@ -98,8 +105,7 @@ std::string summary(const MethodComparison& comparison) {
         {row.label, or_dash(run.unknowns),
          run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
          iterations_text(run), or_dash(run.evaluations),
-         memory_text(run.peak_memory),
-         run.solved() ? tau_text(row) : "—",
+         memory_text(run.peak_memory), run.solved() ? tau_text(row) : "—",
          row.error ? error_text(*row.error, *comparison.reference) : "—",
          report::shortened(verdict(row), kVerdict)});
   }

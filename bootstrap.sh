@@ -17,7 +17,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   coinor-libipopt-dev libmumps-seq-dev libsuitesparse-dev libeigen3-dev
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
-  libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev
+  libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
 )
 # Of the tests alone: a validator of others for the schemas.
 test_packages=(python3-jsonschema python3-yaml)

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,8 +24,9 @@
 #include "brachisto/transcription/extremal_curve.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 #include "solvers/inequality_problems.hpp"
+#include "support/refined_solution.hpp"
 #include "support/scenes.hpp"
 
 namespace {
@@ -45,6 +48,15 @@ double peak_gigabytes() {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   return 1024e-9 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Memory of this process that is in use [bytes].
+double resident_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  double all = 0.0;
+  double resident = 0.0;
+  statm >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 /// An extremal on a coarse mesh, and its φ.
@@ -100,6 +112,7 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
   problem.eval_hess_lag(1.0, point.lambda, hess);
   problem.eval_jac_g(jac);
   const double evaluation = lap();
+  const double before = resident_bytes();
   const auto chain = make_chain_ldlt(problem, nlp::equations_only(problem));
   const double analysis = lap();
   bool factorised = chain->factorise(values);
@@ -110,18 +123,17 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
   const std::vector<double> b = x;
   chain->solve(x);
   const double solution = lap();
-  chain->solve_refined(b, x, 1);
+  x = testing::refined_solution(*chain, b, 1);
   const double refined = lap();
+  const double state = resident_bytes() - before;
   fmt::print(
       "factorised {}, analysis {:.3f} s, first {:.3f} s, again {:.3f} s, "
       "solution {:.3f} s, refined {:.3f} s, factor {:.3f} GB, dense links {}\n",
-      factorised, analysis, first, again, solution, refined,
-      1e-9 * static_cast<double>(chain->state_bytes()),
+      factorised, analysis, first, again, solution, refined, 1e-9 * state,
       chain->num_dense_links());
   if (!with_floor) return;
   const double entries =
       static_cast<double>(sizeof(double) * (hess.size() + jac.size()));
-  const auto state = static_cast<double>(chain->state_bytes());
   const double speed = bytes_per_second();
   fmt::print(
       "derivatives {:.3f} s, entries {:.3f} GB; memory {:.1f} GB/s, so that no "

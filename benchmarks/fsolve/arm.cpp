@@ -7,7 +7,7 @@
 #include <span>
 
 #include "brachisto/paper/discrete_variations.hpp"
-#include "brachisto/solvers/damped_newton.hpp"
+#include "brachisto/solvers/square_system.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "fsolve/mean_time.hpp"
 #include "math/cpu_clock.hpp"

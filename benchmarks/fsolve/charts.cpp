@@ -212,9 +212,7 @@ Chart floor(const FsolveFindings& found, const std::string& name) {
 }
 
 void write(const Chart& chart, const std::string& name) {
-  write_file(name + ".svg", report::chart_svg(chart));
-  write_file(name + ".csv", report::chart_csv(chart));
-  write_file(name + ".gp", report::chart_gnuplot(chart));
+  write_figure(report::chart_figure(chart), name);
 }
 
 }  // namespace

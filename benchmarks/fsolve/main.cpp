@@ -186,7 +186,7 @@ int run(const Flags& flags) {
   found.others = runner.versions();
   run_discrete(runner, flags, found);
   run_rolling(scene, flags, found);
-  const std::string text = report(found);
+  const std::string text = benchmarks::report(found);
   fmt::print("{}", text);
   write_file(flags.out + ".md", text);
   write_file(flags.out + ".csv", csv(found));

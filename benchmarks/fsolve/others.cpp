@@ -11,29 +11,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 namespace brachisto::benchmarks {
 
 namespace {
 
-using sweep::ChildRun;
-using sweep::run_child;
 using Json = nlohmann::json;
 
 constexpr double kSoon = 30.0;  // for a program to tell its version [s]
-
-/// All files of that name on the PATH that can be run.
-std::vector<std::filesystem::path> on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  std::vector<std::filesystem::path> found;
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    std::filesystem::path file = std::filesystem::path(folder) / name;
-    if (::access(file.c_str(), X_OK) == 0) found.push_back(std::move(file));
-  }
-  return found;
-}
 
 /// What a program prints, without the line's end; nothing if it fails.
 std::optional<std::string> answer_of(
@@ -95,7 +81,7 @@ DiscreteRun read(const ChildRun& child, double cap) {
 }  // namespace
 
 std::optional<OtherProgram> find_octave() {
-  for (const auto& program : on_path("octave-cli")) {
+  for (const auto& program : programs_on_path("octave-cli")) {
     const auto version = answer_of(
         program, {"--no-init-file", "-q", "--eval", "disp (version ())"});
     if (version) {
@@ -109,7 +95,7 @@ std::optional<OtherProgram> find_octave() {
 }
 
 std::optional<OtherProgram> find_scipy() {
-  for (const auto& program : on_path("python3")) {
+  for (const auto& program : programs_on_path("python3")) {
     const auto version =
         answer_of(program, {"-c",
                             "import numpy, platform, scipy; print('SciPy',"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "micro/extremal_on_mesh.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 #include "solvers/kkt_system.hpp"
 #include "solvers/sparse_lu.hpp"
 

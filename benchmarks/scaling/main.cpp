@@ -22,6 +22,7 @@
 #include "report/chart.hpp"
 #include "support/power_law.hpp"
 #include "support/processes.hpp"
+#include "support/table.hpp"
 
 namespace {
 
@@ -241,7 +242,5 @@ int main(int argc, char** argv) {
     chart.curves.push_back(std::move(curve));
   }
   write(out + "_table.csv", csv);
-  write(out + ".csv", report::chart_csv(chart));
-  write(out + ".svg", report::chart_svg(chart));
-  write(out + ".gp", report::chart_gnuplot(chart));
+  benchmarks::write_figure(report::chart_figure(chart), out);
 }

@@ -15,14 +15,12 @@
 #include <list>
 #include <vector>
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 namespace brachisto::benchmarks {
 
 namespace {
 
-using sweep::ChildEnd;
-using sweep::ChildProcess;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kThrew = 3;
@@ -94,7 +92,7 @@ void run_in_processes(
     }
     (void)::poll(files.data(), files.size(), kLook);
     for (auto one = running.begin(); one != running.end();) {
-      const bool ended = sweep::read_some(one->child.output(), one->bytes) == 0;
+      const bool ended = read_some(one->child.output(), one->bytes) == 0;
       if (!ended && Clock::now() < one->until) {
         ++one;
         continue;

@@ -31,4 +31,15 @@ void write_file(const std::string& path, const std::string& content) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
+void write_figure(const report::Figure& figure, const std::string& path) {
+  const report::DrawnFigure drawn =
+      report::draw(figure, report::Format::Svg, nullptr);
+  if (!drawn.missing.empty()) fmt::print(stderr, "{}\n", drawn.missing);
+  const std::filesystem::path folder =
+      std::filesystem::path(path).parent_path();
+  for (const report::OutputFile& file : drawn.files) {
+    write_file((folder / file.name).string(), file.content);
+  }
+}
+
 }  // namespace brachisto::benchmarks

@@ -10,6 +10,7 @@
 
 #include "comparison/statistics.hpp"
 #include "comparison/text_table.hpp"
+#include "report/figure.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -22,5 +23,10 @@ using comparison::Rows;
 
 /// \throws std::runtime_error if the file cannot be written
 void write_file(const std::string& path, const std::string& content);
+
+/// The table, the script and, where gnuplot is, the picture of a figure.
+/// \param path  of its files, without ending; the last part is the figure's
+/// name \throws std::runtime_error if a file cannot be written
+void write_figure(const report::Figure& figure, const std::string& path);
 
 }  // namespace brachisto::benchmarks

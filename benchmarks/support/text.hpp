@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/extremal/status.hpp"
+#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/study/solve.hpp"
 
 namespace brachisto::benchmarks {

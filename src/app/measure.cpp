@@ -14,6 +14,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "brachisto/study/solve.hpp"
+#include "comparison/path_error.hpp"
 #include "math/wall_clock.hpp"
 
 namespace brachisto::app {
@@ -67,6 +68,14 @@ Json unknowns_of(const Solution& solution) {
   return program != nullptr ? Json(program->variables) : Json(nullptr);
 }
 
+Json path_of(const Solution& solution) {
+  Json path = Json::array();
+  for (const Point& at : comparison::places_along(solution)) {
+    path.push_back({at.x, at.z});
+  }
+  return path;
+}
+
 int run(const MeasureFlags& flags) {
   io::ProblemFile problem = io::read_problem_file(flags.file, flags.overrides);
   if (problem.options.of<DiscreteSystem>() != nullptr) {
@@ -77,6 +86,7 @@ int run(const MeasureFlags& flags) {
   const Json line = {{"cpu", repeat(problem, flags, solution, begin)},
                      {"tau", tau_of(solution)},
                      {"unknowns", unknowns_of(solution)},
+                     {"path", path_of(solution)},
                      {"result", Json::parse(report::result_json(solution))}};
   print_data(line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   return kSuccess;

@@ -71,7 +71,12 @@ int run(const PaperFlags& flags) {
       flags.problems.empty() ? default_problems() : fs::path(flags.problems),
       hooks);
   const reproduction::Reproduction made = reproduction::reproduce(found);
-  report::write_files(flags.out, reproduction::files(found, made), flags.force);
+  const reproduction::PaperFiles written =
+      reproduction::files(found, made, &signal);
+  if (!written.missing.empty()) {
+    tell(fmt::format("warning: {}\n", written.missing));
+  }
+  report::write_files(flags.out, written.files, flags.force);
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {

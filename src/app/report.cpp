@@ -3,10 +3,13 @@
 
 // brachisto report DIR: a sweep as a page with figures.
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -28,12 +31,16 @@ int run(const ReportFlags& flags) {
   sweep::Store store =
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
   const sweep::Job job = store.job();
-  const auto files = report::sweep_report(read_table(store, job));
+  const report::SweepPage page =
+      report::sweep_report(read_table(store, job), &catch_signals());
+  if (!page.missing.empty()) {
+    tell(fmt::format("warning: {}\n", page.missing));
+  }
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";
-  report::write_files(out, files, flags.force);
+  report::write_files(out, page.files, flags.force);
   if (!flags.quiet) {
-    for (const report::OutputFile& file : files) {
+    for (const report::OutputFile& file : page.files) {
       print(io::visible((out / file.name).string()) + "\n");
     }
   }

@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 #include <memory>
 
+#include <array>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/exit_code.hpp"
 #include "app/last_resort.hpp"
@@ -19,11 +22,11 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
-#include "brachisto/report/path_svg.hpp"
 #include "brachisto/report/result_json.hpp"
 #include "brachisto/report/summary.hpp"
 #include "brachisto/report/trajectory_csv.hpp"
 #include "brachisto/study/solve.hpp"
+#include "report/path_figure.hpp"
 
 namespace brachisto::app {
 
@@ -38,26 +41,45 @@ struct SolveFlags : CommonFlags {
 
 constexpr const char* kResultFile = "result.json";
 constexpr const char* kTrajectoryFile = "trajectory.csv";
-constexpr const char* kPathFile = "path.svg";
+/// The picture of the path, its table and script.
+constexpr std::array kPathFiles{"path.csv", "path.gp", "path.svg"};
 
-/// Writes the files of --out. Without a verified path there is only the result,
-/// and no path of an earlier one stays beside it. Of a million nodes this takes
-/// seconds, so that a signal ends it; the result comes last.
-void write_results(const SolveFlags& flags, const Solution& solution,
-                   const std::string& json, const std::atomic<int>& signal) {
-  if (!solution.verified()) {
-    report::write_files(flags.out, {{kResultFile, json}}, flags.force,
-                        {kTrajectoryFile, kPathFile});
-    return;
+/// All files of --out.
+std::vector<std::string> file_names() {
+  std::vector<std::string> names{kResultFile, kTrajectoryFile};
+  names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
+  return names;
+}
+
+/// The files of --out but the result; without a verified path none. A picture
+/// that is missing becomes a warning of the solution. Of a million nodes this
+/// takes seconds, so that a signal ends it.
+std::vector<report::OutputFile> path_files(Solution& solution,
+                                           const std::atomic<int>& signal) {
+  if (!solution.verified()) return {};
+  const Motion& motion = *solution.motion();
+  report::DrawnFigure picture =
+      report::draw(report::path_figure(motion, *solution.diagnostics),
+                   report::Format::Svg, &signal);
+  if (!picture.missing.empty()) {
+    tell(fmt::format("warning: {}\n", picture.missing));
+    solution.warnings.push_back(picture.missing);
   }
-  const StopScope scope(
-      StopCondition(std::numeric_limits<double>::infinity(), &signal));
-  report::write_files(
-      flags.out,
-      {{kTrajectoryFile, report::trajectory_csv(*solution.motion())},
-       {kPathFile, report::path_svg(*solution.motion())},
-       {kResultFile, json}},
-      flags.force);
+  picture.files.push_back({kTrajectoryFile, report::trajectory_csv(motion)});
+  return std::move(picture.files);
+}
+
+/// No path of an earlier result stays beside one that has none; the result
+/// comes last.
+void write_results(const SolveFlags& flags,
+                   std::vector<report::OutputFile> files,
+                   const std::string& json) {
+  std::vector<std::string> obsolete = file_names();
+  files.push_back({kResultFile, json});
+  for (const report::OutputFile& file : files) {
+    std::erase(obsolete, file.name);
+  }
+  report::write_files(flags.out, files, flags.force, obsolete);
 }
 
 /// Why the exit code is not zero, for those who see nothing else.
@@ -83,8 +105,7 @@ int run(const SolveFlags& flags) {
   }
   const io::ProblemFile problem = io::read_problem_file(flags.file, overrides);
   if (!flags.out.empty()) {
-    report::check_writable(flags.out, {kResultFile, kTrajectoryFile, kPathFile},
-                           flags.force);
+    report::check_writable(flags.out, file_names(), flags.force);
   }
 
   const std::atomic<int>& signal = catch_signals();
@@ -110,15 +131,28 @@ int run(const SolveFlags& flags) {
   for (const io::Diagnostic& warning : problem.warnings) {
     solution.warnings.push_back(io::to_string(warning));
   }
-  const std::string json = report::result_json(solution);
   if (flags.verbose) tell(solution.effort.log);
-  if (!flags.out.empty()) {
-    write_results(flags, solution, json, signal);
+  std::string json;
+  if (flags.out.empty()) {
+    json = report::result_json(solution);
+  } else {
+    // What a signal has ended already is written all the same.
+    std::optional<StopScope> scope;
+    if (solution.verified()) {
+      scope.emplace(
+          StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    }
+    std::vector<report::OutputFile> files = path_files(solution, signal);
+    json = report::result_json(solution);
+    write_results(flags, std::move(files), json);
   }
   if (flags.json) {
     print_data(json);
   } else if (!flags.quiet) {
-    print(report::summary(solution));
+    print_with_verdict(report::summary(solution),
+                       !solution.verified()  ? Colour::Red
+                       : solution.feasible() ? Colour::Green
+                                             : Colour::Yellow);
   }
   const std::string why = complaint(solution);
   if (flags.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
@@ -134,11 +168,11 @@ Verb solve_verb() {
       .text = "Compute the track of one scene, its smooth-contact extremal",
       .flags = flags->with(
           {directory_flag("--out", flags->out,
-                          "Write result.json, trajectory.csv and path.svg "
-                          "there"),
+                          "Write result.json, trajectory.csv and the picture "
+                          "path.svg there"),
            {.name = "--certify",
             .value = &flags->certify,
-            .text = "Second opinion: none or extremal (solver.certify)",
+            .text = "Cross-check: none or extremal (solver.certify)",
             .placeholder = "METHOD",
             .check = not_empty()},
            {"--force", &flags->force, "Replace existing results in DIR"},

@@ -3,10 +3,12 @@
 
 #include "app/terminal.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 
@@ -25,10 +27,30 @@ void write(std::string_view bytes) {
   }
 }
 
+/// https://no-color.org
+bool wants_colour() {
+  const char* terminal = std::getenv("TERM");
+  const char* no_colour = std::getenv("NO_COLOR");
+  return ::isatty(STDOUT_FILENO) == 1 && terminal != nullptr &&
+         std::string_view(terminal) != "dumb" &&
+         (no_colour == nullptr || *no_colour == '\0');
+}
+
 }  // namespace
 
 void print(std::string_view text) {
   write(io::visible_lines(text));
+}
+
+void print_with_verdict(std::string_view text, Colour colour) {
+  std::string shown = io::visible_lines(text);
+  const std::size_t begin = shown.find("\n  verdict");
+  if (wants_colour() && begin != std::string::npos) {
+    const std::size_t end = shown.find('\n', begin + 1);
+    shown.insert(end == std::string::npos ? shown.size() : end, "\033[0m");
+    shown.insert(begin + 1, fmt::format("\033[{}m", static_cast<int>(colour)));
+  }
+  write(shown);
 }
 
 void print_data(std::string_view data) {

@@ -16,6 +16,14 @@ namespace brachisto::app {
 /// \throws std::system_error  if they cannot be written
 void print(std::string_view text);
 
+/// As terminals number them.
+enum class Colour { Red = 31, Green = 32, Yellow = 33 };
+
+/// Results for people whose line `verdict` has a colour, if stdout is a
+/// terminal and NO_COLOR is not set.
+/// \throws std::system_error  if they cannot be written
+void print_with_verdict(std::string_view text, Colour colour);
+
 /// Data for programs, to stdout, byte by byte; to a terminal like print().
 /// \throws std::system_error  if they cannot be written
 void print_data(std::string_view data);

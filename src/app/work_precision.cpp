@@ -3,6 +3,8 @@
 
 // brachisto work-precision FILE: what accuracy costs, method by method.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -52,7 +54,12 @@ int run(const WorkPrecisionFlags& flags) {
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
   if (!flags.out.empty()) {
-    report::write_files(flags.out, comparison::files(found), flags.force);
+    const report::DrawnFigure diagram =
+        comparison::drawn(found, hooks.interrupt);
+    if (!diagram.missing.empty()) {
+      tell(fmt::format("warning: {}\n", diagram.missing));
+    }
+    report::write_files(flags.out, diagram.files, flags.force, names);
   }
   if (flags.json) {
     print_data(comparison::to_json(found));
@@ -75,9 +82,9 @@ Verb work_precision_verb() {
       .name = "work-precision",
       .text = "Processor time against true error, method by method",
       .flags = flags->with(
-          {directory_flag(
-               "--out", flags->out,
-               "Write work_precision.svg, .csv, .gp and .json there"),
+          {directory_flag("--out", flags->out,
+                          "Write diagrams, their tables and scripts, and "
+                          "work_precision.json there"),
            {"--force", &flags->force, "Replace existing files in DIR"},
            {"--quick", &flags->quick,
             "The three coarsest meshes that all methods take, one "

@@ -79,7 +79,7 @@ std::optional<Reference> reference_in(const Measurement& extremal) {
   if (!extremal.solved() || !extremal.verified || !extremal.estimated_error) {
     return std::nullopt;
   }
-  return Reference{extremal.tau, *extremal.estimated_error};
+  return Reference{extremal.tau, *extremal.estimated_error, extremal.path};
 }
 
 double error_of(const Measurement& run, const Reference& reference) {

@@ -36,10 +36,11 @@ struct Hooks {
   std::function<void(const std::string&)> announce;  ///< what is run next
 };
 
-/// The transit time that errors are taken against.
+/// What errors are taken against.
 struct Reference {
   double tau = 0.0;
-  double error = 0.0;  ///< relative, its own
+  double error = 0.0;            ///< relative, its own
+  std::vector<Point> path = {};  ///< see places_along()
 };
 
 /// The reference in a measurement of the extremal method, if it is one.

@@ -12,20 +12,14 @@
 #include "comparison/documents.hpp"
 #include "comparison/statistics.hpp"
 #include "comparison/text_table.hpp"
+#include "report/digits.hpp"
 #include "report/letters.hpp"
 
 namespace brachisto::comparison {
 
 using Json = nlohmann::ordered_json;
 
-namespace {
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Json to_json(const Measurement& run) {
   Json json = {{"outcome", name(run.outcome)},
@@ -70,8 +64,9 @@ void add_origin(Json& document, const Subject& subject) {
 }
 
 std::string reference_text(const Reference& reference) {
-  return fmt::format("τ = {:.12f}, by the extremal method, ± {:.1e}",
-                     reference.tau, reference.error * reference.tau);
+  return fmt::format(
+      "τ = {} by the extremal method",
+      report::with_error(reference.tau, reference.error * reference.tau));
 }
 
 std::string error_text(double error, const Reference& reference) {
@@ -86,6 +81,13 @@ std::string iterations_text(const Measurement& run) {
   return fmt::format("{} + {}", *run.iterations, steps);
 }
 
+/// Without a reference as the method itself sees its error.
+std::string tau_text(const ComparisonRow& row) {
+  const double tau = row.run.tau;
+  const double error = row.error.value_or(row.run.estimated_error.value_or(0.0));
+  return report::within_error(tau, error * tau);
+}
+
 std::string summary(const MethodComparison& comparison) {
   constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
   Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
@@ -97,7 +99,7 @@ std::string summary(const MethodComparison& comparison) {
          run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
          iterations_text(run), or_dash(run.evaluations),
          memory_text(run.peak_memory),
-         run.solved() ? fmt::format("{:.10f}", run.tau) : "—",
+         run.solved() ? tau_text(row) : "—",
          row.error ? error_text(*row.error, *comparison.reference) : "—",
          report::shortened(verdict(row), kVerdict)});
   }

@@ -7,11 +7,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "comparison/comparison.hpp"
 
 namespace brachisto::comparison {
+
+/// The value, or null.
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json or_null(
+    const std::optional<Value>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
 
 /// Outcome, cause, times and effort of a run; what there is not is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const Measurement& run);
@@ -22,7 +30,7 @@ namespace brachisto::comparison {
 /// The keys `machine`, `provenance` and `scene`.
 void add_origin(nlohmann::ordered_json& document, const Subject& subject);
 
-/// "τ = 5.093444466618 ± 2e-14 by the extremal method".
+/// "τ = 5.09344446661800(4) by the extremal method".
 [[nodiscard]] std::string reference_text(const Reference& reference);
 
 /// "1.6e-06", or that it is less than the reference can tell.

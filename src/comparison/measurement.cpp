@@ -9,13 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result_json.hpp"
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 namespace brachisto::comparison {
 
 namespace {
-
-using sweep::ChildRun;
 
 using Json = nlohmann::json;
 
@@ -54,6 +52,13 @@ Measurement from_document(const Json& json) {
     out.tau = *tau;
     out.verified = result.at("verified").get<bool>();
     out.estimated_error = value_at<double>(result, "estimated_error");
+    if (result.contains("certificate") && result["certificate"].is_object()) {
+      out.energy_drift =
+          value_at<double>(result["certificate"], "energy_drift");
+    }
+    for (const Json& at : json.value("path", Json::array())) {
+      out.path.push_back({at.at(0).get<double>(), at.at(1).get<double>()});
+    }
     if (!out.verified) out.cause = joined(result, "not_verified_because");
     return out;
   }
@@ -116,12 +121,12 @@ Measurement measure(const Experiment& experiment,
                    {"--repetitions", fmt::format("{}", experiment.repetitions),
                     "--seconds", fmt::format("{}", experiment.seconds),
                     "--residual", fmt::format("{}", system.tolerance)});
-  const ChildRun run = sweep::run_child("/proc/self/exe", arguments,
-                                        experiment.seconds, interrupt);
+  const ChildRun run =
+      run_child("/proc/self/exe", arguments, experiment.seconds, interrupt);
   Measurement out;
   switch (run.end) {
     case ChildRun::End::Interrupted:
-      throw sweep::Interrupted{};
+      throw Interrupted{};
     case ChildRun::End::OutOfTime:
       out.outcome = Measurement::Outcome::Limit;
       out.cause = fmt::format("killed after {:g} s", experiment.seconds);

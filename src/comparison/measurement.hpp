@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/model/scene.hpp"
 #include "brachisto/study/solve_options.hpp"
 
 namespace brachisto::comparison {
@@ -43,6 +44,9 @@ struct Measurement {
   double tau = 0.0;                       ///< T √(2 g/H) [-]
   bool verified = false;                  ///< by the certificate
   std::optional<double> estimated_error;  ///< relative, the method's own
+  /// max |w²/2g − E| of the certificate; nothing where w comes from energy.
+  std::optional<double> energy_drift;
+  std::vector<Point> path;  ///< see places_along()
   std::vector<double> cpu;  ///< processor time of each repetition [s]
 
   // Of what ran to its end:

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "comparison/methods.hpp"
+#include "comparison/path_error.hpp"
 
 namespace brachisto::comparison {
 
@@ -38,8 +39,15 @@ class Campaign {
         has_meshes(method) ? plan_.meshes : std::vector<int>{0};
     for (const int mesh : meshes) {
       if (has_meshes(method) && mesh < smallest_mesh(method)) continue;
-      PrecisionPoint point{mesh, run(method, mesh, plan_.repetitions), {}};
-      if (point.run.solved()) point.error = error_of(point.run, reference);
+      PrecisionPoint point{mesh, run(method, mesh, plan_.repetitions), {}, {}};
+      if (point.run.solved()) {
+        const Scene& scene = subject_.problem.scene;
+        point.error = error_of(point.run, reference);
+        if (method.kind != ComparedMethod::Kind::Extremal) {
+          point.path_error = path_error(point.run.path, reference.path,
+                                        std::max(scene.L, scene.H));
+        }
+      }
       out.points.push_back(std::move(point));
     }
     return out;
@@ -70,7 +78,9 @@ std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
       errors.push_back({static_cast<double>(point.mesh), *point.error});
     }
   }
-  return observed_order(errors, floor);
+  constexpr int kLeastMeshes = 4;
+  const auto order = observed_order(errors, floor);
+  return order && order->points >= kLeastMeshes ? order : std::nullopt;
 }
 
 }  // namespace

@@ -6,14 +6,15 @@
 
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
 #include "comparison/comparison.hpp"
 #include "comparison/statistics.hpp"
+#include "report/figure.hpp"
 
 namespace brachisto::comparison {
 
@@ -28,13 +29,17 @@ struct PrecisionPoint {
   int mesh = 0;  ///< as in the plan; 0: it has none
   Measurement run;
   std::optional<double> error;  ///< relative, of τ; nothing unless solved
+  /// Largest distance from the path of the reference, in max(L, H); nothing for
+  /// the reference itself.
+  std::optional<double> path_error;
 };
 
 /// A method on all meshes.
 struct PrecisionLine {
   ComparedMethod method;
   std::vector<PrecisionPoint> points;
-  std::optional<ObservedOrder> order;  ///< in the size of the mesh
+  /// In the size of the mesh; of four meshes at least, fewer tell none.
+  std::optional<ObservedOrder> order;
 };
 
 struct WorkPrecision {
@@ -67,8 +72,13 @@ struct WorkPrecision {
 
 /// Names of the files, of which the last one is written last.
 [[nodiscard]] std::vector<std::string> work_precision_file_names();
-/// The diagram, its numbers and script, and a document with all there is.
-[[nodiscard]] std::vector<report::OutputFile> files(const WorkPrecision& found);
+/// Processor time against the errors of τ and of the path and the energy drift,
+/// each as a diagram with its numbers and script, and a document with all there
+/// is.
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] report::DrawnFigure drawn(const WorkPrecision& found,
+                                        const std::atomic<int>* interrupt);
 [[nodiscard]] std::string summary(const WorkPrecision& found);
 [[nodiscard]] std::string to_json(const WorkPrecision& found);
 

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
 #include "report/chart.hpp"
+#include "report/track_kind.hpp"
 
 namespace brachisto::comparison {
 
@@ -24,7 +26,24 @@ using report::Mark;
 using report::Stroke;
 using Kind = ComparedMethod::Kind;
 
-constexpr const char* kName = "work_precision";
+/// What a diagram has to the right.
+struct Measure {
+  const char* name;   ///< of its files
+  const char* title;  ///< after "Processor time against "
+  const char* label;
+  std::optional<double> (*of)(const PrecisionPoint& point);
+  bool of_tau = false;  ///< with orders, limits and runs without a result
+};
+constexpr Measure kMeasures[] = {
+    {"work_precision", "error of the transit time", "relative error of τ",
+     [](const PrecisionPoint& point) { return point.error; }, true},
+    {"work_precision_path", "error of the path",
+     "distance from the reference path of the centre / max(L, H)",
+     [](const PrecisionPoint& point) { return point.path_error; }},
+    {"work_precision_energy", "energy drift",
+     "largest |w^2/2g − E| / max(L, H)",
+     [](const PrecisionPoint& point) { return point.run.energy_drift; }},
+};
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kThin = 0.9;  // [px]
 constexpr const char* kGrey = "#666666";
@@ -74,10 +93,12 @@ std::string words(const ComparedMethod& method) {
 
 class Diagram {
  public:
-  explicit Diagram(const WorkPrecision& found) : found_(found) {
-    chart_.name = kName;
-    chart_.title = "Processor time against error of the transit time";
-    chart_.x.label = "relative error of τ";
+  Diagram(const WorkPrecision& found, const Measure& measure)
+      : found_(found), measure_(measure) {
+    chart_.name = measure.name;
+    chart_.title = fmt::format("Processor time against {}", measure.title);
+    chart_.subtitle = report::in_words(found.subject.problem.scene);
+    chart_.x.label = measure.label;
     chart_.x.scale = report::Scale::Logarithmic;
     chart_.y.label = "processor time [s]";
     chart_.y.scale = report::Scale::Logarithmic;
@@ -94,6 +115,7 @@ class Diagram {
       add_line(line, look);
     }
     set_ranges();
+    if (!measure_.of_tau) return std::move(chart_);
     if (failures_ > 0) add_failures();
     add_reference();
     add_floor();
@@ -103,17 +125,21 @@ class Diagram {
  private:
   /// An error that cannot be told from that of the reference is drawn there.
   [[nodiscard]] double shown(double error) const {
-    return std::max({error, found_.reference.error,
+    return std::max({error, measure_.of_tau ? found_.reference.error : 0.0,
                      std::numeric_limits<double>::epsilon()});
   }
 
-  /// With the order that was observed, where there is one.
-  [[nodiscard]] static std::string key_of(const PrecisionLine& line) {
+  /// With the order that was observed, if it is certainly above zero.
+  [[nodiscard]] std::string key_of(const PrecisionLine& line) const {
     std::string key = words(line.method);
-    if (!line.order) return key;
-    key += fmt::format(", order {:.1f}", line.order->order);
-    if (line.order->uncertainty) {
-      key += fmt::format(" ± {:.1f}", *line.order->uncertainty);
+    const std::optional<ObservedOrder>& order = line.order;
+    if (!measure_.of_tau || !order ||
+        !(order->order > 2.0 * order->uncertainty.value_or(0.0))) {
+      return key;
+    }
+    key += fmt::format(", order {:.1f}", order->order);
+    if (order->uncertainty) {
+      key += fmt::format(" ± {:.1f}", *order->uncertainty);
     }
     return key;
   }
@@ -132,8 +158,9 @@ class Diagram {
     spread.mark = Mark::None;
     spread.width = kThin;
     for (const PrecisionPoint& point : line.points) {
-      if (!point.error) continue;
-      const double x = shown(*point.error);
+      const std::optional<double> error = measure_.of(point);
+      if (!error) continue;
+      const double x = shown(*error);
       const Spread times = spread_of(point.run.cpu);
       curve.points.push_back({x, times.median});
       spread.points.insert(
@@ -160,14 +187,17 @@ class Diagram {
 
   /// With room for marks and words at the edges.
   void set_ranges() {
-    for (const PrecisionLine& line : found_.lines) {
-      for (const PrecisionPoint& point : line.points) {
-        if (point.run.solved()) continue;
-        ys_.include(time_of_failure(point));
-        ++failures_;
+    if (measure_.of_tau) {
+      for (const PrecisionLine& line : found_.lines) {
+        for (const PrecisionPoint& point : line.points) {
+          if (point.run.solved()) continue;
+          ys_.include(time_of_failure(point));
+          ++failures_;
+        }
       }
+      xs_.include(found_.tolerance());
     }
-    xs_.include(found_.tolerance());
+    if (!(xs_.low <= xs_.high)) return;  // nothing to show
     constexpr double kRoom = 2.5;
     const auto widen = [](report::Side& side, const report::Extent& extent) {
       side.low = extent.low / kRoom;
@@ -256,6 +286,7 @@ class Diagram {
   }
 
   const WorkPrecision& found_;
+  const Measure& measure_;
   report::Chart chart_;
   report::Extent xs_, ys_;
   std::vector<Look> looks_;  ///< of each line
@@ -265,17 +296,28 @@ class Diagram {
 }  // namespace
 
 std::vector<std::string> work_precision_file_names() {
-  const std::string name = kName;
-  return {name + ".svg", name + ".csv", name + ".gp", name + ".json"};
+  std::vector<std::string> names;
+  for (const Measure& measure : kMeasures) {
+    for (const char* ending : {".svg", ".csv", ".gp"}) {
+      names.push_back(fmt::format("{}{}", measure.name, ending));
+    }
+  }
+  names.push_back(fmt::format("{}.json", kMeasures[0].name));
+  return names;
 }
 
-std::vector<report::OutputFile> files(const WorkPrecision& found) {
-  const report::Chart chart = Diagram(found).draw();
-  const std::vector<std::string> names = work_precision_file_names();
-  return {{names[0], report::chart_svg(chart)},
-          {names[1], report::chart_csv(chart)},
-          {names[2], report::chart_gnuplot(chart)},
-          {names[3], to_json(found)}};
+report::DrawnFigure drawn(const WorkPrecision& found,
+                          const std::atomic<int>* interrupt) {
+  report::DrawnFigure out;
+  for (const Measure& measure : kMeasures) {
+    report::DrawnFigure one =
+        report::draw(report::chart_figure(Diagram(found, measure).draw()),
+                     report::Format::Svg, interrupt);
+    if (!one.missing.empty()) out.missing = one.missing;
+    std::ranges::move(one.files, std::back_inserter(out.files));
+  }
+  out.files.push_back({work_precision_file_names().back(), to_json(found)});
+  return out;
 }
 
 }  // namespace brachisto::comparison

@@ -85,7 +85,9 @@ Json line_json(const PrecisionLine& line) {
   Json points = Json::array();
   for (const PrecisionPoint& point : line.points) {
     Json json = {{"mesh", point.mesh > 0 ? Json(point.mesh) : Json(nullptr)},
-                 {"error", point.error ? Json(*point.error) : Json(nullptr)}};
+                 {"error", or_null(point.error)},
+                 {"path_error", or_null(point.path_error)},
+                 {"energy_drift", or_null(point.run.energy_drift)}};
     json.update(to_json(point.run));
     points.push_back(std::move(json));
   }

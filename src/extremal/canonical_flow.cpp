@@ -24,17 +24,12 @@ CanonicalFlow::CanonicalFlow(const Body& body, double gravity,
   body_.eta_m = parameters.eta;
 }
 
-Costates CanonicalFlow::costates(const State& y) const {
-  return {parameters_.p_x, parameters_.p_z, y[kPTheta], y[kPW]};
-}
-
 bool CanonicalFlow::find_slope(const State& y, double near,
                                Slope& slope) const {
-  const double beta =
-      minimising_slope(body_, g_, {y[kTheta], y[kW]}, costates(y), near);
-  if (!std::isfinite(beta)) return false;
-
   const auto& [p_x, p_z, eta] = parameters_;
+  const double beta = minimising_slope(body_, g_, {y[kTheta], y[kW]},
+                                       {p_x, p_z, y[kPTheta], y[kPW]}, near);
+  if (!std::isfinite(beta)) return false;
   const double c = std::cos(beta);
   const double s = std::sin(beta);
   const double sin_d = std::sin(y[kTheta] - beta);
@@ -105,25 +100,6 @@ State CanonicalFlow::variation_rates(const State& y, const Slope& slope,
                          p_w * eta * slope.cos_theta * v[kTheta] +
                          p_w * slope.sin_theta * dp.eta),
           -d_p_s - v[kPTheta] * inverse_radius_};
-}
-
-double CanonicalFlow::hamiltonian(const State& y, double beta) const {
-  return slope_hamiltonian(body_, g_, {y[kTheta], y[kW]}, costates(y), beta)
-             .value +
-         y[kPTheta] * y[kW] * inverse_radius_ +
-         y[kPW] * g_ * parameters_.eta * std::cos(y[kTheta]);
-}
-
-double CanonicalFlow::weierstrass_excess(const State& y, double beta) const {
-  // 𝓗(b) has at most two minima, and the second one is wide if it is deep.
-  constexpr int kSlopes = 64;
-  const double here = hamiltonian(y, beta);
-  double excess = 0.0;
-  for (int i = 1; i < kSlopes; ++i) {
-    const double other = beta + 2.0 * std::numbers::pi * i / kSlopes;
-    excess = std::min(excess, hamiltonian(y, other) - here);
-  }
-  return excess;
 }
 
 }  // namespace brachisto::shooting

@@ -55,14 +55,9 @@ class CanonicalFlow {
                                        const State& v,
                                        const FlowParameters& dp) const;
 
-  [[nodiscard]] double hamiltonian(const State& y, double beta) const;
-  /// min over all b of 𝓗(b) − 𝓗(β), from a scan over the circle.
-  [[nodiscard]] double weierstrass_excess(const State& y, double beta) const;
   [[nodiscard]] double inverse_radius() const { return inverse_radius_; }
 
  private:
-  [[nodiscard]] Costates costates(const State& y) const;
-
   Body body_;
   double g_;
   double inverse_radius_;

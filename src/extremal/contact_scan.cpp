@@ -28,7 +28,7 @@ constexpr int kDivisions = 2;  // of cells on a border, each into four
 // Two roots are the same if θ and φ agree to this [rad].
 constexpr double kSame = 1e-5;
 
-/// Grid over the arrivals.
+/// Grid over the terminal conditions.
 struct Grid {
   int thetas, phis;  ///< cells
 

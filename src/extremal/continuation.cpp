@@ -10,6 +10,8 @@ namespace brachisto::shooting {
 
 namespace {
 
+// Those repeated with half the length included.
+constexpr int kMostSteps = 2000;
 constexpr double kFirstStep = 0.1;  // in scaled globals, η among them
 constexpr double kLongestStep = 0.4;
 constexpr double kShortestStep = 1e-7;
@@ -118,7 +120,7 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
   Branch branch;
   branch.point = start;
   NewtonResult here =
-      solve_newton(system, start, scale, ClosingRow::offset(0.0), newton);
+      solve_newton(system, start, scale, TangencyRow::offset(0.0), newton);
   branch.newton_steps += here.steps;
   if (here.end == NewtonEnd::Stopped) branch.end = BranchEnd::Stopped;
   if (here.end != NewtonEnd::Converged) return branch;
@@ -127,20 +129,21 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
   Tangent tangent = tangent_at(here.at, scale, Globals::Unit(kEta));
   double step = kFirstStep;
 
-  for (int i = 0; i < options.max_continuation_steps; ++i) {
+  for (int i = 0; i < kMostSteps; ++i) {
     const double eta = here.point.globals(kEta);
     const double eta_slope = tangent.direction.globals(kEta);
     const double to_target = (target - eta) / eta_slope;
     const bool lands = to_target > 0.0 && to_target <= step;
     const double length = lands ? to_target : step;
     const ChainVector predicted = moved(here.point, length, tangent.direction);
-    ClosingRow closing = ClosingRow::offset(target);
+    TangencyRow tangency = TangencyRow::offset(target);
     if (!lands) {
-      closing.row = covector(tangent, scale);
-      closing.value = closing.row.dot(predicted.globals);
+      tangency.row = covector(tangent, scale);
+      tangency.value = tangency.row.dot(predicted.globals);
     }
 
-    NewtonResult next = solve_newton(system, predicted, scale, closing, newton);
+    NewtonResult next =
+        solve_newton(system, predicted, scale, tangency, newton);
     branch.newton_steps += next.steps;
     if (next.end == NewtonEnd::Stopped) {
       branch.end = BranchEnd::Stopped;

@@ -16,20 +16,11 @@ namespace brachisto {
 
 using shooting::CanonicalFlow;
 
-namespace {
-
-/// Rounding and integration errors of slopes and of 𝓗, with a wide margin.
-constexpr double kSlack = 1e-9;
-
-}  // namespace
-
 bool Regularity::free_of_loops() const {
+  // Rounding and integration errors of slopes, with a wide margin.
+  constexpr double kSlack = 1e-9;
   return min_beta >= -std::numbers::pi - kSlack &&
          max_beta <= std::numbers::pi + kSlack;
-}
-
-bool Regularity::weierstrass_holds() const {
-  return min_excess >= -kSlack;
 }
 
 ExtremalPath::ExtremalPath(const Scene& natural, const Units& units, double p_x,
@@ -66,21 +57,12 @@ ExtremalState ExtremalPath::in_si(const Knot& knot) const {
           .t = knot.t * units_.time};
 }
 
-std::vector<double> ExtremalPath::sigmas() const {
-  std::vector<double> out;
-  out.reserve(knots_.size());
-  for (const Knot& knot : knots_) out.push_back(knot.u / knots_.back().u);
-  return out;
-}
-
 Regularity ExtremalPath::regularity() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Regularity found{.min_legendre = kInfinity,
-                   .min_excess = kInfinity,
                    .min_w = kInfinity,
                    .min_beta = kInfinity,
-                   .max_beta = -kInfinity,
-                   .max_hamiltonian = 0.0};
+                   .max_beta = -kInfinity};
   const CanonicalFlow flow(natural_.body, natural_.gravity,
                            {p_x_, p_z_, natural_.body.eta_m});
   double max_w = 0.0;
@@ -90,16 +72,12 @@ Regularity ExtremalPath::regularity() const {
     const bool minimal = flow.find_slope(y, knot.beta, slope);
     const double legendre = minimal ? slope.legendre : -kInfinity;
     found.min_legendre = std::min(found.min_legendre, legendre);
-    found.min_excess =
-        std::min(found.min_excess, flow.weierstrass_excess(y, knot.beta));
     if (&knot != &knots_.front()) {
       found.min_w = std::min(found.min_w, y[shooting::kW]);
     }
     max_w = std::max(max_w, y[shooting::kW]);
     found.min_beta = std::min(found.min_beta, knot.beta);
     found.max_beta = std::max(found.max_beta, knot.beta);
-    found.max_hamiltonian = std::max(found.max_hamiltonian,
-                                     std::abs(flow.hamiltonian(y, knot.beta)));
   }
   found.min_w /= max_w;
   return found;

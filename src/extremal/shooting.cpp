@@ -6,16 +6,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "brachisto/model/cycloid.hpp"
+#include "brachisto/model/inertia.hpp"
 #include "brachisto/model/start_angle.hpp"
 #include "extremal/boundary.hpp"
 #include "extremal/continuation.hpp"
-#include "extremal/first_unknowns.hpp"
 
 namespace brachisto {
+
+std::string_view describe(ExtremalStatus status) {
+  constexpr std::array<std::string_view, 12> kSentences{
+      "solved to the accuracy asked for",
+      "an extremal was found, with fewer digits than asked for",
+      "no path exists for a centred body, from which to start",
+      "the branch of extremals from the cycloid turns back before η_m",
+      "the continuation from the cycloid got stuck before η_m",
+      "Newton's method did not converge",
+      "the equations cannot be integrated from the guess",
+      "the extremal found has a loop, which is no track",
+      "the body comes to rest on the extremal found",
+      "the Hamiltonian is not minimal along the extremal found",
+      "the time allowed ran out",
+      "stopped from outside"};
+  static_assert(kSentences.size() ==
+                static_cast<std::size_t>(ExtremalStatus::Interrupted) + 1);
+  return kSentences.at(static_cast<std::size_t>(status));
+}
 
 namespace {
 
@@ -149,10 +170,10 @@ void Solve::finish() {
                       .halve = false},
       .tolerance = wanted,
       .max_steps = options_.max_newton_steps};
-  const ClosingRow closing = ClosingRow::offset(natural_.body.eta_m);
+  const TangencyRow tangency = TangencyRow::offset(natural_.body.eta_m);
 
   const NewtonResult coarse =
-      solve_newton(system_, start_, scale_, closing, newton);
+      solve_newton(system_, start_, scale_, tangency, newton);
   solution_.newton_steps += coarse.steps;
   const auto describe_stop = [&](const NewtonResult& result) {
     return fmt::format(
@@ -181,7 +202,7 @@ void Solve::finish() {
   }
   newton.integration.halve = true;
   const NewtonResult fine =
-      solve_newton(system_, coarse.point, scale_, closing, newton);
+      solve_newton(system_, coarse.point, scale_, tangency, newton);
   solution_.newton_steps += fine.steps;
   if (fine.end == NewtonEnd::Stopped) {
     stop(describe_stop(fine));
@@ -325,6 +346,41 @@ ExtremalSolution solve_extremal(const Scene& scene,
   return stoppable(solve, options.stop, [&] {
     if (solve.continue_in_offset()) solve.finish();
   });
+}
+
+// For constant A, ∂𝓗/∂β = 0 and 𝓗 = 0 say that the vector (w p_x, w p_z + g
+// p_w) is −√A (cos β, sin β). With β = π/2 − ψ/2 and w = 2 √(g a) sin ψ/2 this
+// gives p_x = −√A/(2 √(g a)); p_w(U) = 0 gives p_z = p_x cot(ψ_end/2).
+ExtremalGuess cycloid_guess(const Scene& scene) {
+  ExtremalGuess guess;
+  const std::optional<CycloidArc> arc = axisymmetric_optimum(scene);
+  if (!arc) return guess;
+  const double g = scene.gravity;
+  const double root = std::sqrt(axisymmetric_inertia_factor(scene.body));
+  const double p_x = -root / (2.0 * std::sqrt(g * arc->a));
+  const double p_z = p_x / std::tan(0.5 * arc->psi_end);
+  const Body body = scene.body;
+
+  guess.rolling_time = arc->rolling_time(g);
+  guess.phi = arc->slope_angle(arc->psi_end);
+  guess.p_x = p_x;
+  guess.p_z = p_z;
+  guess.state = [arc = *arc, body, g, root, p_z](double sigma) {
+    const double psi = sigma * arc.psi_end;
+    const Point centre = arc.at(psi);
+    const double w = arc.fall_speed(g, psi);
+    const double turned =
+        body.rolls() ? arc.arc_length(psi) / body.radius : 0.0;
+    return ExtremalState{.x = centre.x,
+                         .z = centre.z,
+                         .theta = body.theta_m + turned,
+                         .w = w,
+                         .p_theta = 0.0,
+                         .p_w = -(root * std::cos(0.5 * psi) + w * p_z) / g,
+                         .beta = arc.slope_angle(psi),
+                         .t = root * sigma * arc.rolling_time(g)};
+  };
+  return guess;
 }
 
 }  // namespace brachisto

@@ -3,12 +3,14 @@
 
 /// \file
 /// Pontryagin's conditions as a system of equations for the states where arcs
-/// meet and a few global unknowns.
+/// meet and a few global unknowns, and where to start solving it.
 
 #pragma once
 
+#include "brachisto/extremal/shooting.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/model/units.hpp"
 #include "extremal/chain_elimination.hpp"
 
 namespace brachisto::shooting {
@@ -74,5 +76,20 @@ struct ChainScale {
 /// point + factor · change.
 [[nodiscard]] ChainVector moved(const ChainVector& point, double factor,
                                 const ChainVector& change);
+
+/// Number of arcs: `wanted`, or if that is 0 three for each turn of the body,
+/// the natural length of all that varies along the path, but at least four.
+[[nodiscard]] int choose_arcs(const Scene& natural, const ExtremalGuess& guess,
+                              int wanted);
+
+/// The guess where arcs meet. θ of a bead counts arc length, on which nothing
+/// depends: it is left at zero here, and Newton's first step corrects it.
+[[nodiscard]] ChainVector to_chain(const Scene& natural, const Units& units,
+                                   const ExtremalGuess& guess, int num_arcs);
+
+/// Natural sizes: those of the guess for U and (p_x, p_z), r for p_θ (which is
+/// r times a costate of arc length), 1 for lengths, speeds and angles.
+[[nodiscard]] ChainScale scale_of(const Scene& natural,
+                                  const ChainVector& point);
 
 }  // namespace brachisto::shooting

@@ -37,27 +37,10 @@ bool takes_all(Phase phase) {
 }  // namespace
 
 std::string_view name(Phase phase) {
-  switch (phase) {
-    case Phase::Start:
-      return "start";
-    case Phase::SetUp:
-      return "set_up";
-    case Phase::Evaluation:
-      return "evaluation";
-    case Phase::Factorisation:
-      return "factorisation";
-    case Phase::Solution:
-      return "solution";
-    case Phase::Ipopt:
-      return "ipopt";
-    case Phase::Certificate:
-      return "certificate";
-    case Phase::Diagnosis:
-      return "diagnosis";
-    case Phase::Other:
-      return "other";
-  }
-  return "";
+  constexpr std::array<std::string_view, kNumPhases> kNames{
+      "start", "set_up",      "evaluation", "factorisation", "solution",
+      "ipopt", "certificate", "diagnosis",  "other"};
+  return kNames.at(static_cast<std::size_t>(phase));
 }
 
 PhaseSeconds& PhaseSeconds::operator-=(const PhaseSeconds& other) {

@@ -6,15 +6,9 @@
 #include <cassert>
 #include <utility>
 
+#include "math/index.hpp"
+
 namespace brachisto::math {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 LagrangeBasis::LagrangeBasis(std::vector<double> nodes)
     : nodes_(std::move(nodes)), weights_(nodes_.size()) {
@@ -56,22 +50,31 @@ void LagrangeBasis::differentiate(double t, std::span<double> slopes) const {
   }
 }
 
-SmallMatrix LagrangeBasis::values_at(std::span<const double> points) const {
+SmallMatrix LagrangeBasis::rows(std::span<const double> points,
+                                void (LagrangeBasis::*row_at)(double,
+                                                              std::span<double>)
+                                    const) const {
   SmallMatrix matrix(static_cast<int>(points.size()), size());
   std::vector<double> row(nodes_.size());
   for (int i = 0; i < matrix.rows(); ++i) {
-    evaluate(points[at(i)], row);
+    (this->*row_at)(points[at(i)], row);
     for (int j = 0; j < size(); ++j) matrix(i, j) = row[at(j)];
   }
   return matrix;
 }
 
-SmallMatrix LagrangeBasis::slopes_at(std::span<const double> points) const {
-  SmallMatrix matrix(static_cast<int>(points.size()), size());
-  std::vector<double> row(nodes_.size());
+SmallMatrix LagrangeBasis::integrals_to(std::span<const double> ends,
+                                        const QuadratureRule& rule) const {
+  SmallMatrix matrix(static_cast<int>(ends.size()), size());
+  std::vector<double> values(nodes_.size());
   for (int i = 0; i < matrix.rows(); ++i) {
-    differentiate(points[at(i)], row);
-    for (int j = 0; j < size(); ++j) matrix(i, j) = row[at(j)];
+    const double end = ends[at(i)];
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      evaluate(end * rule.points[q], values);
+      for (int j = 0; j < size(); ++j) {
+        matrix(i, j) += end * rule.weights[q] * values[at(j)];
+      }
+    }
   }
   return matrix;
 }

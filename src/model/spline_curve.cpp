@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// spline_through(): a smooth curve through given points.
+/// Smooth curves through given points, both coordinates by cubic splines.
 
 #include <fmt/format.h>
 
@@ -10,18 +10,118 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
-#include <utility>
 
 #include "brachisto/model/plane_curve.hpp"
+#include "math/index.hpp"
 #include "model/cubic_spline.hpp"
 
 namespace brachisto {
 
 namespace {
 
-std::size_t at_index(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr double kTurn = 6.283185307179586;
+
+/// What the value of a spline means for one coordinate.
+struct Part {
+  double offset, tangent, bend;
+};
+
+/// Splines are coordinates as functions of t = q².
+struct OfSquare {
+  static double parameter(double q) { return q * q; }
+  static double place(double t) { return std::sqrt(t); }
+  static Part part(const CubicSpline::Value& y, double) {
+    return {y.f, y.d1, y.d2};
+  }
+  /// ds/dq over the length of the tangent, and dβ/dq over its own turning.
+  static double pace(double q) { return 2.0 * q; }
+  static double turning(double q) { return 2.0 * q; }
+};
+
+/// offset = q² y(q), so that d(offset)/dq = q t with t = 2 y + q y', which is
+/// not zero at the start; its direction is the slope.
+struct FromRest {
+  static double parameter(double q) { return q; }
+  static double place(double t) { return t; }
+  static Part part(const CubicSpline::Value& y, double q) {
+    return {q * q * y.f, 2.0 * y.f + q * y.d1, 3.0 * y.d1 + q * y.d2};
+  }
+  static double pace(double q) { return q; }
+  static double turning(double) { return 1.0; }
+};
+
+template <class Way>
+class SplineCurve final : public PlaneCurve {
+ public:
+  /// \param t       ascending; the first piece reaches back to the start
+  /// \param origin  from which offsets are measured
+  SplineCurve(Point start, Point origin, const std::vector<double>& t,
+              const std::vector<double>& x, const std::vector<double>& z)
+      : start_(start), origin_(origin), t_(t), x_(t, x), z_(t, z) {
+    // Continuous slope: at each point from the one before it.
+    slopes_.push_back(slope(0, 0.0));
+    for (int i = 0; i + 1 < static_cast<int>(t_.size()); ++i) {
+      slopes_.push_back(
+          continued(slopes_.back(), slope(i, t_[at_knot(i + 1)])));
+    }
+  }
+
+  [[nodiscard]] Point start() const override { return start_; }
+  [[nodiscard]] CurvePlace at(double q) const override {
+    const auto [piece, x, z] = parts(q);
+    const auto [speed, turning] = pace_of(q, x, z);
+    return {
+        {x.offset - origin_.x, z.offset - origin_.z},
+        continued(slopes_[at_knot(piece)], std::atan2(z.tangent, x.tangent)),
+        speed,
+        turning};
+  }
+  [[nodiscard]] Pace pace(double q) const override {
+    const auto [piece, x, z] = parts(q);
+    return pace_of(q, x, z);
+  }
+  [[nodiscard]] std::vector<double> joints() const override {
+    std::vector<double> joints;
+    for (std::size_t i = 1; i + 1 < t_.size(); ++i) {
+      joints.push_back(Way::place(t_[i]));
+    }
+    return joints;
+  }
+
+ private:
+  struct Parts {
+    int piece;
+    Part x, z;
+  };
+
+  static std::size_t at_knot(int i) { return brachisto::at(i); }
+  /// The angle next to `near` of the same direction.
+  static double continued(double near, double angle) {
+    return near + std::remainder(angle - near, kTurn);
+  }
+  [[nodiscard]] Parts parts(double q) const {
+    const double t = Way::parameter(q);
+    const int piece = x_.piece_of(t);
+    return {piece, Way::part(x_.at(piece, t), q),
+            Way::part(z_.at(piece, t), q)};
+  }
+  [[nodiscard]] static Pace pace_of(double q, const Part& x, const Part& z) {
+    // std::hypot guards against squares that overflow, and costs more for it.
+    const double square = x.tangent * x.tangent + z.tangent * z.tangent;
+    return {
+        Way::pace(q) * std::sqrt(square),
+        Way::turning(q) * (x.tangent * z.bend - z.tangent * x.bend) / square};
+  }
+  [[nodiscard]] double slope(int piece, double t) const {
+    return std::atan2(Way::part(z_.at(piece, t), t).tangent,
+                      Way::part(x_.at(piece, t), t).tangent);
+  }
+
+  Point start_, origin_;
+  std::vector<double> t_;
+  CubicSpline x_, z_;
+  std::vector<double> slopes_;
+};
 
 std::vector<double> chord_lengths(const std::vector<Point>& points) {
   std::vector<double> t{0.0};
@@ -41,70 +141,16 @@ std::vector<double> coordinate(const std::vector<Point>& points,
   return values;
 }
 
-class Spline final : public PlaneCurve {
- public:
-  explicit Spline(const std::vector<Point>& points)
-      : start_(points.front()),
-        t_(chord_lengths(points)),
-        x_(t_, coordinate(points, &Point::x)),
-        z_(t_, coordinate(points, &Point::z)) {
-    // Continuous slope: at each point from the one before it.
-    slopes_.push_back(slope(0, 0.0));
-    for (int i = 0; i < num_pieces(); ++i) {
-      const double end = t_[at_index(i) + 1];
-      slopes_.push_back(slopes_.back() +
-                        std::remainder(slope(i, end) - slopes_.back(), kTurn));
-    }
+std::vector<double> over_square(const std::vector<double>& q,
+                                const std::vector<Point>& offsets,
+                                double Point::*which) {
+  std::vector<double> values;
+  values.reserve(q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    values.push_back(offsets[i].*which / (q[i] * q[i]));
   }
-
-  [[nodiscard]] Point start() const override { return start_; }
-  [[nodiscard]] CurvePlace at(double q) const override {
-    const double t = q * q;
-    const int piece = x_.piece_of(t);
-    const CubicSpline::Value x = x_.at(piece, t);
-    const CubicSpline::Value z = z_.at(piece, t);
-    const double near = slopes_[at_index(piece)];
-    const double beta =
-        near + std::remainder(std::atan2(z.d1, x.d1) - near, kTurn);
-    const auto [speed, turning] = pace_of(q, x, z);
-    return {{x.f - start_.x, z.f - start_.z}, beta, speed, turning};
-  }
-  [[nodiscard]] Pace pace(double q) const override {
-    const double t = q * q;
-    const int piece = x_.piece_of(t);
-    return pace_of(q, x_.at(piece, t), z_.at(piece, t));
-  }
-
-  [[nodiscard]] std::vector<double> joints() const override {
-    std::vector<double> joints;
-    for (std::size_t i = 1; i + 1 < t_.size(); ++i) {
-      joints.push_back(std::sqrt(t_[i]));
-    }
-    return joints;
-  }
-
- private:
-  static constexpr double kTurn = 6.283185307179586;
-
-  // std::hypot guards against squares that overflow, and costs more for it.
-  [[nodiscard]] static Pace pace_of(double q, const CubicSpline::Value& x,
-                                    const CubicSpline::Value& z) {
-    const double square = x.d1 * x.d1 + z.d1 * z.d1;
-    return {2.0 * q * std::sqrt(square),
-            2.0 * q * (x.d1 * z.d2 - z.d1 * x.d2) / square};
-  }
-  [[nodiscard]] int num_pieces() const {
-    return static_cast<int>(t_.size()) - 1;
-  }
-  [[nodiscard]] double slope(int piece, double t) const {
-    return std::atan2(z_.at(piece, t).d1, x_.at(piece, t).d1);
-  }
-
-  Point start_;
-  std::vector<double> t_;
-  CubicSpline x_, z_;
-  std::vector<double> slopes_;
-};
+  return values;
+}
 
 }  // namespace
 
@@ -125,7 +171,16 @@ PlaneCurvePtr spline_through(const std::vector<Point>& points) {
         "of its length can tell",
         next - t.begin() + 1, next - t.begin() + 2));
   }
-  return std::make_shared<Spline>(points);
+  return std::make_shared<SplineCurve<OfSquare>>(
+      points.front(), points.front(), t, coordinate(points, &Point::x),
+      coordinate(points, &Point::z));
+}
+
+PlaneCurvePtr curve_from_rest(Point start, const std::vector<double>& q,
+                              const std::vector<Point>& offsets) {
+  return std::make_shared<SplineCurve<FromRest>>(
+      start, Point{}, q, over_square(q, offsets, &Point::x),
+      over_square(q, offsets, &Point::z));
 }
 
 }  // namespace brachisto

@@ -7,14 +7,11 @@
 #include <stdexcept>
 
 #include "brachisto/nlp/kkt_residual.hpp"
+#include "math/index.hpp"
 
 namespace brachisto::nlp {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// \param lower, upper  multipliers over their weight
 Held held(const Range& range, double value, double lower, double upper) {

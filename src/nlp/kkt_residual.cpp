@@ -10,13 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "math/index.hpp"
+
 namespace brachisto::nlp {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check_size(const char* name, const std::vector<double>& values,
                 int expected) {
@@ -142,13 +140,13 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
     const double value = g[at(i)];
     if (range.single()) {
       if (worse(std::abs(value - range.lower), residual.infeasibility)) {
-        worst_constraint = i;
+        worst_constraint = n + i;
       }
       continue;
     }
     const bool below = worse(range.lower - value, residual.infeasibility);
     const bool above = worse(value - range.upper, residual.infeasibility);
-    if (below || above) worst_constraint = i;
+    if (below || above) worst_constraint = n + i;
     // A λ that is not a number is neither > 0 nor < 0 and counts for both.
     const double lambda = point.lambda[at(i)];
     const bool at_lower = multipliers.see(
@@ -157,17 +155,13 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
         range.upper - value, lambda < 0.0 ? 0.0 : lambda, weight(n + i));
     if (at_lower || at_upper) worst_multiplier = n + i;
   }
-  if (worst_variable >= 0) {
-    residual.worst_variable = problem.variable_name(worst_variable);
-  }
-  if (worst_constraint >= 0) {
-    residual.worst_constraint = problem.constraint_name(worst_constraint);
-  }
-  if (worst_multiplier >= 0) {
-    residual.worst_multiplier =
-        worst_multiplier < n ? problem.variable_name(worst_multiplier)
-                             : problem.constraint_name(worst_multiplier - n);
-  }
+  const auto name_of = [&](int i) {
+    if (i < 0) return std::string();
+    return i < n ? problem.variable_name(i) : problem.constraint_name(i - n);
+  };
+  residual.worst_variable = name_of(worst_variable);
+  residual.worst_constraint = name_of(worst_constraint);
+  residual.worst_multiplier = name_of(worst_multiplier);
   residual.barrier_parameter = multipliers.mean();
   return residual;
 }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "brachisto/math/phase_clock.hpp"
+#include "math/index.hpp"
 
 namespace brachisto::nlp {
 
@@ -26,20 +27,16 @@ void check_point(bool evaluable) {
   throw std::logic_error("evaluation asked for at a point that was refused");
 }
 
-std::size_t size(int count) {
-  return static_cast<std::size_t>(count);
-}
-
 }  // namespace
 
 Range Problem::variable_range(int index) const {
-  return {lower()[size(index)], upper()[size(index)]};
+  return {lower()[at(index)], upper()[at(index)]};
 }
 
 Range Problem::constraint_range(int index) const {
   const std::span<const double> lowest = constraint_lower();
   if (lowest.empty()) return {};
-  return {lowest[size(index)], constraint_upper()[size(index)]};
+  return {lowest[at(index)], constraint_upper()[at(index)]};
 }
 
 bool Problem::has_inequalities() const {
@@ -54,14 +51,14 @@ bool Problem::has_inequalities() const {
 
 EliminationOrder Problem::elimination_order() const {
   EliminationOrder order;
-  order.columns.resize(size(num_variables() + num_constraints()));
+  order.columns.resize(at(num_variables() + num_constraints()));
   std::iota(order.columns.begin(), order.columns.end(), 0);
   order.rows = order.columns;
   return order;
 }
 
 bool Problem::set_point(std::span<const double> x) {
-  check_size("x", x.size(), size(num_variables()));
+  check_size("x", x.size(), at(num_variables()));
   const PhaseTimer timer(Phase::Evaluation);
   if (evaluable_ && std::ranges::equal(x, current_point())) return true;
   evaluable_ = false;
@@ -77,14 +74,14 @@ double Problem::eval_f() const {
 
 void Problem::eval_grad_f(std::span<double> grad_f) const {
   check_point(evaluable_);
-  check_size("grad_f", grad_f.size(), size(num_variables()));
+  check_size("grad_f", grad_f.size(), at(num_variables()));
   const PhaseTimer timer(Phase::Evaluation);
   do_eval_grad_f(grad_f);
 }
 
 void Problem::eval_g(std::span<double> g) const {
   check_point(evaluable_);
-  check_size("g", g.size(), size(num_constraints()));
+  check_size("g", g.size(), at(num_constraints()));
   const PhaseTimer timer(Phase::Evaluation);
   do_eval_g(g);
 }
@@ -100,7 +97,7 @@ void Problem::eval_hess_lag(double objective_factor,
                             std::span<const double> lambda,
                             std::span<double> values) const {
   check_point(evaluable_);
-  check_size("lambda", lambda.size(), size(num_constraints()));
+  check_size("lambda", lambda.size(), at(num_constraints()));
   check_size("hess_lag", values.size(), hess_lag_pattern().num_entries());
   const PhaseTimer timer(Phase::Evaluation);
   do_eval_hess_lag(objective_factor, lambda, values);

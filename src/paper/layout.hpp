@@ -14,13 +14,10 @@
 
 #include "brachisto/paper/discrete_reading.hpp"
 #include "brachisto/paper/discrete_variations.hpp"
+#include "math/index.hpp"
 #include "paper/chord_time.hpp"
 
 namespace brachisto::paper {
-
-[[nodiscard]] inline std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Columns: unknowns of DiscreteVariations.
 struct Columns {

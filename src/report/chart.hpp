@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A figure of curves: what it shows, and the three files it is printed to.
+/// A figure of curves: what it shows.
 
 #pragma once
 
@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "report/axis.hpp"
 #include "report/colour_map.hpp"
+#include "report/figure.hpp"
+#include "report/scale.hpp"
 
 namespace brachisto::report {
 
@@ -34,6 +35,7 @@ struct Curve {
   std::string colour = "#000000";
   double width = 1.8;  ///< [px]; 0: marks alone
   Mark mark = Mark::None;
+  double mark_size = 0.8;
   /// Column of the CSV file by which the curve is told from others; `name`
   /// without markup if empty.
   std::string id = {};
@@ -72,19 +74,29 @@ struct Note {
                                ///< dx ends them there
 };
 
+/// How the n-th line of a family is told from others in grey.
+[[nodiscard]] Stroke stroke_of(std::size_t n);
+
 /// A side of a chart.
 struct Side {
   std::string label;  ///< rich text with the unit, "R_n [m g]"
   Scale scale = Scale::Linear;
   std::optional<double> low, high;  ///< of the range, in its units; else from
                                     ///< the curves, with a little room
+  std::vector<std::string> words = {};  ///< that stand at 0, 1, 2, … instead of
+                                        ///< numbers; no markup
 };
+
+/// Commands that lay out the ticks of an axis, 'x' or 'y'.
+[[nodiscard]] std::string tics(char axis, const Side& side,
+                               const Extent& range);
 
 /// Words are rich text: an underscore or a caret lowers or raises the letter,
 /// or the group in braces, that follows.
 struct Chart {
-  std::string name;   ///< of its files, without ending
-  std::string title;  ///< for those who cannot see it; no markup
+  std::string name;      ///< of its files, without ending
+  std::string title;     ///< above the plot
+  std::string subtitle;  ///< below the title, smaller; in lines if it is long
   Side x, y;
   bool equal_scale = false;  ///< one unit has one length in both directions
   bool y_down = false;       ///< y grows downwards, as z does
@@ -95,21 +107,10 @@ struct Chart {
   std::vector<Note> notes;
 };
 
-/// An SVG document that prints well: 720 px wide, key below the plot in columns
-/// if there is more than one name. On axes of equal scale the height follows
-/// the data within limits; a range is widened rather than a scale changed.
-[[nodiscard]] std::string chart_svg(const Chart& chart);
-
-/// `curve,x,y`, one row per point, 12 significant digits; outlines of areas
-/// first. Identifiers have no commas and are made different where they are not.
-[[nodiscard]] std::string chart_csv(const Chart& chart);
-
-/// A gnuplot script that redraws the chart from `<name>.csv` beside it as
-/// `<name>.pdf`.
-[[nodiscard]] std::string chart_gnuplot(const Chart& chart);
-
-/// n colours for a family of curves, dark to light, the lightest still to be
-/// seen on white.
-[[nodiscard]] std::vector<std::string> family_colours(std::size_t n);
+/// The chart as table (`part,x,y`, one row per point, 12 significant digits)
+/// and script: 720 px wide, with the key below the plot in columns if there is
+/// more than one name. On axes of equal scale the height follows the data
+/// within limits; a range is widened rather than a scale changed.
+[[nodiscard]] Figure chart_figure(const Chart& chart);
 
 }  // namespace brachisto::report

@@ -22,12 +22,6 @@ constexpr std::array<Colour, 9> kViridis{{{68, 1, 84},
                                           {173, 220, 48},
                                           {253, 231, 37}}};
 
-/// Intensity of a component of sRGB (IEC 61966-2-1).
-double intensity(double component) {
-  const double c = component / 255.0;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
 }  // namespace
 
 Colour colour_at(double share) {
@@ -43,18 +37,29 @@ Colour colour_at(double share) {
   return colour;
 }
 
-double lightness(const Colour& colour) {
-  const double luminance = 0.2126 * intensity(colour[0]) +
-                           0.7152 * intensity(colour[1]) +
-                           0.0722 * intensity(colour[2]);
-  constexpr double kLinearBelow = 216.0 / 24389.0;  // CIE 15
-  return luminance <= kLinearBelow ? luminance * 24389.0 / 27.0
-                                   : 116.0 * std::cbrt(luminance) - 16.0;
-}
-
 std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(colour[0]),
                      std::lround(colour[1]), std::lround(colour[2]));
+}
+
+std::vector<std::string> family_colours(std::size_t n) {
+  constexpr double kLightest = 0.75;  // lighter ones would be lost on white
+  constexpr double kAlone = 0.4;
+  std::vector<std::string> colours;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share =
+        n == 1 ? kAlone : static_cast<double>(i) / static_cast<double>(n - 1);
+    colours.push_back(hex(colour_at(kLightest * share)));
+  }
+  return colours;
+}
+
+std::string palette() {
+  std::string out;
+  for (std::size_t i = 0; i < kViridis.size(); ++i) {
+    out += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, hex(kViridis[i]));
+  }
+  return out;
 }
 
 }  // namespace brachisto::report

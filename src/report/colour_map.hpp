@@ -7,7 +7,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace brachisto::report {
 
@@ -19,19 +21,19 @@ using Colour = std::array<double, 3>;
 /// viridis (N. Smith and S. van der Walt, CC0) and straight lines between them.
 [[nodiscard]] Colour colour_at(double share);
 
-/// CIE lightness L*, 0 for black, 100 for white.
-[[nodiscard]] double lightness(const Colour& colour);
-
 /// "#rrggbb".
 [[nodiscard]] std::string hex(const Colour& colour);
+
+/// The same colours for "set palette defined (…)" of gnuplot.
+[[nodiscard]] std::string palette();
 
 /// Values that stand for both ends of the colours or of an axis.
 struct ValueRange {
   double low, high;
-
-  [[nodiscard]] double share(double value) const {
-    return (value - low) / (high - low);
-  }
 };
+
+/// n colours for a family of curves, dark to light, the lightest still to be
+/// seen on white.
+[[nodiscard]] std::vector<std::string> family_colours(std::size_t n);
 
 }  // namespace brachisto::report

@@ -7,13 +7,12 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
-#include "report/svg.hpp"
+#include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {
 
@@ -22,28 +21,36 @@ namespace {
 struct Known {
   std::string_view key, symbol, subscript, unit;
 };
+// By rank: the orientation to the right of all else, k above η_m.
 constexpr std::array<Known, 8> kKnown{{
-    {"scene.body.radius", "r", "", "m"},
-    {"scene.body.eta_m", "η", "m", ""},
     {"scene.body.theta_m", "θ", "m", "°"},
+    {"scene.body.eta_m", "η", "m", ""},
     {"scene.body.k", "k", "", ""},
-    {"scene.body.mass", "m", "", "kg"},
+    {"scene.body.radius", "r", "", "m"},
     {"scene.finish.L", "L", "", "m"},
     {"scene.finish.H", "H", "", "m"},
+    {"scene.body.mass", "m", "", "kg"},
     {"scene.gravity", "g", "", "m/s²"},
 }};
 
-constexpr std::size_t kBetween = 5;  // letters: " = " and ", "
+/// "η_m = 0.3": a number in SI units.
+std::string equation(const KeyLabel& label, double value) {
+  return fmt::format("{} = {}{}", label.text(Markup::Rich, false),
+                     printed(label.shown(value)), label.after_number());
+}
 
 }  // namespace
 
 KeyLabel key_label(std::string_view key) {
-  for (const Known& known : kKnown) {
-    if (known.key != key) continue;
-    return {std::string(known.symbol), std::string(known.subscript),
-            std::string(known.unit), true, known.unit == "°"};
-  }
   KeyLabel label;
+  for (const Known& known : kKnown) {
+    if (known.key == key) {
+      return {std::string(known.symbol), std::string(known.subscript),
+              std::string(known.unit),   true,
+              known.unit == "°",         label.rank};
+    }
+    ++label.rank;
+  }
   label.symbol = key;
   return label;
 }
@@ -63,29 +70,13 @@ KeyLabel KeyLabel::within(std::size_t letters) const {
 }
 
 std::string KeyLabel::text(Markup markup, bool with_unit) const {
+  const std::string name = subscript.empty() ? "" : "_{" + subscript + "}";
   const std::string rest =
-      with_unit && !unit.empty() ? fmt::format("\u00A0[{}]", unit) : "";
-  const std::string lowered = subscript.empty() ? "" : "_{" + subscript + "}";
-  switch (markup) {
-    case Markup::Plain:
-      return symbol + (subscript.empty() ? "" : "_" + subscript) + rest;
-    case Markup::Html:
-      return letter ? fmt::format("<i>{}</i>{}", symbol,
-                                  html_words(lowered + rest))
-                    : fmt::format("<code>{}</code>", xml_escaped(symbol));
-    case Markup::Svg:
-      break;
-  }
-  if (!letter) return xml_escaped(symbol);
-  return fmt::format("<tspan font-style=\"italic\">{}</tspan>{}", symbol,
-                     svg_words(lowered + rest));
-}
-
-std::string tau_label_svg() {
-  return "<tspan font-style=\"italic\">τ</tspan> = "
-         "<tspan font-style=\"italic\">T</tspan> / √(<tspan "
-         "font-style=\"italic\">H</tspan> / 2<tspan "
-         "font-style=\"italic\">g</tspan>)";
+      name +
+      (with_unit && !unit.empty() ? fmt::format("\u00A0[{}]", unit) : "");
+  if (markup == Markup::Rich) return as_rich_text(symbol) + rest;
+  return letter ? fmt::format("<i>{}</i>{}", symbol, html_words(rest))
+                : fmt::format("<code>{}</code>", xml_escaped(symbol));
 }
 
 double shown_number(const SweepColumn& column, std::size_t scene) {
@@ -113,39 +104,28 @@ std::string shown_value(const SweepColumn& column, std::size_t scene) {
 std::string place(const SweepTable& table,
                   const std::vector<std::size_t>& columns, std::size_t scene,
                   Markup markup) {
-  constexpr std::size_t kEndless = std::numeric_limits<std::size_t>::max() / 2;
-  const std::vector<std::string> lines =
-      place_lines(table, columns, scene, markup, kEndless);
-  return lines.front();
-}
-
-std::vector<std::string> place_lines(const SweepTable& table,
-                                     const std::vector<std::size_t>& columns,
-                                     std::size_t scene, Markup markup,
-                                     std::size_t letters_of_line,
-                                     std::size_t taken) {
-  const std::size_t half = letters_of_line / 2;
-  std::vector<std::string> lines(1);
-  std::size_t used = taken;
+  std::string out;
   for (const std::size_t c : columns) {
     const SweepColumn& column = table.columns[c];
-    const KeyLabel label = key_label(column.key).within(half);
-    const std::string value =
-        shortened(shown_value(column, scene), half - kBetween);
-    const std::size_t length =
-        letters(label.text(Markup::Plain, false) + value) + kBetween;
-    const bool first = c == columns.front();
-    if (!first) lines.back() += ",";
-    if (used + length > letters_of_line && used > 0) {
-      lines.emplace_back();
-      used = 0;
-    }
-    lines.back() += fmt::format(
-        "{}{} = {}", lines.back().empty() ? "" : " ", label.text(markup, false),
-        markup == Markup::Plain ? value : xml_escaped(value));
-    used += length;
+    const std::string value = shown_value(column, scene);
+    out += fmt::format(
+        "{}{} = {}", out.empty() ? "" : ", ",
+        key_label(column.key).text(markup, false),
+        markup == Markup::Html ? xml_escaped(value) : as_rich_text(value));
   }
-  return lines;
+  return out;
+}
+
+std::string what_is_fixed(const SweepTable& table,
+                          const std::vector<std::size_t>& scenes) {
+  if (scenes.empty()) return {};
+  std::string out = place(table, columns_that_vary(table, scenes, false),
+                          scenes.front(), Markup::Rich);
+  for (const SweepConstant& constant : table.constants) {
+    out += fmt::format("{}{}", out.empty() ? "" : ", ",
+                       equation(key_label(constant.key), constant.value));
+  }
+  return out;
 }
 
 }  // namespace brachisto::report

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "brachisto/report/sweep_table.hpp"
-#include "report/axis.hpp"
+#include "report/scale.hpp"
 
 namespace brachisto::report {
 
-/// What a text becomes part of.
-enum class Markup { Plain, Svg, Html };
+/// What a text becomes part of: rich text, or a page.
+enum class Markup { Rich, Html };
 
 /// How a quantity is named and in which unit it is shown.
 struct KeyLabel {
@@ -26,6 +26,8 @@ struct KeyLabel {
   std::string unit;
   bool letter = false;  ///< a symbol, set in italics, rather than a key
   bool degrees = false;
+  /// Of two keys the one of the lower rank lies to the right in a map.
+  std::size_t rank = 0;
 
   /// A number in SI units or radians, in the unit shown.
   [[nodiscard]] double shown(double value) const;
@@ -33,16 +35,13 @@ struct KeyLabel {
   [[nodiscard]] std::string after_number() const;
   /// The same, or what is left of a key in so many letters.
   [[nodiscard]] KeyLabel within(std::size_t letters) const;
-  /// "η_m", or "η_m [°]", with tags and escaped as the language asks for.
+  /// "η_m", or "η_m [°]".
   [[nodiscard]] std::string text(Markup markup, bool with_unit) const;
 };
 
 /// θ_m in degrees for "scene.body.theta_m" and so on; what has no symbol keeps
 /// its key.
 [[nodiscard]] KeyLabel key_label(std::string_view key);
-
-/// "τ = T / √(H / 2g)" in tags of SVG.
-[[nodiscard]] std::string tau_label_svg();
 
 /// The number of a numeric column as shown.
 [[nodiscard]] double shown_number(const SweepColumn& column, std::size_t scene);
@@ -56,12 +55,9 @@ struct KeyLabel {
 [[nodiscard]] std::string place(const SweepTable& table,
                                 const std::vector<std::size_t>& columns,
                                 std::size_t scene, Markup markup);
-/// The same in lines of at most so many letters of plain text; what would not
-/// fit into one is shortened.
-/// \param taken  letters of the first line
-[[nodiscard]] std::vector<std::string> place_lines(
-    const SweepTable& table, const std::vector<std::size_t>& columns,
-    std::size_t scene, Markup markup, std::size_t letters_of_line,
-    std::size_t taken = 0);
+/// The same of all columns that these scenes have alike, and of what the whole
+/// sweep has alike.
+[[nodiscard]] std::string what_is_fixed(const SweepTable& table,
+                                        const std::vector<std::size_t>& scenes);
 
 }  // namespace brachisto::report

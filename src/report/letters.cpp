@@ -3,6 +3,8 @@
 
 #include "report/letters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace brachisto::report {
@@ -24,15 +26,28 @@ double width_of(std::size_t letters, double font_size) {
   return kWide * font_size * static_cast<double>(letters);
 }
 
-std::size_t letters_within(double width, double font_size) {
-  return static_cast<std::size_t>(std::max(1.0, width / (kWide * font_size)));
-}
-
 std::string shortened(std::string_view text, std::size_t length) {
   if (letters(text) <= length) return std::string(text);
   std::string out(text);
   while (letters(out) >= length) out.pop_back();
   return out + "…";
+}
+
+std::vector<std::string> lines_of(std::string_view list, std::size_t length) {
+  std::vector<std::string> lines(1);
+  while (!list.empty()) {
+    const std::size_t comma = list.find(", ");
+    const std::string_view item = list.substr(0, comma);
+    list.remove_prefix(std::min(list.size(), item.size() + 2));
+    std::string& line = lines.back();
+    if (!line.empty() && letters(line) + letters(item) + 3 > length) {
+      line += ',';
+      lines.emplace_back(item);
+    } else {
+      line += fmt::format("{}{}", line.empty() ? "" : ", ", item);
+    }
+  }
+  return lines;
 }
 
 std::string shortened_key(std::string_view key, std::size_t length) {

@@ -9,19 +9,22 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace brachisto::report {
 
 /// Letters of UTF-8.
 [[nodiscard]] std::size_t letters(std::string_view text);
 
-/// Room that so many letters of a sans-serif font need [px], in doubt more, and
-/// how many surely find room.
+/// Room that so many letters of a sans-serif font need [px], in doubt more.
 [[nodiscard]] double width_of(std::size_t letters, double font_size);
-[[nodiscard]] std::size_t letters_within(double width, double font_size);
 
 /// Words of at most so many letters, the rest as an ellipsis.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t length);
+
+/// A list in lines of at most so many letters, broken after commas.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view list,
+                                                std::size_t length);
 
 /// A dotted key of at most so many letters: what it begins with goes first,
 /// "…limits.iterations".

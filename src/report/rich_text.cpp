@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "report/svg.hpp"
+#include "report/figure.hpp"
 
 namespace brachisto::report {
 
@@ -39,6 +39,13 @@ std::vector<Run> runs(std::string_view source) {
   };
   while (!source.empty()) {
     const std::size_t mark = source.find_first_of("_^");
+    if (mark != std::string_view::npos && mark > 0 &&
+        source[mark - 1] == '\\') {
+      put(source.substr(0, mark - 1), Level::Line);
+      put(source.substr(mark, 1), Level::Line);
+      source = source.substr(mark + 1);
+      continue;
+    }
     put(source.substr(0, mark), Level::Line);
     if (mark == std::string_view::npos) break;
     const Level level = source[mark] == '_' ? Level::Lowered : Level::Raised;
@@ -61,62 +68,27 @@ std::vector<Run> runs(std::string_view source) {
   return out;
 }
 
-/// How far letters are moved down [px], for words of 12 to 15 px.
-int shift(Level level) {
-  switch (level) {
-    case Level::Line:
-      break;
-    case Level::Lowered:
-      return 4;
-    case Level::Raised:
-      return -5;
-  }
-  return 0;
-}
+}  // namespace
 
-/// For the enhanced text of gnuplot within single quotes.
-std::string gnuplot_escaped(std::string_view text) {
+std::string xml_escaped(std::string_view text) {
   std::string out;
+  out.reserve(text.size());
   for (const char c : text) {
-    if (c == '\'') {
-      out += "''";
-    } else if (c == '\n' || c == '\r') {
-      out += ' ';
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (code < 0x20 && c != '\t' && c != '\n' && c != '\r') {
+      out += "\uFFFD";
     } else {
-      if (std::string_view("\\_^{}@&~").find(c) != std::string_view::npos) {
-        out += '\\';
-      }
       out += c;
     }
   }
-  return out;
-}
-
-}  // namespace
-
-std::string svg_words(std::string_view source) {
-  std::string out;
-  Level before = Level::Line;
-  const auto put = [&](const Run& run) {
-    const int dy = shift(run.level) - shift(before);
-    before = run.level;
-    out += fmt::format("<tspan dy=\"{}\"{}>{}</tspan>", dy,
-                       run.level == Level::Line ? "" : " font-size=\"75%\"",
-                       xml_escaped(run.text));
-  };
-  // What comes back to the line needs a text, be it of no width, and librsvg
-  // drops a space that it begins with.
-  constexpr std::string_view kNoWidth = "\u200B";
-  for (const Run& run : runs(source)) {
-    if (run.level == before) {  // only what begins on the line
-      out += xml_escaped(run.text);
-    } else if (run.level == Level::Line) {
-      put({std::string(kNoWidth) + run.text, Level::Line});
-    } else {
-      put(run);
-    }
-  }
-  if (before != Level::Line) put({std::string(kNoWidth), Level::Line});
   return out;
 }
 
@@ -161,6 +133,15 @@ std::string gnuplot_words(std::string_view source) {
 std::string plain_words(std::string_view source) {
   std::string out;
   for (const Run& run : runs(source)) out += run.text;
+  return out;
+}
+
+std::string as_rich_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '_' || c == '^') out += '\\';
+    out += c;
+  }
   return out;
 }
 

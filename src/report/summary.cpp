@@ -4,11 +4,18 @@
 #include "brachisto/report/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "report/digits.hpp"
 #include "report/track_kind.hpp"
 
 namespace brachisto::report {
@@ -19,88 +26,126 @@ double degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 
-std::string describe(const Scene& scene) {
-  const Body& body = scene.body;
-  std::string text =
-      body.rolls() ? fmt::format(
-                         "cylinder r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, "
-                         "k = {:.6g}",
-                         body.radius, body.eta_m, degrees(body.theta_m), body.k)
-                   : std::string("bead");
-  return text + fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²{}",
-                            scene.L, scene.H, scene.gravity,
-                            scene.contact == Contact::Centre
-                                ? ", between points of the centre's path"
-                                : "");
-}
-
 void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
 
-/// What the answer is, and where it says what that means.
-std::string describe_track(const Solution& solution) {
-  std::string text(track_kind(solution.scene));
+/// The condition at A and B, and where it says what the answer is.
+std::string asked(const Solution& solution) {
   const Scene& scene = solution.scene;
-  if (scene.path || !scene.body.rolls() || scene.contact == Contact::Centre) {
-    return text;
+  if (scene.path) return "the motion along the path that the scene states";
+  if (scene.contact == Contact::Centre) {
+    return "the fastest path of the centre from A to B";
   }
+  if (!scene.body.rolls()) return "the fastest wire from A to B";
+  std::string text = "a track from A to B without a kink at either end: ";
   if (solution.options.searches()) {
-    text = fmt::format("{} of the {} smooth contact{} found",
-                       solution.feasible() ? "fastest verified and feasible"
-                                           : "fastest verified",
-                       solution.branches.size(),
-                       solution.branches.size() == 1 ? "" : "s");
+    text += fmt::format("the {} of the {} smooth contact{} found",
+                        solution.feasible() ? "fastest verified and feasible"
+                                            : "fastest verified",
+                        solution.branches.size(),
+                        solution.branches.size() == 1 ? "" : "s");
+  } else {
+    text += fmt::format("the {}", track_kind(scene));
   }
   return text + " (docs/theory.md, section 3)";
+}
+
+/// "90° down", "6.1801° up".
+std::string slope(double radians) {
+  const double angle = degrees(radians);
+  return fmt::format("{:.4f}° {}", std::abs(angle),
+                     angle < 0.0 ? "up" : "down");
+}
+
+std::string contact_force(const PathDiagnostics& diagnostics) {
+  const Extreme& least = diagnostics.min_normal_force;
+  const Extreme& greatest = diagnostics.max_normal_force;
+  std::string text =
+      fmt::format("from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", least.value,
+                  least.at_start ? ", its limit at the start," : "",
+                  greatest.value, greatest.x);
+  if (least.at_start) {
+    text += fmt::format("; {:.4g} or more after the first rise",
+                        diagnostics.normal_force_after_rise.value);
+  }
+  return text;
 }
 
 void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
-  line(out, "track", describe_track(solution));
-  line(out, "τ = T √(2g/H)",
-       fmt::format("{:.12f}   (relative error about {:.0e})", path.tau(),
-                   solution.estimated_error.value_or(0.0)));
-  line(out, "transit time T", fmt::format("{:.12g} s", path.transit_time()));
-  line(out, "path lengths",
-       fmt::format("centre {:.10g} m, track {:.10g} m",
-                   path.centre_path_length(), path.rail_length()));
-  line(out, "slope angles",
-       fmt::format("start {:.6f}°, end {:.6f}°", degrees(path.start_angle()),
-                   degrees(path.end_angle())));
-  if (path.rotation()) {
-    line(out, "rotation", fmt::format("{:.6f}°", degrees(*path.rotation())));
-  }
-  const Extreme& least = diagnostics.min_normal_force;
-  std::string force = fmt::format(
-      "from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", least.value,
-      least.at_start ? ", its limit at the start," : "",
-      diagnostics.max_normal_force.value, diagnostics.max_normal_force.x);
-  if (least.at_start) {
-    force += fmt::format("; {:.4g} or more after the first rise",
-                         diagnostics.normal_force_after_rise.value);
-  }
-  line(out, "normal force", force);
+  const double error = solution.estimated_error.value_or(0.0);
+  line(out, "transit time",
+       fmt::format("T = {} s, τ = T √(2g/H) = {}",
+                   with_error(path.transit_time(), error * path.transit_time()),
+                   with_error(path.tau(), error * path.tau())));
+  line(out, "track",
+       fmt::format("{:.6g} m long, the path of the centre {:.6g} m{}",
+                   path.rail_length(), path.centre_path_length(),
+                   path.rotation() ? fmt::format("; the body turns {:.2f}°",
+                                                 degrees(*path.rotation()))
+                                   : ""));
+  line(out, "slopes",
+       fmt::format("{} at A, {} at B", slope(path.start_angle()),
+                   slope(path.end_angle())));
+  line(out, "contact force", contact_force(diagnostics));
   if (!solution.scene.body.rolls()) return;
-  line(out, "friction needed",
-       fmt::format("|R_t|/R_n > 0.3 for {:.0f} % of the time, > 0.5 for {:.0f} "
-                   "%, > 1 for {:.0f} %",
-                   100.0 * diagnostics.friction_above_0_3,
-                   100.0 * diagnostics.friction_above_0_5,
-                   100.0 * diagnostics.friction_above_1));
+  line(out, "grip",
+       fmt::format(
+           "friction needed, |R_t|/R_n: > 0.3 for {:.0f} % of the time, > 0.5 "
+           "for {:.0f} %, > 1 for {:.0f} %",
+           100.0 * diagnostics.friction_above_0_3,
+           100.0 * diagnostics.friction_above_0_5,
+           100.0 * diagnostics.friction_above_1));
 }
 
-void add_second_opinion(std::string& out, const Solution& solution) {
+/// "verified: 16 of 16 checks, degree 6 against 7 on 9 elements agree to 9e-12;
+/// feasible".
+std::string verdict(const Solution& solution) {
+  if (solution.status != Status::Solved) return "NOT SOLVED";
+  const std::vector<Check>& checks = solution.certificate.checks;
+  const auto passed = std::ranges::count_if(checks, &Check::passed);
+  const bool verified = solution.verified();
+  std::string text =
+      fmt::format("{}: {} of {} checks", verified ? "verified" : "NOT VERIFIED",
+                  passed, checks.size());
+  if (!verified) return text;
+  const Check* agreement = solution.certificate.find("agreement");
+  if (agreement != nullptr) {
+    text +=
+        fmt::format(", {} agree to {:.0e}", agreement->where, agreement->value);
+  }
+  return text + (solution.feasible() ? "; feasible" : "; INFEASIBLE");
+}
+
+void add_verdict(std::string& out, const Solution& solution) {
+  line(out, "verdict", verdict(solution));
+  if (solution.verified()) {
+    for (const std::string& reason : solution.infeasible_because()) {
+      line(out, "", reason);
+    }
+  }
+  if (solution.status != Status::Solved) {
+    line(out, "", std::string(describe(solution.status)));
+    line(out, "because", solution.message);
+  }
+  for (const std::string& reason : solution.not_verified_because()) {
+    line(out, "failed check", reason);
+  }
+}
+
+void add_cross_check(std::string& out, const Solution& solution) {
   if (!solution.extremal) return;
-  const CrossCheck& opinion = *solution.extremal;
+  const CrossCheck& check = *solution.extremal;
   line(
-      out, "second opinion",
-      opinion.solved
-          ? fmt::format("τ = {:.14g} by shooting (error about {:.0e}), "
-                        "relative difference {:.1e}",
-                        opinion.tau, opinion.error_estimate, opinion.difference)
-          : "none: " + opinion.message);
+      out, "cross-check",
+      check.solved
+          ? fmt::format("τ = {} by multiple shooting, relative difference "
+                        "{:.0e}",
+                        with_error(check.tau, check.error_estimate * check.tau),
+                        check.difference)
+          : "none: " + check.message);
 }
 
 /// Not under the answer's label: it is the answer to another problem.
@@ -125,13 +170,14 @@ void add_branches(std::string& out, const Solution& solution) {
                             : std::numeric_limits<double>::infinity();
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
-    std::string text = fmt::format(
-        "τ = {:.10f}, end {:.4f}°{}{}{}{}", branch.tau,
-        degrees(branch.end_angle), branch.principal ? ", principal" : "",
-        branch.verified ? "" : ", NOT VERIFIED",
-        branch.minimum ? "" : ", not a minimum",
-        branch.feasible ? ", feasible" : ", INFEASIBLE");
-    line(out, label, text);
+    line(out, label,
+         fmt::format("τ = {}, {} at B{}{}{}{}",
+                     within_error(branch.tau, kDefaultTolerance * branch.tau),
+                     slope(branch.end_angle),
+                     branch.principal ? ", principal" : "",
+                     branch.verified ? "" : ", NOT VERIFIED",
+                     branch.minimum ? "" : ", not a minimum",
+                     branch.feasible ? ", feasible" : ", INFEASIBLE"));
     label = "";
     if (branch.tau >= answer) continue;
     for (const std::string& why : branch.remarks) line(out, "", "  " + why);
@@ -141,62 +187,77 @@ void add_branches(std::string& out, const Solution& solution) {
   }
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// From where, by whom, on how large a problem, in what time.
+std::string found(const Solution& solution) {
+  const Effort& effort = solution.effort;
+  std::vector<std::string> parts;
+  if (!effort.continuation.empty()) {
+    // The first is the cycloid or a neighbour, where there is nothing to do.
+    const ContinuationStep& first = effort.continuation.front();
+    parts.push_back(fmt::format(
+        "from {} in {}", first.eta_m == 0.0 ? "the cycloid" : "a neighbour",
+        counted(effort.continuation.size() - 1, "step")));
+  }
+  if (!solution.folds.empty()) {
+    parts.push_back(fmt::format(
+        "beyond {} of that branch, the first at η_m = {:.6f}",
+        counted(solution.folds.size(), "fold"), solution.folds.front()));
+  }
+  if (effort.iterations > 0) {
+    parts.push_back(fmt::format(
+        "{} of {}",
+        counted(static_cast<std::size_t>(effort.iterations), "iteration"),
+        solution.discrete() ? "its solver" : "Ipopt"));
+  }
+  if (effort.newton_steps > 0) {
+    parts.push_back(
+        counted(static_cast<std::size_t>(effort.newton_steps), "step") +
+        " of Newton's method");
+  }
+  if (const ProgramSize* program = solution.program()) {
+    parts.push_back(fmt::format("{} nodes, {} variables, {} constraints",
+                                program->nodes, program->variables,
+                                program->constraints));
+  }
+  parts.push_back(fmt::format("{:.2g} s", effort.seconds));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// What one would do now.
+std::string next(const Solution& solution) {
+  const std::string advice = solution.advice();
+  if (!advice.empty()) return advice;
+  if (!solution.verified() || solution.scene.path) return {};
+  if (!solution.feasible()) {
+    return solution.options.searches() ||
+                   solution.scene.contact == Contact::Centre
+               ? "a smaller eta_m, or a nearer point B"
+               : "solver.search: global, for another contact may be feasible; "
+                 "a smaller eta_m, or a nearer point B";
+  }
+  return solution.options.of<Shooting>() != nullptr || solution.extremal
+             ? ""
+             : "--certify extremal confirms it by another method";
+}
+
 }  // namespace
 
 std::string summary(const Solution& solution) {
-  std::string out = describe(solution.scene) + "\n";
-  const bool verified = solution.verified();
-  if (verified) add_answer(out, solution);
-
-  std::string verdict = verified ? "verified" : "NOT VERIFIED";
-  if (solution.status != Status::Solved) verdict = "NOT SOLVED";
-  if (verified) verdict += solution.feasible() ? ", feasible" : ", INFEASIBLE";
-  line(out, "verdict", verdict);
-  if (verified) {
-    for (const std::string& reason : solution.infeasible_because()) {
-      line(out, "", reason);
-    }
-  }
-  if (solution.status != Status::Solved) {
-    line(out, "", std::string(describe(solution.status)));
-    line(out, "because", solution.message);
-  }
-  for (const std::string& reason : solution.not_verified_because()) {
-    line(out, "failed check", reason);
-  }
-  const std::string advice = solution.advice();
-  if (!advice.empty()) line(out, "to try", advice);
-
-  if (!solution.folds.empty()) {
-    line(out, "branch",
-         fmt::format("beyond {} fold{} of the branch from the cycloid, the "
-                     "first at η_m = {:.6f}",
-                     solution.folds.size(),
-                     solution.folds.size() == 1 ? "" : "s",
-                     solution.folds.front()));
-  }
+  std::string out = in_words(solution.scene) + "\n";
+  line(out, "asked", asked(solution));
+  if (solution.verified()) add_answer(out, solution);
+  add_verdict(out, solution);
+  add_cross_check(out, solution);
   add_discrete_system(out, solution);
-  add_second_opinion(out, solution);
   add_branches(out, solution);
-  const Effort& effort = solution.effort;
-  const ProgramSize* program = solution.program();
-  if (const Trajectory* found = solution.trajectory()) {
-    const Mesh& mesh = found->curve().mesh();
-    line(out, "mesh",
-         fmt::format("degree {}, {} elements, {} nodes; {} variables, {} "
-                     "constraints",
-                     mesh.degree, mesh.num_elements(), program->nodes,
-                     program->variables, program->constraints));
-  } else if (program != nullptr) {
-    line(out, "mesh",
-         fmt::format("{} straight pieces; {} variables, {} constraints",
-                     program->nodes - 1, program->variables,
-                     program->constraints));
+  line(out, "found", found(solution));
+  if (const std::string what = next(solution); !what.empty()) {
+    line(out, "to try", what);
   }
-  line(out, "work",
-       fmt::format("{} {} iterations in {} passes, {} Newton steps, {:.3f} s",
-                   effort.iterations, solution.discrete() ? "solver" : "Ipopt",
-                   effort.passes, effort.newton_steps, effort.seconds));
   return out;
 }
 

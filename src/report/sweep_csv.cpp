@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "report/csv.hpp"
+#include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {
 
@@ -19,7 +20,7 @@ std::string number(double value) {
 
 }  // namespace
 
-std::string sweep_csv(const SweepTable& table, const Scenes& scenes) {
+std::string sweep_csv(const SweepTable& table) {
   std::string out = "scene";
   for (const SweepColumn& column : table.columns) {
     out += "," + csv_field(column.key);
@@ -27,7 +28,7 @@ std::string sweep_csv(const SweepTable& table, const Scenes& scenes) {
   out +=
       ",state,status,feasible,tau,transit_time,estimated_error,end_angle,"
       "message\n";
-  for (const std::size_t scene : scenes) {
+  for (const std::size_t scene : all_scenes(table)) {
     const SweepOutcome& outcome = table.outcomes[scene];
     const bool verified = outcome.state == SweepOutcome::State::Verified;
     out += fmt::format("{}", scene);

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "report/sweep_scenes.hpp"
+#include "brachisto/report/sweep_table.hpp"
 
 namespace brachisto::report {
 
@@ -16,7 +16,6 @@ namespace brachisto::report {
 /// row per scene: its number, its keys in SI units and radians, state, status,
 /// feasible, tau, transit_time, estimated_error, end_angle and message; 17
 /// digits; what a scene does not have stays empty.
-[[nodiscard]] std::string sweep_csv(const SweepTable& table,
-                                    const Scenes& scenes);
+[[nodiscard]] std::string sweep_csv(const SweepTable& table);
 
 }  // namespace brachisto::report

@@ -9,17 +9,16 @@
 #include <optional>
 #include <utility>
 
-#include "report/heat_map_svg.hpp"
 #include "report/key_label.hpp"
 #include "report/sweep_order.hpp"
-#include "report/xy_plot_svg.hpp"
+#include "report/sweep_plots.hpp"
 
 namespace brachisto::report {
 
 namespace {
 
 constexpr std::size_t kMostFigures = 12;
-constexpr std::size_t kMostScenes = 250'000;  // of a figure
+constexpr std::size_t kMostScenes = 100'000;  // of a figure
 constexpr std::size_t kMostCurves = 8;
 
 /// An axis to draw along and the column that gives its values.
@@ -98,8 +97,7 @@ class Planner {
   void curves(Direction x, std::optional<Direction> family);
   void dots();
   void map_drawings(SweepFigure& figure, const SweepMap& map) const;
-  void curve_drawing(SweepFigure& figure, const std::string& name,
-                     const XyPlot& plot) const;
+  void curve_drawing(SweepFigure& figure, const XyPlot& plot) const;
   void dot_drawings(SweepFigure& figure,
                     const std::vector<std::size_t>& columns) const;
   /// τ over one axis for each value of another, both ascending; joined if no
@@ -155,15 +153,14 @@ void Planner::start(const std::vector<Scenes>& groups, std::string_view kind) {
 }
 
 void Planner::map_drawings(SweepFigure& figure, const SweepMap& map) const {
-  figure.drawings.push_back(
-      {{map.name + ".svg", heat_map_svg(table_, map, figure.tau)},
-       fmt::format("<i>τ</i> over {} and {}.", label(map.x_column),
-                   label(map.y_column))});
+  figure.drawings.push_back({map_figure(table_, map, figure.tau),
+                             fmt::format("<i>τ</i> over {} and {}.",
+                                         label(map.first), label(map.second))});
   if (digest(table_, map.scenes).infeasible == 0) return;
   SweepMap feasibility = map;
   feasibility.name += "-feasibility";
   figure.drawings.push_back(
-      {{feasibility.name + ".svg", feasibility_map_svg(table_, feasibility)},
+      {feasibility_figure(table_, feasibility),
        "The scenes whose body would lift off or come to a fold of its path."});
 }
 
@@ -174,8 +171,12 @@ void Planner::maps(Direction x, Direction y) {
   const Direction across = ny >= nx ? x : y;
   start(scenes_along(table_, {x.axis, y.axis}), "map");
   for (SweepFigure& figure : out_.figures) {
-    SweepMap map{x.column,      y.column,    nx,          ny,
-                 figure.scenes, figure.name, figure.fixed};
+    SweepMap map{.name = figure.name,
+                 .first = x.column,
+                 .second = y.column,
+                 .n_first = nx,
+                 .n_second = ny,
+                 .scenes = figure.scenes};
     const std::optional<Scenes> ordered = in_map_order(table_, map);
     if (ordered) {
       map.scenes = *ordered;
@@ -183,7 +184,10 @@ void Planner::maps(Direction x, Direction y) {
     }
     auto plot = clear_curve_plot(figure, along, across);
     if (!plot && !ordered) plot = clear_curve_plot(figure, across, along);
-    if (plot) curve_drawing(figure, figure.name + "-curves", *plot);
+    if (plot) {
+      plot->name = figure.name + "-curves";
+      curve_drawing(figure, *plot);
+    }
     if (figure.drawings.empty()) dot_drawings(figure, {x.column, y.column});
   }
 }
@@ -191,8 +195,8 @@ void Planner::maps(Direction x, Direction y) {
 XyPlot Planner::curve_plot(const SweepFigure& figure, Direction x,
                            std::optional<Direction> family) const {
   XyPlot plot;
+  plot.name = figure.name;
   plot.x_column = x.column;
-  plot.fixed = figure.fixed;
   plot.curves.resize(family ? table_.axes[family->axis].count : 1);
   for (const std::size_t scene : figure.scenes) {
     plot.curves[family ? index_along(table_, family->axis, scene) : 0]
@@ -232,28 +236,26 @@ std::optional<XyPlot> Planner::clear_curve_plot(const SweepFigure& figure,
   return plot;
 }
 
-void Planner::curve_drawing(SweepFigure& figure, const std::string& name,
-                            const XyPlot& plot) const {
+void Planner::curve_drawing(SweepFigure& figure, const XyPlot& plot) const {
   std::string caption =
       fmt::format("<i>τ</i> against {}", label(plot.x_column));
   if (plot.family) {
     caption += fmt::format(" for each {}", label(*plot.family));
   }
   figure.drawings.push_back(
-      {{name + ".svg", xy_plot_svg(table_, plot, figure.tau)}, caption + "."});
+      {xy_figure(table_, plot, figure.tau), caption + "."});
 }
 
 void Planner::dot_drawings(SweepFigure& figure,
                            const std::vector<std::size_t>& columns) const {
   for (std::size_t d = 0; d < columns.size(); ++d) {
     XyPlot plot;
+    plot.name = fmt::format("{}-{}", figure.name, d + 1);
     plot.x_column = columns[d];
     plot.curves = {figure.scenes};
     plot.joined = false;
-    plot.fixed = figure.fixed;
     figure.drawings.push_back(
-        {{fmt::format("{}-{}.svg", figure.name, d + 1),
-          xy_plot_svg(table_, plot, figure.tau)},
+        {xy_figure(table_, plot, figure.tau),
          fmt::format("<i>τ</i> against {}, whatever the other keys are.",
                      label(columns[d]))});
   }
@@ -264,7 +266,7 @@ void Planner::curves(Direction x, std::optional<Direction> family) {
   if (family) inner.push_back(family->axis);
   start(scenes_along(table_, inner), "curve");
   for (SweepFigure& figure : out_.figures) {
-    curve_drawing(figure, figure.name, curve_plot(figure, x, family));
+    curve_drawing(figure, curve_plot(figure, x, family));
   }
 }
 
@@ -275,7 +277,19 @@ void Planner::dots() {
   std::vector<std::size_t> drawn = varying_;
   drawn.resize(std::min(varying_.size(), kMostFigures));
   leave_out(varying_.size() - drawn.size());
-  dot_drawings(out_.figures.front(), drawn);
+  SweepFigure& figure = out_.figures.front();
+  if (drawn.size() == 2 && table_.columns[drawn[0]].numeric() &&
+      table_.columns[drawn[1]].numeric()) {
+    figure.drawings.push_back({scatter_figure(table_,
+                                              {.name = figure.name,
+                                               .first = drawn[0],
+                                               .second = drawn[1],
+                                               .scenes = figure.scenes},
+                                              figure.tau),
+                               fmt::format("<i>τ</i> over {} and {}.",
+                                           label(drawn[0]), label(drawn[1]))});
+  }
+  dot_drawings(figure, drawn);
 }
 
 SweepFigures Planner::figures() {

@@ -10,21 +10,21 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
 #include "report/colour_map.hpp"
+#include "report/figure.hpp"
 #include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {
 
 /// A picture and what it shows.
 struct SweepDrawing {
-  OutputFile file;
+  Figure figure;
   std::string caption;  ///< HTML
 };
 
 /// Drawings of the same scenes.
 struct SweepFigure {
-  std::string name;  ///< of its files, without ending
+  std::string name;  ///< that those of its drawings begin with
   /// Columns that are the same for all its scenes, but not for all of the
   /// sweep.
   std::vector<std::size_t> fixed;
@@ -42,8 +42,8 @@ struct SweepFigures {
 /// Two ordered numeric axes, those that change fastest, make maps; if one has
 /// few values, also a family of curves. One makes curves, with an axis of few
 /// words as family. A sample that is not ordered, or words alone, make a plot
-/// of dots for each column. Other axes give figures of their own for each
-/// combination of their values.
+/// of dots for each column; one of two numbers also has them as coloured dots.
+/// Other axes give figures of their own for each combination of their values.
 ///
 /// Lists are drawn in the order of their values. Where that does not make a
 /// map, as values are there twice or depend on one another so that cells would

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "report/key_label.hpp"
-#include "report/svg.hpp"
+#include "report/rich_text.hpp"
 
 namespace brachisto::report {
 
@@ -104,6 +104,10 @@ std::string axes_table(const SweepTable& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (!on_axis[c])
       row("–", varies(c) ? "follows" : "fixed", table.columns[c]);
+  }
+  for (const SweepConstant& constant : table.constants) {
+    row("–", "fixed",
+        {.key = constant.key, .numbers = {constant.value}, .words = {}});
   }
   return out + "</tbody></table>\n";
 }

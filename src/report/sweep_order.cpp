@@ -11,7 +11,6 @@
 #include <numeric>
 
 #include "report/key_label.hpp"
-#include "report/svg.hpp"
 
 namespace brachisto::report {
 
@@ -19,7 +18,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double cross(Pixel a, Pixel b, Pixel c) {
+/// A place in a map whose sides are 1 long.
+struct Place {
+  double x, y;
+};
+
+double cross(Place a, Place b, Place c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
 
@@ -29,7 +33,8 @@ std::vector<double> places(const SweepColumn& column, const Scenes& scenes) {
   std::vector<double> out;
   Extent extent;
   for (const std::size_t scene : scenes) {
-    out.push_back(Axis::laid_out(scale, shown_number(column, scene)));
+    const double number = shown_number(column, scene);
+    out.push_back(scale == Scale::Logarithmic ? std::log(number) : number);
     extent.include(out.back());
   }
   for (double& place : out) {
@@ -43,16 +48,16 @@ std::vector<double> places(const SweepColumn& column, const Scenes& scenes) {
 bool is_mesh(const SweepTable& table, const SweepMap& map,
              const Scenes& scenes) {
   constexpr double kNothing = 1e-12;  // of the area of the map
-  const std::vector<double> x = places(table.columns[map.x_column], scenes);
-  const std::vector<double> y = places(table.columns[map.y_column], scenes);
+  const std::vector<double> x = places(table.columns[map.first], scenes);
+  const std::vector<double> y = places(table.columns[map.second], scenes);
   double sense = 0.0;
-  for (std::size_t i = 0; i + 1 < map.nx; ++i) {
-    for (std::size_t j = 0; j + 1 < map.ny; ++j) {
-      const std::size_t node = i * map.ny + j;
-      std::array<Pixel, 4> corners{};
+  for (std::size_t i = 0; i + 1 < map.n_first; ++i) {
+    for (std::size_t j = 0; j + 1 < map.n_second; ++j) {
+      const std::size_t node = i * map.n_second + j;
+      std::array<Place, 4> corners{};
       std::size_t c = 0;
       for (const std::size_t at :
-           {node, node + map.ny, node + map.ny + 1, node + 1}) {
+           {node, node + map.n_second, node + map.n_second + 1, node + 1}) {
         corners[c++] = {x[at], y[at]};
       }
       std::array<double, 4> turns{};
@@ -129,12 +134,12 @@ std::optional<Scenes> in_map_order(const SweepTable& table,
                                    const SweepMap& map) {
   if (is_mesh(table, map, map.scenes)) return map.scenes;
   const auto scene = [&](std::size_t i, std::size_t j) {
-    return map.scenes[i * map.ny + j];
+    return map.scenes[i * map.n_second + j];
   };
   const auto rows =
-      order_along(table.columns[map.x_column], map.nx, map.ny, scene);
+      order_along(table.columns[map.first], map.n_first, map.n_second, scene);
   const auto columns =
-      order_along(table.columns[map.y_column], map.ny, map.nx,
+      order_along(table.columns[map.second], map.n_second, map.n_first,
                   [&](std::size_t j, std::size_t i) { return scene(i, j); });
   Scenes sorted;
   for (const std::size_t i : rows) {

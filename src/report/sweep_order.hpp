@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "report/heat_map_svg.hpp"
+#include "report/sweep_plots.hpp"
 #include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What a track is, in words.
+/// What a track and its scene are, in words.
 
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "brachisto/model/scene.hpp"
@@ -17,5 +18,8 @@ namespace brachisto::report {
 /// rolls, bending the track next to B makes it faster still (docs/theory.md,
 /// section 3).
 [[nodiscard]] std::string_view track_kind(const Scene& scene);
+
+/// Body and scene in one line: "cylinder r = 0.5 m, η_m = …; L = 3 m, …".
+[[nodiscard]] std::string in_words(const Scene& scene);
 
 }  // namespace brachisto::report

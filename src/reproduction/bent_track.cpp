@@ -20,6 +20,17 @@ Point along_arc(double radius, double from, double to) {
           radius * (std::cos(to) - std::cos(from))};
 }
 
+/// The scene without a condition on the slope at the end, the centre's path
+/// ending at `end`.
+Scene free_end(const Scene& scene, Point end) {
+  const Point start = start_of_centre(scene);
+  Scene free = scene;
+  free.contact = Contact::Centre;
+  free.L = end.x - start.x;
+  free.H = end.z - start.z;
+  return free;
+}
+
 }  // namespace
 
 Scene bent_track(const Scene& scene, double phi, double radius,
@@ -30,15 +41,12 @@ Scene bent_track(const Scene& scene, double phi, double radius,
   constexpr int kOnArc = 100;
   const Point start = start_of_centre(scene);
   const Point end = end_of_centre(scene, phi);
-  Scene free = scene;
-  free.contact = Contact::Centre;
   // The arc begins with the slope that the extremal to its beginning ends with.
   double beta = phi;
   for (int round = 0; round < kMostRounds; ++round) {
     const Point arc = along_arc(radius, beta, phi);
-    free.L = end.x - arc.x - start.x;
-    free.H = end.z - arc.z - start.z;
-    const Solution extremal = verified_solution(free, interrupt);
+    const Solution extremal = verified_solution(
+        free_end(scene, {end.x - arc.x, end.z - arc.z}), interrupt);
     const double before = std::exchange(beta, extremal.motion()->end_angle());
     if (std::abs(beta - before) > kClosed) continue;
 
@@ -64,6 +72,13 @@ Scene bent_track(const Scene& scene, double phi, double radius,
     return out;
   }
   throw NotVerified("the bent track does not close");
+}
+
+double tau_of_kinked_track(const Scene& scene, double phi,
+                           const Interrupt& interrupt) {
+  const Scene free = free_end(scene, end_of_centre(scene, phi));
+  // τ refers to the H of the other scene.
+  return verified_tau(free, interrupt) * std::sqrt(free.H / scene.H);
 }
 
 }  // namespace brachisto::reproduction

@@ -25,4 +25,10 @@ namespace brachisto::reproduction {
 [[nodiscard]] Scene bent_track(const Scene& scene, double phi, double radius,
                                const Interrupt& interrupt);
 
+/// τ of that track where the arc shrinks to a kink at B, which no body can
+/// follow: the least time to that end of the centre's path.
+/// \throws NotVerified, Interrupted
+[[nodiscard]] double tau_of_kinked_track(const Scene& scene, double phi,
+                                         const Interrupt& interrupt);
+
 }  // namespace brachisto::reproduction

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sweep/child_process.hpp"
+#include "process/child_process.hpp"
 
 namespace brachisto::reproduction {
 
@@ -98,7 +98,7 @@ const Case& Cases::operator[](const std::string& name) const {
 }
 
 void check(const Interrupt& interrupt) {
-  if (interrupt.load() != 0) throw sweep::Interrupted();
+  if (interrupt.load() != 0) throw Interrupted();
 }
 
 Solution verified_solution(const Scene& scene, const Interrupt& interrupt,

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "brachisto/model/kinetic_energy.hpp"
+#include "brachisto/model/inertia.hpp"
 #include "brachisto/model/mass_distribution.hpp"
 #include "brachisto/model/start_angle.hpp"
 #include "reproduction/claims.hpp"

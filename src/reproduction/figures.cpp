@@ -11,12 +11,9 @@ namespace brachisto::reproduction {
 
 Figure figure(const report::Chart& chart, std::string heading,
               std::string caption) {
-  return {.name = chart.name,
-          .heading = std::move(heading),
+  return {.heading = std::move(heading),
           .caption = std::move(caption),
-          .svg = report::chart_svg(chart),
-          .csv = report::chart_csv(chart),
-          .gnuplot = report::chart_gnuplot(chart)};
+          .drawing = report::chart_figure(chart)};
 }
 
 std::vector<Figure> all_figures(const Results& found) {

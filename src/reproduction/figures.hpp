@@ -14,15 +14,13 @@
 
 namespace brachisto::reproduction {
 
-/// A drawing in three forms and what is to be said of it.
+/// A picture and what is to be said of it.
 struct Figure {
-  std::string name;     ///< of its files, without ending
   std::string heading;  ///< "Fig. 4. …", rich text
   std::string caption;  ///< rich text
-  std::string svg, csv, gnuplot;
+  report::Figure drawing{};
 };
 
-/// A chart in its three forms.
 [[nodiscard]] Figure figure(const report::Chart& chart, std::string heading,
                             std::string caption);
 

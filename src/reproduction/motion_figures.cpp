@@ -7,7 +7,7 @@
 #include <functional>
 #include <utility>
 
-#include "brachisto/model/kinetic_energy.hpp"
+#include "brachisto/model/inertia.hpp"
 #include "reproduction/figures.hpp"
 #include "reproduction/printed_numbers.hpp"
 

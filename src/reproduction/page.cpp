@@ -5,13 +5,15 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
+#include <iterator>
 #include <numbers>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "brachisto/report/provenance.hpp"
-#include "report/page_style.hpp"
+#include "report/page.hpp"
 #include "report/rich_text.hpp"
-#include "report/svg.hpp"
 
 namespace brachisto::reproduction {
 
@@ -21,14 +23,30 @@ using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
 
-/// A table from the rows of its body, which are markup.
-std::string html_table(std::initializer_list<const char*> heads,
+/// A table from the rows of its body, which are markup. Each cell is told its
+/// column, by whose name it is known where there is no room for columns.
+std::string html_table(const std::vector<std::string>& heads,
                        const std::string& rows) {
-  std::string out = "<div class=\"wide\"><table><thead><tr>";
-  for (const char* head : heads) {
+  constexpr std::string_view kRow = "<tr>", kCell = "<td";
+  std::string out = "<div class=\"wide\"><table class=\"stacked\"><thead><tr>";
+  for (const std::string& head : heads) {
     out += fmt::format("<th>{}</th>", html_words(head));
   }
-  return out + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
+  out += "</tr></thead><tbody>\n";
+  std::size_t column = 0;
+  for (std::string_view rest = rows; !rest.empty();) {
+    if (rest.starts_with(kRow)) column = 0;
+    if (!rest.starts_with(kCell)) {
+      out += rest.front();
+      rest.remove_prefix(1);
+      continue;
+    }
+    out += fmt::format(
+        "{} data-label=\"{}\"", kCell,
+        report::xml_escaped(report::plain_words(heads.at(column++))));
+    rest.remove_prefix(kCell.size());
+  }
+  return out + "</tbody></table></div>\n";
 }
 
 std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
@@ -36,8 +54,9 @@ std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
   for (const PrintedNumber& row : numbers) {
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     rows += fmt::format(
-        "<tr><td>{}<br/><small>{}</small></td><td>{}{}</td><td>{}{}</td>"
-        "<td>{}</td><td class=\"words\">{}</td></tr>\n",
+        "<tr><td class=\"brief\">{}<br/><small>{}</small></td><td>{}{}</td>"
+        "<td>{}{}</td><td class=\"brief\">{}</td>"
+        "<td class=\"words\">{}</td></tr>\n",
         html_words(row.quantity), html_words(row.place), html_words(row.paper),
         html_words(unit), with_error(row.ours), html_words(unit),
         difference_text(row), html_words(row.remark));
@@ -105,17 +124,6 @@ std::string orientation_table(const std::vector<OrientationRow>& fastest) {
                     rows);
 }
 
-std::string figure_html(const Figure& figure) {
-  return fmt::format(
-      "<figure>\n<h3>{}</h3>\n<div "
-      "class=\"drawing\">\n{}</div>\n<figcaption>{} "
-      "<span class=\"files\"><a href=\"{}.svg\">SVG</a>, "
-      "<a href=\"{}.csv\">CSV</a>, <a href=\"{}.gp\">gnuplot</a></span>"
-      "</figcaption>\n</figure>\n",
-      html_words(figure.heading), figure.svg, html_words(figure.caption),
-      figure.name, figure.name, figure.name);
-}
-
 std::string introduction(const Results& found) {
   const Case& reference = found.cases["fig04_reference_case"];
   return fmt::format(
@@ -144,18 +152,15 @@ std::string introduction(const Results& found) {
       html_words("R_n = 0 and κ_b = −1/r"));
 }
 
-std::string page(const Results& found, const Reproduction& made) {
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
-      "<h1>{0}: the paper and brachisto</h1>\n",
-      kTitle, report::page_style());
+/// \param figures  in HTML
+std::string page(const Results& found, const Reproduction& made,
+                 const std::string& figures) {
+  std::string out = report::page_head(kTitle, ": the paper and brachisto");
   out += introduction(found);
   out += "<h2>Numbers</h2>\n" + comparison_table(made.comparisons);
   out += "<h2>Statements</h2>\n" + claims_table(made.claims);
   out += "<h2>Figures</h2>\n";
-  for (const Figure& figure : made.figures) out += figure_html(figure);
+  out += figures;
   out += "<h2>The initial orientation of the smallest τ</h2>\n" +
          orientation_table(found.orientations);
   out += "<h2>All cases</h2>\n" + cases_table(found.cases);
@@ -173,13 +178,20 @@ Reproduction reproduce(const Results& found) {
   return {printed_numbers(found), judge(found), all_figures(found)};
 }
 
-std::vector<report::OutputFile> files(const Results& found,
-                                      const Reproduction& made) {
-  std::vector<report::OutputFile> out;
+PaperFiles files(const Results& found, const Reproduction& made,
+                 const std::atomic<int>* interrupt) {
+  PaperFiles written;
+  std::vector<report::OutputFile>& out = written.files;
+  std::string figures;
+  std::size_t room = report::kMostOfPictures;
   for (const Figure& figure : made.figures) {
-    out.push_back({figure.name + ".svg", figure.svg});
-    out.push_back({figure.name + ".csv", figure.csv});
-    out.push_back({figure.name + ".gp", figure.gnuplot});
+    report::DrawnFigure drawn =
+        report::draw(figure.drawing, report::Format::Svg, interrupt);
+    figures += fmt::format("<h3>{}</h3>\n", html_words(figure.heading)) +
+               report::figure_html(drawn, figure.drawing.name,
+                                   html_words(figure.caption), room);
+    if (!drawn.missing.empty()) written.missing = drawn.missing;
+    std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(out));
   }
   out.push_back({"comparison.csv", comparison_csv(made.comparisons)});
   out.push_back({"claims.csv", claims_csv(made.claims)});
@@ -187,8 +199,8 @@ std::vector<report::OutputFile> files(const Results& found,
   out.push_back({"orientations.csv", orientations_csv(found.orientations)});
   out.push_back({"boundary.csv", boundary_csv(found)});
   // Last, so that whoever sees the page sees what it refers to.
-  out.push_back({"index.html", page(found, made)});
-  return out;
+  out.push_back({"index.html", page(found, made, figures)});
+  return written;
 }
 
 }  // namespace brachisto::reproduction

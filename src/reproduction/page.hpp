@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,19 @@ struct Reproduction {
 
 [[nodiscard]] Reproduction reproduce(const Results& found);
 
+struct PaperFiles {
+  std::vector<report::OutputFile> files;
+  std::string missing;  ///< why there are figures without a picture, or empty
+};
+
 /// index.html, which needs nothing beside it; comparison.csv, claims.csv,
 /// cases.csv, orientations.csv, boundary.csv; of every figure an SVG document,
 /// its numbers and a gnuplot script.
-[[nodiscard]] std::vector<report::OutputFile> files(const Results& found,
-                                                    const Reproduction& made);
+///
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] PaperFiles files(const Results& found, const Reproduction& made,
+                               const std::atomic<int>* interrupt);
 
 /// The comparison and the claims for a terminal.
 [[nodiscard]] std::string text_table(const Reproduction& made);

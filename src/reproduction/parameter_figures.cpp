@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "brachisto/model/mass_distribution.hpp"
-#include "report/heat_map_svg.hpp"
-#include "report/sweep_csv.hpp"
-#include "report/sweep_scenes.hpp"
+#include "report/sweep_plots.hpp"
+#include "report/track_kind.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/figures.hpp"
 
@@ -57,9 +56,7 @@ Figure map_as_curves(const SweepTable& map) {
     curve.name = fmt::format("η_m = {:.3f}", offset);
     curve.id = fmt::format("eta_m = {:.6f}", offset);
     curve.colour = colours[r / kEvery];
-    constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
-                                   Stroke::DashDotted, Stroke::Dotted};
-    curve.stroke = kStrokes[r / kEvery % std::size(kStrokes)];
+    curve.stroke = report::stroke_of(r / kEvery);
     for (std::size_t i = r * row; i < (r + 1) * row; ++i) {
       curve.points.push_back(
           {map.columns[theta].numbers[i] * kDegrees, map.outcomes[i].tau});
@@ -74,66 +71,23 @@ Figure map_as_curves(const SweepTable& map) {
                             map.outcomes.front().tau));
 }
 
-/// The colours of maps in gnuplot's words.
-std::string palette() {
-  constexpr int kColours = 9;
-  std::string out;
-  for (int i = 0; i < kColours; ++i) {
-    const double share = static_cast<double>(i) / (kColours - 1);
-    out += fmt::format("{}{:g} '{}'", i == 0 ? "" : ", ", share,
-                       report::hex(report::colour_at(share)));
-  }
-  return out;
-}
-
-/// gnuplot script of the map; the file has one row per scene.
-std::string map_script(const std::string& name, const SweepTable& map) {
-  const std::size_t first = 2;  // after the number of the scene
-  const std::size_t after = first + map.columns.size();
-  return fmt::format(
-      "# Redraws {0}.pdf from {0}.csv: gnuplot {0}.gp\n"
-      "set terminal pdfcairo enhanced font 'Sans,10' size 12cm,9cm\n"
-      "set output '{0}.pdf'\n"
-      "set datafile separator ','\n"
-      "set key autotitle columnhead\nunset key\n"
-      "set xlabel 'θ_m [°]'\nset ylabel 'η_m'\nset cblabel 'τ'\n"
-      "set palette defined ({6})\nset view map\n"
-      "set autoscale xfix\nset autoscale yfix\n"
-      "set contour base\nset cntrparam levels 14\nset cntrlabel onecolor\n"
-      "set dgrid3d {1},{2} qnorm 4\n"
-      "splot '{0}.csv' using (${3}*180/pi):{4}:{5} with pm3d, "
-      "'' using (${3}*180/pi):{4}:{5} with lines lc 'black' nosurface\n",
-      name, map.axes.front().count, map.axes.back().count,
-      first + column(map, kThetaKey), first + column(map, kEtaKey), after + 3,
-      palette());
-}
-
 Figure map_as_colours(const SweepTable& table) {
-  report::SweepMap map;
-  map.x_column = column(table, kThetaKey);
-  map.y_column = column(table, kEtaKey);
-  map.nx = table.axes.back().count;
-  map.ny = table.axes.front().count;
-  map.name = "fig13_map";
-  // Scene (i, j) of a map has its x first.
-  for (std::size_t i = 0; i < map.nx; ++i) {
-    for (std::size_t j = 0; j < map.ny; ++j) {
-      map.scenes.push_back(j * map.nx + i);
-    }
-  }
-  const report::Scenes all = report::all_scenes(table);
-  const report::SweepDigest found = report::digest(table, all);
-  const report::ValueRange range{table.outcomes[found.fastest.value()].tau,
-                                 table.outcomes[found.slowest.value()].tau};
-  return {.name = map.name,
-          .heading = "Fig. 13 as a map",
+  const report::Scenes scenes = report::all_scenes(table);
+  const report::SweepDigest found = report::digest(table, scenes);
+  const report::SweepMap map{.name = "fig13_map",
+                             .first = column(table, kEtaKey),
+                             .second = column(table, kThetaKey),
+                             .n_first = table.axes.front().count,
+                             .n_second = table.axes.back().count,
+                             .scenes = scenes};
+  const double least = table.outcomes[*found.fastest].tau;
+  const double most = table.outcomes[*found.slowest].tau;
+  return {.heading = "Fig. 13 as a map",
           .caption = fmt::format(
               "τ over η_m and θ_m for k = 1/2, r = 1/3, L = 3: {} scenes, all "
               "verified. The smallest value of the grid is {:.6f}.",
-              table.outcomes.size(), range.low),
-          .svg = report::heat_map_svg(table, map, range),
-          .csv = report::sweep_csv(table, all),
-          .gnuplot = map_script(map.name, table)};
+              table.outcomes.size(), least),
+          .drawing = report::map_figure(table, map, {least, most})};
 }
 
 Figure fastest_orientation_figure(const Results& found) {
@@ -263,11 +217,63 @@ Figure region(const Results& found) {
       "The command brachisto body tells where a body made of parts lies.");
 }
 
+/// The third trap as a picture.
+Figure slope_at_b(const Results& found) {
+  const auto points = [](const std::vector<BentTrack>& tracks) {
+    std::vector<Datum> out;
+    for (const BentTrack& track : tracks) {
+      out.push_back({track.phi * kDegrees, track.tau});
+    }
+    return out;
+  };
+  const std::vector<Datum> kinked = points(found.kinked);
+  const Datum smooth = kinked.front();
+  const Datum least = *std::ranges::min_element(kinked, {}, &Datum::y);
+  Chart chart;
+  chart.name = "slope_at_b";
+  chart.title = "The third trap: bending the track next to B makes it faster";
+  chart.subtitle =
+      report::in_words(found.cases["fig04_reference_case"].scene());
+  chart.x.label = "slope of the track at B [°]";
+  chart.x.scale = report::Scale::Degrees;
+  chart.x.high = 22.0;
+  chart.y.label = "τ = T √(2g/H)";
+  chart.y.low = 4.5;
+  chart.y.high = 5.17;
+  chart.curves = {
+      {.name = "extremal of the centre, then a kink at B: the limit, no track",
+       .points = kinked,
+       .stroke = Stroke::Dashed,
+       .colour = "#1a3f8f",
+       .id = "kink"},
+      {.name = fmt::format("bent on an arc of radius {:g} H: a track, feasible",
+                           found.bent.radius),
+       .points = points(found.arched),
+       .colour = "#b5651d",
+       .width = 0.0,
+       .mark = report::Mark::Disc,
+       .id = "arc"}};
+  chart.notes = {{smooth, fmt::format("smooth contact, τ = {:.4f}", smooth.y),
+                  report::Mark::Square, -12.0, -10.0},
+                 {least, fmt::format("τ = {:.3f}, not attained", least.y),
+                  report::Mark::Circle, 8.0, 16.0}};
+  return figure(
+      chart, "The slope at B",
+      fmt::format(
+          "The reference case: the smooth contact is stationary between its "
+          "own "
+          "ends of the centre's path, but not when the slope at B may vary. "
+          "The sharper the track bends next to B, the faster it is, down to "
+          "τ = {:.4f}; the dots are tracks that the body can follow "
+          "(docs/theory.md, section 3, third trap).",
+          least.y));
+}
+
 }  // namespace
 
 std::vector<Figure> parameter_figures(const Results& found) {
   return {map_as_curves(found.map), map_as_colours(found.map),
-          fastest_orientation_figure(found), region(found)};
+          fastest_orientation_figure(found), region(found), slope_at_b(found)};
 }
 
 }  // namespace brachisto::reproduction

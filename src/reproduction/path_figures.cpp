@@ -63,7 +63,8 @@ void add_body(Chart& chart, const Motion& motion) {
       {{start.centre.x, start.centre.z}, body.radius, Datum{m.x, m.z}});
 }
 
-/// Tracks as full lines, paths of the centre of mass dashed in the same colour.
+/// Tracks, told apart by their dashes in grey, and thin the paths of the centre
+/// of mass in the same colour.
 Chart family(const Cases& cases, std::string name, std::string title,
              const Members& members) {
   Chart chart = path_chart(std::move(name), std::move(title));
@@ -75,15 +76,14 @@ Chart family(const Cases& cases, std::string name, std::string title,
         {.name =
              fmt::format("{}: τ = {:.4f}", members[i].name, one.tau().value),
          .points = along(one.motion(), track),
+         .stroke = report::stroke_of(i),
          .colour = colours[i],
-         .width = i % 2 == 0 ? 1.4 : 2.6,  // for those who print in grey
          .id = members[i].file + " track"});
     if (!one.scene().body.rolls()) continue;
     chart.curves.push_back({.name = "",
                             .points = along(one.motion(), mass_centre),
-                            .stroke = Stroke::Dashed,
                             .colour = colours[i],
-                            .width = 1.0,
+                            .width = 0.8,
                             .id = members[i].file + " centre of mass"});
   }
   return chart;

@@ -145,16 +145,43 @@ std::vector<BackwardStart> backward_starts(Scene scene,
   return rows;
 }
 
-BentTrack bent_reference(const Scene& reference, const Interrupt& interrupt) {
+BentTrack bent_reference(const Scene& reference, double phi,
+                         const Interrupt& interrupt) {
   // Of the time on a spline through points.
   constexpr double kTolerance = 1e-8;
-  BentTrack bent{.phi = -0.8, .radius = 0.1, .tau = 0.0, .feasible = false};
+  BentTrack bent{.phi = phi, .radius = 0.1, .tau = 0.0, .feasible = false};
   const Solution solution =
       verified_solution(bent_track(reference, bent.phi, bent.radius, interrupt),
                         interrupt, kTolerance);
   bent.tau = solution.motion()->tau();
   bent.feasible = solution.feasible();
   return bent;
+}
+
+std::vector<BentTrack> kinked_reference(const Motion& reference,
+                                        const Interrupt& interrupt) {
+  constexpr double kLast = -2.05;  // [rad], beyond the least time
+  constexpr int kSteps = 40;
+  std::vector<BentTrack> tracks;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double phi = std::lerp(reference.end_angle(), kLast,
+                                 static_cast<double>(i) / kSteps);
+    tracks.push_back(
+        {.phi = phi,
+         .tau = tau_of_kinked_track(reference.scene(), phi, interrupt)});
+  }
+  return tracks;
+}
+
+std::vector<BentTrack> arched_reference(const Scene& reference,
+                                        const Interrupt& interrupt) {
+  std::vector<BentTrack> tracks;
+  // Less of a bend than that asks for more digits at the start, where every
+  // extremal bends like the body, than points can give.
+  for (const double phi : {-0.8, -0.9, -1.0, -1.1, -1.2, -1.3, -1.4, -1.5}) {
+    tracks.push_back(bent_reference(reference, phi, interrupt));
+  }
+  return tracks;
 }
 
 /// What comparison, statements and figures refer to by name.
@@ -248,7 +275,9 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
       .shift_by_inertia = {},
       .uniform_on_incline = 0.0,
       .backward_starts = {},
-      .bent = {}};
+      .bent = {},
+      .kinked = {},
+      .arched = {}};
   const Scene& reference = out.cases["fig04_reference_case"].scene();
   const Case& fast = out.cases["fig13_faster_than_bead"];
   hooks.announce("grid study");
@@ -268,7 +297,12 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.shift_by_inertia = shift_by_inertia(out.cases, interrupt);
   out.uniform_on_incline = uniform_on_incline(out.cases, interrupt);
   out.backward_starts = backward_starts(reference, interrupt);
-  out.bent = bent_reference(reference, interrupt);
+  hooks.announce("slopes at B");
+  constexpr double kExample = -0.8;
+  out.bent = bent_reference(reference, kExample, interrupt);
+  out.kinked =
+      kinked_reference(out.cases["fig04_reference_case"].motion(), interrupt);
+  out.arched = arched_reference(reference, interrupt);
   hooks.announce("best orientations");
   out.orientations = fastest_orientations(reference, interrupt);
   hooks.announce("bodies as fast as the bead");

@@ -64,7 +64,7 @@ struct BackwardStart {
 /// A bent_track() for the body of the reference case.
 struct BentTrack {
   double phi = 0.0;     ///< [rad]
-  double radius = 0.0;  ///< of its arc [H]
+  double radius = 0.0;  ///< of its arc [H]; 0: a kink, which is never feasible
   double tau = 0.0;
   bool feasible = false;
 };
@@ -86,6 +86,9 @@ struct Results {
   double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
   std::vector<BackwardStart> backward_starts;
   BentTrack bent;
+  /// With a kink, φ downwards from the smooth contact to the least time and a
+  /// little farther; and with an arc of the radius of `bent`.
+  std::vector<BentTrack> kinked, arched;
 };
 
 /// Who asks and who listens.

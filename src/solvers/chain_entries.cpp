@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -18,10 +19,6 @@ using nlp::ChainStructure;
 constexpr int kBorderAlone = -1;
 constexpr int kAbsent = -2;
 constexpr int kNoChain = -3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

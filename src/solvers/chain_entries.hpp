@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "solvers/chain_map.hpp"
 
 namespace brachisto {

@@ -3,6 +3,8 @@
 
 #include "solvers/chain_hook.hpp"
 
+#include <fmt/format.h>
+
 #include <IpoptConfig.h>
 
 #include <algorithm>
@@ -14,7 +16,7 @@
 
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "solvers/chain_ldlt.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
     IPOPT_VERSION_RELEASE == 9 && __has_include(<HSLLoader.h>)
@@ -91,7 +93,7 @@ void kept(Work&& work) {
   try {
     work();
   } catch (...) {
-    if (current != nullptr) current->keep(std::current_exception());
+    if (current != nullptr) current->exception = std::current_exception();
     throw;
   }
 }
@@ -110,16 +112,15 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
   const PhaseTimer timer(Phase::SetUp);
   if (current == nullptr) return;
   kept([&] {
-    if (!current->right_release()) {
-      current->refuse("it works with Ipopt " +
-                      std::string(current->wanted_release()) +
-                      ", and this is " +
-                      (current->release().empty() ? "another release"
-                                                  : current->release()));
+    if (current->release != current->wanted_release) {
+      current->refusal = fmt::format(
+          "it works with Ipopt {}, and this is {}", current->wanted_release,
+          current->release.empty() ? "another release" : current->release);
       return;
     }
-    if (static_cast<std::size_t>(n) != current->structure().block.size()) {
-      current->refuse("Ipopt's KKT matrix has another size than the problem's");
+    if (static_cast<std::size_t>(n) != current->structure.block.size()) {
+      current->refusal =
+          "Ipopt's KKT matrix has another size than the problem's";
       return;
     }
     auto matrix = std::make_unique<Matrix>();
@@ -137,15 +138,16 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
     }
     const std::array<EntryPositions, 1> positions = {
         EntryPositions{rows, cols, 0}};
-    matrix->ldlt = ChainLdlt::make(current->structure(), positions);
+    matrix->ldlt = ChainLdlt::make(current->structure, positions);
     if (!matrix->ldlt) {
-      current->refuse("Ipopt's KKT matrix is not the chain the problem states");
+      current->refusal =
+          "Ipopt's KKT matrix is not the chain the problem states";
       return;
     }
-    if (!current->bounded().empty()) {
-      matrix->scale = current->structure().scale;
+    if (!current->bounded.empty()) {
+      matrix->scale = current->structure.scale;
     }
-    for (const int unknown : current->bounded()) {
+    for (const int unknown : current->bounded) {
       for (int e = ptr[unknown] - 1; e < ptr[unknown + 1] - 1; ++e) {
         if (row[e] - 1 == unknown) {
           matrix->barrier.emplace_back(unknown, e);
@@ -166,7 +168,6 @@ static void chain_factor(int, const int[], const int[], const double val[],
   kept([&] {
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
-    if (current != nullptr) current->count_factorisation();
     scale_barrier(matrix, val);
     const bool factorised = matrix.ldlt->factorise(values);
     const Inertia& inertia = matrix.ldlt->inertia();
@@ -221,15 +222,15 @@ bool ChainHook::available() {
   return BRACHISTO_HAS_CHAIN_HOOK != 0;
 }
 
-ChainHook::ChainHook(const nlp::Problem& problem, std::string_view release)
-    : wanted_(release) {
+ChainHook::ChainHook(const nlp::Problem& problem, std::string_view wanted)
+    : wanted_release(wanted) {
   // Ipopt drops the fixed variables (fixed_variable_treatment make_parameter)
   // and keeps the order of the others.
   const nlp::ChainStructure chain = problem.chain_structure();
-  structure_.num_links = chain.num_links;
+  structure.num_links = chain.num_links;
   const auto put = [&](int block, double scale) {
-    structure_.block.push_back(block);
-    if (!chain.scale.empty()) structure_.scale.push_back(scale);
+    structure.block.push_back(block);
+    if (!chain.scale.empty()) structure.scale.push_back(scale);
   };
   const auto put_unknown = [&](int unknown) {
     const auto i = static_cast<std::size_t>(unknown);
@@ -240,7 +241,7 @@ ChainHook::ChainHook(const nlp::Problem& problem, std::string_view release)
     const nlp::Range range = problem.variable_range(i);
     if (range.single()) continue;
     if (range.bounded()) {
-      bounded_.push_back(static_cast<int>(structure_.block.size()));
+      bounded.push_back(static_cast<int>(structure.block.size()));
     }
     put_unknown(i);
   }
@@ -254,7 +255,7 @@ ChainHook::ChainHook(const nlp::Problem& problem, std::string_view release)
   for (const int unknown : inequalities) {
     const auto i = static_cast<std::size_t>(unknown);
     const int block = std::max(0, chain.block[i]);
-    bounded_.push_back(static_cast<int>(structure_.block.size()));
+    bounded.push_back(static_cast<int>(structure.block.size()));
     put(std::min(block | 1, 2 * chain.num_links - 1),
         chain.scale.empty() ? 1.0 : 1.0 / chain.scale[i]);
   }

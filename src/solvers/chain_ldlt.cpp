@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -29,10 +30,6 @@ constexpr double kZeroUnits = 64.0;
 // refinement can make up for.
 constexpr int kManyDelays = 24;
 constexpr double kLeastThreshold = 1e-6;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The larger one; not a number stays what it is.
 double larger(double a, double b) {
@@ -416,10 +413,6 @@ void ChainLdlt::last_front() {
   carried_.candidates = carried_.size();
   fronts_.eliminate(carried_, {0.1, zero_, true});
   if (carried_.candidates > 0) overflow_ = true;
-}
-
-std::size_t ChainLdlt::state_bytes() const {
-  return storage_size_ * sizeof(Lanes) + failed_.capacity() + fronts_.bytes();
 }
 
 }  // namespace brachisto

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/nlp/active_set.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/inertia.hpp"
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
@@ -38,7 +39,7 @@ using EntryValues = std::span<const std::span<const double>>;
 /// The inertia is exact as far as rounding allows: the factorisation is that of
 /// a matrix within a few units of rounding of the given one.
 ///
-/// Memory is linear in the length of the chain, state_bytes() tells how much.
+/// Memory is linear in the length of the chain.
 class ChainLdlt {
  public:
   /// Null if the positions are no chain of that structure. The positions need
@@ -65,13 +66,8 @@ class ChainLdlt {
   void subtract_product(std::span<const double> x,
                         std::span<long double> residual) const;
 
-  /// Solves A x = b with steps of refinement, residuals in long double.
-  void solve_refined(std::span<const double> b, std::span<double> x,
-                     int refinements) const;
-
   /// Links whose interior was factorised as a dense front.
   [[nodiscard]] int num_dense_links() const { return num_dense_links_; }
-  [[nodiscard]] std::size_t state_bytes() const;
 
  private:
   /// Sequences chosen for a run, by the zeros of the matrix they were chosen
@@ -141,5 +137,14 @@ class ChainLdlt {
   Inertia inertia_;
   std::vector<double> matrix_;
 };
+
+/// For the matrix [H Jᵀ; J 0] of variables that are not held and constraints
+/// that are, values in two arrays: those of hess_lag_pattern() and those of
+/// jac_g_pattern(). Unknowns are numbered as they are in the problem,
+/// variables, then multipliers.
+///
+/// \return null if the problem states no chain structure that fits its patterns
+[[nodiscard]] std::unique_ptr<ChainLdlt> make_chain_ldlt(
+    const nlp::Problem& problem, const nlp::ActiveSet& active);
 
 }  // namespace brachisto

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 #include "solvers/chain_entries.hpp"
 
 namespace brachisto {
@@ -14,10 +15,6 @@ namespace brachisto {
 namespace {
 
 using nlp::ChainStructure;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Joins `group` links to one: separators within a group turn interior.
 ChainStructure joined(const ChainStructure& fine, int group) {
@@ -140,7 +137,7 @@ std::optional<ChainMap> ChainMap::make(
   std::vector<EntriesByLink::Place> places;
   for (int link = 0; link < chain.num_links; ++link) {
     check_stop(link);
-    now.first_link = link;
+
     now.num_links = 1;
     now.interior = members.count(2 * link + 1);
     now.left = members.count(2 * link);

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 namespace brachisto {
 
@@ -49,7 +49,6 @@ class ChainMap {
   /// Local unknowns are numbered: interior, left separator, right separator,
   /// border. A separator's own entries belong to one of the links beside it.
   struct Run {
-    int first_link = 0;
     int num_links = 0;
     int interior = 0, left = 0, right = 0;
     std::vector<Affine> unknowns;  ///< places in vectors of the caller

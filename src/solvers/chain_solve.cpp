@@ -1,24 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Solutions by a chain factorisation, their residuals and refinement.
+// Solutions by a chain factorisation, and their residuals.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 
 namespace brachisto {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 /// visit(run, analysis, slots, first link, number of links, flags of failure).
 template <class Visit>
@@ -113,21 +108,25 @@ void ChainLdlt::subtract_product(std::span<const double> x,
   }
 }
 
-void ChainLdlt::solve_refined(std::span<const double> b, std::span<double> x,
-                              int refinements) const {
-  std::copy(b.begin(), b.end(), x.begin());
-  solve(x);
-  std::vector<long double> residual(b.size());
-  std::vector<double> correction(b.size());
-  for (int step = 0; step < refinements; ++step) {
-    std::copy(b.begin(), b.end(), residual.begin());
-    subtract_product(x, residual);
-    for (std::size_t i = 0; i < correction.size(); ++i) {
-      correction[i] = static_cast<double>(residual[i]);
-    }
-    solve(correction);
-    for (std::size_t i = 0; i < correction.size(); ++i) x[i] += correction[i];
+std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
+                                           const nlp::ActiveSet& active) {
+  const PhaseTimer timer(Phase::SetUp);
+  nlp::ChainStructure chain = problem.chain_structure();
+  if (chain.empty()) return nullptr;
+  const std::size_t n = active.variables.size();
+  for (std::size_t i = 0; i < chain.block.size(); ++i) {
+    const bool present = i < n ? active.variables[i] == nlp::Held::No
+                               : active.constraints[i - n] != nlp::Held::No;
+    if (present) continue;
+    chain.block[i] = nlp::ChainStructure::kAbsent;
+    if (!chain.scale.empty()) chain.scale[i] = 1.0;
   }
+  const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
+  const nlp::SparsityPattern& jac = problem.jac_g_pattern();
+  const std::array<EntryPositions, 2> positions = {
+      EntryPositions{hess.rows, hess.cols, 0},
+      EntryPositions{jac.rows, jac.cols, problem.num_variables()}};
+  return ChainLdlt::make(chain, positions);
 }
 
 }  // namespace brachisto

@@ -7,15 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "math/index.hpp"
+
 namespace brachisto {
 
 namespace {
 
 using Front = FrontStack::Front;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Exchanges unknowns i and j.
 void exchange(Front& front, int i, int j) {
@@ -277,11 +275,6 @@ void FrontStack::backward(std::span<double> x) const {
       x[at(rows[i])] = local_[at(i)];
     }
   }
-}
-
-std::size_t FrontStack::bytes() const {
-  return records_.capacity() * sizeof(Record) + widths_.capacity() +
-         rows_.capacity() * sizeof(int) + values_.capacity() * sizeof(double);
 }
 
 }  // namespace brachisto

@@ -57,8 +57,6 @@ class FrontStack {
   void forward(std::span<double> x) const;
   void backward(std::span<double> x) const;
 
-  [[nodiscard]] std::size_t bytes() const;
-
  private:
   struct Record {
     std::size_t values = 0, rows = 0;

@@ -12,16 +12,13 @@
 #include <vector>
 
 #include "brachisto/nlp/active_set.hpp"
-#include "solvers/chain_kkt.hpp"
+#include "math/index.hpp"
+#include "solvers/chain_ldlt.hpp"
 #include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A MUMPS instance for a general symmetric matrix, sequential.
 class Mumps {

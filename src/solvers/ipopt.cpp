@@ -107,87 +107,59 @@ void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
   }
 }
 
-Status translate(Ipopt::ApplicationReturnStatus status,
-                 const StopCondition& stop, bool at_refused_point) {
-  // A stop makes the adapter refuse points, which Ipopt answers in many ways.
-  if (status != Ipopt::Solve_Succeeded && stop.met()) {
-    return stopped_by(stop);
-  }
-  switch (status) {
-    case Ipopt::Solve_Succeeded:
-      return Status::Solved;
-    case Ipopt::User_Requested_Stop:
-      return stopped_by(stop);
-    case Ipopt::Maximum_Iterations_Exceeded:
-      return Status::IterationLimit;
-    case Ipopt::Maximum_CpuTime_Exceeded:
-      return Status::TimeLimit;
-    case Ipopt::Insufficient_Memory:
-      return Status::OutOfMemory;
-    case Ipopt::Invalid_Number_Detected:
-      return Status::NotEvaluable;
-    case Ipopt::Solved_To_Acceptable_Level:
-    case Ipopt::Infeasible_Problem_Detected:
-    case Ipopt::Search_Direction_Becomes_Too_Small:
-    case Ipopt::Diverging_Iterates:
-    case Ipopt::Feasible_Point_Found:
-    case Ipopt::Restoration_Failed:
-    case Ipopt::Error_In_Step_Computation:
-      return at_refused_point ? Status::NotEvaluable : Status::NotConverged;
-    case Ipopt::Not_Enough_Degrees_Of_Freedom:
-    case Ipopt::Invalid_Problem_Definition:
-    case Ipopt::Invalid_Option:
-    case Ipopt::Unrecoverable_Exception:
-    case Ipopt::NonIpopt_Exception_Thrown:
-    case Ipopt::Internal_Error:
-      return Status::InternalError;
-  }
-  return Status::InternalError;
+/// What Ipopt says of its own outcome, and what that means here.
+struct Outcome {
+  Ipopt::ApplicationReturnStatus code;
+  Status status;
+  std::string_view words;
+};
+
+const Outcome& outcome_of(Ipopt::ApplicationReturnStatus code) {
+  using namespace Ipopt;
+  constexpr Status kFailed = Status::NotConverged;
+  constexpr Status kFault = Status::InternalError;
+  static constexpr std::array kOutcomes{
+      Outcome{Solve_Succeeded, Status::Solved, "optimal solution found"},
+      Outcome{User_Requested_Stop, Status::TimeLimit, "stopped on request"},
+      Outcome{Maximum_Iterations_Exceeded, Status::IterationLimit,
+              "iteration limit exceeded"},
+      Outcome{Maximum_CpuTime_Exceeded, Status::TimeLimit,
+              "processor time exceeded"},
+      Outcome{Insufficient_Memory, Status::OutOfMemory, "not enough memory"},
+      Outcome{Invalid_Number_Detected, Status::NotEvaluable,
+              "a function value or derivative is not finite"},
+      Outcome{Solved_To_Acceptable_Level, kFailed, "acceptable level only"},
+      Outcome{Infeasible_Problem_Detected, kFailed,
+              "converged to a point of local infeasibility"},
+      Outcome{Search_Direction_Becomes_Too_Small, kFailed,
+              "search direction becomes too small"},
+      Outcome{Diverging_Iterates, kFailed, "iterates diverge"},
+      Outcome{Feasible_Point_Found, kFailed, "feasible point found"},
+      Outcome{Restoration_Failed, kFailed, "restoration failed"},
+      Outcome{Error_In_Step_Computation, kFailed, "error in step computation"},
+      Outcome{Not_Enough_Degrees_Of_Freedom, kFault,
+              "fewer variables than constraints"},
+      Outcome{Invalid_Problem_Definition, kFault, "invalid problem definition"},
+      Outcome{Invalid_Option, kFault, "invalid option"},
+      Outcome{Unrecoverable_Exception, kFault, "unrecoverable exception"},
+      Outcome{NonIpopt_Exception_Thrown, kFault, "foreign exception"},
+      Outcome{Internal_Error, kFault, "internal error"}};
+  static constexpr Outcome kUnknown{Internal_Error, kFault,
+                                    "unknown return code"};
+  const auto* const found =
+      std::find_if(kOutcomes.begin(), kOutcomes.end(),
+                   [&](const Outcome& one) { return one.code == code; });
+  return found == kOutcomes.end() ? kUnknown : *found;
 }
 
-/// What Ipopt says of its own outcome.
-std::string_view describe(Ipopt::ApplicationReturnStatus status) {
-  switch (status) {
-    case Ipopt::Solve_Succeeded:
-      return "optimal solution found";
-    case Ipopt::Solved_To_Acceptable_Level:
-      return "acceptable level only";
-    case Ipopt::Infeasible_Problem_Detected:
-      return "converged to a point of local infeasibility";
-    case Ipopt::Search_Direction_Becomes_Too_Small:
-      return "search direction becomes too small";
-    case Ipopt::Diverging_Iterates:
-      return "iterates diverge";
-    case Ipopt::User_Requested_Stop:
-      return "stopped on request";
-    case Ipopt::Feasible_Point_Found:
-      return "feasible point found";
-    case Ipopt::Maximum_Iterations_Exceeded:
-      return "iteration limit exceeded";
-    case Ipopt::Restoration_Failed:
-      return "restoration failed";
-    case Ipopt::Error_In_Step_Computation:
-      return "error in step computation";
-    case Ipopt::Maximum_CpuTime_Exceeded:
-      return "processor time exceeded";
-    case Ipopt::Not_Enough_Degrees_Of_Freedom:
-      return "fewer variables than constraints";
-    case Ipopt::Invalid_Problem_Definition:
-      return "invalid problem definition";
-    case Ipopt::Invalid_Option:
-      return "invalid option";
-    case Ipopt::Invalid_Number_Detected:
-      return "a function value or derivative is not finite";
-    case Ipopt::Unrecoverable_Exception:
-      return "unrecoverable exception";
-    case Ipopt::NonIpopt_Exception_Thrown:
-      return "foreign exception";
-    case Ipopt::Insufficient_Memory:
-      return "not enough memory";
-    case Ipopt::Internal_Error:
-      return "internal error";
+Status status_of(const Outcome& outcome, const StopCondition& stop,
+                 bool at_refused_point) {
+  // A stop makes the adapter refuse points, which Ipopt answers in many ways.
+  if (outcome.status != Status::Solved && stop.met()) return stopped_by(stop);
+  if (outcome.status == Status::NotConverged && at_refused_point) {
+    return Status::NotEvaluable;
   }
-  return "unknown return code";
+  return outcome.status;
 }
 
 /// MUMPS running out of workspace surfaces as a failed restoration; only the
@@ -247,7 +219,7 @@ class ReleaseReader final : public Ipopt::Journal {
 
   bool IsAccepted(Ipopt::EJournalCategory category,
                   Ipopt::EJournalLevel level) const override {
-    return hook_.release().empty() && category == Ipopt::J_MAIN &&
+    return hook_.release.empty() && category == Ipopt::J_MAIN &&
            level == Ipopt::J_ITERSUMMARY;
   }
 
@@ -257,8 +229,8 @@ class ReleaseReader final : public Ipopt::Journal {
     int version[3];
     if (std::sscanf(line, "This is Ipopt version %d.%d.%d", &version[0],
                     &version[1], &version[2]) == 3) {
-      hook_.set_release(
-          fmt::format("{}.{}.{}", version[0], version[1], version[2]));
+      hook_.release =
+          fmt::format("{}.{}.{}", version[0], version[1], version[2]);
     }
   }
   void PrintfImpl(Ipopt::EJournalCategory category, Ipopt::EJournalLevel level,
@@ -304,13 +276,13 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
     result.log = log.str();
     return result;
   }
-  const Ipopt::ApplicationReturnStatus status = [&] {
+  const Outcome& outcome = outcome_of([&] {
     const PhaseTimer timer(Phase::Ipopt);
     return application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
-  }();
+  }());
   if (solver == LinearSolver::Mumps) book_linear_solver(*application);
   rethrow(adapter->exception(), options.stop);
-  if (hook != nullptr) rethrow(hook->exception(), options.stop);
+  if (hook != nullptr) rethrow(hook->exception, options.stop);
 
   result.log = log.str();
   if (solver == LinearSolver::Chain) {
@@ -328,10 +300,10 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   result.iterations = adapter->iterations();
   result.refused_points = adapter->refused_points();
   result.status =
-      translate(status, options.stop, adapter->refused_points() > 0);
+      status_of(outcome, options.stop, adapter->refused_points() > 0);
   if (memory_failure(result.log)) result.status = Status::OutOfMemory;
-  result.message = fmt::format("Ipopt: {} after {} iterations",
-                               describe(status), result.iterations);
+  result.message = fmt::format("Ipopt: {} after {} iterations", outcome.words,
+                               result.iterations);
   if (result.status == Status::NotEvaluable) {
     result.message += fmt::format(
         " ({} trial points refused, the last because "
@@ -354,8 +326,8 @@ SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
     } else {
       ChainHook hook(problem, release);
       SolverResult result = run(problem, start, options, &hook);
-      if (hook.refusal().empty()) return result;
-      why_not = hook.refusal();
+      if (hook.refusal.empty()) return result;
+      why_not = hook.refusal;
     }
   }
   if (options.linear_solver == LinearSolver::Chain) {

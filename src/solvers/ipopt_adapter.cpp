@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "math/index.hpp"
+
 namespace brachisto {
 
 using Ipopt::Index;
 using Ipopt::Number;
 
 namespace {
-
-std::size_t size(Index count) {
-  return static_cast<std::size_t>(count);
-}
 
 // Ipopt counts ±1e19 and beyond as "no bound".
 constexpr Number kNoBound = 2e19;
@@ -40,7 +38,7 @@ bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
   try {
     check_stop();
     if (new_x || !have_point_) {
-      accepted_ = problem_.set_point({x, size(problem_.num_variables())});
+      accepted_ = problem_.set_point({x, at(problem_.num_variables())});
       have_point_ = true;
       if (!accepted_) {
         ++refused_points_;
@@ -67,7 +65,7 @@ bool IpoptAdapter::get_nlp_info(Index& n, Index& m, Index& nnz_jac_g,
 
 bool IpoptAdapter::get_bounds_info(Index n, Number* x_l, Number* x_u, Index m,
                                    Number* g_l, Number* g_u) {
-  for (std::size_t i = 0; i < size(n); ++i) {
+  for (std::size_t i = 0; i < at(n); ++i) {
     x_l[i] = std::max(problem_.lower()[i], -kNoBound);
     x_u[i] = std::min(problem_.upper()[i], kNoBound);
   }
@@ -108,7 +106,7 @@ bool IpoptAdapter::eval_f(Index, const Number* x, bool new_x,
 
 bool IpoptAdapter::eval_grad_f(Index n, const Number* x, bool new_x,
                                Number* grad_f) {
-  return guarded(x, new_x, [&] { problem_.eval_grad_f({grad_f, size(n)}); });
+  return guarded(x, new_x, [&] { problem_.eval_grad_f({grad_f, at(n)}); });
 }
 
 bool IpoptAdapter::eval_g(Index, const Number* x, bool new_x, Index m,
@@ -116,7 +114,7 @@ bool IpoptAdapter::eval_g(Index, const Number* x, bool new_x, Index m,
   // Ipopt 3.11.9 reads the norm of constraints it has no storage for yet if
   // this answers false at a trial point of a second-order correction, and
   // crashes. Not-a-number is refused by the same check, and safely.
-  if (!guarded(x, new_x, [&] { problem_.eval_g({g, size(m)}); })) {
+  if (!guarded(x, new_x, [&] { problem_.eval_g({g, at(m)}); })) {
     std::fill_n(g, m, std::numeric_limits<Number>::quiet_NaN());
   }
   return true;
@@ -130,7 +128,7 @@ bool IpoptAdapter::eval_jac_g(Index, const Number* x, bool new_x, Index,
     return true;
   }
   return guarded(x, new_x, [&] {
-    problem_.eval_jac_g({values, size(nele_jac)});
+    problem_.eval_jac_g({values, at(nele_jac)});
   });
 }
 
@@ -142,8 +140,8 @@ bool IpoptAdapter::eval_h(Index, const Number* x, bool new_x, Number obj_factor,
     return true;
   }
   return guarded(x, new_x, [&] {
-    problem_.eval_hess_lag(obj_factor, {lambda, size(m)},
-                           {values, size(nele_hess)});
+    problem_.eval_hess_lag(obj_factor, {lambda, at(m)},
+                           {values, at(nele_hess)});
   });
 }
 

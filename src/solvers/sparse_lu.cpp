@@ -8,15 +8,13 @@
 #include <new>
 #include <numeric>
 
+#include "math/index.hpp"
+
 namespace brachisto {
 
 namespace {
 
 constexpr int kRefinements = 2;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// +1 for an even permutation, −1 for an odd one.
 int parity(std::span<const int> permutation) {

@@ -7,6 +7,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "math/index.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -18,10 +20,6 @@ using Set = std::bitset<SymbolicAnalysis::kMaxSize>;
 // to it.
 constexpr double kWantedGrowth = 10.0;
 constexpr double kLargestGrowth = 1e3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Candidate {
   double cost = 0.0;  ///< operations per eliminated unknown
@@ -79,7 +77,12 @@ class Elimination {
     const Set P = others(p, p, q);
     if (pivot.kind == Kind::Single) {
       step.in_p = list(P);
-      update(p, P, 1.0 / value(p, p), p, P);
+      const double inverse = 1.0 / value(p, p);
+      for (const int i : step.in_p) {
+        const double multiplier = inverse * value(i, p);
+        for (const int j : step.in_p) value(i, j) -= multiplier * value(j, p);
+        adjacent_[at(i)] |= P;
+      }
       drop(p);
       return step;
     }
@@ -139,14 +142,6 @@ class Elimination {
     for (Set& set : adjacent_) set.reset(at(i));
     adjacent_[at(i)].reset();
   }
-  void update(int p, const Set& P, double factor, int q, const Set& Q) {
-    for (const int i : list(P)) {
-      const double multiplier = factor * value(i, p);
-      for (const int j : list(Q)) value(i, j) -= multiplier * value(j, q);
-      adjacent_[at(i)] |= Q;
-    }
-  }
-
   [[nodiscard]] std::vector<Candidate> all_candidates() const {
     std::vector<Candidate> out;
     for (const int p : list(left_)) {

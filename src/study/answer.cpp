@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "brachisto/model/centre_curve.hpp"
-#include "brachisto/trajectory/path_certificate.hpp"
+#include "brachisto/trajectory/certificate.hpp"
 
 namespace brachisto {
 
@@ -18,6 +18,18 @@ namespace {
 void tell_of_certificate(const PosedProblem& posed, int nodes) {
   if (!posed.progress()) return;
   posed.progress()("certificate", fmt::format("of {} nodes", nodes));
+}
+
+/// With the cross-check of T [s], if that is asked for.
+Certified cross_checked(const PosedProblem& posed, Certificate certificate,
+                        const ExtremalCurve& nearby, double phi, double T,
+                        std::optional<double> error) {
+  Certified out{std::move(certificate), {}};
+  if (posed.program.certify == Certify::Extremal) {
+    out.cross_check = cross_check(posed, nearby, phi, T, error.value_or(0.0),
+                                  posed.stop(), out.certificate);
+  }
+  return out;
 }
 
 }  // namespace
@@ -32,7 +44,7 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
               {found.problem.mesh().num_nodes(), found.problem.num_variables(),
                found.problem.num_constraints()},
               found.solution.point,
-              found.solution.closure.phi},
+              found.solution.tangency.phi},
           found.estimated_error, std::move(diagnostics)};
 }
 
@@ -62,29 +74,20 @@ Answered answer_on_given_path(const PosedProblem& posed) {
 
 Certified certify(const PosedProblem& posed, MeshAnswer& found) {
   tell_of_certificate(posed, found.problem.mesh().num_nodes());
-  Certified out{certify_answer(found, posed.program.discretisation), {}};
-  if (posed.program.certify == Certify::Extremal) {
-    const ExtremalCurve curve = found.curve();
-    out.cross_check = cross_check(posed, curve, found.solution.closure.phi,
-                                  curve.transit_time() * posed.units.time,
-                                  found.estimated_error.value_or(0.0),
-                                  posed.stop(), out.certificate);
-  }
-  return out;
+  const ExtremalCurve curve = found.curve();
+  return cross_checked(
+      posed, certify_answer(found, posed.program.discretisation), curve,
+      found.solution.tangency.phi, curve.transit_time() * posed.units.time,
+      found.estimated_error);
 }
 
 Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
                   const ArcLengthMotion& motion, const ExtremalCurve& nearby,
                   double phi) {
-  tell_of_certificate(posed, found.problem.layout().num_nodes());
-  Certified out{certify_answer(found, motion, posed.program.discretisation),
-                {}};
-  if (posed.program.certify == Certify::Extremal) {
-    out.cross_check = cross_check(posed, nearby, phi, motion.transit_time(),
-                                  found.estimated_error.value_or(0.0),
-                                  posed.stop(), out.certificate);
-  }
-  return out;
+  tell_of_certificate(posed, found.problem.mesh().num_nodes());
+  return cross_checked(
+      posed, certify_answer(found, motion, posed.program.discretisation),
+      nearby, phi, motion.transit_time(), found.estimated_error);
 }
 
 Certified certify_given_path(const PosedProblem& posed,

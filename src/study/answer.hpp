@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "brachisto/study/arc_length_refinement.hpp"
+#include "brachisto/study/refinement.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {

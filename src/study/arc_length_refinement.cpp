@@ -1,35 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/arc_length_refinement.hpp"
+// Sequences of meshes of straight pieces.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <utility>
 
-#include "brachisto/study/certification.hpp"
+#include "brachisto/study/refinement.hpp"
 #include "brachisto/transcription/prolongation.hpp"
+#include "study/mesh_sequence.hpp"
 #include "study/turn_meshes.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr int kFewestCoarse = 50;
-constexpr double kCoarsePerTurn = 50.0;
-constexpr int kMostPieces = 5'000'000;
-constexpr double kAim = 0.7;  // of the tolerance
-constexpr int kMostTries = 4;
-constexpr int kLargestDoubling = 30;
-
 /// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
 /// pieces, n/2 always.
-std::vector<int> divisions(int n, int coarsest) {
+std::deque<int> divisions(int n, int coarsest) {
   constexpr int kStep = 4;
-  std::vector<int> pieces{n};
+  std::deque<int> pieces{n};
   do {
     const int before = pieces.back();
     pieces.push_back(before >= kStep * coarsest ? (before + kStep - 1) / kStep
@@ -38,43 +33,22 @@ std::vector<int> divisions(int n, int coarsest) {
   return {pieces.rbegin(), pieces.rend()};
 }
 
-/// One run of refine_arc_length().
-class Sequence {
- public:
-  Sequence(const Scene& scene, const ExtremalCurve& curve, double phi,
-           const MeshOptions& options)
-      : scene_(scene), curve_(curve), phi_(phi), options_(options) {}
-
-  /// Solves on meshes of ascending numbers of pieces, those that are not finer
-  /// than the present one left out. False if the last one fails.
-  bool climb(const std::vector<int>& pieces);
-  [[nodiscard]] ArcLengthRefinement& out() { return out_; }
-
- private:
-  [[nodiscard]] MeshSolution solve(ArcLength& problem, const MeshStart& start);
-  [[nodiscard]] double estimate(const ArcLengthAnswer& finer) const;
-
-  const Scene& scene_;
-  const ExtremalCurve& curve_;
-  double phi_;
-  MeshOptions options_;
-  ArcLengthRefinement out_;
-};
-
-MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
+/// Near the start, or nothing that is solved.
+MeshSolution solve_from(ArcLength& problem, const MeshStart& start,
+                        const MeshOptions& options) {
   constexpr double kLargestDeparture = 3e-2;
   const auto is_near = [&](const MeshSolution& found) {
     return found.solved() &&
-           std::abs(found.closure.phi - start.phi) <= kLargestDeparture;
+           std::abs(found.tangency.phi - start.phi) <= kLargestDeparture;
   };
-  MeshSolution solution = solve_near(problem, start, options_);
-  if (options_.ipopt.stop.met() || is_near(solution) || options_.newton_alone ||
+  MeshSolution solution = solve_near(problem, start, options);
+  if (options.ipopt.stop.met() || is_near(solution) || options.newton_alone ||
       solution.status == Status::OutOfMemory) {
     return solution;
   }
-  MeshSolution stayed = stay_on_mesh(problem, start, options_);
+  MeshSolution stayed = stay_on_mesh(problem, start, options);
   if (is_near(stayed)) {
-    stayed.closure.slope = solution.closure.slope;
+    stayed.tangency.slope = solution.tangency.slope;
     take_instead(solution, std::move(stayed));
     return solution;
   }
@@ -87,77 +61,145 @@ MeshSolution Sequence::solve(ArcLength& problem, const MeshStart& start) {
   return solution;
 }
 
-double Sequence::estimate(const ArcLengthAnswer& finer) const {
+/// The error of `finer`; see refine_arc_length().
+double estimate(const ArcLengthAnswer& finer, const ArcLengthAnswer& coarser) {
   // Of terms of higher order in the change from mesh to mesh: as if the order
   // was only this.
   constexpr double kLeastOrder = 1.58;
-  const ArcLengthAnswer& coarser = *out_.answer;
   const double n = finer.problem.num_intervals();
   const double ratio = n / coarser.problem.num_intervals();
   const double q = ratio * ratio;
-  const ContactClosure& closure = finer.solution.closure;
-  const Costates p = finer.problem.end_costates(finer.solution.point.lambda);
-  // dT/dφ
-  const double per_radian =
-      scene_.contact == Contact::Smooth
-          ? -scene_.body.radius *
-                (p.p_x * std::cos(closure.phi) + p.p_z * std::sin(closure.phi))
-          : 0.0;
+  const Tangency& tangency = finer.solution.tangency;
+  const EndErrors ends =
+      errors_of_end(finer.problem.scene(), tangency,
+                    finer.problem.end_costates(finer.solution.point.lambda));
   const double T = finer.transit_time;
   const double of_ends =
-      per_radian * (closure.phi - coarser.solution.closure.phi);
+      ends.per_radian * (tangency.phi - coarser.solution.tangency.phi);
   const double rest = T - coarser.transit_time - of_ends;
   const double between = (std::abs(of_ends) + std::abs(rest)) /
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
   const double before = coarser.estimated_error.value_or(0.0) / q;
-  const double open = std::abs(closure.mismatch / closure.slope) * per_radian;
-  const double ends = rounding_of_ends(scene_, closure.phi, p.p_x, p.p_z);
   // A sum of N terms, each rounded.
   const double rounding =
       2.0 * std::numeric_limits<double>::epsilon() * (8.0 + std::sqrt(n));
-  return std::max(between, before) + (open + ends) / T + rounding;
+  return std::max(between, before) + (ends.open + ends.rounding) / T + rounding;
 }
 
-bool Sequence::climb(const std::vector<int>& pieces) {
-  for (const int n : pieces) {
-    if (out_.answer && n <= out_.answer->problem.num_intervals()) continue;
-    const bool first = !out_.answer;
+/// Climbs from coarse meshes to fine ones, each from the solution before.
+class Pieces {
+ public:
+  Pieces(const Scene& scene, const Discretisation& wanted,
+         const ExtremalCurve& curve, double phi)
+      : scene_(scene),
+        curve_(curve),
+        phi_(phi),
+        fixed_(wanted.fixed()),
+        tolerance_(wanted.wanted_tolerance()),
+        // All that the continuation's answer is needed for.
+        coarsest_(std::max(
+            kFewestCoarse,
+            static_cast<int>(std::ceil(
+                kCoarsePerTurn * turns(scene.body, curve.arc_length()))))),
+        coarse_(coarsest_),
+        next_(fixed_ ? divisions(wanted.elements ? *wanted.elements
+                                                 : *wanted.nodes - 1,
+                                 coarsest_)
+                     : std::deque{coarse_, 2 * coarse_}) {}
+
+  [[nodiscard]] std::string name() const {
+    return fmt::format("{} pieces", next_.front());
+  }
+  [[nodiscard]] ArcLengthAnswer solve(const MeshOptions& options,
+                                      ArcLengthRefinement& out) const {
+    ArcLengthAnswer* const before = out.answer ? &*out.answer : nullptr;
     MeshStart start;
-    start.phi = first ? phi_ : out_.answer->solution.closure.phi;
-    start.closure_slope = first ? -1.0 : out_.answer->solution.closure.slope;
-    ArcLengthAnswer answer{ArcLength(scene_, n, start.phi), {}, 0.0, {}, 0};
-    start.point = first ? prolong(curve_, answer.problem)
-                        : prolong(out_.answer->problem,
-                                  out_.answer->solution.point, answer.problem);
-    answer.solution = solve(answer.problem, start);
-    MeshSolution& solution = answer.solution;
-    const bool solved = solution.solved() && !options_.ipopt.stop.met() &&
-                        answer.problem.set_point(solution.point.x);
-    if (solved) {
+    start.phi = before ? before->solution.tangency.phi : phi_;
+    if (before) start.tangency_slope = before->solution.tangency.slope;
+    ArcLengthAnswer answer{
+        ArcLength(scene_, next_.front(), start.phi), {}, 0.0, {}, 0};
+    start.point = before ? prolong(before->problem, before->solution.point,
+                                   answer.problem)
+                         : prolong(curve_, answer.problem);
+    answer.solution = solve_from(answer.problem, start, options);
+    if (answer.solution.solved() && !options.ipopt.stop.met() &&
+        answer.problem.set_point(answer.solution.point.x)) {
       answer.transit_time = answer.problem.eval_f();
-      if (!first) {
-        answer.estimated_error = estimate(answer);
-        answer.coarser_pieces = out_.answer->problem.num_intervals();
+      if (before) {
+        answer.estimated_error = estimate(answer, *before);
+        answer.coarser_pieces = before->problem.num_intervals();
       }
     }
-    book(answer.problem, solution, answer.estimated_error, options_, out_);
-    if (options_.progress) {
-      options_.progress(fmt::format("{} pieces", n), solution.message);
-    }
-    if (!solved) {
+    return answer;
+  }
+  bool goes_on(ArcLengthAnswer answer, const StopCondition& stop,
+               ArcLengthRefinement& out) {
+    next_.pop_front();
+    if (answer.transit_time > 0.0) {
+      out.answer.emplace(std::move(answer));
+    } else {
       // A mesh that is too coarse tells nothing; the next one starts from the
       // curve again.
-      out_.answer.reset();
-      if (!too_coarse(solution) || options_.ipopt.stop.met() ||
-          n == pieces.back()) {
-        return false;
-      }
-      continue;
+      out.answer.reset();
+      if (!too_coarse(answer.solution) || stop.met()) next_.clear();
     }
-    out_.answer.emplace(std::move(answer));
+    if (!next_.empty()) return true;
+    if (fixed_) return false;
+    return out.answer && out.answer->estimated_error ? refines(out)
+                                                     : begins_anew(stop, out);
   }
-  return true;
-}
+
+ private:
+  static constexpr int kFewestCoarse = 50;
+  static constexpr double kCoarsePerTurn = 50.0;
+
+  /// With twice as many pieces, if there was no estimate yet.
+  bool begins_anew(const StopCondition& stop, const ArcLengthRefinement& out) {
+    constexpr int kLargestDoubling = 30;
+    if (tries_ > 0 || stop.met() || coarse_ > kLargestDoubling * coarsest_) {
+      return false;
+    }
+    coarse_ *= 2;
+    climb_to({coarse_, 2 * coarse_}, out);
+    return true;
+  }
+  /// Until the error is as small as wanted.
+  bool refines(ArcLengthRefinement& out) {
+    constexpr int kMostPieces = 5'000'000;
+    constexpr double kAim = 0.7;  // of the tolerance
+    constexpr int kMostTries = 4;
+    const double error = *out.answer->estimated_error;
+    if (error <= tolerance_ || ++tries_ > kMostTries) return false;
+    const double n = out.answer->problem.num_intervals() *
+                     std::sqrt(error / (kAim * tolerance_));
+    if (!(n <= kMostPieces)) {
+      out.status = Status::NotConverged;
+      out.message = fmt::format(
+          "a relative error of {:.1e} would need {:.1e} straight pieces; take "
+          "formulation: rolling_time",
+          tolerance_, n);
+      return false;
+    }
+    climb_to(divisions(static_cast<int>(std::ceil(n)), coarse_), out);
+    return true;
+  }
+  /// Over those meshes that are finer than the present one.
+  void climb_to(std::deque<int> pieces, const ArcLengthRefinement& out) {
+    next_ = std::move(pieces);
+    while (out.answer && next_.front() <= out.answer->problem.num_intervals()) {
+      next_.pop_front();
+    }
+  }
+
+  const Scene& scene_;
+  const ExtremalCurve& curve_;
+  double phi_;
+  bool fixed_;
+  double tolerance_;
+  int coarsest_, coarse_;
+  int tries_ = 0;
+  std::deque<int> next_;  ///< numbers of pieces, ascending
+};
 
 }  // namespace
 
@@ -165,64 +207,8 @@ ArcLengthRefinement refine_arc_length(const Scene& scene,
                                       const Discretisation& wanted,
                                       const ExtremalCurve& curve, double phi,
                                       MeshOptions options) {
-  Sequence sequence(scene, curve, phi, options);
-  ArcLengthRefinement& out = sequence.out();
-  // All that the continuation's answer is needed for.
-  const int coarsest = std::max(
-      kFewestCoarse,
-      static_cast<int>(
-          std::ceil(kCoarsePerTurn * turns(scene.body, curve.arc_length()))));
-  if (wanted.fixed()) {
-    const int n = wanted.elements ? *wanted.elements : *wanted.nodes - 1;
-    sequence.climb(divisions(n, coarsest));
-    return std::move(out);
-  }
-  const double tolerance = wanted.wanted_tolerance();
-  int coarse = coarsest;
-  while (!sequence.climb({coarse, 2 * coarse}) ||
-         !out.answer->estimated_error) {
-    if (options.ipopt.stop.met() || coarse > kLargestDoubling * coarsest) {
-      return std::move(out);
-    }
-    coarse *= 2;
-  }
-  for (int i = 0; i < kMostTries; ++i) {
-    const double error = *out.answer->estimated_error;
-    if (error <= tolerance) break;
-    const double n = out.answer->problem.num_intervals() *
-                     std::sqrt(error / (kAim * tolerance));
-    if (!(n <= kMostPieces)) {
-      out.status = Status::NotConverged;
-      out.message = fmt::format(
-          "a relative error of {:.1e} would need {:.1e} straight pieces; take "
-          "formulation: rolling_time",
-          tolerance, n);
-      break;
-    }
-    const auto pieces = static_cast<int>(std::ceil(n));
-    if (!sequence.climb(divisions(pieces, coarse)) ||
-        !out.answer->estimated_error) {
-      break;
-    }
-  }
-  return std::move(out);
-}
-
-Certificate certify_answer(ArcLengthAnswer& answer,
-                           const ArcLengthMotion& motion,
-                           const Discretisation& wanted) {
-  const double estimated =
-      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
-  const bool none_wanted = wanted.fixed() && !wanted.tolerance;
-  const double tolerance = wanted.wanted_tolerance();
-  Certificate certificate =
-      certify(answer.problem, answer.solution.point,
-              answer.solution.closure.phi, motion, estimated);
-  const int n = answer.problem.num_intervals();
-  certificate.add(
-      "agreement", estimated, none_wanted ? kCoarsestAgreement : tolerance,
-      fmt::format("{} pieces against {}", n, answer.coarser_pieces));
-  return certificate;
+  return run<Pieces, ArcLengthRefinement>({scene, wanted, curve, phi},
+                                          std::move(options));
 }
 
 }  // namespace brachisto

@@ -92,20 +92,17 @@ JudgedBranches judge_branches(const PosedScene& scene,
 }
 
 JudgedBranch* best_branch(std::vector<JudgedBranch>& branches) {
-  const auto first = [&branches](auto&& wanted) -> JudgedBranch* {
-    const auto one = std::find_if(
-        branches.begin(), branches.end(),
-        [&](const JudgedBranch& judged) { return wanted(judged.branch); });
-    return one == branches.end() ? nullptr : &*one;
+  const auto rank = [](const JudgedBranch& judged) {
+    const Branch& branch = judged.branch;
+    return branch.verified ? (branch.feasible ? 2 : 1) : 0;
   };
-  if (JudgedBranch* best =
-          first([](const Branch& b) { return b.verified && b.feasible; })) {
-    return best;
-  }
-  if (JudgedBranch* best = first([](const Branch& b) { return b.verified; })) {
-    return best;
-  }
-  return branches.empty() ? nullptr : &branches.front();
+  // The first of the highest rank.
+  const auto best =
+      std::max_element(branches.begin(), branches.end(),
+                       [&](const JudgedBranch& a, const JudgedBranch& b) {
+                         return rank(a) < rank(b);
+                       });
+  return best == branches.end() ? nullptr : &*best;
 }
 
 }  // namespace brachisto

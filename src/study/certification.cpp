@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/transcription/element_errors.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
 #include "study/shooting.hpp"
 
 namespace brachisto {
@@ -18,6 +18,19 @@ namespace brachisto {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether a mesh is fixed and its error is not to be judged by a tolerance.
+bool none_wanted(const Discretisation& wanted) {
+  return wanted.fixed() && !wanted.tolerance;
+}
+
+void add_agreement(double estimated, const Discretisation& wanted,
+                   std::string where, Certificate& certificate) {
+  certificate.add(
+      "agreement", estimated,
+      none_wanted(wanted) ? kCoarsestAgreement : wanted.wanted_tolerance(),
+      std::move(where));
+}
 
 }  // namespace
 
@@ -36,27 +49,42 @@ bool under_resolved(const Certificate& certificate) {
 
 Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
   const double estimated = answer.estimated_error.value_or(kUnknown);
-  const bool none_wanted = wanted.fixed() && !wanted.tolerance;
-  const double tolerance = wanted.tolerance.value_or(kDefaultTolerance);
   // A mesh that missed the tolerance is judged by what it reached. Errors of
   // either sign may cancel in T; along the path they do not.
   const ExtremalCurve curve = answer.curve();
   double shares = 0.0;
   for (const double share : element_errors(curve)) shares += std::abs(share);
-  const double error =
-      std::max(none_wanted ? estimated : std::max(tolerance, estimated),
-               shares / curve.transit_time());
+  const double error = std::max(
+      none_wanted(wanted) ? estimated
+                          : std::max(wanted.wanted_tolerance(), estimated),
+      shares / curve.transit_time());
   Certificate certificate = certify(answer.problem, answer.solution.point,
-                                    answer.solution.closure.phi, error);
+                                    answer.solution.tangency.phi, error);
   const Mesh& mesh = answer.problem.mesh();
-  certificate.add(
-      "agreement", estimated, none_wanted ? kCoarsestAgreement : tolerance,
+  add_agreement(
+      estimated, wanted,
       answer.coarser_elements > 0
           ? fmt::format("{} elements against {}, degree {}",
                         mesh.num_elements(), answer.coarser_elements,
                         mesh.degree)
           : fmt::format("degree {} against {} on {} elements", mesh.degree,
-                        mesh.degree + 1, mesh.num_elements()));
+                        mesh.degree + 1, mesh.num_elements()),
+      certificate);
+  return certificate;
+}
+
+Certificate certify_answer(ArcLengthAnswer& answer,
+                           const ArcLengthMotion& motion,
+                           const Discretisation& wanted) {
+  const double estimated = answer.estimated_error.value_or(kUnknown);
+  Certificate certificate =
+      certify(answer.problem, answer.solution.point,
+              answer.solution.tangency.phi, motion, estimated);
+  add_agreement(
+      estimated, wanted,
+      fmt::format("{} pieces against {}", answer.problem.num_intervals(),
+                  answer.coarser_pieces),
+      certificate);
   return certificate;
 }
 

@@ -17,6 +17,7 @@
 #include "brachisto/transcription/discretisation.hpp"
 #include "brachisto/transcription/initial_guess.hpp"
 #include "brachisto/transcription/prolongation.hpp"
+#include "math/index.hpp"
 #include "study/branch_history.hpp"
 #include "study/turn_meshes.hpp"
 
@@ -37,26 +38,14 @@ constexpr double kTolerance = 1e-8;
 // Of θ on equal turns, where it is all but known: far from the next turn.
 constexpr double kMostTurned = 0.5;
 
-/// How far slope angles ended from their prediction, φ included [rad].
-double largest_slope_error(const VariableLayout& layout,
-                           const NewtonResult& found,
-                           const BranchPoint& predicted) {
-  double worst = std::abs(found.phi - predicted.phi);
-  for (int c = 0; c < layout.num_points(); ++c) {
-    const auto i = static_cast<std::size_t>(layout.beta(c));
-    worst = std::max(worst, std::abs(found.point.x[i] - predicted.point.x[i]));
-  }
-  return worst;
-}
-
-/// The same for θ at the nodes [rad].
-double largest_rotation_error(const VariableLayout& layout,
-                              const NewtonResult& found,
-                              const BranchPoint& predicted) {
+/// How far unknowns, `index(0)` to `index(count − 1)`, ended from their
+/// prediction.
+template <class Index>
+double largest_error(int count, Index&& index, const NewtonResult& found,
+                     const BranchPoint& predicted) {
   double worst = 0.0;
-  for (int n = 0; n < layout.num_nodes(); ++n) {
-    const auto i =
-        static_cast<std::size_t>(layout.state(n, StateComponent::Theta));
+  for (int n = 0; n < count; ++n) {
+    const std::size_t i = at(index(n));
     worst = std::max(worst, std::abs(found.point.x[i] - predicted.point.x[i]));
   }
   return worst;
@@ -137,11 +126,17 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
       }
       // A point without a Newton step is the prediction itself.
       const int sign = corrected.determinant_sign;
-      slope_error =
-          largest_slope_error(problem->layout(), corrected, predicted);
+      const VariableLayout& layout = problem->layout();
+      slope_error = std::max(
+          std::abs(corrected.phi - predicted.phi),
+          largest_error(
+              layout.num_points(), [&](int c) { return layout.beta(c); },
+              corrected, predicted));
       if (way.prediction.moving_mesh) {
-        rotation_error =
-            largest_rotation_error(problem->layout(), corrected, predicted);
+        rotation_error = largest_error(
+            layout.num_nodes(),
+            [&](int n) { return layout.state(n, StateComponent::Theta); },
+            corrected, predicted);
       }
       on_branch = corrected.status == Status::Solved &&
                   slope_error <= kLargestPredictorError &&

@@ -10,8 +10,7 @@
 #include <optional>
 
 #include "brachisto/paper/discrete_variations.hpp"
-#include "brachisto/solvers/damped_newton.hpp"
-#include "brachisto/solvers/hybrid.hpp"
+#include "brachisto/solvers/square_system.hpp"
 #include "math/cpu_clock.hpp"
 #include "paper/newton_steps.hpp"
 

@@ -7,18 +7,209 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
-#include "brachisto/transcription/element_errors.hpp"
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/model/contact.hpp"
+#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/transcription/contact_equation.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
+#include "brachisto/transcription/mesh.hpp"
+#include "brachisto/transcription/prolongation.hpp"
+#include "study/mesh_sequence.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr int kMaxMeshes = 12;
-// A mesh of so many elements that cannot be solved on is not too coarse.
-constexpr int kLargestDoubled = 2000;
+/// What rounding leaves of T, relative: a few ulps of the sum of the integral,
+/// and half an ulp for each element, whose defect hands the state on with as
+/// much, and on equal elements to the same side.
+double rounding_error(const Mesh& mesh) {
+  constexpr double kOfSum = 2e-15;
+  constexpr double kHalfAnUlp = 0.5 * std::numeric_limits<double>::epsilon();
+  return kOfSum + kHalfAnUlp * mesh.num_elements();
+}
+
+double sum_of_absolutes(const std::vector<double>& values) {
+  return std::accumulate(
+      values.begin(), values.end(), 0.0,
+      [](double sum, double value) { return sum + std::abs(value); });
+}
+
+/// What a better or an independent solution says of the error of `answer`,
+/// given a bound on that solution's own, relative.
+double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
+                const ExtremalCurve& other, double other_phi,
+                double error_of_other, double weight) {
+  const double T = curve.transit_time();
+  const Tangency& tangency = answer.solution.tangency;
+  const EndErrors ends = errors_of_end(
+      curve.scene(), tangency, {.p_x = curve.p_x(), .p_z = curve.p_z()});
+  // Two parts of the error, that of the end point and that between fixed ends,
+  // may have opposite signs; the estimate must not profit from it.
+  const double difference = other.transit_time() - T;
+  const double of_ends = ends.per_radian * (other_phi - tangency.phi);
+  const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
+  return (std::max(weight * std::abs(difference), apart) + ends.open +
+          ends.rounding) /
+             T +
+         error_of_other + rounding_error(curve.mesh());
+}
+
+/// By the same elements with degree p + 1.
+void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
+  const ExtremalCurve coarse = answer.curve();
+  Mesh mesh = coarse.mesh();
+  mesh.degree += 1;
+  const double phi = answer.solution.tangency.phi;
+  RollingTime finer(coarse.scene(), mesh, phi);
+  const bool smooth = coarse.scene().contact == Contact::Smooth;
+  std::optional<ContactEquation> contact;
+  if (smooth) contact.emplace(finer);
+  NewtonOptions newton;
+  // A looser one may hold at the start already, and nothing would be learnt.
+  newton.tolerance =
+      reachable(std::min(options.ipopt.tolerance, kRoundingResidual),
+                answer.problem, answer.solution.point.x);
+  newton.max_iterations = 10;
+  newton.linear_solver = options.ipopt.linear_solver;
+  newton.stop = options.ipopt.stop;
+  const NewtonResult result = solve_with_newton(
+      finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
+  answer.solution.polish.newton_steps += result.iterations;
+  if (result.residual > reachable(kRoundingResidual, finer, result.point.x))
+    return;
+  answer.finer.emplace(finer, result.point);
+  answer.finer_phi = result.phi;
+  constexpr double kSameSide = 2.0;
+  const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
+  answer.estimated_error =
+      estimate(answer, coarse, *answer.finer, result.phi,
+               of_finer / coarse.transit_time(), kSameSide);
+}
+
+/// How far a solution lies from the curve it started from: in T, relative, or
+/// in φ, whichever is more.
+double departure(const RollingTime& problem, const MeshSolution& solution,
+                 const ExtremalCurve& curve, double phi) {
+  const double T = ExtremalCurve(problem, solution.point).transit_time();
+  return std::max(std::abs(T / curve.transit_time() - 1.0),
+                  std::abs(solution.tangency.phi - phi));
+}
+
+/// Solves `scene` on `mesh`, starting from `curve`, and estimates the error.
+///
+/// Let ΔT and Δφ be the changes of T and φ when the scene is solved on the same
+/// elements with degree p + 1. The estimate is
+///
+///     max(2 |ΔT|, |T_φ Δφ| + |ΔT − T_φ Δφ|) + Σ_e |U ∫_e 𝓗 dσ|,
+///
+/// T_φ = −r (p_x cos φ + p_z sin φ) being dT/dφ, and the sum taken on the finer
+/// solution: ΔT is the error but for that of the finer solution, which the sum
+/// bounds from above. The factor 2 keeps it honest where the two degrees err to
+/// the same side, the split where the errors of the end point and between fixed
+/// ends cancel by accident. What an open contact and rounding add comes on top.
+///
+/// If the answer of a coarser mesh is given, it takes the place of degree p +
+/// 1, and its own estimate that of the sum: the triangle inequality, for the
+/// price of the coarser mesh.
+///
+/// Where Ipopt leaves the extremal that `curve` shows, because between its ends
+/// it is no minimum, Newton's method finds it alone.
+MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
+                          const ExtremalCurve& curve, double phi,
+                          const MeshOptions& options,
+                          const MeshAnswer* coarser) {
+  // Far less than branches lie apart, far more than meshes differ that follow
+  // a tolerance.
+  constexpr double kLargestDeparture = 3e-3;
+  MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
+  MeshSolution& solution = answer.solution;
+  const MeshStart start{prolong(curve, answer.problem), phi, -1.0};
+  solution = solve_near(answer.problem, start, options);
+  const bool out_of_budget =
+      solution.status == Status::IterationLimit &&
+      solution.iterations >= options.ipopt.max_iterations;
+  if (out_of_budget || solution.status == Status::OutOfMemory ||
+      options.ipopt.stop.met()) {
+    return answer;
+  }
+  const double away = solution.solved()
+                          ? departure(answer.problem, solution, curve, phi)
+                          : std::numeric_limits<double>::infinity();
+  if (away > kLargestDeparture && !options.newton_alone) {
+    MeshSolution stayed = stay_on_mesh(answer.problem, start, options);
+    if (stayed.solved() &&
+        departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
+      take_instead(solution, std::move(stayed));
+    } else {
+      answer.problem.set_end_angle(solution.tangency.phi);
+      if (solution.status == Status::IterationLimit) {
+        solution.status = Status::NotConverged;
+        solution.message = fmt::format(
+            "on degree {}, {} elements no solution near the coarser one: {}",
+            mesh.degree, mesh.num_elements(), solution.message);
+      }
+    }
+  }
+  if (!solution.solved()) return answer;
+  if (coarser == nullptr) {
+    if (options.progress) {
+      options.progress("check", fmt::format("degree {} on the same elements",
+                                            mesh.degree + 1));
+    }
+    estimate_by_degree(answer, options);
+  } else {
+    answer.coarser_elements = coarser->problem.mesh().num_elements();
+    answer.estimated_error = estimate(answer, answer.curve(), coarser->curve(),
+                                      coarser->solution.tangency.phi,
+                                      coarser->estimated_error.value(), 1.0);
+  }
+  return answer;
+}
+
+/// Degree to start with for a wanted relative error.
+int starting_degree(double tolerance) {
+  // One degree more for every two digits: elements stay about a tenth of a
+  // turn of the body long.
+  const double digits = -std::log10(tolerance);
+  return std::clamp(static_cast<int>(std::lround(0.5 * digits + 0.5)), 2, 7);
+}
+
+/// The next mesh to try after `answer` missed `tolerance`: the next degree on
+/// the same elements where that will do, otherwise elements of the same degree
+/// that share the error evenly.
+Mesh next_mesh(const MeshAnswer& answer, double tolerance,
+               bool degree_is_fixed) {
+  const Mesh& mesh = answer.problem.mesh();
+  Mesh next = mesh;
+  next.degree += 1;
+  if (!answer.estimated_error) {
+    // Nothing is known but that the mesh is too coarse.
+    return uniform_mesh(mesh.degree, 2 * mesh.num_elements());
+  }
+  const double T = answer.finer->transit_time();
+  if (!degree_is_fixed && next.degree <= kMaxDegree) {
+    // The finer solution's own error, judged as the coarse one's was.
+    const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
+    if (3.0 * of_finer / T <= tolerance) return next;
+  }
+  // Errors between fixed ends by element, scaled to the estimate, which knows
+  // the contact too.
+  std::vector<double> errors = element_errors(answer.curve());
+  const double sum = sum_of_absolutes(errors);
+  const double scale = sum > 0.0 ? *answer.estimated_error * T / sum : 1.0;
+  for (double& error : errors) error *= scale;
+  constexpr double kSafety = 0.3;
+  Mesh refined = equidistribute(mesh, errors, kSafety * tolerance * T);
+  if (refined.num_elements() <= mesh.num_elements()) {
+    // The order is not reached yet, or the error is rounding.
+    refined = uniform_mesh(mesh.degree, mesh.num_elements() * 3 / 2 + 1);
+  }
+  return refined;
+}
 
 /// The mesh on which `curve` promises the wanted error, at the degree to start
 /// with.
@@ -38,33 +229,6 @@ Mesh fixed_mesh(const Discretisation& wanted) {
                                               : (*wanted.nodes - 1) / degree);
 }
 
-std::string progress_text(const MeshSolution& solution,
-                          const std::optional<double>& error) {
-  if (!solution.solved()) return solution.message;
-  return fmt::format(
-      "{} iterations in {} passes, {} Newton steps, error of T {}",
-      solution.iterations, solution.closure.passes,
-      solution.polish.newton_steps,
-      error ? fmt::format("{:.1e}", *error) : "unknown");
-}
-
-/// answer_on_mesh(), booked in `out` and in the budget.
-MeshAnswer booked_answer(const Scene& scene, const Mesh& mesh,
-                         const ExtremalCurve& curve, double phi,
-                         MeshOptions& options, const MeshAnswer* coarser,
-                         Refinement& out) {
-  const std::string name =
-      fmt::format("mesh {} × {}", mesh.degree, mesh.num_elements());
-  if (options.progress) options.progress(name, "solving");
-  MeshAnswer answer = answer_on_mesh(scene, mesh, curve, phi, options, coarser);
-  const MeshSolution& solution = answer.solution;
-  book(answer.problem, solution, answer.estimated_error, options, out);
-  if (options.progress) {
-    options.progress(name, progress_text(solution, answer.estimated_error));
-  }
-  return answer;
-}
-
 /// Whether the error of a large mesh can be judged by this answer of a coarser
 /// one, because it is exact already but for rounding: then degree p + 1 would
 /// only cost time and memory.
@@ -75,89 +239,144 @@ bool judges(const MeshAnswer& coarser, double tolerance) {
          *coarser.estimated_error <= std::min(kExact, kShare * tolerance);
 }
 
-/// The answer of a much coarser mesh for a large one to start from.
-std::optional<MeshAnswer> coarser_answer(const Scene& scene, const Mesh& mesh,
-                                         const ExtremalCurve& curve, double phi,
-                                         MeshOptions& options,
-                                         Refinement& out) {
-  constexpr int kManyElements = 4000;
-  constexpr int kTimesCoarser = 8;
-  constexpr int kEnoughElements = 5000;
-  if (mesh.num_elements() < kManyElements) return std::nullopt;
-  const int elements =
-      std::min(mesh.num_elements() / kTimesCoarser, kEnoughElements);
-  MeshAnswer answer = booked_answer(scene, uniform_mesh(mesh.degree, elements),
-                                    curve, phi, options, nullptr, out);
-  if (!answer.solution.solved()) return std::nullopt;
-  return answer;
-}
-
-}  // namespace
-
-void book(const Transcription& problem, const MeshSolution& solution,
-          const std::optional<double>& error, MeshOptions& options,
-          RefinementProtocol& out) {
-  const Mesh& mesh = problem.mesh();
-  out.meshes.push_back({mesh.degree, mesh.num_elements(), error,
-                        solution.closure.passes, solution.first_iterations,
-                        solution.iterations, solution.polish.newton_steps,
-                        solution.linear_solver});
-  out.log += solution.log;
-  out.status = solution.status;
-  out.message = solution.message;
-  options.ipopt.max_iterations =
-      std::max(0, options.ipopt.max_iterations - solution.iterations);
-}
-
-bool too_coarse(const MeshSolution& solution) {
-  return solution.status == Status::NotConverged ||
-         solution.status == Status::NotEvaluable;
-}
-
-Refinement refine(const Scene& scene, const Discretisation& wanted,
-                  const ExtremalCurve& curve, double phi, MeshOptions options) {
-  Refinement out;
-  const double tolerance = wanted.tolerance.value_or(kDefaultTolerance);
-  const int max_meshes = wanted.fixed() ? 1 : kMaxMeshes;
-  Mesh mesh = wanted.fixed() ? fixed_mesh(wanted)
-                             : first_mesh(wanted, tolerance, curve);
-  ExtremalCurve from = curve;
-  double from_phi = phi;
-  std::optional<MeshAnswer> coarser;
-  if (wanted.fixed()) {
-    coarser = coarser_answer(scene, mesh, curve, phi, options, out);
-    if (coarser) {
-      from = coarser->curve();
-      from_phi = coarser->solution.closure.phi;
-    }
+/// Meshes of elements, each from the solution of the one before.
+class Elements {
+ public:
+  Elements(const Scene& scene, const Discretisation& wanted,
+           const ExtremalCurve& curve, double phi)
+      : scene_(scene),
+        degree_is_fixed_(wanted.degree.has_value()),
+        tolerance_(wanted.tolerance.value_or(kDefaultTolerance)),
+        left_(wanted.fixed() ? 1 : kMaxMeshes),
+        mesh_(wanted.fixed() ? fixed_mesh(wanted)
+                             : first_mesh(wanted, tolerance_, curve)),
+        from_(curve),
+        phi_(phi) {
+    // A large mesh starts from the solution on a much coarser one.
+    constexpr int kManyElements = 4000;
+    constexpr int kTimesCoarser = 8;
+    constexpr int kEnoughElements = 5000;
+    const int elements = mesh_.num_elements();
+    if (!wanted.fixed() || elements < kManyElements) return;
+    large_ = std::exchange(
+        mesh_, uniform_mesh(mesh_.degree, std::min(elements / kTimesCoarser,
+                                                   kEnoughElements)));
   }
-  for (int i = 0; i < max_meshes; ++i) {
-    MeshAnswer answer = booked_answer(
-        scene, mesh, from, from_phi, options,
-        coarser && judges(*coarser, tolerance) ? &*coarser : nullptr, out);
-    const MeshSolution& solution = answer.solution;
-    if (options.ipopt.stop.met()) break;
-    if (!solution.solved()) {
-      if (!too_coarse(solution) || mesh.num_elements() > kLargestDoubled) break;
-      mesh = stretch(mesh, 2 * mesh.num_elements());
-      continue;
-    }
 
+  [[nodiscard]] std::string name() const {
+    return fmt::format("mesh {} × {}", mesh_.degree, mesh_.num_elements());
+  }
+  [[nodiscard]] MeshAnswer solve(const MeshOptions& options,
+                                 const Refinement&) const {
+    return answer_on_mesh(
+        scene_, mesh_, from_, phi_, options,
+        coarser_ && judges(*coarser_, tolerance_) ? &*coarser_ : nullptr);
+  }
+  bool goes_on(MeshAnswer answer, const StopCondition& stop, Refinement& out) {
+    const MeshSolution& solution = answer.solution;
+    if (large_) {
+      mesh_ = *std::exchange(large_, std::nullopt);
+      if (!solution.solved()) return true;
+      start_from(answer.curve(), solution.tangency.phi);
+      coarser_.emplace(std::move(answer));
+      return true;
+    }
+    --left_;
+    if (stop.met()) return false;
+    if (!solution.solved()) {
+      if (!too_coarse(solution) || mesh_.num_elements() > kLargestDoubled) {
+        return false;
+      }
+      mesh_ = stretch(mesh_, 2 * mesh_.num_elements());
+      return left_ > 0;
+    }
     const bool improved =
         !out.answer || !out.answer->estimated_error ||
         (answer.estimated_error &&
          *answer.estimated_error < *out.answer->estimated_error);
     // Once finer meshes only get worse, rounding has the last word.
-    if (!improved) break;
+    if (!improved) return false;
     out.answer.emplace(std::move(answer));
     const MeshAnswer& best = *out.answer;
-    if (best.estimated_error && *best.estimated_error <= tolerance) break;
-    if (i + 1 == max_meshes) break;
-    mesh = next_mesh(best, tolerance, wanted.degree.has_value());
-    from = best.finer ? *best.finer : best.curve();
-    from_phi = best.finer ? best.finer_phi : best.solution.closure.phi;
+    if (best.estimated_error && *best.estimated_error <= tolerance_) {
+      return false;
+    }
+    if (left_ == 0) return false;
+    mesh_ = next_mesh(best, tolerance_, degree_is_fixed_);
+    if (best.finer) {
+      start_from(*best.finer, best.finer_phi);
+    } else {
+      start_from(best.curve(), best.solution.tangency.phi);
+    }
+    return true;
   }
-  return out;
+
+ private:
+  static constexpr int kMaxMeshes = 12;
+  // A mesh of so many elements that cannot be solved on is not too coarse.
+  static constexpr int kLargestDoubled = 2000;
+
+  void start_from(const ExtremalCurve& curve, double phi) {
+    from_ = curve;
+    phi_ = phi;
+  }
+
+  const Scene& scene_;
+  bool degree_is_fixed_;
+  double tolerance_;
+  int left_;  ///< so many meshes may be tried yet
+  Mesh mesh_;
+  std::optional<Mesh> large_;  ///< to come after mesh_
+  ExtremalCurve from_;
+  double phi_;
+  std::optional<MeshAnswer> coarser_;
+};
+
+}  // namespace
+
+EndErrors errors_of_end(const Scene& scene, const Tangency& tangency,
+                        const Costates& p) {
+  constexpr double kRoundings = 16.0;
+  const bool smooth = scene.contact == Contact::Smooth;
+  const double r = smooth ? scene.body.radius : 0.0;
+  const double phi = tangency.phi;
+  // C_B moves by r (cos φ, sin φ) per radian.
+  const double per_radian =
+      -r * (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
+  const Point start = start_of_centre(scene);
+  const Point end = end_of_centre(scene, phi);
+  const double largest =
+      std::max({std::abs(start.x), std::abs(start.z), std::abs(end.x),
+                std::abs(end.z), scene.L, scene.H});
+  return {per_radian, std::abs(tangency.mismatch / tangency.slope * per_radian),
+          kRoundings * std::numeric_limits<double>::epsilon() * largest *
+              (1.0 + r) * std::hypot(p.p_x, p.p_z)};
+}
+
+MeshRecord record_of(const Transcription& problem, const MeshSolution& solution,
+                     const std::optional<double>& error) {
+  return {problem.mesh().degree,
+          problem.mesh().num_elements(),
+          error,
+          solution.tangency.passes,
+          solution.first_iterations,
+          solution.iterations,
+          solution.polish.newton_steps,
+          solution.linear_solver};
+}
+
+std::string text_of(const MeshRecord& mesh) {
+  return fmt::format(
+      "{} iterations in {} passes, {} Newton steps, error of T {}",
+      mesh.iterations, mesh.passes, mesh.newton_steps,
+      mesh.estimated_error ? fmt::format("{:.1e}", *mesh.estimated_error)
+                           : "unknown");
+}
+
+Refinement refine(const Scene& scene, const Discretisation& wanted,
+                  const ExtremalCurve& curve, double phi, MeshOptions options) {
+  return run<Elements, Refinement>({scene, wanted, curve, phi},
+                                   std::move(options));
 }
 
 }  // namespace brachisto

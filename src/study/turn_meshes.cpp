@@ -10,6 +10,7 @@
 
 #include "brachisto/math/roots.hpp"
 #include "brachisto/transcription/discretisation.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -56,7 +57,6 @@ Mesh coarse_mesh(const Scene& scene, const CycloidArc& arc) {
 Mesh mesh_of_equal_turns(const RollingTime& problem,
                          std::span<const double> x) {
   const Mesh& mesh = problem.mesh();
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const auto theta = [&](int node) {
     return x[at(problem.layout().state(node, StateComponent::Theta))];
   };

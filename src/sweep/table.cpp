@@ -105,6 +105,27 @@ std::string csv_line(const Fields& fields, const ToText& to_text) {
   return line + '\n';
 }
 
+/// What τ depends on besides the keys of the sweep. Outside of its section no
+/// key follows another one, so that one scene tells for all.
+std::vector<SweepConstant> constants(const io::SweepFile& file) {
+  const Scene scene = file.problem(0).scene;
+  std::vector<SweepConstant> out;
+  if (scene.body.rolls()) {
+    out = {{"scene.body.radius", scene.body.radius},
+           {"scene.body.eta_m", scene.body.eta_m},
+           {"scene.body.theta_m", scene.body.theta_m},
+           {"scene.body.k", scene.body.k}};
+  }
+  out.push_back({"scene.finish.L", scene.L});
+  out.push_back({"scene.finish.H", scene.H});
+  std::erase_if(out, [&](const SweepConstant& constant) {
+    return std::ranges::any_of(file.keys(), [&](const io::SweepKey& key) {
+      return key.path == constant.key;
+    });
+  });
+  return out;
+}
+
 /// The columns and axes of a sweep, no scene run yet.
 SweepTable empty_table(const Job& job) {
   const io::SweepFile& file = job.file;
@@ -129,6 +150,7 @@ SweepTable empty_table(const Job& job) {
     table.axes.push_back(
         {.columns = axis.keys, .count = axis.count, .ordered = axis.ordered});
   }
+  if (file.num_scenes() > 0) table.constants = constants(file);
   return table;
 }
 

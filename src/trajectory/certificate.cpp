@@ -18,7 +18,6 @@
 #include "brachisto/solvers/inertia.hpp"
 #include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/extended_residual.hpp"
-#include "brachisto/trajectory/path_certificate.hpp"
 #include "brachisto/trajectory/reintegration.hpp"
 
 namespace brachisto {
@@ -64,6 +63,7 @@ std::vector<std::string> not_verified_because(const Certificate& certificate) {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr CertificateThresholds kThresholds;
 
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.z - b.z);
@@ -81,21 +81,18 @@ bool evaluable(Transcription& problem, const PrimalDual& point, double phi,
 
 /// \param rounding  what residuals cannot fall below
 void check_residual(const ExtendedResidual& residual, double rounding,
-                    const CertificateThresholds& thresholds,
                     Certificate& certificate) {
   certificate.add("kkt_residual", residual.stationarity,
-                  std::max(thresholds.kkt_residual, rounding),
+                  std::max(kThresholds.kkt_residual, rounding),
                   residual.worst_variable);
   certificate.add("defects", std::max(residual.defects, residual.fixed_values),
-                  thresholds.defects, residual.worst_constraint);
+                  kThresholds.defects, residual.worst_constraint);
 }
 
 /// How far the ends of the track are from A and B, or with Contact::Centre how
 /// far the ends of the centre's path are, and how far β_end is from φ.
 void check_ends(const Scene& scene, Point start, Point end, double beta_end,
-                double phi, double rounding,
-                const CertificateThresholds& thresholds,
-                Certificate& certificate) {
+                double phi, double rounding, Certificate& certificate) {
   const bool smooth = scene.contact == Contact::Smooth;
   const double r = scene.body.radius;
   if (smooth) {
@@ -106,9 +103,9 @@ void check_ends(const Scene& scene, Point start, Point end, double beta_end,
   certificate.add(
       "contact_error",
       std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H})),
-      std::max(thresholds.contact_error, rounding));
+      std::max(kThresholds.contact_error, rounding));
   if (smooth) {
-    certificate.add("closure", std::abs(beta_end - phi), thresholds.closure);
+    certificate.add("closure", std::abs(beta_end - phi), kThresholds.tangency);
   }
 }
 
@@ -316,7 +313,6 @@ void check_slope(const ArcLength& problem, std::span<const double> x,
 }
 
 void check_motion(const ArcLengthMotion& motion, double error,
-                  const CertificateThresholds& thresholds,
                   Certificate& certificate) {
   // Of the quadrature and the integrator, over thousands of pieces.
   constexpr double kIntegrator = 1e-10;
@@ -325,33 +321,45 @@ void check_motion(const ArcLengthMotion& motion, double error,
   if (curve.stall()) {
     const std::string where = curve.stall()->message();
     certificate.add("reintegrated_time", kUnknown,
-                    thresholds.time_factor * error, where);
+                    kThresholds.time_factor * error, where);
     certificate.add("reintegration_error", kUnknown, kIntegrator, where);
     return;
   }
   certificate.add("reintegrated_time",
                   std::abs(curve.transit_time() / motion.transit_time() - 1.0),
-                  thresholds.time_factor * error + curve.error_estimate());
+                  kThresholds.time_factor * error + curve.error_estimate());
   certificate.add("reintegration_error", reintegration_error(curve, kBegin),
                   std::max(error, kIntegrator));
   certificate.add("start_angle",
                   std::abs(curve.start_angle() - motion.start_angle()),
-                  std::min(thresholds.largest_slope,
-                           thresholds.interior_factor * std::sqrt(error)));
+                  std::min(kThresholds.largest_slope,
+                           kThresholds.interior_factor * std::sqrt(error)));
+}
+
+/// How far the ends are from A and B, in x over L and in z over H.
+double relative_contact_error(const PrescribedMotion& motion) {
+  const Scene& scene = motion.scene();
+  const bool smooth = scene.contact == Contact::Smooth;
+  const auto distance = [&](const TrajectoryPoint& at, Point wanted) {
+    const Point there = smooth ? at.motion.contact : at.centre;
+    return std::max(std::abs(there.x - wanted.x) / scene.L,
+                    std::abs(there.z - wanted.z) / scene.H);
+  };
+  return std::max(distance(motion.at(0.0), {0.0, 0.0}),
+                  distance(motion.at(1.0), {scene.L, scene.H}));
 }
 
 }  // namespace
 
 Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
-                    double error, const CertificateThresholds& thresholds) {
+                    double error) {
   Certificate certificate;
   if (!evaluable(problem, point, phi, certificate)) return certificate;
-  check_residual(extended_residual(problem, point), 0.0, thresholds,
-                 certificate);
+  check_residual(extended_residual(problem, point), 0.0, certificate);
   const ExtremalCurve curve(problem, point);
   const ExtremalPoint end = curve.at(1.0);
   check_ends(problem.scene(), curve.at(0.0).centre, end.centre, end.beta, phi,
-             0.0, thresholds, certificate);
+             0.0, certificate);
   check_slope(curve, certificate);
   check_speed(curve, certificate);
 
@@ -360,45 +368,55 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   const auto at_most = [](double largest, double value) {
     return value > largest ? largest : value;
   };
-  const double factor = thresholds.interior_factor;
+  const double factor = kThresholds.interior_factor;
   const double interior = factor * std::pow(error, 0.5 * (p + 1.0) / p);
   const double slopes =
-      at_most(thresholds.largest_slope, factor * std::sqrt(error));
-  check_hamiltonian(curve, at_most(thresholds.largest_interior, interior),
+      at_most(kThresholds.largest_slope, factor * std::sqrt(error));
+  check_hamiltonian(curve, at_most(kThresholds.largest_interior, interior),
                     slopes, certificate);
-  check_weierstrass(curve, thresholds.weierstrass, certificate);
+  check_weierstrass(curve, kThresholds.weierstrass, certificate);
   certificate.add(
       "start_angle",
       std::abs(curve.at(0.0).beta - start_angle(problem.scene().body)), slopes);
-  check_energy(curve, at_most(thresholds.largest_at_end, factor * error),
+  check_energy(curve, at_most(kThresholds.largest_at_end, factor * error),
                certificate);
   check_second_order(problem, point, certificate);
-  check_motion(curve, thresholds.time_factor * error,
-               at_most(thresholds.largest_at_end, interior), certificate);
+  check_motion(curve, kThresholds.time_factor * error,
+               at_most(kThresholds.largest_at_end, interior), certificate);
   return certificate;
 }
 
 Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
-                    const ArcLengthMotion& motion, double error,
-                    const CertificateThresholds& thresholds) {
+                    const ArcLengthMotion& motion, double error) {
   Certificate certificate;
   if (!evaluable(problem, point, phi, certificate)) return certificate;
   certificate.add("speed", 0.0, 0.0);  // w > 0, or it had been refused
   const double rounding = problem.rounding(point.x);
-  check_residual(extended_residual(problem, point), rounding, thresholds,
-                 certificate);
+  check_residual(extended_residual(problem, point), rounding, certificate);
   const Point start = start_of_centre(problem.scene());
   const auto last = static_cast<std::size_t>(
       problem.layout().state(problem.num_intervals(), StateComponent::X));
   check_ends(problem.scene(), start,
              {start.x + point.x[last], start.z + point.x[last + 1]},
              problem.end_slope(point.x, point.lambda), phi, rounding,
-             thresholds, certificate);
+             certificate);
   check_slope(problem, point.x, certificate);
   check_directions(problem, point.lambda,
-                   std::max(thresholds.weierstrass, rounding), certificate);
+                   std::max(kThresholds.weierstrass, rounding), certificate);
   check_second_order(problem, point, certificate);
-  check_motion(motion, error, thresholds, certificate);
+  check_motion(motion, error, certificate);
+  return certificate;
+}
+
+Certificate certify_path(const PrescribedMotion& motion, double tolerance) {
+  // Of the integrator, over some hundred steps.
+  constexpr double kIntegrator = 1e-10;
+  Certificate certificate;
+  certificate.add("quadrature_error", motion.error_estimate(), tolerance);
+  certificate.add("contact_error", relative_contact_error(motion),
+                  kCloseToEnds);
+  certificate.add("reintegration_error", reintegration_error(motion),
+                  std::max(tolerance, kIntegrator));
   return certificate;
 }
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "brachisto/math/jet1.hpp"
-#include "brachisto/math/jet2.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -22,11 +22,7 @@ namespace {
 using enum StateComponent;
 using Real = long double;
 // Derivatives with respect to θ, w, β and U at a collocation point.
-using Jet = math::Jet2<Real, 4>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using Jet = math::Jet1<Real, 4>;
 
 /// Keeps the largest absolute value and its index; a NaN stays.
 struct Worst {
@@ -149,7 +145,7 @@ ExtendedResidual extended_residual(const RollingTime& problem,
       const auto constrain = [&](StateComponent component, const Jet& rate) {
         const int row = layout.defect(c, component);
         const Real lambda = point.lambda[at(row)];
-        lagrangian -= rate * Jet(lambda);
+        lagrangian += -(rate * Jet(lambda));
         Real difference = 0.0L;
         for (int n = 0; n <= p; ++n) {
           const int i = layout.state(e * p + n, component);

@@ -34,23 +34,14 @@ const math::QuadratureRule& rule() {
 
 /// Row i integrates a polynomial given at the points, from 0 to point i.
 const math::SmallMatrix& integration_to_points() {
-  static const math::SmallMatrix matrix = [] {
-    const math::LagrangeBasis basis(rule().points);
-    math::SmallMatrix sums(kGaussPoints, kGaussPoints);
-    std::vector<double> values(kGaussPoints);
-    for (int i = 0; i < kGaussPoints; ++i) {
-      const double end = rule().points[static_cast<std::size_t>(i)];
-      for (std::size_t k = 0; k < kGaussPoints; ++k) {
-        basis.evaluate(end * rule().points[k], values);
-        for (int j = 0; j < kGaussPoints; ++j) {
-          sums(i, j) +=
-              end * rule().weights[k] * values[static_cast<std::size_t>(j)];
-        }
-      }
-    }
-    return sums;
-  }();
+  static const math::SmallMatrix matrix =
+      math::LagrangeBasis(rule().points).integrals_to(rule().points, rule());
   return matrix;
+}
+
+/// θ once the centre has come the length s.
+double theta_after(const Body& body, double s) {
+  return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
 }
 
 /// ∫ f dq from `from` to `to`.
@@ -111,10 +102,8 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
 }
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
-  const Body& body = scene_.body;
-  const double theta =
-      body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
-  return energy_height(body, place.offset.z, theta);
+  return energy_height(scene_.body, place.offset.z,
+                       theta_after(scene_.body, s));
 }
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
@@ -142,9 +131,7 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
       return Stall{fits ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
                    from.q + width * rule().points[i], point_of(*curve_, place)};
     }
-    const double theta =
-        body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
-    const double A = inertia_factor(body, theta, place.beta);
+    const double A = inertia_factor(body, theta_after(body, s), place.beta);
     const double du =
         rule().weights[i] * width * place.speed / fall_speed(scene_.gravity, E);
     to.u += du;
@@ -220,7 +207,7 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   out.t = sums.t;
   out.s = sums.s;
   out.centre = point_of(*curve_, place);
-  out.theta = body.rolls() ? body.theta_m + sums.s / body.radius : body.theta_m;
+  out.theta = theta_after(body, sums.s);
   out.beta = place.beta;
   PathState state{out.centre, out.theta, place.beta, 0.0, 0.0};
   const double E = energy(place, sums.s);
@@ -233,14 +220,6 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   return out;
 }
 
-double PrescribedMotion::start_angle() const {
-  return start_.beta;
-}
-
-double PrescribedMotion::end_angle() const {
-  return curve_->at(1.0).beta;
-}
-
 StartLimits PrescribedMotion::at_start() const {
   if (start_.turning != 0.0) {
     return start_limits(scene_.body, start_.beta, start_slope_rate());
@@ -248,10 +227,6 @@ StartLimits PrescribedMotion::at_start() const {
   const CurvePlace next = curve_->at(kNextToStart);
   return start_limits_of_curvature(scene_.body, start_.beta,
                                    next.turning / next.speed);
-}
-
-TrajectoryPoint PrescribedMotion::at(double q) const {
-  return point_at(sums_at(q));
 }
 
 std::vector<TrajectoryPoint> PrescribedMotion::at_nodes() const {

@@ -11,67 +11,180 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/energy.hpp"
 #include "brachisto/model/inertia.hpp"
-#include "trajectory/path_by_length.hpp"
 
 namespace brachisto {
 
 namespace {
+
+/// Slope angle and curvature of the centre's path as functions of its arc
+/// length s, element by element: slopes have kinks where elements meet.
+///
+/// In an element s is the integral of U w, of degree p + 1, and κ_c is the
+/// exact derivative of β along it, so that both belong to one and the same path
+/// on coarse meshes too.
+class PathByLength {
+ public:
+  struct Place {
+    double beta = 0.0;   ///< NaN where the curve has none
+    double kappa = 0.0;  ///< κ_c
+  };
+
+  /// \param curve  must outlive this
+  explicit PathByLength(const ExtremalCurve& curve);
+
+  [[nodiscard]] int num_elements() const {
+    return static_cast<int>(ends_.size()) - 1;
+  }
+  /// s where element e begins, or where element e − 1 ends.
+  [[nodiscard]] double end(int e) const {
+    return ends_[static_cast<std::size_t>(e)];
+  }
+  /// In element e; beyond its ends the path goes on with its polynomials.
+  /// \pre s > 0
+  [[nodiscard]] Place at(int e, double s) const;
+
+ private:
+  [[nodiscard]] double combine(int e, const std::vector<double>& values,
+                               const std::vector<double>& nodal) const;
+  /// w at t and ∫₀ᵗ w, of element e.
+  struct Speed {
+    double w, integral;
+  };
+  [[nodiscard]] Speed speed(int e, double t) const;
+
+  const ExtremalCurve& curve_;
+  const CollocationScheme& scheme_;
+  math::QuadratureRule rule_;  ///< exact for w
+  std::vector<double> ends_;
+  std::vector<double> theta_, w_, p_w_;  ///< at nodes
+};
+
+PathByLength::PathByLength(const ExtremalCurve& curve)
+    : curve_(curve),
+      scheme_(collocation_scheme(curve.mesh().degree)),
+      rule_(math::gauss_legendre((curve.mesh().degree + 2) / 2)) {
+  const Mesh& mesh = curve.mesh();
+  for (int node = 0; node < mesh.num_nodes(); ++node) {
+    const ExtremalPoint at = curve.at_node(node);
+    theta_.push_back(at.theta);
+    w_.push_back(at.w);
+    p_w_.push_back(at.p.p_w);
+  }
+  ends_.push_back(0.0);
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
+    ends_.push_back(ends_.back() + curve.rolling_time() * mesh.length(e) *
+                                       speed(e, 1.0).integral);
+  }
+}
+
+double PathByLength::combine(int e, const std::vector<double>& values,
+                             const std::vector<double>& nodal) const {
+  const auto first = static_cast<std::size_t>(e * scheme_.degree);
+  double sum = 0.0;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    sum += values[n] * nodal[first + n];
+  }
+  return sum;
+}
+
+PathByLength::Speed PathByLength::speed(int e, double t) const {
+  std::vector<double> basis(static_cast<std::size_t>(scheme_.nodes.size()));
+  const auto w = [&](double place) {
+    scheme_.nodes.evaluate(place, basis);
+    return combine(e, basis, w_);
+  };
+  double integral = 0.0;
+  for (std::size_t i = 0; i < rule_.points.size(); ++i) {
+    integral += t * rule_.weights[i] * w(t * rule_.points[i]);
+  }
+  return {w(t), integral};
+}
+
+PathByLength::Place PathByLength::at(int e, double s) const {
+  const double hU = curve_.rolling_time() * curve_.mesh().length(e);
+  // Solve hU ∫₀ᵗ w = s − s_e. At the start s ~ t², hence the root.
+  double t = (s - end(e)) / (end(e + 1) - end(e));
+  if (e == 0) t = std::sqrt(std::max(t, 0.0));
+  Speed now = speed(e, t);
+  constexpr int kMostSteps = 20;
+  for (int i = 0; i < kMostSteps && now.w > 0.0; ++i) {
+    const double step = (s - end(e) - hU * now.integral) / (hU * now.w);
+    t += step;
+    now = speed(e, t);
+    if (std::abs(step) < 1e-15) break;
+  }
+
+  // ∂𝓗/∂β = 0 differentiated along the polynomials.
+  const ExtremalPoint point = curve_.at(e, t);
+  const Scene& scene = curve_.scene();
+  const SlopeHamiltonian h = slope_hamiltonian(
+      scene.body, scene.gravity, {point.theta, point.w}, point.p, point.beta);
+  const double sine = std::sin(point.beta);
+  const double cosine = std::cos(point.beta);
+  const double pull_z = point.w * point.p.p_z + point.p.p_w * scene.gravity;
+  const double d2_root =
+      h.d2_beta + point.w * point.p.p_x * cosine + pull_z * sine;
+  std::vector<double> slopes(static_cast<std::size_t>(scheme_.nodes.size()));
+  scheme_.nodes.differentiate(t, slopes);
+  const double rate =
+      (d2_root * combine(e, slopes, theta_) -
+       (point.p.p_z * cosine - point.p.p_x * sine) * combine(e, slopes, w_) -
+       scene.gravity * cosine * combine(e, slopes, p_w_)) /
+      h.d2_beta;
+  return {point.beta, rate / (hU * point.w)};
+}
 
 namespace odeint = boost::numeric::odeint;
 
 // Of the integrator, absolute and relative; ten times rounding.
 constexpr double kTolerance = 1e-14;
 
+/// dθ/ds.
+double turning(const Body& body) {
+  return body.rolls() ? 1.0 / body.radius : 0.0;
+}
+
+/// s̈ at the arc length s, by A s̈ = g (sin β + η cos θ) − ½ A_s ṡ².
+/// \param v_kappa  ṡ κ_c
+double acceleration(const Scene& scene, double s, double v, double beta,
+                    double v_kappa) {
+  const Body& body = scene.body;
+  const double theta = body.theta_m + s * turning(body);
+  const double A = inertia_factor(body, theta, beta);
+  const double A_s_v2 = -2.0 * body.eta_m * std::cos(theta - beta) * v *
+                        (v * turning(body) - v_kappa);
+  return (scene.gravity * energy_slope(body, theta, beta) - 0.5 * A_s_v2) / A;
+}
+
 // s, ṡ, x, z
 using State = std::array<double, 4>;
 
-/// The equation of motion, in time.
-class Motion {
- public:
-  Motion(const Scene& scene, const PathByLength& path, double start_angle)
-      : scene_(scene), path_(path), start_angle_(start_angle) {}
+/// The equation of motion on a found path, in time.
+struct EquationOfMotion {
+  const Scene& scene;
+  const PathByLength& path;
+  double start_angle;
 
   /// Rates while the body is in element e.
   void rates(int e, const State& y, State& dy) const {
-    const Body& body = scene_.body;
     const double s = y[0];
     const double v = y[1];
-    double theta = body.theta_m;
-    double turning = 0.0;  // 1/r
-    if (body.rolls()) {
-      turning = 1.0 / body.radius;
-      theta += s * turning;
-    }
-    double beta = start_angle_;
-    double A_slope_v2 = 0.0;  // A_s ṡ²; tends to 0 at the start although κ_c
-                              // grows without bound, for κ_c ~ 1/ṡ
+    double beta = start_angle;
+    // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
+    // for κ_c ~ 1/ṡ.
+    double v_kappa = v * turning(scene.body);
     if (s > 0.0) {
-      const PathByLength::Place place = path_.at(e, s);
+      const PathByLength::Place place = path.at(e, s);
       beta = place.beta;
-      A_slope_v2 = -2.0 * body.eta_m * std::cos(theta - beta) * v *
-                   (v * turning - v * place.kappa);
+      v_kappa = v * place.kappa;
     }
-    const double A = inertia_factor(body, theta, beta);
-    dy[0] = v;
-    dy[1] =
-        (scene_.gravity * energy_slope(body, theta, beta) - 0.5 * A_slope_v2) /
-        A;
-    dy[2] = v * std::cos(beta);
-    dy[3] = v * std::sin(beta);
+    dy = {v, acceleration(scene, s, v, beta, v_kappa), v * std::cos(beta),
+          v * std::sin(beta)};
   }
-
- private:
-  const Scene& scene_;
-  const PathByLength& path_;
-  double start_angle_;
 };
 
-}  // namespace
-
-namespace {
-
 using Stepper = odeint::runge_kutta_fehlberg78<State>;
-
 // Copied before it has computed anything; being static it holds zeros then.
 const Stepper kFreshStepper;
 
@@ -81,9 +194,9 @@ bool finite(const State& y) {
 }
 
 /// One motion from rest.
-class Release {
+class Journey {
  public:
-  Release(const Motion& motion, const PathByLength& path, Point start,
+  Journey(const EquationOfMotion& motion, const PathByLength& path, Point start,
           double duration)
       : motion_(motion),
         path_(path),
@@ -121,7 +234,7 @@ class Release {
                                 kAlmostThere * path_.end(path_.num_elements());
   }
 
-  const Motion& motion_;
+  const EquationOfMotion& motion_;
   const PathByLength& path_;
   double duration_;
   State q_;
@@ -130,7 +243,7 @@ class Release {
   int steps_ = 0;
 };
 
-MotionEnd Release::leave() {
+MotionEnd Journey::leave() {
   constexpr double kPart = 0.1;
   constexpr double kFirstStep = 1e-3;
   const double goal = kPart * path_.end(1);
@@ -166,7 +279,7 @@ MotionEnd Release::leave() {
   return MotionEnd::Arrived;
 }
 
-MotionEnd Release::cross(int e) {
+MotionEnd Journey::cross(int e) {
   const double end = path_.end(e + 1);
   auto stepper = odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
   const auto by_length = [&](const State& q, State& dq, double s) {
@@ -199,38 +312,33 @@ MotionEnd Release::cross(int e) {
 }  // namespace
 
 std::string_view describe(MotionEnd end) {
-  switch (end) {
-    case MotionEnd::Arrived:
-      return "the body reaches the end of the path";
-    case MotionEnd::ComesToRest:
-      return "the body comes to rest on its way";
-    case MotionEnd::PathUndefined:
-      return "between the nodes no slope makes 𝓗 minimal, so that there is no "
-             "path";
-    case MotionEnd::StepTooSmall:
-      return "the path bends too sharply to be integrated along";
-    case MotionEnd::TooManySteps:
-      return "the motion takes more steps of integration than allowed";
-  }
-  return "unknown end of the motion";
+  constexpr std::array<std::string_view, 5> kSentences{
+      "the body reaches the end of the path",
+      "the body comes to rest on its way",
+      "between the nodes no slope makes 𝓗 minimal, so that there is no path",
+      "the path bends too sharply to be integrated along",
+      "the motion takes more steps of integration than allowed"};
+  static_assert(kSentences.size() ==
+                static_cast<std::size_t>(MotionEnd::TooManySteps) + 1);
+  return kSentences.at(static_cast<std::size_t>(end));
 }
 
 Reintegration reintegrate(const ExtremalCurve& curve) {
   const Scene& scene = curve.scene();
   const PathByLength path(curve);
-  const Motion motion(scene, path, curve.at(0.0).beta);
+  const EquationOfMotion motion{scene, path, curve.at(0.0).beta};
   const ExtremalPoint end = curve.at(1.0);
   const double T = curve.transit_time();
   const double S = curve.arc_length();
 
-  Release release(motion, path, curve.at(0.0).centre, T);
+  Journey journey(motion, path, curve.at(0.0).centre, T);
   Reintegration out;
-  out.end = release.run();
-  out.steps = release.steps();
+  out.end = journey.run();
+  out.steps = journey.steps();
   out.integration_error = kTolerance * out.steps;
-  out.share = release.length() / S;
+  out.share = journey.length() / S;
   if (!out.arrived()) return out;
-  const auto [time, speed, x, z] = release.state();
+  const auto [time, speed, x, z] = journey.state();
   const double v =
       end.w / std::sqrt(inertia_factor(scene.body, end.theta, end.beta));
   const Point beyond{x - end.centre.x, z - end.centre.z};
@@ -245,6 +353,49 @@ Reintegration reintegrate(const ExtremalCurve& curve) {
         std::abs(scene.body.theta_m + S / scene.body.radius - end.theta);
   }
   return out;
+}
+
+double reintegration_error(const PrescribedMotion& motion, double from) {
+  using Pair = std::array<double, 2>;  // s, ṡ
+  // As kFreshStepper.
+  static const odeint::runge_kutta_fehlberg78<Pair> kFreshPairStepper;
+  constexpr double kLoose = 1e-13;
+  constexpr double kFirstStep = 1e-3;
+  constexpr double kShortest = 1e-15;
+  constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
+  const double T = motion.transit_time();
+  const auto body = [&](const Pair& y, Pair& dy, double) {
+    const double s = std::clamp(y[0], 0.0, motion.centre_path_length());
+    const CurvePlace place = motion.curve().at(motion.place_at_length(s));
+    // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
+    const double v_kappa =
+        place.speed > 0.0 ? y[1] * place.turning / place.speed : 0.0;
+    dy = {y[1], acceleration(motion.scene(), s, y[1], place.beta, v_kappa)};
+  };
+  auto stepper = odeint::make_controlled(kLoose, kLoose, kFreshPairStepper);
+  Pair y{0.0, 0.0};
+  double t = 0.0;
+  if (from > 0.0) {
+    const TrajectoryPoint start = motion.at(from);
+    y = {start.s, start.motion.v_c};
+    t = start.t;
+  }
+  double dt = kFirstStep * T;
+  // Cell by cell: where the curvature has kinks the steps end, for the error
+  // estimate of this method does not see them.
+  for (const TrajectoryPoint& cell : motion.at_nodes()) {
+    while (t < cell.t) {
+      check_stop();
+      dt = std::min(dt, cell.t - t);
+      if (stepper.try_step(body, y, t, dt) == odeint::fail &&
+          dt < kShortest * T) {
+        return kFailed;
+      }
+    }
+  }
+  const double v = motion.at(1.0).motion.v_c;
+  const double late = std::abs(y[0] - motion.centre_path_length()) / (v * T);
+  return std::max(late, std::abs(y[1] - v) / v);
 }
 
 }  // namespace brachisto

@@ -19,20 +19,8 @@ Trajectory::Trajectory(ExtremalCurve curve, const Scene& scene,
       transit_time_(
           transit_time.value_or(curve_.transit_time() * units_.time)) {}
 
-double Trajectory::transit_time() const {
-  return transit_time_;
-}
-
-double Trajectory::centre_path_length() const {
-  return curve_.arc_length() * units_.length;
-}
-
 double Trajectory::start_angle() const {
   return brachisto::start_angle(scene_.body);
-}
-
-double Trajectory::end_angle() const {
-  return curve_.at(1.0).beta;
 }
 
 StartLimits Trajectory::at_start() const {
@@ -70,10 +58,6 @@ TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
   out.theta = point.theta + (scene_.body.theta_m - natural.body.theta_m);
   out.beta = point.beta;
   return out;
-}
-
-TrajectoryPoint Trajectory::at(double sigma) const {
-  return convert(curve_.at(sigma), sigma);
 }
 
 std::vector<TrajectoryPoint> Trajectory::at_nodes() const {

@@ -11,16 +11,13 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/arc_length.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
 namespace {
 
 using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

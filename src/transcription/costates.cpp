@@ -6,16 +6,13 @@
 #include <cmath>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
 namespace {
 
 using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Costate of one component at the collocation points.
 std::vector<double> at_points(const RollingTime& problem,

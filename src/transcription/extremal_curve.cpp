@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "brachisto/math/gauss.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/start_angle.hpp"
 
@@ -154,6 +155,39 @@ double ExtremalCurve::interpolated_slope(double sigma) const {
 ExtremalPoint ExtremalCurve::at_node(int node) const {
   const int e = std::min(node / mesh_.degree, mesh_.num_elements() - 1);
   return at(e, scheme_->nodes.nodes()[at_index(node - e * mesh_.degree)]);
+}
+
+namespace {
+
+/// ∫ 𝓗 over an element divided by its length, by the given rule.
+double mean_hamiltonian(const ExtremalCurve& curve, int element,
+                        const math::QuadratureRule& rule) {
+  const Scene& scene = curve.scene();
+  double mean = 0.0;
+  for (std::size_t i = 0; i < rule.points.size(); ++i) {
+    const ExtremalPoint at = curve.at(element, rule.points[i]);
+    mean += rule.weights[i] * hamiltonian(scene.body, scene.gravity,
+                                          {at.theta, at.w}, at.p, at.beta);
+  }
+  return mean;
+}
+
+}  // namespace
+
+std::vector<double> element_errors(const ExtremalCurve& curve) {
+  const Mesh& mesh = curve.mesh();
+  // Exact for polynomials of degree 2p + 5, three orders above the error.
+  const math::QuadratureRule fine = math::gauss_legendre(mesh.degree + 3);
+  const math::QuadratureRule& own = collocation_scheme(mesh.degree).rule;
+  std::vector<double> errors;
+  errors.reserve(static_cast<std::size_t>(mesh.num_elements()));
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
+    errors.push_back(
+        curve.rolling_time() * mesh.length(e) *
+        (mean_hamiltonian(curve, e, fine) - mean_hamiltonian(curve, e, own)));
+  }
+  return errors;
 }
 
 }  // namespace brachisto

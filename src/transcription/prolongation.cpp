@@ -9,16 +9,13 @@
 
 #include "brachisto/math/roots.hpp"
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
 namespace {
 
 using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Where the centre has come the length s.
 ExtremalPoint at_length(const ExtremalCurve& curve, double s) {

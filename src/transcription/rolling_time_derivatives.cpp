@@ -10,16 +10,13 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/transcription/rolling_time.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
 namespace {
 
 using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

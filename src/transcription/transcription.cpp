@@ -10,14 +10,11 @@
 
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 
 namespace brachisto {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The pattern that `visit` tells, in memory for no more than it has.
 template <class Visit>

@@ -44,9 +44,10 @@ std::set<std::string> names(const fs::path& path) {
 }
 
 using Names = std::set<std::string>;
-const Names kAll{"result.json", "trajectory.csv", "path.svg"};
+const Names kAll{"result.json", "trajectory.csv", "path.csv", "path.gp",
+                 "path.svg"};
 
-TEST(Out, WritesThreeFiles) {
+TEST(Out, WritesResultTrajectoryAndPicture) {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "new" / "results";
 
@@ -57,7 +58,7 @@ TEST(Out, WritesThreeFiles) {
   EXPECT_EQ(names(out), kAll);
   EXPECT_EQ(content(out / "result.json"), output.out);
   EXPECT_TRUE(content(out / "trajectory.csv").starts_with("u,t,x_c,z_c,"));
-  EXPECT_TRUE(content(out / "path.svg").starts_with("<svg "));
+  EXPECT_TRUE(content(out / "path.svg").starts_with("<?xml "));
 }
 
 TEST(Out, RefusesExistingResultsBeforeItSolves) {

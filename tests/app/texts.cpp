@@ -4,7 +4,10 @@
 // What is said where: results to stdout, everything else to stderr.
 
 #include <gtest/gtest.h>
+#include <stdio.h>
 
+#include <array>
+#include <cstdio>
 #include <string>
 
 #include "app/command.hpp"
@@ -25,7 +28,7 @@ bool says(const std::string& text, const std::string& part) {
 TEST(Texts, AResultGoesToStdout) {
   const Output output = run({"solve", kProblem});
 
-  EXPECT_TRUE(says(output.out, "5.115100653580")) << output.out;
+  EXPECT_TRUE(says(output.out, "τ = T √(2g/H) = 5.115100653579")) << output.out;
   EXPECT_EQ(output.err, "");
 }
 
@@ -102,6 +105,33 @@ TEST(Texts, ValidateShowsTheEffectiveInput) {
   EXPECT_EQ(output.code, 0);
   EXPECT_TRUE(says(output.out, "valid")) << output.out;
   EXPECT_TRUE(says(output.out, "\"iterations\": 500")) << output.out;
+}
+
+/// What a command of the shell writes to a terminal.
+std::string in_a_terminal(const std::string& command) {
+  const std::string line = "script -qec '" + command + "' /dev/null";
+  FILE* terminal = ::popen(line.c_str(), "r");
+  if (terminal == nullptr) return "no terminal";
+  std::string text;
+  std::array<char, 4096> part{};
+  while (std::fgets(part.data(), part.size(), terminal) != nullptr) {
+    text += part.data();
+  }
+  ::pclose(terminal);
+  return text;
+}
+
+TEST(Texts, TheVerdictHasAColourIfTheTerminalWantsOne) {
+  const std::string solve = BRACHISTO_APP " solve " + kProblem;
+  const std::string green = "\033[32m  verdict";
+
+  const std::string shown = in_a_terminal("TERM=xterm NO_COLOR= " + solve);
+
+  EXPECT_TRUE(says(shown, green)) << shown;
+  EXPECT_TRUE(says(shown, "feasible\033[0m")) << shown;
+  EXPECT_FALSE(says(in_a_terminal("TERM=xterm NO_COLOR=1 " + solve), "\033["));
+  EXPECT_FALSE(says(in_a_terminal("TERM=dumb " + solve), "\033["));
+  EXPECT_FALSE(says(run({"solve", kProblem}).out, "\033["));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -94,7 +95,7 @@ TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
       run({"work-precision", scene("base"), "--json", "--quiet", "--out", out,
            "--set",
            "work_precision={methods: [{rolling_time: [1, 2]}, "
-           "extremal], meshes: [10, 20, 40], repetitions: 1}"});
+           "extremal], meshes: [10, 20, 30, 40], repetitions: 1}"});
 
   ASSERT_EQ(output.code, 0) << output.err;
   const json document = json::parse(output.out);
@@ -103,18 +104,39 @@ TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
     const json line =
         find(document["lines"], "id", "rolling_time_" + std::to_string(p));
     ASSERT_FALSE(line.is_null());
-    ASSERT_EQ(line["points"].size(), 3U);
+    ASSERT_EQ(line["points"].size(), 4U);
     // Gauss collocation has order 2p. Over two halvings the terms of higher
     // order that the coarsest mesh still has move the slope by less than half.
     EXPECT_NEAR(line["observed_order"]["order"], 2.0 * p, 0.5);
-    EXPECT_EQ(line["observed_order"]["points"], 3);
+    EXPECT_EQ(line["observed_order"]["points"], 4);
+    // The path between nodes has order p + 1 (docs/theory.md, section 8); on
+    // four times as many elements its error is less by 2^(p + 1) at least.
+    const json &coarse = line["points"][0], fine = line["points"][3];
+    EXPECT_LT(fine["path_error"].get<double>(),
+              coarse["path_error"].get<double>() / std::pow(2.0, p + 1));
+    EXPECT_GT(coarse["energy_drift"], fine["energy_drift"]);
   }
-  for (const char* name : {"work_precision.svg", "work_precision.csv",
-                           "work_precision.gp", "work_precision.json"}) {
+  const json extremal = find(document["lines"], "id", "extremal");
+  EXPECT_TRUE(extremal["points"][0]["path_error"].is_null())
+      << "it is the reference";
+  for (const char* name :
+       {"work_precision.svg", "work_precision.csv", "work_precision.gp",
+        "work_precision_path.svg", "work_precision_energy.svg",
+        "work_precision.json"}) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
   }
   EXPECT_EQ(run({"work-precision", scene("base"), "--out", out}).code, 6)
       << "existing files are kept";
+}
+
+TEST(WorkPrecision, TellsNoOrderOfThreeMeshes) {
+  const Output output =
+      run({"work-precision", scene("bead"), "--json", "--quiet", "--set",
+           "work_precision={methods: [{rolling_time: [1]}], meshes: [10, 20, "
+           "40], repetitions: 1}"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_TRUE(json::parse(output.out)["lines"][0]["observed_order"].is_null());
 }
 
 TEST(WorkPrecision, WhatHasNoResultIsAPointWithACause) {

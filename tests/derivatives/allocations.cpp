@@ -7,6 +7,7 @@
 
 #include "derivatives/counting_new.hpp"
 #include "derivatives/problems.hpp"
+#include "solvers/chain_matrix.hpp"
 #include "support/random_points.hpp"
 
 namespace brachisto::testing {
@@ -61,6 +62,19 @@ TEST_P(Evaluations, AllocateNothingToRefuseAPoint) {
   EXPECT_EQ(allocations([&] { evaluable = problem.set_point(x); }), 0);
 
   EXPECT_FALSE(evaluable);
+}
+
+TEST(Allocations, OfTheChainGrowInProportionToItsLength) {
+  const auto bytes = [](int links) {
+    const ChainMatrix matrix = random_saddle(1, links, 50, 4, 1);
+    const double before = allocated_bytes();
+    const auto ldlt = matrix.analysed();
+    EXPECT_TRUE(matrix.factorise(*ldlt));
+    return allocated_bytes() - before;
+  };
+
+  // Up to the rounding of batches and of growing arrays.
+  EXPECT_LE(bytes(32), 2.5 * bytes(16));
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, Evaluations,

@@ -10,5 +10,7 @@ namespace brachisto::testing {
 
 /// How often the program has called operator new so far.
 [[nodiscard]] long num_allocations();
+/// Of all of them together.
+[[nodiscard]] double allocated_bytes();
 
 }  // namespace brachisto::testing

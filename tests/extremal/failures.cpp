@@ -119,27 +119,20 @@ TEST(Failure, HasASentenceForEveryStatus) {
 }
 
 TEST(Regularity, RefusesLoopsStandstillAndMaxima) {
-  const Regularity good{.min_legendre = 0.5,
-                        .min_excess = 0.0,
-                        .min_w = 0.01,
-                        .min_beta = -1.0,
-                        .max_beta = 2.0,
-                        .max_hamiltonian = 1e-14};
+  const Regularity good{
+      .min_legendre = 0.5, .min_w = 0.01, .min_beta = -1.0, .max_beta = 2.0};
   Regularity loop = good;
   loop.max_beta = 3.2;
   Regularity stalled = good;
   stalled.min_w = -0.1;
   Regularity maximal = good;
   maximal.min_legendre = -0.1;
-  Regularity weak = good;
-  weak.min_excess = -0.1;
 
   EXPECT_TRUE(good.free_of_loops() && good.keeps_moving() &&
-              good.legendre_holds() && good.weierstrass_holds());
+              good.legendre_holds());
   EXPECT_FALSE(loop.free_of_loops());
   EXPECT_FALSE(stalled.keeps_moving());
   EXPECT_FALSE(maximal.legendre_holds());
-  EXPECT_FALSE(weak.weierstrass_holds());
 }
 
 }  // namespace

@@ -47,6 +47,10 @@ TEST_P(Extremal, KeepsTheHamiltonianZeroAndMinimal) {
     EXPECT_NEAR(value, 0.0, 1e-12) << "sample " << i;
     EXPECT_NEAR(slope.d_beta, 0.0, 1e-12) << "sample " << i;
     EXPECT_GT(slope.d2_beta, 0.1) << "sample " << i;
+    EXPECT_LE(gain_of_other_directions(scene_.body, scene_.gravity, state,
+                                       costates(s), s.beta),
+              1e-12)
+        << "sample " << i;
   }
 }
 

@@ -13,9 +13,12 @@ TEST(Letters, AreThoseOfUtf8) {
   EXPECT_EQ(letters(""), 0u);
 }
 
-TEST(Letters, OfAWidthFindRoomInIt) {
-  EXPECT_LE(width_of(letters_within(390.0, 14.0), 14.0), 390.0);
-  EXPECT_GT(width_of(letters_within(390.0, 14.0) + 1, 14.0), 390.0);
+TEST(LinesOf, BreaksAListAfterCommas) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines_of("a = 1, b = 2, c = 3", 13),
+            (Lines{"a = 1, b = 2,", "c = 3"}));
+  EXPECT_EQ(lines_of("a long item, b", 3), (Lines{"a long item,", "b"}));
+  EXPECT_EQ(lines_of("", 3), Lines{""});
 }
 
 TEST(Shortened, EndsInAnEllipsis) {

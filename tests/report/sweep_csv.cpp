@@ -21,7 +21,7 @@ TEST(SweepCsv, HasARowPerSceneInTheUnitsOfTheTable) {
   fail(table, 1, "a \"b\", c");
   table.outcomes[2] = {};
 
-  const std::string csv = sweep_csv(table, all_scenes(table));
+  const std::string csv = sweep_csv(table);
 
   EXPECT_EQ(csv,
             "scene,scene.body.theta_m,state,status,feasible,tau,transit_time,"
@@ -31,18 +31,6 @@ TEST(SweepCsv, HasARowPerSceneInTheUnitsOfTheTable) {
             "1,0.15000000000000002,failed,max_iterations,,,,,,\"a \"\"b\"\", "
             "c\"\n"
             "2,0.20000000000000001,missing,,,,,,,\n");
-}
-
-TEST(SweepCsv, HasTheScenesAskedFor) {
-  const SweepTable table =
-      sweep_over({{"scene.body.k", 0.0, 1.0, 5}},
-                 [](const std::vector<double>&) { return 5.0; });
-
-  const std::string csv = sweep_csv(table, {4, 0});
-
-  EXPECT_NE(csv.find("message\n4,1,"), std::string::npos);
-  EXPECT_NE(csv.find("\n0,0,"), std::string::npos);
-  EXPECT_EQ(csv.find("\n1,"), std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <limits>
 #include <vector>
 
-#include "report/map_geometry.hpp"
 #include "report/sweep_tables.hpp"
 
 namespace brachisto::report {
@@ -25,8 +24,12 @@ double sum(const std::vector<double>& at) {
 }
 
 SweepMap whole(const SweepTable& table) {
-  return {0,     1, table.axes[0].count, table.axes[1].count, all_scenes(table),
-          "map", {}};
+  return {.name = "map",
+          .first = 0,
+          .second = 1,
+          .n_first = table.axes[0].count,
+          .n_second = table.axes[1].count,
+          .scenes = all_scenes(table)};
 }
 
 SweepTable lists(const std::vector<double>& k, const std::vector<double>& l) {
@@ -110,20 +113,6 @@ TEST(MapOrder, DoesNotMindWhatHasNoPlace) {
 
   EXPECT_THAT(in_map_order(table, whole(table)).value_or(Scenes{}),
               ElementsAre(0, 1, 2, 6, 7, 8, 3, 4, 5));
-}
-
-TEST(MapGeometry, HoldsScenesWhereTheBorderIsBentOutwards) {
-  // k up to an arch, whose top is a scene in the middle.
-  const SweepTable table = bent({-0.8, 0.0, 0.8}, {0.0, 0.5, 1.0});
-  constexpr PlotArea kArea{0.0, 100.0, 0.0, 100.0};
-
-  const MapGeometry geometry = map_geometry(table, whole(table), kArea);
-
-  constexpr double kRounding = 1e-10;
-  for (const Pixel& node : geometry.lattice.nodes) {
-    EXPECT_GE(node.y, kArea.top - kRounding);
-    EXPECT_LE(node.y, kArea.bottom + kRounding);
-  }
 }
 
 }  // namespace

@@ -61,5 +61,31 @@ TEST(BentTrack, IsTheFasterTheSharperItBends) {
   }
 }
 
+/// The limits of docs/theory.md, section 3: without a kink the smooth contact,
+/// and inf V.
+TEST(KinkedTrack, RunsFromTheSmoothContactToTheInfimum) {
+  const Scene scene = reference_scene();
+  const double smooth =
+      verified_solution(scene, kNoSignal).motion()->end_angle();
+  constexpr double kLeast = -1.768;  // as printed there
+  constexpr double kPrinted = 0.5e-4;
+
+  EXPECT_NEAR(tau_of_kinked_track(scene, smooth, kNoSignal), kSmoothContact,
+              1e-11);
+  EXPECT_NEAR(tau_of_kinked_track(scene, kLeast, kNoSignal), kInfimum,
+              kPrinted);
+}
+
+TEST(KinkedTrack, IsFasterThanAnyArcToTheSameSlope) {
+  constexpr double kPhi = -0.8;
+  const double arc =
+      verified_solution(bent_track(reference_scene(), kPhi, 0.06, kNoSignal),
+                        kNoSignal, kTolerance)
+          .motion()
+          ->tau();
+
+  EXPECT_LT(tau_of_kinked_track(reference_scene(), kPhi, kNoSignal), arc);
+}
+
 }  // namespace
 }  // namespace brachisto::reproduction

@@ -15,6 +15,7 @@
 #include <numeric>
 
 #include "solvers/chain_matrix.hpp"
+#include "support/refined_solution.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -40,9 +41,8 @@ void expect_solves(const ChainMatrix& matrix, ChainLdlt& ldlt,
   Random random(99);
   const int n = matrix.size();
   const std::vector<double> b = random.vector(n, -1.0, 1.0);
-  std::vector<double> x(b.size());
 
-  ldlt.solve_refined(b, x, kRefinements);
+  const std::vector<double> x = refined_solution(ldlt, b, kRefinements);
 
   const auto as_vector = [](const std::vector<double>& v) {
     return Eigen::Map<const VectorXd>(v.data(),
@@ -106,20 +106,6 @@ TEST(ChainLdlt, FactorisesLikeDenseMethods) {
           "seed " + std::to_string(seed));
     }
   }
-}
-
-/// [H Jᵀ; J −δ] within each link: half of each block are multipliers.
-ChainMatrix random_saddle(std::uint32_t seed, int links, int interior,
-                          int separator, int border, double delta = 0.0) {
-  Random random(seed);
-  ChainMatrix matrix = empty_chain(links, interior, separator, border);
-  const int last = matrix.size() - border;
-  for_each_coupled(matrix, [&](int i, int j) {
-    const bool multipliers = i < last && i % 2 == 1 && j % 2 == 1;
-    if (!multipliers) matrix.add(i, j, random.uniform(-1.0, 1.0));
-    if (multipliers && i == j) matrix.add(i, j, -delta);
-  });
-  return matrix;
 }
 
 TEST(ChainLdlt, FactorisesSaddlePoints) {
@@ -506,18 +492,6 @@ TEST(ChainLdlt, OfAZeroMatrixCountsZeros) {
 
   EXPECT_EQ(ldlt->inertia().zero, matrix.size());
   EXPECT_EQ(ldlt->inertia().positive, 0);
-}
-
-TEST(ChainLdlt, NeedsMemoryInProportionToTheLength) {
-  const auto bytes = [](int links) {
-    const ChainMatrix matrix = random_saddle(1, links, 50, 4, 1);
-    const auto ldlt = matrix.analysed();
-    EXPECT_TRUE(matrix.factorise(*ldlt));
-    return static_cast<double>(ldlt->state_bytes());
-  };
-
-  // Up to the rounding of batches and of growing arrays.
-  EXPECT_LE(bytes(32), 2.5 * bytes(16));
 }
 
 }  // namespace

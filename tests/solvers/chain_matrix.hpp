@@ -12,10 +12,8 @@
 #include <limits>
 #include <vector>
 
-#include "brachisto/nlp/chain_structure.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/inertia.hpp"
-#include "solvers/chain_kkt.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "support/random_points.hpp"
 
@@ -127,6 +125,21 @@ void for_each_coupled(const ChainMatrix& matrix, Visit&& visit) {
   }
   return static_cast<double>(worst) /
          (norm * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
+}
+
+/// [H Jᵀ; J −δ] within each link: half of each block are multipliers.
+[[nodiscard]] inline ChainMatrix random_saddle(std::uint32_t seed, int links,
+                                               int interior, int separator,
+                                               int border, double delta = 0.0) {
+  Random random(seed);
+  ChainMatrix matrix = empty_chain(links, interior, separator, border);
+  const int last = matrix.size() - border;
+  for_each_coupled(matrix, [&](int i, int j) {
+    const bool multipliers = i < last && i % 2 == 1 && j % 2 == 1;
+    if (!multipliers) matrix.add(i, j, random.uniform(-1.0, 1.0));
+    if (multipliers && i == j) matrix.add(i, j, -delta);
+  });
+  return matrix;
 }
 
 }  // namespace brachisto::testing

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/damped_newton.hpp"
+#include "brachisto/solvers/square_system.hpp"
 
 #include <gtest/gtest.h>
 

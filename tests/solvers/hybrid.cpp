@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/hybrid.hpp"
+#include "brachisto/solvers/square_system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -56,6 +56,19 @@ TEST_F(TableTest, HasTheValuesOfEverySceneAndWhatCameOut) {
   EXPECT_EQ(table.outcomes[21].tau, 5.09344446659778);
 }
 
+TEST_F(TableTest, NamesWhatAllScenesHaveAlike) {
+  const SweepTable table = read_table(store_, job_);
+
+  std::vector<std::string> keys;
+  for (const SweepConstant& constant : table.constants) {
+    keys.push_back(constant.key);
+  }
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"scene.body.radius", "scene.body.k",
+                                      "scene.finish.L", "scene.finish.H"}));
+  EXPECT_EQ(table.constants[1].value, 0.5);
+}
+
 TEST_F(TableTest, ExportsNoFormulasAndKeepsSigns) {
   store_.record(
       std::vector<Answer>{

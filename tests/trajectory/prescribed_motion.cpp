@@ -20,7 +20,7 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/cycloid.hpp"
-#include "brachisto/trajectory/path_certificate.hpp"
+#include "brachisto/trajectory/certificate.hpp"
 
 namespace brachisto {
 namespace {

@@ -4,7 +4,7 @@
 // The shares of the elements add up to the error of T: not a bound, the error
 // itself as the mesh is refined.
 
-#include "brachisto/transcription/element_errors.hpp"
+#include "brachisto/transcription/extremal_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/transcription/equidistribution.hpp"
+#include "brachisto/transcription/mesh.hpp"
 
 #include <gtest/gtest.h>
 

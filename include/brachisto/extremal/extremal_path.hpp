@@ -31,19 +31,13 @@ struct ExtremalState {
 struct Regularity {
   /// Legendre: min of ∂²𝓗/∂β² over the path [-]; must be > 0.
   double min_legendre = 0.0;
-  /// Weierstrass: min over the path and all slopes b of 𝓗(b) − 𝓗(β) [-].
-  /// Negative: the path is a weak extremal only, and a finely zigzagging one
-  /// is faster.
-  double min_excess = 0.0;
-  double min_w = 0.0;            ///< of w after the start, as a share of w_max
-  double min_beta = 0.0;         ///< of the continuous slope angle [rad]
-  double max_beta = 0.0;         ///< [rad]
-  double max_hamiltonian = 0.0;  ///< of |𝓗|, which is zero on an extremal [-]
+  double min_w = 0.0;     ///< of w after the start, as a share of w_max
+  double min_beta = 0.0;  ///< of the continuous slope angle [rad]
+  double max_beta = 0.0;  ///< [rad]
 
   [[nodiscard]] bool legendre_holds() const { return min_legendre > 0.0; }
   [[nodiscard]] bool keeps_moving() const { return min_w > 0.0; }
   [[nodiscard]] bool free_of_loops() const;
-  [[nodiscard]] bool weierstrass_holds() const;
 };
 
 /// An extremal through the steps of its integration; between them it is
@@ -68,8 +62,6 @@ class ExtremalPath {
   /// The extremal at u = σ U, σ in [0, 1] (clamped); costs one step of the
   /// integration, allocates nothing. \pre !empty()
   [[nodiscard]] ExtremalState at(double sigma) const;
-  /// σ of the accepted steps, from 0 to 1.
-  [[nodiscard]] std::vector<double> sigmas() const;
   /// Looks at every step.
   [[nodiscard]] Regularity regularity() const;
 

@@ -23,14 +23,32 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brachisto/extremal/extremal_path.hpp"
-#include "brachisto/extremal/status.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {
+
+enum class ExtremalStatus {
+  Solved,              ///< A regular extremal, as accurate as asked for.
+  AccuracyNotReached,  ///< An extremal with fewer digits than asked for.
+  NoCycloid,           ///< η = 0 has no answer from which to continue.
+  BranchTurnsBack,     ///< The branch from the cycloid has a fold below η_m.
+  StepTooSmall,        ///< The continuation got stuck between 0 and η_m.
+  NewtonFailed,        ///< Newton's method did not converge from the guess.
+  BadGuess,            ///< The guess cannot be integrated at all.
+  Loop,                ///< The extremal found leaves slopes of [−π, π].
+  Stalls,              ///< The extremal found comes to rest on its way.
+  NotMinimal,          ///< ∂²𝓗/∂β² > 0 fails on the extremal found.
+  TimeLimit,           ///< The seconds allowed ran out.
+  Interrupted,         ///< Told to stop from outside.
+};
+
+/// One sentence for people.
+[[nodiscard]] std::string_view describe(ExtremalStatus status);
 
 /// Where Newton's method starts.
 struct ExtremalGuess {
@@ -49,8 +67,7 @@ struct ExtremalOptions {
   int max_newton_steps = 50;
   /// Arcs of the multiple shooting; 0: from the number of turns of the body.
   int arcs = 0;
-  /// Steps of the continuation, those repeated with half the length included.
-  int max_continuation_steps = 2000;
+
   /// Goes on through folds of the branch instead of stopping at the first; an
   /// answer beyond a fold is connected with the cycloid, but is not what the
   /// cycloid turns into as η grows.

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "brachisto/math/gauss.hpp"
+
 namespace brachisto::math {
 
 /// A small dense matrix in row-major order, fixed after construction.
@@ -53,11 +55,22 @@ class LagrangeBasis {
   void differentiate(double t, std::span<double> slopes) const;
 
   /// Row i holds ℓ_j(points[i]).
-  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const;
+  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const {
+    return rows(points, &LagrangeBasis::evaluate);
+  }
   /// Row i holds ℓ_j'(points[i]).
-  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const;
+  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const {
+    return rows(points, &LagrangeBasis::differentiate);
+  }
+  /// Row i holds ∫ ℓ_j from 0 to ends[i], by a rule on [0, 1] that is exact for
+  /// polynomials of their degree.
+  [[nodiscard]] SmallMatrix integrals_to(std::span<const double> ends,
+                                         const QuadratureRule& rule) const;
 
  private:
+  [[nodiscard]] SmallMatrix rows(
+      std::span<const double> points,
+      void (LagrangeBasis::*row_at)(double, std::span<double>) const) const;
   std::vector<double> nodes_;
   std::vector<double> weights_;  // 1 / Π_{i≠j} (t_j − t_i)
 };

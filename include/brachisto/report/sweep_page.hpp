@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <atomic>
+#include <string>
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
@@ -13,15 +15,25 @@
 
 namespace brachisto::report {
 
-/// Files of the report of a sweep: index.html and each of its figures as an SVG
-/// document with a CSV file of its numbers. The page needs nothing beside it,
-/// but that it shows drawings from their files when they take more than a
-/// megabyte, as a map of some 20 000 scenes does.
+/// The report of a sweep.
+struct SweepPage {
+  /// index.html, scenes.csv, and each picture as an SVG document with the table
+  /// and the gnuplot script that it is drawn from.
+  std::vector<OutputFile> files;
+  std::string missing;  ///< why pictures are missing; empty if none is
+};
+
+/// The page needs nothing beside it, but that it shows pictures from their
+/// files when all take more than some megabytes.
 ///
 /// The two ordered axes that change fastest make a map of τ, one ordered axis a
 /// curve, a random sample one scatter plot per key; values may come in any
 /// order. Scenes that failed are marked and nothing is drawn across them;
 /// scenes not run yet stay open.
-[[nodiscard]] std::vector<OutputFile> sweep_report(const SweepTable& table);
+///
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] SweepPage sweep_report(const SweepTable& table,
+                                     const std::atomic<int>* interrupt);
 
 }  // namespace brachisto::report

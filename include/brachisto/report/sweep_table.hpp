@@ -46,13 +46,20 @@ struct SweepOutcome {
   double end_angle = kNone;        ///< [rad]
 };
 
+/// A key that has the same number in all scenes without being swept.
+struct SweepConstant {
+  std::string key;
+  double value = 0.0;  ///< SI units, rad
+};
+
 /// Scene number i has the index along each axis that i has in a product whose
 /// last axis is the fastest. Columns that belong to no axis depend on others.
 struct SweepTable {
   std::string title;
   std::vector<SweepColumn> columns;
   std::vector<SweepAxis> axes;
-  std::vector<SweepOutcome> outcomes;  ///< one per scene
+  std::vector<SweepConstant> constants;  ///< what else τ depends on
+  std::vector<SweepOutcome> outcomes;    ///< one per scene
 };
 
 }  // namespace brachisto

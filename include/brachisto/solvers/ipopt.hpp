@@ -11,11 +11,24 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/linear_solver.hpp"
-#include "brachisto/solvers/result.hpp"
+#include "brachisto/solvers/status.hpp"
 
 namespace brachisto {
+
+/// Outcome of one run of a solver.
+struct SolverResult {
+  Status status = Status::InternalError;
+  std::string message;  ///< in the solver's terms: what it said, and where
+  PrimalDual point;     ///< the last iterate; empty if there was none
+  int iterations = 0;
+  int refused_points = 0;  ///< trial points at which the model is undefined
+  /// Which one was at work; never Auto after a run.
+  LinearSolver linear_solver = LinearSolver::Auto;
+  std::string log;  ///< the solver's own journal
+};
 
 /// Options of one run of Ipopt.
 struct IpoptOptions {

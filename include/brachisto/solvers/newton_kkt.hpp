@@ -7,9 +7,9 @@
 #pragma once
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/nlp/closing_equation.hpp"
 #include "brachisto/nlp/primal_dual.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/nlp/tangency_condition.hpp"
 #include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/status.hpp"
 
@@ -35,7 +35,7 @@ struct NewtonOptions {
 struct NewtonResult {
   Status status = Status::NotConverged;
   PrimalDual point;             ///< best point seen
-  double phi = 0.0;             ///< parameter of the closing equation there
+  double phi = 0.0;             ///< parameter of the tangency condition there
   double residual = 0.0;        ///< largest residual there
   double first_residual = 0.0;  ///< largest residual at the start
   int iterations = 0;
@@ -66,10 +66,10 @@ struct NewtonResult {
 /// solution and, unlike a minimiser, to any kind of stationary point: use it
 /// where the start is close.
 ///
-/// \param closing  may be null: then there is no φ
+/// \param tangency  may be null: then there is no φ
 /// \return the point of the smallest residual, the start itself at worst
 [[nodiscard]] NewtonResult solve_with_newton(nlp::Problem& problem,
-                                             nlp::ClosingEquation* closing,
+                                             nlp::TangencyCondition* tangency,
                                              const PrimalDual& start,
                                              double phi,
                                              const NewtonOptions& options);

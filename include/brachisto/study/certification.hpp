@@ -11,8 +11,9 @@
 #include "brachisto/extremal/shooting.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/units.hpp"
-#include "brachisto/study/adaptive_mesh.hpp"
 #include "brachisto/study/discrete_answer.hpp"
+#include "brachisto/study/refinement.hpp"
+#include "brachisto/trajectory/arc_length_motion.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
@@ -34,6 +35,11 @@ struct CrossCheck {
 /// certify(), and the check "agreement": the estimated error against the wanted
 /// tolerance, or kCoarsestAgreement where none is wanted of a fixed mesh.
 [[nodiscard]] Certificate certify_answer(MeshAnswer& answer,
+                                         const Discretisation& wanted);
+
+/// certify(), and the check "agreement" as in certify_answer().
+[[nodiscard]] Certificate certify_answer(ArcLengthAnswer& answer,
+                                         const ArcLengthMotion& motion,
                                          const Discretisation& wanted);
 
 /// True if checks failed, and all that did are of the kind that a finer mesh

@@ -21,8 +21,8 @@ namespace brachisto {
 /// Where a solve on a mesh starts.
 struct MeshStart {
   PrimalDual point;
-  double phi = 0.0;             ///< [rad]
-  double closure_slope = -1.0;  ///< d(mismatch)/dφ, −1 if unknown
+  double phi = 0.0;              ///< [rad]
+  double tangency_slope = -1.0;  ///< d(mismatch)/dφ, −1 if unknown
 };
 
 /// What polishing did.
@@ -37,7 +37,7 @@ struct MeshSolution {
   Status status = Status::InternalError;
   std::string message;
   PrimalDual point;          ///< of the last pass that was solved
-  ContactClosure closure;    ///< with Contact::Centre: one pass, closed
+  Tangency tangency;         ///< with Contact::Centre: one pass, closed
   Polish polish;             ///< all zero if not asked for
   int first_iterations = 0;  ///< of the first pass
   int iterations = 0;        ///< of all passes
@@ -52,7 +52,6 @@ struct MeshSolution {
 /// Budget and precision of the passes on one mesh.
 struct MeshOptions {
   IpoptOptions ipopt;
-  ClosureOptions closure;
   bool polish = true;
   bool newton_alone = false;   ///< no Ipopt: stay_on_mesh() in place of passes
   ProgressHook progress = {};  ///< may be empty
@@ -63,21 +62,9 @@ struct MeshOptions {
 /// is reachable() if that is more.
 inline constexpr double kRoundingResidual = 1e-10;
 
-/// With polishing, the mismatch at which Newton's method takes over [rad]: its
-/// first step leaves the square of it.
-inline constexpr double kPolishedFrom = 1e-5;
-
 /// The larger of `tolerance` and what rounding leaves of residuals at x.
 [[nodiscard]] double reachable(double tolerance, const Transcription& problem,
                                std::span<const double> x);
-
-/// What rounding leaves of T where the path ends, in natural units:
-/// the ends are sums of lengths, a dozen roundings of the largest of them go
-/// into the path and its end slope, and with Contact::Smooth that slope moves
-/// the end by r for each radian. T changes by |p| for each length.
-/// \param p_x, p_z  costates at the end
-[[nodiscard]] double rounding_of_ends(const Scene& scene, double phi,
-                                      double p_x, double p_z);
 
 /// Solves the problem between fixed end points with Ipopt and closes the
 /// contact around it, each pass warm-started from the one before. With

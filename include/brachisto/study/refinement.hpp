@@ -10,10 +10,25 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/study/adaptive_mesh.hpp"
+#include "brachisto/study/mesh_solve.hpp"
+#include "brachisto/transcription/arc_length.hpp"
 #include "brachisto/transcription/discretisation.hpp"
 
 namespace brachisto {
+
+/// One mesh that was solved on.
+struct MeshRecord {
+  int degree = 0;
+  int elements = 0;
+  /// Relative, of T; nothing if the check could not be done.
+  std::optional<double> estimated_error;
+  int passes = 0;            ///< solves between fixed end points
+  int first_iterations = 0;  ///< of Ipopt, in the first pass
+  int iterations = 0;        ///< of Ipopt, in all passes
+  int newton_steps = 0;      ///< of polishing and of the check
+  /// Of Ipopt, if it ran: Chain or Mumps.
+  std::optional<LinearSolver> linear_solver;
+};
 
 /// What was done on the way from a coarse extremal to a solution.
 struct RefinementProtocol {
@@ -23,14 +38,20 @@ struct RefinementProtocol {
   std::string log;                 ///< of Ipopt
 };
 
-/// Enters a mesh that was solved on, and takes its iterations off the budget.
-/// \param error  relative, of T
-void book(const Transcription& problem, const MeshSolution& solution,
-          const std::optional<double>& error, MeshOptions& options,
-          RefinementProtocol& out);
+/// A solution on a mesh and what is known of its error.
+struct MeshAnswer {
+  RollingTime problem;  ///< with the end point of the solution
+  MeshSolution solution;
+  std::optional<double> estimated_error;  ///< relative, of T
+  std::optional<ExtremalCurve> finer;     ///< the same with degree p + 1
+  double finer_phi = 0.0;
+  /// Of the mesh that the error was estimated by; 0 if that was degree p + 1.
+  int coarser_elements = 0;
 
-/// Whether a mesh on which there is no solution may only be too coarse.
-[[nodiscard]] bool too_coarse(const MeshSolution& solution);
+  [[nodiscard]] ExtremalCurve curve() const {
+    return ExtremalCurve(problem, solution.point);
+  }
+};
 
 /// Outcome of refine().
 struct Refinement : RefinementProtocol {
@@ -50,5 +71,42 @@ struct Refinement : RefinementProtocol {
                                 const Discretisation& wanted,
                                 const ExtremalCurve& curve, double phi,
                                 MeshOptions options);
+
+/// A solution on a mesh of straight pieces and what is known of its error.
+struct ArcLengthAnswer {
+  ArcLength problem;  ///< with the end point of the solution, moved to it
+  MeshSolution solution;
+  double transit_time = 0.0;              ///< T_h, in units of the scene
+  std::optional<double> estimated_error;  ///< relative, of T
+  int coarser_pieces = 0;                 ///< of the mesh it was estimated by
+};
+
+/// Outcome of refine_arc_length().
+struct ArcLengthRefinement : RefinementProtocol {
+  std::optional<ArcLengthAnswer> answer;  ///< nothing if the last mesh failed
+};
+
+/// Solves on the mesh that `wanted` fixes, or on one that follows from its
+/// tolerance. The first mesh, of some dozen pieces per turn, starts from
+/// `curve`; each further one has up to four times as many and starts from the
+/// one before, multipliers included.
+///
+/// The error of N pieces is estimated from those of M < N. With ΔT and Δφ the
+/// changes from M to N, it is
+///
+///     (|T_φ Δφ| + |ΔT − T_φ Δφ|) / ((N/M)^1.58 − 1),
+///
+/// Richardson's estimate, its parts from the end point and between fixed ends
+/// kept from cancelling, for an order lower than 2, as terms of higher order
+/// can make it seem: of halved pieces half as much again as for order 2. It is
+/// not less than the estimate of the mesh before over (N/M)². An open contact
+/// and rounding add to it.
+///
+/// \param scene  in natural units
+/// \param curve  an extremal of the scene on a coarse mesh, with the end angle
+///               φ
+[[nodiscard]] ArcLengthRefinement refine_arc_length(
+    const Scene& scene, const Discretisation& wanted,
+    const ExtremalCurve& curve, double phi, MeshOptions options);
 
 }  // namespace brachisto

@@ -62,10 +62,14 @@ class PrescribedMotion final : public Motion {
   [[nodiscard]] double centre_path_length() const override {
     return cells_.back().s;
   }
-  [[nodiscard]] double start_angle() const override;
-  [[nodiscard]] double end_angle() const override;
+  [[nodiscard]] double start_angle() const override { return start_.beta; }
+  [[nodiscard]] double end_angle() const override {
+    return curve_->at(1.0).beta;
+  }
   [[nodiscard]] StartLimits at_start() const override;
-  [[nodiscard]] TrajectoryPoint at(double q) const override;
+  [[nodiscard]] TrajectoryPoint at(double q) const override {
+    return point_at(sums_at(q));
+  }
   [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override;
   [[nodiscard]] std::vector<TrajectoryPoint> fine_sample(
       int least) const override;

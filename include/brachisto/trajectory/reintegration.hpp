@@ -8,6 +8,7 @@
 
 #include <string_view>
 
+#include "brachisto/trajectory/prescribed_motion.hpp"
 #include "brachisto/transcription/extremal_curve.hpp"
 
 namespace brachisto {
@@ -54,5 +55,15 @@ struct Reintegration {
 /// Neither w nor the rolling time, energy conservation or the objective enter,
 /// only the geometry does.
 [[nodiscard]] Reintegration reintegrate(const ExtremalCurve& curve);
+
+/// The equation of motion, A s̈ = g (sin β + η cos θ) − ½ A_s ṡ², integrated in
+/// time on the path of a motion that arrived: where the body is at T, as a
+/// relative error of T, or its end speed, whichever is worse. NaN if it fails.
+///
+/// \param from  the place q where it begins with the speed that energy gives;
+///              0: at rest. Where the curvature is infinite at the start the
+///              right-hand side is not smooth next to it.
+[[nodiscard]] double reintegration_error(const PrescribedMotion& motion,
+                                         double from = 0.0);
 
 }  // namespace brachisto

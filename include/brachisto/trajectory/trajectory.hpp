@@ -27,12 +27,18 @@ class Trajectory final : public Motion {
   [[nodiscard]] const ExtremalCurve& curve() const { return curve_; }
 
   [[nodiscard]] const Scene& scene() const override { return scene_; }
-  [[nodiscard]] double transit_time() const override;
-  [[nodiscard]] double centre_path_length() const override;
+  [[nodiscard]] double transit_time() const override { return transit_time_; }
+  [[nodiscard]] double centre_path_length() const override {
+    return curve_.arc_length() * units_.length;
+  }
   [[nodiscard]] double start_angle() const override;
-  [[nodiscard]] double end_angle() const override;
+  [[nodiscard]] double end_angle() const override {
+    return curve_.at(1.0).beta;
+  }
   [[nodiscard]] StartLimits at_start() const override;
-  [[nodiscard]] TrajectoryPoint at(double sigma) const override;
+  [[nodiscard]] TrajectoryPoint at(double sigma) const override {
+    return convert(curve_.at(sigma), sigma);
+  }
   /// At every node of the mesh.
   [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override;
   [[nodiscard]] std::vector<TrajectoryPoint> fine_sample(

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace brachisto {
@@ -31,5 +32,34 @@ struct Mesh {
 
 /// N elements of equal length.
 [[nodiscard]] Mesh uniform_mesh(int degree, int num_elements);
+
+/// A mesh of degree p on which every element has about the same share of the
+/// error, and all shares together about `target`.
+///
+/// \param mesh    of degree p, which `errors` were measured on
+/// \param errors  one per element, in the units of target; signs do not matter
+///
+/// An element of length h has the error C h^(2p+1); the number of elements per
+/// unit of σ is taken proportional to C^(1/(2p+1)), interpolated between the
+/// old elements. At least a quarter of the old number of elements stays.
+///
+/// Where an error is not finite nothing is known but that the mesh is too
+/// coarse: every element is halved.
+[[nodiscard]] Mesh equidistribute(const Mesh& mesh,
+                                  std::span<const double> errors,
+                                  double target);
+
+/// The same for elements of another degree. On an element of length h the error
+/// is size · (h/ρ)^(2p+1) for all degrees p alike, ρ being the length on which
+/// the solution varies there; ρ follows from the errors at the old degree.
+///
+/// \param size  what an element errs by if it is as long as ρ; it does not
+///              matter if the degree stays
+[[nodiscard]] Mesh equidistribute(const Mesh& mesh,
+                                  std::span<const double> errors, double target,
+                                  int degree, double size);
+
+/// A mesh of `count` elements whose lengths follow those of `mesh`.
+[[nodiscard]] Mesh stretch(const Mesh& mesh, int count);
 
 }  // namespace brachisto

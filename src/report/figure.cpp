@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/figure.hpp"
+
+#include <fmt/format.h>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "process/child_process.hpp"
+#include "report/rich_text.hpp"
+
+namespace brachisto::report {
+
+namespace {
+
+constexpr double kFontSize = 13.0;  // [px]
+
+/// With equal sizes of letters and widths of lines in all formats, and dashes
+/// in units of the width: pdfcairo sets letters in two thirds of their size and
+/// draws linewidth 1 half a point wide; a dash of length 1 is 0.275 of the
+/// width of the line with Cairo, 0.5 in SVG (measured with gnuplot 5.4).
+std::string terminal(const Figure& figure, Format format) {
+  constexpr double kPixelsPerInch = 96.0;
+  constexpr double kDashInCairo = 1.0 / 0.275, kDashInSvg = 1.0 / 0.5;
+  constexpr double kPointsPerPixel = 0.75;
+  switch (format) {
+    case Format::Svg:
+      break;
+    case Format::Pdf:
+      return fmt::format(
+          "pdfcairo enhanced size {:.4f}in,{:.4f}in font 'DejaVu Sans,{:.4g}' "
+          "linewidth {:.4g} dashlength {:.4g}",
+          figure.width / kPixelsPerInch, figure.height / kPixelsPerInch,
+          kFontSize * kPointsPerPixel * 1.5, kPointsPerPixel / 0.5,
+          kDashInCairo);
+    case Format::Png:
+      return fmt::format(
+          "pngcairo enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
+          "dashlength {:.4g}",
+          figure.width, figure.height, kFontSize * kPointsPerPixel,
+          kDashInCairo);
+  }
+  return fmt::format(
+      "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
+      "dashlength {:.4g} background '#ffffff'",
+      figure.width, figure.height, kFontSize, kDashInSvg);
+}
+
+std::string script(const Figure& figure, Format format, std::string_view data) {
+  return fmt::format(
+      "set encoding utf8\n"
+      "set minussign\n"
+      "set terminal {}\n"
+      "data = '{}'\n"
+      "set datafile separator comma\n"
+      "part(p, c) = strcol('part') eq p ? column(c) : NaN\n"
+      "{}",
+      terminal(figure, format), data, figure.commands);
+}
+
+/// gnuplot calls every SVG document by its own name.
+std::string with_title(std::string svg, const std::string& title) {
+  constexpr std::string_view kIts = "<title>Gnuplot</title>";
+  const std::size_t at = svg.find(kIts);
+  if (at == std::string::npos || title.empty()) return svg;
+  return svg.replace(at, kIts.size(),
+                     "<title>" + xml_escaped(title) + "</title>");
+}
+
+}  // namespace
+
+std::string_view ending(Format format) {
+  switch (format) {
+    case Format::Svg:
+      break;
+    case Format::Pdf:
+      return ".pdf";
+    case Format::Png:
+      return ".png";
+  }
+  return ".svg";
+}
+
+std::string figure_script(const Figure& figure, Format format) {
+  return fmt::format(
+             "# gnuplot {0}.gp draws {0}.csv as {0}{1}\n"
+             "set output '{0}{1}'\n",
+             figure.name, ending(format)) +
+         script(figure, format, figure.name + ".csv");
+}
+
+DrawnFigure draw(const Figure& figure, Format format,
+                 const std::atomic<int>* interrupt) {
+  DrawnFigure drawn;
+  drawn.files = {{figure.name + ".csv", figure.table},
+                 {figure.name + ".gp", figure_script(figure, format)}};
+  const std::string picture = fmt::format("{}{}", figure.name, ending(format));
+  const auto without = [&](std::string_view why) {
+    drawn.missing = fmt::format("{} is not drawn: {}; gnuplot {}.gp draws it",
+                                picture, why, figure.name);
+    return drawn;
+  };
+  const auto programs = programs_on_path("gnuplot");
+  if (programs.empty()) {
+    return without("gnuplot is not installed (Debian: gnuplot-nox)");
+  }
+  // The table goes along as a block of data, so that no file has to exist yet.
+  const ChildRun run = run_child(
+      programs.front(), {"--default-settings"}, kDrawingSeconds, interrupt,
+      "$table << END_OF_TABLE\n" + figure.table + "END_OF_TABLE\n" +
+          script(figure, format, "$table"));
+  switch (run.end) {
+    case ChildRun::End::Interrupted:
+      throw Stopped();
+    case ChildRun::End::OutOfTime:
+      return without(
+          fmt::format("gnuplot took more than {:g} s", kDrawingSeconds));
+    case ChildRun::End::Signalled:
+      return without(fmt::format("gnuplot was ended by signal {}", run.code));
+    case ChildRun::End::Exited:
+      break;
+  }
+  if (run.code != 0 || run.out.empty()) {
+    return without(fmt::format("gnuplot ended with exit code {}", run.code));
+  }
+  drawn.files.push_back({picture, with_title(run.out, figure.title)});
+  return drawn;
+}
+
+std::string gnuplot_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\'') {
+      out += "''";
+    } else if (static_cast<unsigned char>(c) < ' ') {
+      out += ' ';
+    } else {
+      if (std::string_view("\\_^{}@&~").find(c) != std::string_view::npos) {
+        out += '\\';
+      }
+      out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace brachisto::report

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Static pictures: a table, a short gnuplot script, and what gnuplot makes of
+/// them.
+
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brachisto/report/output_files.hpp"
+
+namespace brachisto::report {
+
+/// A picture before it is drawn.
+struct Figure {
+  std::string name;   ///< of its files, without ending
+  std::string table;  ///< CSV; the first row names the columns
+  /// gnuplot commands. `data` stands for the table, `part(p, c)` for the value
+  /// in column c of the rows whose column `part` is p, NaN in all others.
+  std::string commands;
+  double width = 720.0, height = 480.0;  ///< [px]
+  std::string title = {};  ///< plain: for those who cannot see the picture
+};
+
+enum class Format { Svg, Pdf, Png };
+
+/// ".svg", …
+[[nodiscard]] std::string_view ending(Format format);
+
+/// `<name>.gp`: draws `<name>.csv` beside it.
+[[nodiscard]] std::string figure_script(const Figure& figure, Format format);
+
+/// What is to be written of a figure.
+struct DrawnFigure {
+  /// `<name>.csv`, `<name>.gp` and, unless something is missing, the picture.
+  std::vector<OutputFile> files;
+  std::string missing;  ///< why there is no picture; empty if there is one
+};
+
+/// Has gnuplot draw it, a child process that reads nothing but what it is given
+/// here, and is stopped after kDrawingSeconds.
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
+[[nodiscard]] DrawnFigure draw(const Figure& figure, Format format,
+                               const std::atomic<int>* interrupt);
+
+inline constexpr double kDrawingSeconds = 60.0;  ///< wall clock; it needs 0.1
+
+/// For a string of gnuplot within single quotes that shows the text as it is,
+/// in enhanced text as well.
+[[nodiscard]] std::string gnuplot_escaped(std::string_view text);
+
+}  // namespace brachisto::report

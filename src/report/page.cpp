@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "report/rich_text.hpp"
+
+namespace brachisto::report {
+
+namespace {
+
+constexpr const char* kStyle = R"(<style>
+:root { color-scheme: light; }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1.25rem 4rem;
+  font: 1rem/1.5 Georgia, "Times New Roman", serif; color: #1a1a1a;
+  background: #ffffff; }
+h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .4rem;
+  font-weight: normal; overflow-wrap: anywhere; }
+h2 { font-size: 1.2rem; margin: 2.6rem 0 .6rem; font-weight: normal;
+  border-bottom: 1px solid #cccccc; padding-bottom: .25rem;
+  overflow-wrap: anywhere; }
+p { margin: .5rem 0; max-width: 46rem; }
+.about { color: #444444; }
+.partial { border-left: .25rem solid #b45309; padding-left: .75rem; }
+.part { display: grid; grid-template-columns: minmax(0, 45rem) minmax(13rem, 1fr);
+  gap: 1rem 2rem; align-items: start; }
+figure { margin: 0 0 1.4rem; }
+.drawing { overflow-x: auto; }
+.drawing svg, .drawing img { display: block; width: 100%; min-width: 30rem; height: auto; }
+figcaption { font-size: .92rem; color: #333333; margin-top: .3rem; }
+table { border-collapse: collapse; font-size: .88rem; line-height: 1.35;
+  font-variant-numeric: tabular-nums; }
+thead th { border-bottom: 1px solid #555555; font-weight: normal;
+  font-style: normal; vertical-align: bottom; }
+th, td { text-align: left; padding: .2rem 1rem .2rem 0; vertical-align: top; }
+tbody tr { border-bottom: 1px solid #eeeeee; }
+tbody th { font-weight: normal; color: #444444; }
+td { white-space: nowrap; }
+sub { line-height: 0; font-size: .72em; }
+.digest { width: 100%; }
+.digest td { white-space: normal; overflow-wrap: anywhere; }
+.digest small { color: #555555; }
+td.words { white-space: normal; min-width: 14rem; max-width: 40rem;
+  overflow-wrap: anywhere; }
+td.brief { white-space: normal; }
+.wide { overflow-x: auto; }
+code { font-family: ui-monospace, Menlo, Consolas, monospace; font-size: .9em; }
+summary { cursor: pointer; }
+a { color: #1f4e8c; }
+footer { margin-top: 3rem; font-size: .85rem; color: #666666; }
+@media (max-width: 60rem) { .part { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 44rem) {
+  body { padding: 1rem .75rem 3rem; }
+  .drawing svg, .drawing img { min-width: 0; }
+  .stacked, .stacked tbody, .stacked tr, .stacked td { display: block; }
+  .stacked thead { display: none; }
+  .stacked tr { padding: .5rem 0; }
+  .stacked td, .stacked td.words { white-space: normal; min-width: 0; padding: .1rem 0; }
+  .stacked td:empty { display: none; }
+  .stacked td:not(:first-child)::before { content: attr(data-label) ": "; color: #666666; }
+}
+@media print {
+  body { max-width: none; padding: 0; font-size: 10pt; }
+  .part { display: block; }
+  .drawing, .wide { overflow: visible; }
+  .drawing svg, .drawing img { min-width: 0; max-width: 16cm; }
+  figure, tr { break-inside: avoid; }
+  h2 { break-after: avoid; }
+  .files { display: none; }
+}
+</style>
+)";
+
+/// A drawing of gnuplot within a page: without its prologue, and with
+/// identifiers that no other one has.
+std::string embedded(std::string svg, const std::string& name) {
+  svg.erase(0, svg.find("<svg"));
+  for (const auto& [before, after] :
+       {std::pair{"id='gp", fmt::format("id='{}_gp", name)},
+        {"id=\"gnuplot_", fmt::format("id=\"{}_", name)},
+        {"#gp", fmt::format("#{}_gp", name)}}) {
+    const std::string_view old = before;
+    std::string out;
+    std::size_t from = 0;
+    for (std::size_t at = svg.find(old); at != std::string::npos;
+         at = svg.find(old, from)) {
+      out.append(svg, from, at - from).append(after);
+      from = at + old.size();
+    }
+    svg = out.append(svg, from);
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string page_head(const std::string& title, const std::string& more) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
+      "<h1>{0}{2}</h1>\n",
+      title, kStyle, more);
+}
+
+std::string figure_html(const DrawnFigure& drawn, const std::string& name,
+                        const std::string& caption, std::size_t& room) {
+  std::string picture, link;
+  if (!drawn.missing.empty()) {
+    picture = fmt::format("<p>{}</p>\n", xml_escaped(drawn.missing));
+  } else {
+    const std::string& svg = drawn.files.back().content;
+    const std::string& file = drawn.files.back().name;
+    link = fmt::format("<a href=\"{}\">SVG</a>, ", file);
+    if (svg.size() > room) {
+      picture = fmt::format("<img src=\"{0}\" alt=\"{0}\"/>\n", file);
+    } else {
+      room -= svg.size();
+      picture = embedded(svg, name);
+    }
+  }
+  return fmt::format(
+      "<figure>\n<div class=\"drawing\">\n{0}</div>\n<figcaption>{1} "
+      "<span class=\"files\">{2}<a href=\"{3}.csv\">CSV</a>, "
+      "<a href=\"{3}.gp\">gnuplot</a></span></figcaption>\n</figure>\n",
+      picture, caption, link, name);
+}
+
+}  // namespace brachisto::report

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Scenes of a sweep as curves, maps and scatter plots.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/colour_map.hpp"
+#include "report/figure.hpp"
+#include "report/sweep_scenes.hpp"
+
+namespace brachisto::report {
+
+/// τ of scenes against a column, which may be of words.
+struct XyPlot {
+  std::string name;
+  std::size_t x_column = 0;
+  /// One group of scenes per curve, in the order they are joined.
+  std::vector<Scenes> curves;
+  /// The column that tells the curves apart.
+  std::optional<std::size_t> family;
+  bool joined = true;  ///< by lines, where they are resolved
+};
+
+/// Curves or dots, ringed where a scene is infeasible; failed scenes are
+/// crosses at the bottom. The smallest value of a feasible scene is marked, and
+/// that of all, if it is smaller. Dots of a word are spread about it, by a
+/// rule, not at random.
+///
+/// Neighbours are joined where the curve is resolved: at both of them τ lies
+/// next to the straight line through the scenes on either side, so that the
+/// line between them is out by 2 % of the axis at most.
+///
+/// \param range  of τ; common to plots that are to be compared
+[[nodiscard]] Figure xy_figure(const SweepTable& table, const XyPlot& plot,
+                               ValueRange range);
+
+/// Two ordered axes of a sweep: scene (i, j) is scenes[i · n_second + j] and
+/// lies where its own values of two numeric columns put it; see in_map_order().
+/// Which of them lies to the right their rank says, so that all maps have one
+/// orientation.
+struct SweepMap {
+  std::string name;
+  std::size_t first = 0, second = 0;      ///< columns
+  std::size_t n_first = 0, n_second = 0;  ///< both at least 2
+  Scenes scenes;
+};
+
+/// Colours of τ between the scenes with lines of equal τ, the smallest value of
+/// a feasible scene marked, and that of all, if it is smaller. Nothing is drawn
+/// across scenes that failed, marked with crosses, or are missing, marked with
+/// circles; a line surrounds what is infeasible.
+///
+/// \param range  of the colours; common to maps that are to be compared
+[[nodiscard]] Figure map_figure(const SweepTable& table, const SweepMap& map,
+                                ValueRange range);
+
+/// The same map with two greys for feasible and infeasible scenes.
+[[nodiscard]] Figure feasibility_figure(const SweepTable& table,
+                                        const SweepMap& map);
+
+/// Dots of the colour of their τ over two numeric columns.
+[[nodiscard]] Figure scatter_figure(const SweepTable& table,
+                                    const SweepMap& sample, ValueRange range);
+
+/// "minimum of the grid: τ = 5.09 at η_m = 0.3", of a feasible scene, and of a
+/// faster one that is not; rich text.
+struct MarkedScene {
+  std::size_t scene;
+  std::string name;
+  bool feasible;
+};
+[[nodiscard]] std::vector<MarkedScene> marked_scenes(const SweepTable& table,
+                                                     const Scenes& scenes);
+
+/// "τ = T / √(H / 2g)", as all these pictures have it.
+inline constexpr const char* kTauLabel = "τ = T / √(H / 2g)";
+
+}  // namespace brachisto::report

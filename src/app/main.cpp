@@ -62,7 +62,7 @@ CommandLine command_line() {
       "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
-      "  brachisto validate my_case.yaml\n"
+      "  brachisto validate problems/case.yaml\n"
       "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.",

@@ -37,7 +37,7 @@ void closure_pass(benchmark::State& state) {
   per_node(state, at);
 }
 
-/// The whole closure by Newton's method on extremal and contact together.
+/// The whole tangency by Newton's method on extremal and contact together.
 void closure_by_newton(benchmark::State& state) {
   ExtremalOnMesh at = extremal_for(state);
   ContactEquation contact(at.problem);

@@ -9,14 +9,14 @@
 #include <string>
 
 #include "comparison/statistics.hpp"
-#include "comparison/text_table.hpp"
+#include "report/text_table.hpp"
 #include "report/figure.hpp"
 
 namespace brachisto::benchmarks {
 
-using comparison::markdown_table;
+using report::markdown_table;
 using comparison::percentile;
-using comparison::Rows;
+using report::Rows;
 
 /// Processor, compiler and versions in one line, for the foot of a table.
 [[nodiscard]] std::string machine();

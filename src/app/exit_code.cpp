@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <nlohmann/json.hpp>
 
 #include "app/terminal.hpp"
 #include "brachisto/report/result.hpp"
@@ -35,12 +35,20 @@ int exit_code(const Solution& solution, int signal) {
 }
 
 std::string failure_document(std::string_view status, std::string_view message,
-                             nlohmann::ordered_json errors) {
+                             const io::InputError* input) {
   nlohmann::ordered_json document = {{"schema_version", report::kSchemaVersion},
                                      {"status", status},
                                      {"verified", false},
                                      {"message", message}};
-  if (!errors.is_null()) document["errors"] = std::move(errors);
+  if (input != nullptr) {
+    for (const io::Diagnostic& d : input->diagnostics()) {
+      document["errors"].push_back({{"file", d.file},
+                                    {"line", d.line},
+                                    {"column", d.column},
+                                    {"key", d.key},
+                                    {"message", d.message}});
+    }
+  }
   return document.dump(2, ' ', false,
                        nlohmann::json::error_handler_t::replace) +
          "\n";

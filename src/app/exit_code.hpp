@@ -6,10 +6,10 @@
 
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "brachisto/io/diagnostics.hpp"
 #include "brachisto/study/solve.hpp"
 #include "sweep/store.hpp"
 
@@ -31,10 +31,10 @@ enum ExitCode : int {
 [[nodiscard]] int exit_code(const Solution& solution, int signal);
 
 /// The one document of a command with --json that has no result.
-/// \param errors  mistakes in the input, if that is why
-[[nodiscard]] std::string failure_document(std::string_view status,
-                                           std::string_view message,
-                                           nlohmann::ordered_json errors = {});
+/// \param input  mistakes in the input, if that is why
+[[nodiscard]] std::string failure_document(
+    std::string_view status, std::string_view message,
+    const io::InputError* input = nullptr);
 
 /// Tells what is damaged in a store, if anything, and what is done about it.
 void tell_damage(const sweep::Store& store, std::string_view remedy = "");

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -21,7 +20,6 @@
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/io/diagnostics.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/solvers/status.hpp"
@@ -46,28 +44,16 @@ std::string version_text() {
 /// What went wrong: on stderr for a person and, with --json, as the one
 /// document on stdout.
 int fail(ExitCode code, std::string_view status, std::string_view message,
-         bool json, nlohmann::ordered_json errors = {}) {
+         bool json, const io::InputError* input = nullptr) {
   tell(fmt::format("{}\n", message));
   if (json) {
     try {
-      print_data(failure_document(status, message, std::move(errors)));
+      print_data(failure_document(status, message, input));
     } catch (const std::system_error&) {
       // That nobody listens must not hide the exit code.
     }
   }
   return code;
-}
-
-nlohmann::ordered_json to_json(const io::InputError& error) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const io::Diagnostic& d : error.diagnostics()) {
-    list.push_back({{"file", d.file},
-                    {"line", d.line},
-                    {"column", d.column},
-                    {"key", d.key},
-                    {"message", d.message}});
-  }
-  return list;
 }
 
 CommandLine command_line() {
@@ -76,7 +62,7 @@ CommandLine command_line() {
       "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
-      "  brachisto validate my_case.yaml\n"
+      "  brachisto validate problems/case.yaml\n"
       "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.",
@@ -116,7 +102,7 @@ int run(int argc, char** argv) {
     tell(fmt::format("Run {} --help for more information.\n", error.asked()));
     return kUsage;
   } catch (const io::InputError& error) {
-    return fail(kBadInput, "bad_input", error.what(), json, to_json(error));
+    return fail(kBadInput, "bad_input", error.what(), json, &error);
   } catch (const io::IoError& error) {
     return end(kIoError, "io_error", error);
   } catch (const report::OutputError& error) {

@@ -80,7 +80,7 @@ int run(const PaperFlags& flags) {
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {
-    print(fmt::format("{}\n{}\n", reproduction::text_table(made),
+    print(fmt::format("{}\n{}\n", reproduction::numbers_text(made),
                       io::visible((fs::path(flags.out) / kPage).string())));
   }
   return kSuccess;

@@ -170,7 +170,7 @@ Verb solve_verb() {
                           "path.svg there"),
            {.name = "--certify",
             .value = &flags->certify,
-            .text = "Second opinion: none or extremal (solver.certify)",
+            .text = "Cross-check: none or extremal (solver.certify)",
             .placeholder = "METHOD",
             .check = not_empty()},
            {"--force", &flags->force, "Replace existing results in DIR"},

@@ -10,12 +10,18 @@
 #include "brachisto/report/result.hpp"
 #include "comparison/documents.hpp"
 #include "comparison/statistics.hpp"
-#include "comparison/text_table.hpp"
 #include "report/digits.hpp"
 #include "report/letters.hpp"
 #include "report/provenance.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
+
+using report::memory_text;
+using report::or_dash;
+using report::Rows;
+using report::seconds_text;
+using report::text_table;
 
 using Json = nlohmann::ordered_json;
 

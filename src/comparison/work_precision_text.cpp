@@ -8,11 +8,17 @@
 #include "brachisto/report/result.hpp"
 #include "comparison/documents.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/text_table.hpp"
 #include "comparison/work_precision.hpp"
 #include "report/letters.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
+
+using report::memory_text;
+using report::or_dash;
+using report::Rows;
+using report::seconds_text;
+using report::text_table;
 
 namespace {
 

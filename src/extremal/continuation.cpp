@@ -120,7 +120,7 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
   Branch branch;
   branch.point = start;
   NewtonResult here =
-      solve_newton(system, start, scale, ClosingRow::offset(0.0), newton);
+      solve_newton(system, start, scale, TangencyRow::offset(0.0), newton);
   branch.newton_steps += here.steps;
   if (here.end == NewtonEnd::Stopped) branch.end = BranchEnd::Stopped;
   if (here.end != NewtonEnd::Converged) return branch;
@@ -136,13 +136,14 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
     const bool lands = to_target > 0.0 && to_target <= step;
     const double length = lands ? to_target : step;
     const ChainVector predicted = moved(here.point, length, tangent.direction);
-    ClosingRow closing = ClosingRow::offset(target);
+    TangencyRow tangency = TangencyRow::offset(target);
     if (!lands) {
-      closing.row = covector(tangent, scale);
-      closing.value = closing.row.dot(predicted.globals);
+      tangency.row = covector(tangent, scale);
+      tangency.value = tangency.row.dot(predicted.globals);
     }
 
-    NewtonResult next = solve_newton(system, predicted, scale, closing, newton);
+    NewtonResult next =
+        solve_newton(system, predicted, scale, tangency, newton);
     branch.newton_steps += next.steps;
     if (next.end == NewtonEnd::Stopped) {
       branch.end = BranchEnd::Stopped;

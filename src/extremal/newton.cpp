@@ -10,7 +10,7 @@ namespace brachisto::shooting {
 
 NewtonResult solve_newton(const ShootingSystem& system,
                           const ChainVector& start, const ChainScale& scale,
-                          const ClosingRow& closing,
+                          const TangencyRow& tangency,
                           const ShootingOptions& options) {
   // A correction this small that no longer shrinks is made of rounding, which
   // a long path magnifies: over a thousand turns by 1e8.
@@ -23,11 +23,11 @@ NewtonResult solve_newton(const ShootingSystem& system,
   }
 
   const auto gap = [&](const ChainVector& point) {
-    return closing.value - closing.row.dot(point.globals);
+    return tangency.value - tangency.row.dot(point.globals);
   };
   double factor = 1.0;
   while (result.steps < options.max_steps) {
-    const ChainElimination chain(result.at.jacobian, closing.row);
+    const ChainElimination chain(result.at.jacobian, tangency.row);
     const ChainVector change =
         chain.solve(result.at.residual, gap(result.point));
     const double length = scale.norm(change);

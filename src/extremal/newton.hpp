@@ -12,12 +12,12 @@ namespace brachisto::shooting {
 
 /// The equation that the shooting system lacks for its unknowns with η among
 /// them: row·q = value.
-struct ClosingRow {
+struct TangencyRow {
   Globals row;
   double value = 0.0;
 
   /// η is given.
-  [[nodiscard]] static ClosingRow offset(double eta) {
+  [[nodiscard]] static TangencyRow offset(double eta) {
     return {Globals::Unit(kEta), eta};
   }
 };
@@ -51,7 +51,7 @@ struct NewtonResult {
 [[nodiscard]] NewtonResult solve_newton(const ShootingSystem& system,
                                         const ChainVector& start,
                                         const ChainScale& scale,
-                                        const ClosingRow& closing,
+                                        const TangencyRow& tangency,
                                         const ShootingOptions& options);
 
 }  // namespace brachisto::shooting

@@ -170,10 +170,10 @@ void Solve::finish() {
                       .halve = false},
       .tolerance = wanted,
       .max_steps = options_.max_newton_steps};
-  const ClosingRow closing = ClosingRow::offset(natural_.body.eta_m);
+  const TangencyRow tangency = TangencyRow::offset(natural_.body.eta_m);
 
   const NewtonResult coarse =
-      solve_newton(system_, start_, scale_, closing, newton);
+      solve_newton(system_, start_, scale_, tangency, newton);
   solution_.newton_steps += coarse.steps;
   const auto describe_stop = [&](const NewtonResult& result) {
     return fmt::format(
@@ -202,7 +202,7 @@ void Solve::finish() {
   }
   newton.integration.halve = true;
   const NewtonResult fine =
-      solve_newton(system_, coarse.point, scale_, closing, newton);
+      solve_newton(system_, coarse.point, scale_, tangency, newton);
   solution_.newton_steps += fine.steps;
   if (fine.end == NewtonEnd::Stopped) {
     stop(describe_stop(fine));

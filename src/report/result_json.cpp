@@ -317,7 +317,7 @@ void add_search(Fields<Solution>& fields) {
                         return only_if(!s.search_remark.empty(),
                                        s.search_remark);
                       }),
-      object<Solution>("extremal", "", "second opinion by multiple shooting",
+      object<Solution>("extremal", "", "cross-check by multiple shooting",
                        [](S s) { return s.extremal ? &*s.extremal : nullptr; },
                        {value<E>("solved", "", "it has an answer", &E::solved),
                         value_if<E>("message", "", "why not",
@@ -350,7 +350,7 @@ Field<Solution> seconds_field() {
        value<Effort>("certificate", "s", "of the certificate",
                      &Effort::certificate_seconds),
        value<Effort>("cpu", "s",
-                     "processor time without certificate and second opinions",
+                     "processor time without certificate and cross-checks",
                      &Effort::cpu_seconds),
        object<Effort>(
            "phases", "s", "processor time by part",
@@ -373,7 +373,7 @@ Field<Solution> certificate_field() {
            })});
   }
   fixed.push_back(value<Solution>(
-      "tau", "", "τ, if there is a second opinion", [](const Solution& s) {
+      "tau", "", "τ by multiple shooting, if it was cross-checked", [](const Solution& s) {
         return comparable(s) ? std::optional(s.motion()->tau()) : std::nullopt;
       }));
   splice(fixed, comparable,

@@ -223,7 +223,7 @@ std::string found(const Solution& solution) {
                                 program->nodes, program->variables,
                                 program->constraints));
   }
-  parts.push_back(fmt::format("{:.2g} s", effort.seconds));
+  parts.push_back(fmt::format("{:.3f} s", effort.seconds));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

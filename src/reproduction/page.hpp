@@ -40,7 +40,7 @@ struct PaperFiles {
                                const std::atomic<int>* interrupt);
 
 /// The comparison and the claims for a terminal.
-[[nodiscard]] std::string text_table(const Reproduction& made);
+[[nodiscard]] std::string numbers_text(const Reproduction& made);
 
 /// The same as one JSON document.
 [[nodiscard]] std::string to_json(const Results& found,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproduction/printed_numbers.hpp"
+#include "report/digits.hpp"
 
 #include <fmt/format.h>
 
@@ -158,14 +159,10 @@ std::vector<PrintedNumber> printed_numbers(const Results& found) {
 }
 
 std::string with_error(const Measured& number) {
-  constexpr int kMostDecimals = 12;
   constexpr double kRounding = 4e-16;
   const double error =
       std::max(number.error, kRounding * std::abs(number.value));
-  const int places = std::clamp(static_cast<int>(std::ceil(-std::log10(error))),
-                                1, kMostDecimals);
-  return with_minus_signs(
-      fmt::format("{:.{}f} ± {:.0e}", number.value, places, error));
+  return with_minus_signs(report::with_error(number.value, error));
 }
 
 bool bends_less_than_body(const Case& one) {

@@ -57,7 +57,7 @@ struct Claim {
 [[nodiscard]] std::vector<PrintedNumber> printed_numbers(const Results& found);
 [[nodiscard]] std::vector<Claim> judge(const Results& found);
 
-/// As many digits as are known, and the error: "5.093444466618 ± 2e-13".
+/// As many digits as are known, and the error: "5.0934444666180(2)".
 [[nodiscard]] std::string with_error(const Measured& number);
 
 /// Whether the track bends less than the body everywhere, κ_b < 1/r: the

@@ -8,8 +8,8 @@
 
 #include "brachisto/report/result.hpp"
 #include "report/csv.hpp"
-#include "report/letters.hpp"
 #include "report/provenance.hpp"
+#include "report/text_table.hpp"
 #include "reproduction/page.hpp"
 
 namespace brachisto::reproduction {
@@ -98,25 +98,14 @@ std::string boundary_csv(const Results& found) {
   return out;
 }
 
-namespace {
-
-/// To a width in letters, which fmt would count in bytes.
-std::string padded(const std::string& text, std::size_t width) {
-  const std::size_t count = report::letters(text);
-  return text + std::string(count < width ? width - count : 1, ' ');
-}
-
-}  // namespace
-
-std::string text_table(const Reproduction& made) {
-  std::string out = padded("quantity", 47) + padded("paper", 8) +
-                    padded("here", 27) + "here − paper\n";
+std::string numbers_text(const Reproduction& made) {
+  report::Rows rows{{"quantity", "paper", "here", "here − paper"}};
   for (const PrintedNumber& row : made.comparisons) {
     const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
-    out += padded(row.quantity + unit, 47) + padded(row.paper, 8) +
-           padded(with_error(row.ours), 27) + difference_text(row) + "\n";
+    rows.push_back({row.quantity + unit, row.paper, with_error(row.ours),
+                    difference_text(row)});
   }
-  out += "\n";
+  std::string out = report::text_table(rows) + "\n";
   for (const Claim& claim : made.claims) {
     out += fmt::format("{}: {}\n    {}\n", name(claim.verdict), claim.statement,
                        claim.evidence);

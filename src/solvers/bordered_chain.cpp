@@ -65,8 +65,8 @@ void BorderedChain::couple(std::span<const double> x,
 }
 
 /// qᵀu + sᵀv of the vector (u, v).
-long double BorderedChain::closing_product(std::span<const double> x) const {
-  const nlp::ClosingEquation::Linearisation& row = system_.closing_row();
+long double BorderedChain::tangency_product(std::span<const double> x) const {
+  const nlp::TangencyCondition::Linearisation& row = system_.tangency_row();
   const int n = system_.problem().num_variables();
   long double sum = 0.0L;
   const auto add = [&](const nlp::SparseVector& part, int offset) {
@@ -87,9 +87,9 @@ bool BorderedChain::factorise() {
   pivot_ = 0.0;
   if (!chain_->factorise(values) || chain_->inertia().zero > 0) return false;
   pivot_ = 1.0;
-  if (system_.closing() == nullptr) return true;
+  if (system_.tangency() == nullptr) return true;
   std::fill(column_.begin(), column_.end(), 0.0);
-  const nlp::SparseVector& rates = system_.closing()->fixed_rates();
+  const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
     column_[at(rates.index[e])] = -rates.value[e];
   }
@@ -102,8 +102,8 @@ bool BorderedChain::factorise() {
   for (int i = 0; i < system_.num_unknowns(); ++i) {
     if (!system_.given(i)) column_[at(i)] = reduced_[at(i)];
   }
-  pivot_ = static_cast<double>(system_.closing_row().by_parameter -
-                               closing_product(column_));
+  pivot_ = static_cast<double>(system_.tangency_row().by_parameter -
+                               tangency_product(column_));
   return std::isfinite(pivot_) && pivot_ != 0.0;
 }
 
@@ -124,9 +124,9 @@ void BorderedChain::solve_once(std::span<const double> b, std::span<double> x) {
     if (system_.given(i)) x[at(i)] = b[at(i)];
   }
   chain_->solve(x);
-  if (system_.closing() == nullptr) return;
+  if (system_.tangency() == nullptr) return;
   const double phi =
-      static_cast<double>(b.back() - closing_product(x)) / pivot_;
+      static_cast<double>(b.back() - tangency_product(x)) / pivot_;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] -= phi * column_[i];
   x.back() = phi;
 }
@@ -141,15 +141,15 @@ void BorderedChain::residual(std::span<const double> b,
   for (int i = 0; i < unknowns; ++i) {
     if (system_.given(i)) out[at(i)] -= x[at(i)];
   }
-  if (system_.closing() == nullptr) return;
-  const nlp::SparseVector& rates = system_.closing()->fixed_rates();
+  if (system_.tangency() == nullptr) return;
+  const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
     out[at(rates.index[e])] +=
         static_cast<long double>(rates.value[e]) * x.back();
   }
   out.back() -=
-      closing_product(x) +
-      static_cast<long double>(system_.closing_row().by_parameter) * x.back();
+      tangency_product(x) +
+      static_cast<long double>(system_.tangency_row().by_parameter) * x.back();
 }
 
 bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {

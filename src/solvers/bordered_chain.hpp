@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // The Newton system of a problem that is a chain, with the unknowns whose
-// values are given and its closing equation around the symmetric chain.
+// values are given and its tangency condition around the symmetric chain.
 
 #pragma once
 
@@ -53,7 +53,7 @@ class BorderedChain {
   void solve_once(std::span<const double> b, std::span<double> x);
   void residual(std::span<const double> b, std::span<const double> x,
                 std::span<long double> out) const;
-  [[nodiscard]] long double closing_product(std::span<const double> x) const;
+  [[nodiscard]] long double tangency_product(std::span<const double> x) const;
 
   const KktSystem& system_;
   std::unique_ptr<ChainLdlt> chain_;

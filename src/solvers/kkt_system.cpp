@@ -12,10 +12,10 @@
 
 namespace brachisto {
 
-KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
+KktSystem::KktSystem(nlp::Problem& problem, nlp::TangencyCondition* tangency,
                      nlp::ActiveSet active)
     : problem_(problem),
-      closing_(closing),
+      tangency_(tangency),
       active_(std::move(active)),
       n_(problem.num_variables()),
       m_(problem.num_constraints()),
@@ -33,12 +33,12 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
   for (int i = 0; i < m_; ++i) {
     given_[at(n_ + i)] = active_.constraints[at(i)] == nlp::Held::No ? 1 : 0;
   }
-  if (closing_ != nullptr) closing_at_ = closing_->linearise(x_, lambda_);
+  if (tangency_ != nullptr) tangency_at_ = tangency_->linearise(x_, lambda_);
 }
 
 nlp::EliminationOrder KktSystem::elimination_order() const {
   nlp::EliminationOrder order = problem_.elimination_order();
-  if (closing_ != nullptr) {
+  if (tangency_ != nullptr) {
     order.columns.push_back(n_ + m_);
     order.rows.push_back(n_ + m_);
     ++order.border;
@@ -48,7 +48,7 @@ nlp::EliminationOrder KktSystem::elimination_order() const {
 
 bool KktSystem::evaluate(std::span<const double> x,
                          std::span<const double> lambda, double phi) {
-  if (closing_ != nullptr) closing_->set_parameter(phi);
+  if (tangency_ != nullptr) tangency_->set_parameter(phi);
   std::copy(x.begin(), x.end(), x_.begin());
   std::copy(lambda.begin(), lambda.end(), lambda_.begin());
   check_stop();
@@ -85,9 +85,9 @@ bool KktSystem::evaluate(std::span<const double> x,
                 ? lambda_[at(i)]
                 : value - bound(active_.constraints[at(i)], g_l, g_u, i);
   }
-  if (closing_ != nullptr) {
-    closing_at_ = closing_->linearise(x_, lambda_);
-    residual_.back() = closing_at_.residual;
+  if (tangency_ != nullptr) {
+    tangency_at_ = tangency_->linearise(x_, lambda_);
+    residual_.back() = tangency_at_.residual;
   }
   return true;
 }
@@ -120,9 +120,9 @@ void KktSystem::visit(Put&& put) const {
   for (int i = 0; i < n_ + m_; ++i) {
     if (given(i)) put(i, i, 1.0);
   }
-  if (closing_ == nullptr) return;
+  if (tangency_ == nullptr) return;
   const int last = n_ + m_;
-  const nlp::SparseVector& rates = closing_->fixed_rates();
+  const nlp::SparseVector& rates = tangency_->fixed_rates();
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
     put(rates.index[e], last, -rates.value[e]);
   }
@@ -131,9 +131,9 @@ void KktSystem::visit(Put&& put) const {
       put(last, offset + row.index[e], row.value[e]);
     }
   };
-  put_row(closing_at_.by_x, 0);
-  put_row(closing_at_.by_lambda, n_);
-  put(last, last, closing_at_.by_parameter);
+  put_row(tangency_at_.by_x, 0);
+  put_row(tangency_at_.by_lambda, n_);
+  put(last, last, tangency_at_.by_parameter);
 }
 
 void KktSystem::evaluate_jacobian() {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The optimality conditions of a problem and its closing equation as a square
+// The optimality conditions of a problem and its tangency condition as a square
 // system of equations, residual and Jacobian.
 
 #pragma once
@@ -11,27 +11,29 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "nlp/active_set.hpp"
-#include "nlp/closing_equation.hpp"
+#include "nlp/tangency_condition.hpp"
 
 namespace brachisto {
 
 /// Rows: stationarity of free variables or the value of those that are held
 /// (n), then constraints that are held, or λ_i = 0 for others (m), then the
-/// closing equation. Columns: x (n), λ (m), φ.
+/// tangency condition. Columns: x (n), λ (m), φ.
 class KktSystem {
  public:
-  /// \param closing  may be null; both must outlive this
-  KktSystem(nlp::Problem& problem, nlp::ClosingEquation* closing,
+  /// \param tangency  may be null; both must outlive this
+  KktSystem(nlp::Problem& problem, nlp::TangencyCondition* tangency,
             nlp::ActiveSet active);
 
-  [[nodiscard]] int size() const { return n_ + m_ + (closing_ ? 1 : 0); }
+  [[nodiscard]] int size() const { return n_ + m_ + (tangency_ ? 1 : 0); }
   /// Variables and multipliers, without φ.
   [[nodiscard]] int num_unknowns() const { return n_ + m_; }
   [[nodiscard]] const nlp::Problem& problem() const { return problem_; }
-  [[nodiscard]] const nlp::ClosingEquation* closing() const { return closing_; }
+  [[nodiscard]] const nlp::TangencyCondition* tangency() const {
+    return tangency_;
+  }
   [[nodiscard]] const nlp::ActiveSet& active() const { return active_; }
 
-  /// That of the problem, φ and the closing equation at the end.
+  /// That of the problem, φ and the tangency condition at the end.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const;
 
   /// Moves to (x, λ, φ) and evaluates the residual. False if the problem
@@ -45,8 +47,9 @@ class KktSystem {
   void evaluate_jacobian();
   [[nodiscard]] std::span<const double> hess_lag() const { return hess_lag_; }
   [[nodiscard]] std::span<const double> jac_g() const { return jac_g_; }
-  [[nodiscard]] const nlp::ClosingEquation::Linearisation& closing_row() const {
-    return closing_at_;
+  [[nodiscard]] const nlp::TangencyCondition::Linearisation& tangency_row()
+      const {
+    return tangency_at_;
   }
 
   /// The Jacobian by coordinates, and its entries in that order.
@@ -65,14 +68,14 @@ class KktSystem {
   void visit(Put&& put) const;
 
   nlp::Problem& problem_;
-  nlp::ClosingEquation* closing_;
+  nlp::TangencyCondition* tangency_;
   nlp::ActiveSet active_;
   int n_, m_;
   std::vector<char> given_;
   std::vector<double> x_, lambda_;
   std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_;
   std::vector<long double> wide_;  ///< scratch
-  nlp::ClosingEquation::Linearisation closing_at_;
+  nlp::TangencyCondition::Linearisation tangency_at_;
 };
 
 }  // namespace brachisto

@@ -55,7 +55,7 @@ class StepSolver {
       return true;
     }
     // What the chain cannot do may still be regular: the block of the problem
-    // may be singular where the system with its closing equation is not.
+    // may be singular where the system with its tangency condition is not.
     if (!lu_) {
       const PhaseTimer timer(Phase::SetUp);
       lu_ = std::make_unique<SparseLu>(system_.pattern(),
@@ -105,14 +105,14 @@ void check_active_set(nlp::Problem& problem, const KktSystem& system,
 }
 
 /// From the point in `result`, which holds the best one seen all along.
-void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
+void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
              const NewtonOptions& options, NewtonResult& result) {
   const bool inequalities = problem.has_inequalities();
   if (inequalities && !problem.set_point(result.point.x)) {
     result.status = Status::NotEvaluable;
     return;
   }
-  KktSystem system(problem, closing, nlp::active_set(problem, result.point));
+  KktSystem system(problem, tangency, nlp::active_set(problem, result.point));
   Iterate now{result.point, result.phi};
   if (!system.evaluate(now.point.x, now.point.lambda, now.phi)) {
     result.status = Status::NotEvaluable;
@@ -140,7 +140,7 @@ void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
     bool moved = false;
     double by = 1.0;
     for (int halving = 0; halving <= options.max_halvings; ++halving) {
-      const Iterate trial = now.moved(solver.step(), by, closing != nullptr);
+      const Iterate trial = now.moved(solver.step(), by, tangency != nullptr);
       if (system.evaluate(trial.point.x, trial.point.lambda, trial.phi) &&
           system.max_residual() < residual) {
         moved = system.max_residual() <= 0.5 * residual ||
@@ -164,7 +164,7 @@ void iterate(nlp::Problem& problem, nlp::ClosingEquation* closing,
 }  // namespace
 
 NewtonResult solve_with_newton(nlp::Problem& problem,
-                               nlp::ClosingEquation* closing,
+                               nlp::TangencyCondition* tangency,
                                const PrimalDual& start, double phi,
                                const NewtonOptions& options) {
   NewtonResult result;
@@ -174,13 +174,13 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
       std::numeric_limits<double>::infinity();
   const StopScope scope(options.stop);
   try {
-    iterate(problem, closing, options, result);
+    iterate(problem, tangency, options, result);
   } catch (const Stopped&) {
     if (!options.stop.met()) throw;
     result.status = stopped_by(options.stop);
     return result;
   }
-  if (closing != nullptr) closing->set_parameter(result.phi);
+  if (tangency != nullptr) tangency->set_parameter(result.phi);
   if (result.residual <= options.tolerance && result.active_set_holds) {
     result.status = Status::Solved;
   }

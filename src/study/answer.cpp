@@ -45,7 +45,7 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
               {found.problem.mesh().num_nodes(), found.problem.num_variables(),
                found.problem.num_constraints()},
               found.solution.point,
-              found.solution.closure.phi}),
+              found.solution.tangency.phi}),
           found.estimated_error, std::move(diagnostics)};
 }
 
@@ -80,7 +80,7 @@ Certified certify(const PosedProblem& posed, MeshAnswer& found) {
   const ExtremalCurve curve = found.curve();
   return cross_checked(
       posed, certify_answer(found, posed.program.discretisation), curve,
-      found.solution.closure.phi, curve.transit_time() * posed.units.time,
+      found.solution.tangency.phi, curve.transit_time() * posed.units.time,
       found.estimated_error);
 }
 

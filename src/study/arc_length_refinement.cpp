@@ -39,7 +39,7 @@ MeshSolution solve_from(ArcLength& problem, const MeshStart& start,
   constexpr double kLargestDeparture = 3e-2;
   const auto is_near = [&](const MeshSolution& found) {
     return found.solved() &&
-           std::abs(found.closure.phi - start.phi) <= kLargestDeparture;
+           std::abs(found.tangency.phi - start.phi) <= kLargestDeparture;
   };
   MeshSolution solution = solve_near(problem, start, options);
   if (options.ipopt.stop.met() || is_near(solution) || options.newton_alone ||
@@ -48,7 +48,7 @@ MeshSolution solve_from(ArcLength& problem, const MeshStart& start,
   }
   MeshSolution stayed = stay_on_mesh(problem, start, options);
   if (is_near(stayed)) {
-    stayed.closure.slope = solution.closure.slope;
+    stayed.tangency.slope = solution.tangency.slope;
     take_instead(solution, std::move(stayed));
     return solution;
   }
@@ -69,13 +69,13 @@ double estimate(const ArcLengthAnswer& finer, const ArcLengthAnswer& coarser) {
   const double n = finer.problem.num_intervals();
   const double ratio = n / coarser.problem.num_intervals();
   const double q = ratio * ratio;
-  const ContactClosure& closure = finer.solution.closure;
+  const Tangency& tangency = finer.solution.tangency;
   const EndErrors ends =
-      errors_of_end(finer.problem.scene(), closure,
+      errors_of_end(finer.problem.scene(), tangency,
                     finer.problem.end_costates(finer.solution.point.lambda));
   const double T = finer.transit_time;
   const double of_ends =
-      ends.per_radian * (closure.phi - coarser.solution.closure.phi);
+      ends.per_radian * (tangency.phi - coarser.solution.tangency.phi);
   const double rest = T - coarser.transit_time - of_ends;
   const double between = (std::abs(of_ends) + std::abs(rest)) /
                          (std::pow(ratio, kLeastOrder) - 1.0) / T;
@@ -114,8 +114,8 @@ class Pieces {
                                       ArcLengthRefinement& out) const {
     ArcLengthAnswer* const before = out.answer ? &*out.answer : nullptr;
     MeshStart start;
-    start.phi = before ? before->solution.closure.phi : phi_;
-    if (before) start.closure_slope = before->solution.closure.slope;
+    start.phi = before ? before->solution.tangency.phi : phi_;
+    if (before) start.tangency_slope = before->solution.tangency.slope;
     ArcLengthAnswer answer{
         ArcLength(scene_, next_.front(), start.phi), {}, 0.0, {}, 0};
     start.point = before ? prolong(before->problem, before->solution.point,

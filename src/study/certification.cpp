@@ -60,7 +60,7 @@ Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
                           : std::max(wanted.wanted_tolerance(), estimated),
       shares / curve.transit_time());
   Certificate certificate = certify(answer.problem, answer.solution.point,
-                                    answer.solution.closure.phi, error);
+                                    answer.solution.tangency.phi, error);
   const Mesh& mesh = answer.problem.mesh();
   add_agreement(
       estimated, wanted,
@@ -80,7 +80,7 @@ Certificate certify_answer(ArcLengthAnswer& answer,
   const double estimated = answer.estimated_error.value_or(kUnknown);
   Certificate certificate =
       certify(answer.problem, answer.solution.point,
-              answer.solution.closure.phi, motion, estimated);
+              answer.solution.tangency.phi, motion, estimated);
   add_agreement(
       estimated, wanted,
       fmt::format("{} pieces against {}", answer.problem.num_intervals(),

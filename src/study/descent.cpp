@@ -39,17 +39,17 @@ Descent descend(const Scene& scene, const ContactCandidate& saddle,
       start.x[static_cast<std::size_t>(problem.layout().beta(c))] += push;
     }
     const MeshSolution found = solve_on_mesh(
-        problem, {std::move(start), there.closure.phi, -1.0}, options);
-    out.work += {found.iterations, found.closure.passes, 0, found.log};
+        problem, {std::move(start), there.tangency.phi, -1.0}, options);
+    out.work += {found.iterations, found.tangency.passes, 0, found.log};
     if (options.ipopt.stop.met()) return out;
     if (!found.solved() || !is_minimum(problem, found.point)) continue;
     // Both ways may lead to the same one.
     const ExtremalCurve curve(problem, found.point);
     if (std::none_of(out.minima.begin(), out.minima.end(),
                      [&](const ContactCandidate& other) {
-                       return std::abs(other.phi - found.closure.phi) <= kSame;
+                       return std::abs(other.phi - found.tangency.phi) <= kSame;
                      })) {
-      out.minima.push_back({curve, found.closure.phi});
+      out.minima.push_back({curve, found.tangency.phi});
     }
   }
   return out;

@@ -31,7 +31,7 @@ struct EndErrors {
 };
 /// \param p  at the end
 [[nodiscard]] EndErrors errors_of_end(const Scene& scene,
-                                      const ContactClosure& closure,
+                                      const Tangency& tangency,
                                       const Costates& p);
 
 /// What is known of a mesh that was solved on.

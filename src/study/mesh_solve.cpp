@@ -70,14 +70,14 @@ bool solved_up_to_rounding(BetweenEnds& ends, const SolverResult& result) {
 
 void polish(BetweenEnds& ends, const MeshOptions& options,
             MeshSolution& solution) {
-  NewtonResult result = ends.newton(solution.point, solution.closure.phi,
+  NewtonResult result = ends.newton(solution.point, solution.tangency.phi,
                                     options.ipopt.tolerance, options);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   if (result.residual >= result.first_residual) return;
   solution.point = std::move(result.point);
-  solution.closure.phi = result.phi;
+  solution.tangency.phi = result.phi;
   if (!ends.equation) return;
-  solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
+  solution.tangency.mismatch = ends.end_slope(solution.point) - result.phi;
 }
 
 }  // namespace
@@ -96,16 +96,16 @@ MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
       ends.reachable(options.ipopt.tolerance, start.point), options);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   solution.point = std::move(result.point);
-  solution.closure.phi = result.phi;
-  solution.closure.slope = start.closure_slope;
+  solution.tangency.phi = result.phi;
+  solution.tangency.slope = start.tangency_slope;
   if (ends.equation) {
-    solution.closure.mismatch = ends.end_slope(solution.point) - result.phi;
+    solution.tangency.mismatch = ends.end_slope(solution.point) - result.phi;
   }
-  solution.closure.closed =
-      std::abs(solution.closure.mismatch) <= ClosureOptions{}.loose_tolerance;
+  solution.tangency.closed =
+      std::abs(solution.tangency.mismatch) <= TangencyOptions{}.loose_tolerance;
   solution.status =
       result.residual <= ends.reachable(kRoundingResidual, solution.point) &&
-              solution.closure.closed
+              solution.tangency.closed
           ? Status::Solved
           : Status::NotConverged;
   solution.message =
@@ -130,14 +130,14 @@ MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
     ipopt.max_iterations =
         std::max(0, ipopt.max_iterations - solution.iterations);
     SolverResult result = solve_with_ipopt(ends.problem, solution.point, ipopt);
-    if (solution.closure.passes == 0) {
+    if (solution.tangency.passes == 0) {
       solution.first_iterations = result.iterations;
       solution.refused_points = result.refused_points;
     }
     if (result.linear_solver != LinearSolver::Auto) {
       solution.linear_solver = result.linear_solver;
     }
-    ++solution.closure.passes;
+    ++solution.tangency.passes;
     solution.iterations += result.iterations;
     solution.log += result.log;
     solution.message = result.message;
@@ -150,31 +150,31 @@ MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
     return ends.end_slope(solution.point);
   };
 
-  ClosureOptions closure;
-  closure.initial_slope = start.closure_slope;
-  if (options.polish) closure.tolerance = kPolishedFrom;
+  TangencyOptions tangency;
+  tangency.initial_slope = start.tangency_slope;
+  if (options.polish) tangency.tolerance = kPolishedFrom;
   if (smooth) {
-    solution.closure = close_contact(pass, start.phi, closure);
-    if (solution.closure.closed && options.polish) {
+    solution.tangency = close_contact(pass, start.phi, tangency);
+    if (solution.tangency.closed && options.polish) {
       polish(ends, options, solution);
-      solution.closure.closed =
-          std::abs(solution.closure.mismatch) <= closure.loose_tolerance;
+      solution.tangency.closed =
+          std::abs(solution.tangency.mismatch) <= tangency.loose_tolerance;
     }
   } else {
     pass(start.phi);
-    solution.closure.phi = start.phi;
-    solution.closure.closed = solution.solved();
+    solution.tangency.phi = start.phi;
+    solution.tangency.closed = solution.solved();
     if (solution.solved() && options.polish) {
       polish(ends, options, solution);
     }
   }
-  if (solution.solved() && !solution.closure.closed) {
+  if (solution.solved() && !solution.tangency.closed) {
     solution.status = Status::NotConverged;
     solution.message = fmt::format(
         "no end angle φ reproduces itself: |β_end(φ) − φ| = {:.2e} at φ = "
         "{:.6g} rad after {} passes",
-        std::abs(solution.closure.mismatch), solution.closure.phi,
-        solution.closure.passes);
+        std::abs(solution.tangency.mismatch), solution.tangency.phi,
+        solution.tangency.passes);
   }
   return solution;
 }
@@ -188,7 +188,7 @@ MeshSolution solve_near(Transcription& problem, const MeshStart& start,
 }
 
 void take_instead(MeshSolution& left, MeshSolution stayed) {
-  stayed.closure.passes = left.closure.passes;
+  stayed.tangency.passes = left.tangency.passes;
   stayed.first_iterations = left.first_iterations;
   stayed.iterations = left.iterations;
   stayed.linear_solver = left.linear_solver;

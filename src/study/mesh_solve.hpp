@@ -21,8 +21,8 @@ namespace brachisto {
 /// Where a solve on a mesh starts.
 struct MeshStart {
   PrimalDual point;
-  double phi = 0.0;             ///< [rad]
-  double closure_slope = -1.0;  ///< d(mismatch)/dφ, −1 if unknown
+  double phi = 0.0;              ///< [rad]
+  double tangency_slope = -1.0;  ///< d(mismatch)/dφ, −1 if unknown
 };
 
 /// What polishing did.
@@ -37,7 +37,7 @@ struct MeshSolution {
   Status status = Status::InternalError;
   std::string message;
   PrimalDual point;          ///< of the last pass that was solved
-  ContactClosure closure;    ///< with Contact::Centre: one pass, closed
+  Tangency tangency;         ///< with Contact::Centre: one pass, closed
   Polish polish;             ///< all zero if not asked for
   int first_iterations = 0;  ///< of the first pass
   int iterations = 0;        ///< of all passes

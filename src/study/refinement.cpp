@@ -44,13 +44,13 @@ double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
                 const ExtremalCurve& other, double other_phi,
                 double error_of_other, double weight) {
   const double T = curve.transit_time();
-  const ContactClosure& closure = answer.solution.closure;
+  const Tangency& tangency = answer.solution.tangency;
   const EndErrors ends = errors_of_end(
-      curve.scene(), closure, {.p_x = curve.p_x(), .p_z = curve.p_z()});
+      curve.scene(), tangency, {.p_x = curve.p_x(), .p_z = curve.p_z()});
   // Two parts of the error, that of the end point and that between fixed ends,
   // may have opposite signs; the estimate must not profit from it.
   const double difference = other.transit_time() - T;
-  const double of_ends = ends.per_radian * (other_phi - closure.phi);
+  const double of_ends = ends.per_radian * (other_phi - tangency.phi);
   const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
   return (std::max(weight * std::abs(difference), apart) + ends.open +
           ends.rounding) /
@@ -63,7 +63,7 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   const ExtremalCurve coarse = answer.curve();
   Mesh mesh = coarse.mesh();
   mesh.degree += 1;
-  const double phi = answer.solution.closure.phi;
+  const double phi = answer.solution.tangency.phi;
   RollingTime finer(coarse.scene(), mesh, phi);
   const bool smooth = coarse.scene().contact == Contact::Smooth;
   std::optional<ContactEquation> contact;
@@ -96,7 +96,7 @@ double departure(const RollingTime& problem, const MeshSolution& solution,
                  const ExtremalCurve& curve, double phi) {
   const double T = ExtremalCurve(problem, solution.point).transit_time();
   return std::max(std::abs(T / curve.transit_time() - 1.0),
-                  std::abs(solution.closure.phi - phi));
+                  std::abs(solution.tangency.phi - phi));
 }
 
 /// Solves `scene` on `mesh`, starting from `curve`, and estimates the error.
@@ -145,7 +145,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
       take_instead(solution, std::move(stayed));
     } else {
-      answer.problem.set_end_angle(solution.closure.phi);
+      answer.problem.set_end_angle(solution.tangency.phi);
       if (solution.status == Status::IterationLimit) {
         solution.status = Status::NotConverged;
         solution.message = fmt::format(
@@ -164,7 +164,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   } else {
     answer.coarser_elements = coarser->problem.mesh().num_elements();
     answer.estimated_error = estimate(answer, answer.curve(), coarser->curve(),
-                                      coarser->solution.closure.phi,
+                                      coarser->solution.tangency.phi,
                                       coarser->estimated_error.value(), 1.0);
   }
   return answer;
@@ -277,7 +277,7 @@ class Elements {
     if (large_) {
       mesh_ = *std::exchange(large_, std::nullopt);
       if (!solution.solved()) return true;
-      start_from(answer.curve(), solution.closure.phi);
+      start_from(answer.curve(), solution.tangency.phi);
       coarser_.emplace(std::move(answer));
       return true;
     }
@@ -306,7 +306,7 @@ class Elements {
     if (best.finer) {
       start_from(*best.finer, best.finer_phi);
     } else {
-      start_from(best.curve(), best.solution.closure.phi);
+      start_from(best.curve(), best.solution.tangency.phi);
     }
     return true;
   }
@@ -334,12 +334,12 @@ class Elements {
 
 }  // namespace
 
-EndErrors errors_of_end(const Scene& scene, const ContactClosure& closure,
+EndErrors errors_of_end(const Scene& scene, const Tangency& tangency,
                         const Costates& p) {
   constexpr double kRoundings = 16.0;
   const bool smooth = scene.contact == Contact::Smooth;
   const double r = smooth ? scene.body.radius : 0.0;
-  const double phi = closure.phi;
+  const double phi = tangency.phi;
   // C_B moves by r (cos φ, sin φ) per radian.
   const double per_radian =
       -r * (p.p_x * std::cos(phi) + p.p_z * std::sin(phi));
@@ -348,7 +348,7 @@ EndErrors errors_of_end(const Scene& scene, const ContactClosure& closure,
   const double largest =
       std::max({std::abs(start.x), std::abs(start.z), std::abs(end.x),
                 std::abs(end.z), scene.L, scene.H});
-  return {per_radian, std::abs(closure.mismatch / closure.slope * per_radian),
+  return {per_radian, std::abs(tangency.mismatch / tangency.slope * per_radian),
           kRoundings * std::numeric_limits<double>::epsilon() * largest *
               (1.0 + r) * std::hypot(p.p_x, p.p_z)};
 }
@@ -358,7 +358,7 @@ MeshRecord record_of(const Transcription& problem, const MeshSolution& solution,
   return {problem.mesh().degree,
           problem.mesh().num_elements(),
           error,
-          solution.closure.passes,
+          solution.tangency.passes,
           solution.first_iterations,
           solution.iterations,
           solution.polish.newton_steps,

@@ -117,8 +117,8 @@ MeshAnswer answer_from_extremal(const PosedProblem& posed,
   }
   answer.solution.status = Status::Solved;
   answer.solution.message = extremal.message;
-  answer.solution.closure.phi = phi;
-  answer.solution.closure.closed = true;
+  answer.solution.tangency.phi = phi;
+  answer.solution.tangency.closed = true;
   const double T = answer.curve().transit_time() * posed.units.time;
   answer.estimated_error =
       std::abs(T / extremal.transit_time - 1.0) + extremal.error_estimate;

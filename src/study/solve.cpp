@@ -211,7 +211,7 @@ void refine_elements(const PosedProblem& posed, const Start& start,
     conclude(posed, *refinement.answer, out);
     if (wanted.fixed() || !under_resolved(out.certificate)) return;
     curve = refinement.answer->curve();
-    phi = refinement.answer->solution.closure.phi;
+    phi = refinement.answer->solution.tangency.phi;
     wanted.tolerance = kTighter * wanted.tolerance.value_or(kDefaultTolerance);
   }
 }

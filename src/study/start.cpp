@@ -105,7 +105,7 @@ OtherStart start_elsewhere(const PosedProblem& posed, const Start& principal,
   half.ipopt.max_iterations /= 2;
   const MeshSolution found =
       solve_on_mesh(problem, {guess, principal.phi, -1.0}, half);
-  OtherStart out{{}, {found.iterations, found.closure.passes, 0, found.log}};
+  OtherStart out{{}, {found.iterations, found.tangency.passes, 0, found.log}};
   out.cold.status = found.status;
   if (found.solved()) {
     const ExtremalCurve curve(problem, found.point);

@@ -106,7 +106,7 @@ void check_ends(const Scene& scene, Point start, Point end, double beta_end,
       std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H})),
       std::max(kThresholds.contact_error, rounding));
   if (smooth) {
-    certificate.add("closure", std::abs(beta_end - phi), kThresholds.closure);
+    certificate.add("closure", std::abs(beta_end - phi), kThresholds.tangency);
   }
 }
 

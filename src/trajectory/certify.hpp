@@ -20,7 +20,7 @@ struct CertificateThresholds {
   double defects = 1e-9;
   double contact_error = 1e-9;
   /// τ changes by r √A / w per radian of mismatch.
-  double closure = 1e-8;
+  double tangency = 1e-8;
   /// What is measured between nodes has order p + 1 or, for slopes, p, while T
   /// has order 2p: for a relative error ε of T that makes ε^((p+1)/2p) and
   /// ε^(1/2). The factor allows for the constants, which are of order one to
@@ -55,7 +55,7 @@ struct CertificateThresholds {
 /// Integrity:
 ///   defects          equality constraints, in long double
 ///   contact_error    distance of the track's ends from A and B
-///   closure          |β_end(φ) − φ|, for Contact::Smooth
+///   closure           |β_end(φ) − φ|, for Contact::Smooth
 ///   energy_drift     max |w²/2g − E| at element ends
 ///   reintegrated_time  T of the motion from the equation of motion against T,
 ///                    to one and the same end point
@@ -84,7 +84,7 @@ class ArcLengthMotion;
 /// Integrity:
 ///   defects          equality constraints, in long double
 ///   contact_error    of the path's fixed end from C_B(φ), and of the curve
-///   closure          |β_end(φ) − φ|, for Contact::Smooth
+///   closure           |β_end(φ) − φ|, for Contact::Smooth
 ///   slope_angle      continuous slope angle of the pieces within [−π, π]
 ///   reintegrated_time  time on the curve through the nodes against T
 ///   reintegration_error  the equation of motion on that curve, integrated in

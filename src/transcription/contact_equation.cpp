@@ -26,7 +26,7 @@ void ContactEquation::set_parameter(double phi) {
   fixed_rates_.value = {r * std::cos(phi), r * std::sin(phi)};
 }
 
-const nlp::ClosingEquation::Linearisation& ContactEquation::linearise(
+const nlp::TangencyCondition::Linearisation& ContactEquation::linearise(
     std::span<const double> x, std::span<const double> lambda) {
   const std::optional<Transcription::End> end = problem_.end(x, lambda);
   if (!end) {

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "nlp/closing_equation.hpp"
+#include "nlp/tangency_condition.hpp"
 #include "transcription/transcription.hpp"
 
 namespace brachisto {
@@ -15,7 +15,7 @@ namespace brachisto {
 /// which the end point C_B(φ) was built. With the end's θ, w and costates,
 ///
 ///     F = ∂𝓗/∂β at β = φ = η cos(θ − φ)/√A + w (p_z cos φ − p_x sin φ) = 0.
-class ContactEquation final : public nlp::ClosingEquation {
+class ContactEquation final : public nlp::TangencyCondition {
  public:
   /// \param problem  with Contact::Smooth; must outlive this
   explicit ContactEquation(Transcription& problem);

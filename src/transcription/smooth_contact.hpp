@@ -12,7 +12,7 @@
 namespace brachisto {
 
 /// How the iteration for φ ended.
-struct ContactClosure {
+struct Tangency {
   double phi = 0.0;       ///< φ of the last pass [rad]
   double mismatch = 0.0;  ///< β_end(φ) − φ of the last pass [rad]
   double slope = -1.0;    ///< d(mismatch)/dφ as last seen
@@ -22,7 +22,7 @@ struct ContactClosure {
 };
 
 /// Options of close_contact().
-struct ClosureOptions {
+struct TangencyOptions {
   double tolerance = 1e-12;        ///< on |β_end(φ) − φ| [rad]
   double loose_tolerance = 1e-10;  ///< good enough where a further step no
                                    ///< longer halves the mismatch [rad]
@@ -44,8 +44,8 @@ struct ClosureOptions {
 ///
 /// \param end_slope  β_end(φ), or nothing if the problem could not be solved at
 ///                   that φ, which ends the iteration
-[[nodiscard]] ContactClosure close_contact(
+[[nodiscard]] Tangency close_contact(
     const std::function<std::optional<double>(double phi)>& end_slope,
-    double phi_start, const ClosureOptions& options = {});
+    double phi_start, const TangencyOptions& options = {});
 
 }  // namespace brachisto

@@ -147,7 +147,10 @@ TEST_F(PaperCommand, EveryHeadingHasTheNumberOfItsFigure) {
   std::size_t figures = 0;
   for (std::size_t at = page.find("<figure>"); at != std::string::npos;
        at = page.find("<figure>", at + 1)) {
-    const std::string figure = page.substr(at, page.find("</figure>", at) - at);
+    // Its heading stands before it.
+    const std::size_t above = page.rfind("<h3>", at);
+    const std::string figure =
+        page.substr(above, page.find("</figure>", at) - above);
     const auto between = [&](const std::string& before,
                              const std::string& after) {
       const std::size_t begin = figure.find(before) + before.size();

@@ -28,7 +28,7 @@ bool says(const std::string& text, const std::string& part) {
 TEST(Texts, AResultGoesToStdout) {
   const Output output = run({"solve", kProblem});
 
-  EXPECT_TRUE(says(output.out, "5.11510065358")) << output.out;
+  EXPECT_TRUE(says(output.out, "τ = T √(2g/H) = 5.115100653579")) << output.out;
   EXPECT_EQ(output.err, "");
 }
 

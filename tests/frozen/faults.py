@@ -36,8 +36,7 @@ FAULTS = [
     # units
     ("natural unit of time", "return {length, std::sqrt(length / (2.0 * scene.gravity))};",
      "return {length, std::sqrt(length / scene.gravity)};"),
-    ("degrees of the summary", "fmt::format(\"{:.6f}°\", degrees(*path.rotation()))",
-     "fmt::format(\"{:.6f}°\", *path.rotation())"),
+    ("degrees of the summary", "degrees(*path.rotation()))", "*path.rotation())"),
     ("forces in newtons by one component", "const double R_x = x_ddot / gravity;",
      "const double R_x = x_ddot;"),
     ("scaled scene keeps its H", "scaled.H /= length;", ""),
@@ -63,7 +62,7 @@ FAULTS = [
      "return kLimit;\n    case Status::OutOfMemory:\n      return kNotSolved;"),
     ("a bead may lift off", "if (!scene.body.rolls()) return reasons;", ""),
     ("every solve searches",
-     "return options.search == Search::Global && natural.contact == Contact::Smooth;",
+     "return options.searches() && natural.contact == Contact::Smooth;",
      "return natural.contact == Contact::Smooth;"),
     ("ends of the centre judged by one of them",
      "std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H}))",

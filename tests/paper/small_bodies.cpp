@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// r → 0: the body becomes a medium of its own (docs/theory.md, section 16).
+// r → 0: the body becomes a medium of its own (docs/numerics.md, section 6).
 
 #include <gtest/gtest.h>
 

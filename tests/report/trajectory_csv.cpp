@@ -115,7 +115,7 @@ TEST(TrajectoryCsv, RunsFromRestAtAToBInTheTransitTime) {
 
   EXPECT_EQ(std::stod(table[1][1]), 0.0);
   EXPECT_EQ(std::stod(table[1][10]), 0.0);
-  // To rounding and the closure of the contact.
+  // To rounding and the tangency of the contact.
   EXPECT_NEAR(std::stod(table.back()[1]), path.transit_time(), 1e-14);
   EXPECT_NEAR(std::stod(table.back()[6]), 3.0, 1e-9);
   EXPECT_NEAR(std::stod(table.back()[7]), 1.0, 1e-9);

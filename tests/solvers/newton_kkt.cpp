@@ -55,7 +55,7 @@ class TwoBranches final : public SmallProblem {
 };
 
 /// x₂ = φ and φ + x₀ + λ = c: with λ = −1 and x₀ = √φ, φ + √φ = c + 1.
-class SumIs final : public nlp::ClosingEquation {
+class SumIs final : public nlp::TangencyCondition {
  public:
   SumIs(TwoBranches& problem, double sum) : problem_(problem), sum_(sum) {}
 
@@ -85,10 +85,10 @@ class SumIs final : public nlp::ClosingEquation {
 
 TEST(NewtonKkt, SolvesForTheParameterToo) {
   TwoBranches problem;
-  SumIs closing(problem, 1.0);
+  SumIs tangency(problem, 1.0);
 
   const NewtonResult result =
-      solve_with_newton(problem, &closing, {{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
+      solve_with_newton(problem, &tangency, {{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
 
   ASSERT_EQ(result.status, Status::Solved);
   EXPECT_NEAR(result.point.x[0], 1.0, 1e-12);
@@ -121,8 +121,8 @@ TEST(NewtonKkt, TheSignChangesWhereABranchTurnsBack) {
   const auto sign_at = [](double x_0) {
     TwoBranches problem;
     const double phi = x_0 * x_0;
-    SumIs closing(problem, phi + x_0 - 1.0 + 1e-4);
-    return solve_with_newton(problem, &closing, {{x_0, x_0, phi}, {-1.0}}, phi,
+    SumIs tangency(problem, phi + x_0 - 1.0 + 1e-4);
+    return solve_with_newton(problem, &tangency, {{x_0, x_0, phi}, {-1.0}}, phi,
                              {})
         .determinant_sign;
   };
@@ -156,7 +156,7 @@ class OnATrack : public ::testing::Test {
         solve_on_mesh(problem, {cycloid_guess(problem, *arc), 0.0}, {});
     solved = solution.solved();
     point = solution.point;
-    phi = solution.closure.phi;
+    phi = solution.tangency.phi;
   }
   void SetUp() override { ASSERT_TRUE(solved); }
 
@@ -250,9 +250,9 @@ TEST_F(NewtonKktFor, ATrackReportsTheResidualThatThePointHas) {
 
   contact.set_parameter(result.phi);
   const double kkt = nlp::kkt_residual(problem, result.point).max();
-  const double closing =
+  const double tangency =
       std::abs(contact.linearise(result.point.x, result.point.lambda).residual);
-  EXPECT_NEAR(result.residual, std::max(kkt, closing), ulps(100.0));
+  EXPECT_NEAR(result.residual, std::max(kkt, tangency), ulps(100.0));
 }
 
 TEST_F(NewtonKktFor, ATrackNeverReturnsAWorsePointThanItsStart) {

@@ -35,9 +35,9 @@ TEST_F(SolveOnMesh, ClosesTheContact) {
   const MeshSolution solution = solve_cold();
 
   ASSERT_TRUE(solution.solved()) << solution.message;
-  EXPECT_TRUE(solution.closure.closed);
-  // The error of the mesh, some 1e-12, and of the closure, 1e-10 at the worst.
-  EXPECT_NEAR(solution.closure.phi,
+  EXPECT_TRUE(solution.tangency.closed);
+  // The error of the mesh, some 1e-12, and of the tangency, 1e-10 at the worst.
+  EXPECT_NEAR(solution.tangency.phi,
               testing::reference("reference_case").end_angle, 1e-9);
 }
 
@@ -46,10 +46,10 @@ TEST_F(SolveOnMesh, FromItsOwnSolutionNeedsOnePass) {
   ASSERT_TRUE(first.solved()) << first.message;
 
   const MeshSolution again = solve_on_mesh(
-      problem, {first.point, first.closure.phi, first.closure.slope}, {});
+      problem, {first.point, first.tangency.phi, first.tangency.slope}, {});
 
   ASSERT_TRUE(again.solved()) << again.message;
-  EXPECT_EQ(again.closure.passes, 1);
+  EXPECT_EQ(again.tangency.passes, 1);
   EXPECT_LE(again.iterations, 1);
 }
 
@@ -64,11 +64,11 @@ TEST_F(SolveOnMesh, IsNotMisledByASlopeAngleAWholeTurnOff) {
     turned.x[static_cast<std::size_t>(last)] += turn;
 
     const MeshSolution again = solve_on_mesh(
-        problem, {turned, first.closure.phi, first.closure.slope}, {});
+        problem, {turned, first.tangency.phi, first.tangency.slope}, {});
 
     ASSERT_TRUE(again.solved()) << again.message;
-    EXPECT_NEAR(again.closure.phi, first.closure.phi, 1e-9);
-    EXPECT_EQ(again.closure.passes, 1);
+    EXPECT_NEAR(again.tangency.phi, first.tangency.phi, 1e-9);
+    EXPECT_EQ(again.tangency.passes, 1);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The indirect method as the method, and as a second opinion.
+// The indirect method as the method, and as a cross-check.
 
 #include <gtest/gtest.h>
 

@@ -86,7 +86,7 @@ TEST(ContinuationByTurns, TakesStepsThatHardlyDependOnTheTurns) {
 }
 
 TEST(ContinuationByTurns, LeadsToAnAnswerAboveTheHomogenisedLimit) {
-  // 284 turns: docs/theory.md, section 16, where the value is that of the
+  // 284 turns: docs/numerics.md, section 6, where the value is that of the
   // continuation on a fixed mesh.
   constexpr double kLimit = 5.8461395;
   constexpr double kPrinted = 5e-7;

@@ -45,7 +45,7 @@ Answer answer_to(const Scene& scene, const Mesh& mesh) {
   MeshSolution solution =
       solve_on_mesh(problem, {cycloid_guess(problem, *arc), phi, -1.0}, {});
   EXPECT_TRUE(solution.solved()) << solution.message;
-  return {std::move(problem), std::move(solution.point), solution.closure.phi};
+  return {std::move(problem), std::move(solution.point), solution.tangency.phi};
 }
 
 bool passes(const Certificate& certificate, const char* name) {

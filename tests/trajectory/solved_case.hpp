@@ -35,7 +35,7 @@ class SolvedCase : public ::testing::Test {
         solve_on_mesh(problem, {cycloid_guess(problem, *arc), 0.0}, {});
     solved = solution.solved();
     point = solution.point;
-    phi = solution.closure.phi;
+    phi = solution.tangency.phi;
   }
   void SetUp() override { ASSERT_TRUE(solved) << "base case"; }
 

@@ -64,7 +64,7 @@ TEST(Trajectory, TheNormalForceVanishesAtTheStartAndFrictionDoesNot) {
 }
 
 TEST(Trajectory, TheTrackTouchesBothPoints) {
-  // The start is exact up to the curve's own β₀, the end up to the closure of
+  // The start is exact up to the curve's own β₀, the end up to the tangency of
   // the contact, 1e-10 rad at the worst.
   constexpr double kTolerance = 1e-9;
   for (const auto* row : {&reference("reference_case"), &reference("theta_-30"),

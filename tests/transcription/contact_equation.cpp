@@ -24,7 +24,7 @@
 namespace brachisto::testing {
 namespace {
 
-using Linearisation = nlp::ClosingEquation::Linearisation;
+using Linearisation = nlp::TangencyCondition::Linearisation;
 
 /// Σ rate_i d_i over the nonzeros.
 double along(const nlp::SparseVector& rates, const std::vector<double>& d) {

@@ -26,8 +26,8 @@ struct Recorder {
   }
 };
 
-ContactClosure close(Recorder& recorder, double start,
-                     const ClosureOptions& options = {}) {
+Tangency close(Recorder& recorder, double start,
+               const TangencyOptions& options = {}) {
   return close_contact(std::ref(recorder), start, options);
 }
 
@@ -38,16 +38,16 @@ TEST(CloseContact, NeedsThreePassesForALinearFunction) {
     Recorder recorder{[&](double phi) { return root + slope * (phi - root); },
                       {}};
 
-    const ContactClosure closure = close(recorder, 0.15);
+    const Tangency tangency = close(recorder, 0.15);
 
-    EXPECT_TRUE(closure.closed) << "slope " << slope;
+    EXPECT_TRUE(tangency.closed) << "slope " << slope;
     // The mismatch is below the tolerance, and it is slope − 1 per radian.
-    EXPECT_NEAR(closure.phi, root, 1e-12 / (1.0 - slope)) << "slope " << slope;
-    EXPECT_LE(closure.passes, 3) << "slope " << slope;
-    EXPECT_EQ(closure.passes, static_cast<int>(recorder.visited.size()));
+    EXPECT_NEAR(tangency.phi, root, 1e-12 / (1.0 - slope)) << "slope " << slope;
+    EXPECT_LE(tangency.passes, 3) << "slope " << slope;
+    EXPECT_EQ(tangency.passes, static_cast<int>(recorder.visited.size()));
     // As the secant sees it, from values off by ε over steps above 5 %.
-    if (closure.passes == 3) {
-      EXPECT_NEAR(closure.slope, slope - 1.0, 1e-3) << "slope " << slope;
+    if (tangency.passes == 3) {
+      EXPECT_NEAR(tangency.slope, slope - 1.0, 1e-3) << "slope " << slope;
     }
   }
 }
@@ -55,23 +55,23 @@ TEST(CloseContact, NeedsThreePassesForALinearFunction) {
 TEST(CloseContact, NeedsOnePassWhereItStarts) {
   Recorder recorder{[](double) { return 0.3; }, {}};
 
-  const ContactClosure closure = close(recorder, 0.3);
+  const Tangency tangency = close(recorder, 0.3);
 
-  EXPECT_TRUE(closure.closed);
-  EXPECT_EQ(closure.passes, 1);
-  EXPECT_EQ(closure.phi, 0.3);
-  EXPECT_EQ(closure.mismatch, 0.0);
+  EXPECT_TRUE(tangency.closed);
+  EXPECT_EQ(tangency.passes, 1);
+  EXPECT_EQ(tangency.phi, 0.3);
+  EXPECT_EQ(tangency.mismatch, 0.0);
 }
 
 TEST(CloseContact, NeedsTwoPassesIfItKnowsTheSlope) {
   Recorder recorder{[](double phi) { return 0.1 + 0.5 * (phi - 0.1); }, {}};
-  ClosureOptions options;
+  TangencyOptions options;
   options.initial_slope = -0.5;
 
-  const ContactClosure closure = close(recorder, 0.2, options);
+  const Tangency tangency = close(recorder, 0.2, options);
 
-  EXPECT_TRUE(closure.closed);
-  EXPECT_EQ(closure.passes, 2);
+  EXPECT_TRUE(tangency.closed);
+  EXPECT_EQ(tangency.passes, 2);
 }
 
 TEST(CloseContact, ClosesStronglyCurvedFunctions) {
@@ -89,12 +89,12 @@ TEST(CloseContact, ClosesStronglyCurvedFunctions) {
     for (const double start : {-0.8, 0.0, 0.9}) {
       Recorder recorder{functions[i], {}};
 
-      const ContactClosure closure = close(recorder, start);
+      const Tangency tangency = close(recorder, start);
 
-      EXPECT_TRUE(closure.closed) << "function " << i << " from " << start;
-      const double mismatch = *functions[i](closure.phi) - closure.phi;
-      EXPECT_EQ(closure.mismatch, mismatch);
-      EXPECT_LE(std::abs(mismatch), ClosureOptions{}.loose_tolerance);
+      EXPECT_TRUE(tangency.closed) << "function " << i << " from " << start;
+      const double mismatch = *functions[i](tangency.phi) - tangency.phi;
+      EXPECT_EQ(tangency.mismatch, mismatch);
+      EXPECT_LE(std::abs(mismatch), TangencyOptions{}.loose_tolerance);
     }
   }
 }
@@ -105,20 +105,20 @@ TEST(CloseContact, ClosesWhereSubstitutionWouldRunAway) {
     Recorder recorder{[&](double phi) { return slope * (phi - 0.2) + 0.2; },
                       {}};
 
-    const ContactClosure closure = close(recorder, 0.25);
+    const Tangency tangency = close(recorder, 0.25);
 
-    EXPECT_TRUE(closure.closed) << "slope " << slope;
-    EXPECT_NEAR(closure.phi, 0.2, 1e-12 / (slope - 1.0)) << "slope " << slope;
+    EXPECT_TRUE(tangency.closed) << "slope " << slope;
+    EXPECT_NEAR(tangency.phi, 0.2, 1e-12 / (slope - 1.0)) << "slope " << slope;
   }
 }
 
 TEST(CloseContact, TakesNoLongStepsBeforeItHasABracket) {
   Recorder recorder{[](double phi) { return -3.0 + 0.2 * phi; }, {}};
-  const double first_step = ClosureOptions{}.first_step;
+  const double first_step = TangencyOptions{}.first_step;
 
-  const ContactClosure closure = close(recorder, 0.0);
+  const Tangency tangency = close(recorder, 0.0);
 
-  EXPECT_TRUE(closure.closed);
+  EXPECT_TRUE(tangency.closed);
   bool positive = false, negative = false;
   for (std::size_t i = 1; i < recorder.visited.size(); ++i) {
     const double before = recorder.visited[i - 1];
@@ -144,11 +144,11 @@ TEST(CloseContact, StopsAtTheLevelOfNoise) {
                         },
                         {}};
 
-      const ContactClosure closure = close(recorder, 0.3);
+      const Tangency tangency = close(recorder, 0.3);
 
-      EXPECT_TRUE(closure.closed) << "noise " << level << " slope " << slope;
-      EXPECT_LE(std::abs(closure.mismatch), ClosureOptions{}.loose_tolerance);
-      EXPECT_LE(closure.passes, 12) << "noise " << level << " slope " << slope;
+      EXPECT_TRUE(tangency.closed) << "noise " << level << " slope " << slope;
+      EXPECT_LE(std::abs(tangency.mismatch), TangencyOptions{}.loose_tolerance);
+      EXPECT_LE(tangency.passes, 12) << "noise " << level << " slope " << slope;
     }
   }
 }
@@ -162,22 +162,22 @@ TEST(CloseContact, GivesUpWithoutARoot) {
   for (std::size_t i = 0; i < functions.size(); ++i) {
     Recorder recorder{functions[i], {}};
 
-    const ContactClosure closure = close(recorder, 0.1);
+    const Tangency tangency = close(recorder, 0.1);
 
-    EXPECT_FALSE(closure.closed) << "function " << i;
-    EXPECT_LE(closure.passes, ClosureOptions{}.max_passes);
-    EXPECT_TRUE(std::isfinite(closure.phi)) << "function " << i;
-    EXPECT_EQ(closure.passes, static_cast<int>(recorder.visited.size()));
+    EXPECT_FALSE(tangency.closed) << "function " << i;
+    EXPECT_LE(tangency.passes, TangencyOptions{}.max_passes);
+    EXPECT_TRUE(std::isfinite(tangency.phi)) << "function " << i;
+    EXPECT_EQ(tangency.passes, static_cast<int>(recorder.visited.size()));
   }
 }
 
 TEST(CloseContact, DoesNotTakeAJumpForARoot) {
   Recorder recorder{[](double phi) { return phi < 0.2 ? 1.0 : -1.0; }, {}};
 
-  const ContactClosure closure = close(recorder, 0.0);
+  const Tangency tangency = close(recorder, 0.0);
 
-  EXPECT_FALSE(closure.closed);
-  EXPECT_GT(std::abs(closure.mismatch), 0.5);
+  EXPECT_FALSE(tangency.closed);
+  EXPECT_GT(std::abs(tangency.mismatch), 0.5);
 }
 
 TEST(CloseContact, EndsWhereTheProblemCannotBeSolved) {
@@ -188,8 +188,8 @@ TEST(CloseContact, EndsWhereTheProblemCannotBeSolved) {
   };
   const auto not_a_number = [](double) { return std::nan(""); };
 
-  const ContactClosure failed = close_contact(fails_later, 1.0);
-  const ContactClosure nan = close_contact(not_a_number, 1.0);
+  const Tangency failed = close_contact(fails_later, 1.0);
+  const Tangency nan = close_contact(not_a_number, 1.0);
 
   EXPECT_FALSE(failed.closed);
   EXPECT_EQ(failed.passes, 2);
@@ -205,11 +205,11 @@ TEST(CloseContact, FindsTheNearerOfTwoRoots) {
     return phi - (phi - 0.1) * (phi + 0.9);
   };
   Recorder near_upper{two_roots, {}}, near_lower{two_roots, {}};
-  ClosureOptions options;
+  TangencyOptions options;
 
-  const ContactClosure upper = close(near_upper, 0.2, options);
+  const Tangency upper = close(near_upper, 0.2, options);
   options.initial_slope = 1.0;  // what the mismatch has at −0.9
-  const ContactClosure lower = close(near_lower, -0.8, options);
+  const Tangency lower = close(near_lower, -0.8, options);
 
   EXPECT_TRUE(upper.closed);
   EXPECT_TRUE(lower.closed);
@@ -220,25 +220,25 @@ TEST(CloseContact, FindsTheNearerOfTwoRoots) {
 
 TEST(CloseContact, RespectsItsBudget) {
   Recorder recorder{[](double phi) { return std::cos(phi); }, {}};
-  ClosureOptions options;
+  TangencyOptions options;
   options.max_passes = 3;
 
-  const ContactClosure closure = close(recorder, -1.0, options);
+  const Tangency tangency = close(recorder, -1.0, options);
 
-  EXPECT_FALSE(closure.closed);
-  EXPECT_EQ(closure.passes, 3);
+  EXPECT_FALSE(tangency.closed);
+  EXPECT_EQ(tangency.passes, 3);
   ASSERT_EQ(recorder.visited.size(), 3U);
 }
 
 TEST(CloseContact, ReportsTheLastPassWhenItsBudgetIsSpent) {
   Recorder recorder{[](double phi) { return std::cos(phi); }, {}};
-  ClosureOptions options;
+  TangencyOptions options;
   options.max_passes = 3;
 
-  const ContactClosure closure = close(recorder, -1.0, options);
+  const Tangency tangency = close(recorder, -1.0, options);
 
-  EXPECT_EQ(closure.phi, recorder.visited.back());
-  EXPECT_EQ(closure.mismatch, std::cos(closure.phi) - closure.phi);
+  EXPECT_EQ(tangency.phi, recorder.visited.back());
+  EXPECT_EQ(tangency.mismatch, std::cos(tangency.phi) - tangency.phi);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace brachisto::nlp {
 
-class ClosingEquation;  // of this library's own problems
+class TangencyCondition;  // of this library's own problems
 
 }  // namespace brachisto::nlp
 
@@ -39,7 +39,7 @@ struct NewtonOptions {
 struct NewtonResult {
   Status status = Status::NotConverged;
   PrimalDual point;             ///< best point seen
-  double phi = 0.0;             ///< parameter of the closing equation there
+  double phi = 0.0;             ///< parameter of the tangency condition there
   double residual = 0.0;        ///< largest residual there
   double first_residual = 0.0;  ///< largest residual at the start
   int iterations = 0;
@@ -70,10 +70,10 @@ struct NewtonResult {
 /// solution and, unlike a minimiser, to any kind of stationary point: use it
 /// where the start is close.
 ///
-/// \param closing  may be null: then there is no φ
+/// \param tangency  may be null: then there is no φ
 /// \return the point of the smallest residual, the start itself at worst
 [[nodiscard]] NewtonResult solve_with_newton(nlp::Problem& problem,
-                                             nlp::ClosingEquation* closing,
+                                             nlp::TangencyCondition* tangency,
                                              const PrimalDual& start,
                                              double phi,
                                              const NewtonOptions& options);

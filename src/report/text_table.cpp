@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "comparison/text_table.hpp"
+#include "report/text_table.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "report/letters.hpp"
 
-namespace brachisto::comparison {
+namespace brachisto::report {
 
 namespace {
 
@@ -19,14 +19,14 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::size_t least) {
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()), least);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], report::letters(row[i]));
+      widths[i] = std::max(widths[i], letters(row[i]));
     }
   }
   return widths;
 }
 
 std::string room(const std::string& cell, std::size_t width) {
-  return std::string(width - report::letters(cell), ' ');
+  return std::string(width - letters(cell), ' ');
 }
 
 }  // namespace
@@ -78,4 +78,4 @@ std::string memory_text(double bytes) {
   return bytes > 0.0 ? fmt::format("{:.0f} MB", bytes / kMegabyte) : "—";
 }
 
-}  // namespace brachisto::comparison
+}  // namespace brachisto::report

@@ -20,7 +20,7 @@ struct SparseVector {
 /// One parameter φ on which the values of a problem's fixed variables depend,
 /// and the equation F(x, λ, φ) = 0 that determines it. The smooth contact at B
 /// is one: φ moves the end of the path, and the end slope has to be φ.
-class ClosingEquation {
+class TangencyCondition {
  public:
   /// F and its derivatives.
   struct Linearisation {
@@ -29,7 +29,7 @@ class ClosingEquation {
     double by_parameter = 0.0;
   };
 
-  virtual ~ClosingEquation() = default;
+  virtual ~TangencyCondition() = default;
 
   /// Gives the problem's fixed variables their values at φ.
   virtual void set_parameter(double phi) = 0;
@@ -41,9 +41,9 @@ class ClosingEquation {
       std::span<const double> x, std::span<const double> lambda) = 0;
 
  protected:
-  ClosingEquation() = default;
-  ClosingEquation(const ClosingEquation&) = default;
-  ClosingEquation& operator=(const ClosingEquation&) = default;
+  TangencyCondition() = default;
+  TangencyCondition(const TangencyCondition&) = default;
+  TangencyCondition& operator=(const TangencyCondition&) = default;
 };
 
 }  // namespace brachisto::nlp

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "comparison/text_table.hpp"
+#include "report/text_table.hpp"
 
 #include <gtest/gtest.h>
 
-namespace brachisto::comparison {
+namespace brachisto::report {
 namespace {
 
 TEST(TextTable, AlignsByLetters) {
@@ -32,4 +32,4 @@ TEST(TextTable, SaysWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace brachisto::comparison
+}  // namespace brachisto::report

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace brachisto::comparison {
+namespace brachisto::report {
 
 /// Cells; the first row is the head.
 using Rows = std::vector<std::vector<std::string>>;
@@ -32,4 +32,4 @@ using Rows = std::vector<std::vector<std::string>>;
 /// "38 MB", or "—" if nothing is known.
 [[nodiscard]] std::string memory_text(double bytes);
 
-}  // namespace brachisto::comparison
+}  // namespace brachisto::report

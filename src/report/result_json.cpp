@@ -373,7 +373,8 @@ Field<Solution> certificate_field() {
            })});
   }
   fixed.push_back(value<Solution>(
-      "tau", "", "τ by multiple shooting, if it was cross-checked", [](const Solution& s) {
+      "tau", "", "τ by multiple shooting, if it was cross-checked",
+      [](const Solution& s) {
         return comparable(s) ? std::optional(s.motion()->tau()) : std::nullopt;
       }));
   splice(fixed, comparable,

@@ -18,7 +18,7 @@ endfunction()
 expect(0 "tau = 5\\.09344446" solve_scene)
 expect(0 "tau = 5\\.09344446" read_track)
 # The rows begin at rest in A and end in B.
-expect(0 "  0\\.0000  -?0\\.0000  -?0\\.0000 .*  3\\.0000   1\\.0000 [^\n]*\n$" read_track)
+expect(0 "\n +0\\.0000 +-?0\\.0000 +-?0\\.0000 .* 3\\.0000 +1\\.0000 +[0-9.]+\n$" read_track)
 file(STRINGS ${PROGRAMS}/track/trajectory.csv rows)
 list(LENGTH rows count)
 if(count LESS 20)

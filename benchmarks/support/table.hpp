@@ -9,13 +9,13 @@
 #include <string>
 
 #include "comparison/statistics.hpp"
-#include "report/text_table.hpp"
 #include "report/figure.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::benchmarks {
 
-using report::markdown_table;
 using comparison::percentile;
+using report::markdown_table;
 using report::Rows;
 
 /// Processor, compiler and versions in one line, for the foot of a table.

@@ -67,7 +67,7 @@ FAULTS = [
     ("ends of the centre judged by one of them",
      "std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H}))",
      "std::max(distance(end, {scene.L, scene.H}), distance(end, {scene.L, scene.H}))"),
-    ("a message without its advice", 'outcome.message += ". To try: " + advice;', ";"),
+    ("a message without its advice", 'outcome.message += ". To try: " + advice;', "{}"),
     ("nearest known key not told", '"; did you mean {}?", found', '"; is it {}?", found'),
     # thresholds
     ("residual of the certificate", "double kkt_residual = 1e-9;", "double kkt_residual = 1e-16;"),

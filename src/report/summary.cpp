@@ -195,6 +195,7 @@ std::string counted(std::size_t count, std::string_view what) {
 std::string found(const Solution& solution) {
   const Effort& effort = solution.effort;
   std::vector<std::string> parts;
+  if (solution.scene.path) parts.emplace_back("evaluated, not optimised");
   if (!effort.continuation.empty()) {
     // The first is the cycloid or a neighbour, where there is nothing to do.
     const ContinuationStep& first = effort.continuation.front();

@@ -18,22 +18,25 @@
 
 namespace brachisto::io {
 
-/// A part of a problem, which it need not have a use for.
+/// A part of a problem, which it need not have, or not have a use for.
 template <class Part>
 struct Place {
-  const Part* (*find)(const Draft&);  ///< nullptr: of no use, or not there
+  const Part* (*find)(const Draft&);  ///< nullptr: there is none
   Part& (*make)(Draft&);              ///< the part, made if need be
+  bool (*used)(const Draft&) = [](const Draft&) { return true; };
 };
 
-/// A part as a function without captures names it, and which problems have a
-/// use for it: place([](auto& problem) -> auto& { return problem.scene; }).
-template <class Lens, class Used = decltype([](const Draft&) { return true; })>
-[[nodiscard]] constexpr auto place(Lens, Used = {}) {
+/// A part that every draft has, as a function without captures names it, and
+/// which problems have a use for it:
+/// place([](auto& problem) -> auto& { return problem.scene; }).
+template <class Lens>
+[[nodiscard]] constexpr auto place(Lens, bool (*used)(const Draft&) = nullptr) {
   using Part = std::remove_reference_t<std::invoke_result_t<Lens, Draft&>>;
-  return Place<Part>{[](const Draft& problem) -> const Part* {
-                       return Used{}(problem) ? &Lens{}(problem) : nullptr;
-                     },
-                     [](Draft& problem) -> Part& { return Lens{}(problem); }};
+  Place<Part> place{
+      [](const Draft& problem) -> const Part* { return &Lens{}(problem); },
+      [](Draft& problem) -> Part& { return Lens{}(problem); }};
+  if (used != nullptr) place.used = used;
+  return place;
 }
 
 template <class Value>
@@ -64,21 +67,24 @@ template <class Part, class Value>
           [=](Draft& problem, const Json& value) {
             place.make(problem).*member =
                 static_cast<Stored>(value.get<double>());
-          }};
+          },
+      .used = place.used};
 }
 
-/// One key for parts of several methods.
-[[nodiscard]] inline Binding shared(Binding one, const Binding& other) {
-  one.get = [one = one.get, other = other.get](const Draft& problem) {
-    Json value = one(problem);
-    return value.is_null() ? other(problem) : value;
+/// One key for parts of two methods, which is read into both.
+[[nodiscard]] inline Binding shared(const Binding& one, const Binding& other) {
+  Binding both = one;
+  both.get = [=](const Draft& problem) {
+    return (other.used(problem) ? other : one).get(problem);
   };
-  one.set = [one = one.set, other = other.set](Draft& problem,
-                                               const Json& value) {
-    one(problem, value);
-    other(problem, value);
+  both.set = [=](Draft& problem, const Json& value) {
+    one.set(problem, value);
+    other.set(problem, value);
   };
-  return one;
+  both.used = [=](const Draft& problem) {
+    return one.used(problem) || other.used(problem);
+  };
+  return both;
 }
 
 template <class Part, class Value>
@@ -95,7 +101,7 @@ template <class Part, class Value>
     Place<Part> place, Value Part::*member,
     std::vector<std::pair<std::string_view, std::type_identity_t<Value>>>
         words) {
-  Binding binding{.type = KeyType::Choice};
+  Binding binding{.type = KeyType::Choice, .used = place.used};
   for (const auto& [word, value] : words) binding.words.push_back(word);
   binding.get = [=](const Draft& problem) -> Json {
     const Part* part = place.find(problem);
@@ -129,9 +135,12 @@ template <class Part>
 /// The same where a problem need not have the part that they are about.
 template <class Part>
 [[nodiscard]] Binding map(Place<Part> place) {
-  return {.type = KeyType::Map, .get = [=](const Draft& problem) {
-            return place.find(problem) ? Json::object() : Json();
-          }};
+  return {.type = KeyType::Map,
+          .get =
+              [=](const Draft& problem) {
+                return place.find(problem) ? Json::object() : Json();
+              },
+          .used = place.used};
 }
 
 }  // namespace brachisto::io

@@ -70,9 +70,9 @@ void check_use(const YamlValue& root, const Draft& draft, Findings& findings) {
     const bool of_solve = spec.path.starts_with("discretisation.") ||
                           spec.path.starts_with("solver.");
     const Entry* entry = of_solve ? find_entry(root, spec.path) : nullptr;
-    if (entry == nullptr || !spec.value.get || findings.concern(spec.path) ||
-        !spec.value.get(draft).is_null() ||
-        unused_value(spec, draft) == unused_value(spec, {})) {
+    if (entry == nullptr || !spec.value.get || spec.used(draft) ||
+        findings.concern(spec.path) ||
+        spec.value.get(draft) == spec.value.get({})) {
       continue;
     }
     std::string message = "has no effect here; leave it out";

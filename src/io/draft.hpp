@@ -38,10 +38,10 @@ struct Draft : ProblemFile {
     }
   }
 
-  [[nodiscard]] bool poses_the_program() const {
+  [[nodiscard]] constexpr bool poses_the_program() const {
     return method == MethodWord::Ipopt || method == MethodWord::NewtonKkt;
   }
-  [[nodiscard]] bool of_pieces() const {
+  [[nodiscard]] constexpr bool of_pieces() const {
     return poses_the_program() &&
            program.discretisation.formulation == Formulation::ArcLength;
   }

@@ -26,7 +26,7 @@ void add_section(Json& document, const Draft& problem,
         spec.path.starts_with(absent)) {
       continue;
     }
-    Json value = spec.value.get(problem);
+    Json value = spec.used(problem) ? spec.value.get(problem) : Json();
     if (spec.type() == KeyType::Map) {
       if (!value.is_null()) continue;
       absent = fmt::format("{}.", spec.path);

@@ -53,41 +53,17 @@ Unit unit_of(const KeySpec& spec) {
   return spec.type() == KeyType::Angle ? Unit::Angle : Unit::None;
 }
 
-namespace {
-
-/// Calls what is given with each word that decides which keys have a use, and
-/// with the problem that has that word, until it returns true.
-template <class Try>
-void with_other_words(const Draft& draft, Try attempt) {
+std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
   for (const char* path : {"solver.method", "discretisation.formulation",
                            "solver.fsolve.variant"}) {
     const KeySpec* key = find_key(path);
     for (const std::string_view word : key->value.words) {
       Draft other = draft;
       key->value.set(other, word);
-      if (attempt(KeyWord{key, word}, other)) return;
+      if (spec.used(other)) return KeyWord{key, word};
     }
   }
-}
-
-}  // namespace
-
-std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
-  std::optional<KeyWord> found;
-  with_other_words(draft, [&](const KeyWord& one, const Draft& other) {
-    if (!spec.value.get(other).is_null()) found = one;
-    return found.has_value();
-  });
-  return found;
-}
-
-Json unused_value(const KeySpec& spec, const Draft& draft) {
-  Json value;
-  with_other_words(draft, [&](const KeyWord&, const Draft& other) {
-    value = spec.value.get(other);
-    return !value.is_null();
-  });
-  return value;
+  return std::nullopt;
 }
 
 std::string objection(const KeySpec& spec, std::string_view word) {

@@ -67,12 +67,13 @@ using ListReading = void(Draft&, const KeySpec&, const YamlValue&, Findings&);
 /// io/binding.hpp.
 struct Binding {
   KeyType type = KeyType::Reserved;
-  /// The value; null if there is none, and where the problem has no use for
-  /// it. Empty: it is not echoed.
+  /// The value, of use or not; null if there is none. Empty: it is not echoed.
   std::function<Json(const Draft&)> get = {};
   /// Stores a number, a text, or one of the words.
   std::function<void(Draft&, const Json&)> set = {};
   std::vector<std::string_view> words = {};  ///< of a Choice
+  /// Whether the value means something to the problem. Empty: always.
+  std::function<bool(const Draft&)> used = {};
   ListReading* read_list = nullptr;
   std::function<Json()> items = {};  ///< schema of the items of a list
 };
@@ -93,6 +94,9 @@ struct KeySpec {
   [[nodiscard]] std::string_view name() const;    ///< last part of the path
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
   [[nodiscard]] KeyType type() const { return value.type; }
+  [[nodiscard]] bool used(const Draft& draft) const {
+    return !value.used || value.used(draft);
+  }
   [[nodiscard]] bool of_cylinder() const {
     return presence == Presence::RequiredOfCylinder ||
            presence == Presence::OptionalOfCylinder;
@@ -129,10 +133,6 @@ struct KeyWord {
 /// mean something; nothing if no single one would do.
 [[nodiscard]] std::optional<KeyWord> word_that_uses(const KeySpec& spec,
                                                     const Draft& draft);
-
-/// The value of a key that a problem has no use for, but would have with
-/// another word.
-[[nodiscard]] Json unused_value(const KeySpec& spec, const Draft& draft);
 
 /// Why a word is not one of a Choice, with what is expected; "" if it is.
 [[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);

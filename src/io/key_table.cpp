@@ -31,43 +31,50 @@ constexpr auto kScene = place([](auto& p) -> auto& { return p.scene; });
 constexpr auto kBody = place([](auto& p) -> auto& { return p.scene.body; });
 constexpr auto kLimits =
     place([](auto& p) -> auto& { return p.options.limits; });
+constexpr auto kMethod = place([](auto& p) -> auto& { return p; });
+
+constexpr bool is_program(const Draft& d) {
+  return d.poses_the_program();
+}
+/// Elements with a degree, one branch among others to be sought.
+constexpr bool is_collocation(const Draft& d) {
+  return d.poses_the_program() && !d.of_pieces();
+}
+constexpr bool is_shooting(const Draft& d) {
+  return d.method == MethodWord::Extremal;
+}
+constexpr bool is_system(const Draft& d) {
+  return d.method == MethodWord::Fsolve;
+}
+
+constexpr auto program = [](auto& p) -> auto& {
+  return p.program;
+};
+constexpr auto mesh = [](auto& p) -> auto& {
+  return p.program.discretisation;
+};
+constexpr auto reading = [](auto& p) -> auto& {
+  return p.system.reading;
+};
+
+constexpr auto kProgram = place(program, is_program);
+constexpr auto kCollocation = place(program, is_collocation);
+constexpr auto kColdStart = place(program, [](const Draft& d) {
+  return is_collocation(d) && d.method == MethodWord::Ipopt;
+});
+constexpr auto kMesh = place(mesh, is_program);
+constexpr auto kElements = place(mesh, is_collocation);
+constexpr auto kShooting = place(
+    [](auto& p) -> auto& { return p.shooting; }, is_shooting);
+constexpr auto kSystem = place(
+    [](auto& p) -> auto& { return p.system; }, is_system);
+constexpr auto kReading = place(reading, is_system);
+constexpr auto kDifferences = place(reading, [](const Draft& d) {
+  return is_system(d) && d.system.solver == DiscreteSolver::Hybrid;
+});
 constexpr auto kIterations = place(
     [](auto& p) -> auto& { return p.options.limits; },
-    [](const Draft& d) { return d.method != MethodWord::Extremal; });
-constexpr auto kMethod = place([](auto& p) -> auto& { return p; });
-constexpr auto kProgram = place(
-    [](auto& p) -> auto& { return p.program; },
-    [](const Draft& d) { return d.poses_the_program(); });
-/// Of the program with elements that have a degree.
-constexpr auto kCollocation = place(
-    [](auto& p) -> auto& { return p.program; },
-    [](const Draft& d) { return d.poses_the_program() && !d.of_pieces(); });
-constexpr auto kColdStart = place(
-    [](auto& p) -> auto& { return p.program; },
-    [](const Draft& d) {
-      return d.method == MethodWord::Ipopt && !d.of_pieces();
-    });
-constexpr auto kMesh = place(
-    [](auto& p) -> auto& { return p.program.discretisation; },
-    [](const Draft& d) { return d.poses_the_program(); });
-constexpr auto kElements = place(
-    [](auto& p) -> auto& { return p.program.discretisation; },
-    [](const Draft& d) { return d.poses_the_program() && !d.of_pieces(); });
-constexpr auto kShooting = place(
-    [](auto& p) -> auto& { return p.shooting; },
-    [](const Draft& d) { return d.method == MethodWord::Extremal; });
-constexpr auto kSystem = place(
-    [](auto& p) -> auto& { return p.system; },
-    [](const Draft& d) { return d.method == MethodWord::Fsolve; });
-constexpr auto kReading = place(
-    [](auto& p) -> auto& { return p.system.reading; },
-    [](const Draft& d) { return d.method == MethodWord::Fsolve; });
-constexpr auto kDifferences = place(
-    [](auto& p) -> auto& { return p.system.reading; },
-    [](const Draft& d) {
-      return d.method == MethodWord::Fsolve &&
-             d.system.solver == DiscreteSolver::Hybrid;
-    });
+    [](const Draft& d) { return !is_shooting(d); });
 constexpr auto kPlan = place([](auto& p) -> auto& { return p.work_precision; });
 
 /// The given path. Copies of the scene share it, so that a change makes it
@@ -475,17 +482,13 @@ Keys all_keys() {
   // What is not said in words, the values say.
   Draft fresh;
   kPath.make(fresh);
-  Draft fresh_system;
-  fresh_system.method = MethodWord::Fsolve;
   for (KeySpec& key : keys) {
     if (key.bounds.empty()) key.bounds = words_of(key.interval);
     if (key.bounds.empty()) key.bounds = words_of(key.physical);
     const bool has_default =
         key.type() != KeyType::Map && key.value.get && !key.is_required();
     if (key.fallback.empty() && has_default) {
-      const Json value = key.value.get(fresh);
-      key.fallback =
-          written(value.is_null() ? key.value.get(fresh_system) : value);
+      key.fallback = written(key.value.get(fresh));
     }
   }
   return keys;

@@ -35,7 +35,7 @@ std::string asked(const Solution& solution) {
   const Scene& scene = solution.scene;
   if (scene.path) return "the motion along the path that the scene states";
   if (scene.contact == Contact::Centre) {
-    return "the fastest path of the centre from A to B";
+    return fmt::format("the {}", track_kind(scene));
   }
   if (!scene.body.rolls()) return "the fastest wire from A to B";
   std::string text = "a track from A to B without a kink at either end: ";
@@ -171,13 +171,13 @@ void add_branches(std::string& out, const Solution& solution) {
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
     line(out, label,
-         fmt::format("τ = {}, {} at B{}{}{}{}",
-                     within_error(branch.tau, kDefaultTolerance * branch.tau),
-                     slope(branch.end_angle),
-                     branch.principal ? ", principal" : "",
-                     branch.verified ? "" : ", NOT VERIFIED",
-                     branch.minimum ? "" : ", not a minimum",
-                     branch.feasible ? ", feasible" : ", INFEASIBLE"));
+         fmt::format(
+             "τ = {}, {} at B{}{}{}{}",
+             within_error(branch.tau, branch.estimated_error * branch.tau),
+             slope(branch.end_angle), branch.principal ? ", principal" : "",
+             branch.verified ? "" : ", NOT VERIFIED",
+             branch.minimum ? "" : ", not a minimum",
+             branch.feasible ? ", feasible" : ", INFEASIBLE"));
     label = "";
     if (branch.tau >= answer) continue;
     for (const std::string& why : branch.remarks) line(out, "", "  " + why);
@@ -242,7 +242,7 @@ std::string next(const Solution& solution) {
   }
   return solution.options.of<Shooting>() != nullptr || solution.extremal
              ? ""
-             : "--certify extremal confirms it by another method";
+             : "--certify extremal checks it by another method";
 }
 
 }  // namespace

@@ -245,6 +245,20 @@ TEST(Consistency, KeysComeInAnyOrderAndWhatHoldsAnywayIsNoMistake) {
   EXPECT_EQ(errors(kBead + "discretisation: {degree: 3}\n"
                            "solver: {method: newton_kkt, guess: cycloid}\n"),
             "");
+  // Of no use for two reasons at once.
+  const std::string pieces = "discretisation: {formulation: arc_length}\n";
+  EXPECT_EQ(
+      errors(kBead + pieces + "solver: {method: newton_kkt, guess: cycloid}\n"),
+      "");
+  EXPECT_NE(
+      errors(kBead + pieces + "solver: {method: newton_kkt, guess: random}\n")
+          .find("solver.guess: has no effect here; leave it out"),
+      std::string::npos);
+  EXPECT_NE(
+      errors(kBead + "discretisation: {formulation: arc_length, degree: 3}\n"
+                     "solver: {method: extremal}\n")
+          .find("discretisation.degree: has no effect"),
+      std::string::npos);
   EXPECT_NE(errors(kBead + "solver: {method: newton_kkt, guess: random}\n")
                 .find("has no effect with method: newton_kkt; leave it out, or "
                       "take method: ipopt"),

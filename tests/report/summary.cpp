@@ -105,6 +105,7 @@ TEST(Summary, ListsTheBranchesOfASearch) {
   Solution solution = testing::off_centred_solution();
   Branch principal;
   principal.tau = 5.25;
+  principal.estimated_error = 1e-10;
   principal.principal = principal.verified = principal.feasible = true;
   principal.minimum = true;
   Branch other;

@@ -10,8 +10,8 @@
 #include "math/cpu_clock.hpp"
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "study/answer_kinds.hpp"
-#include "study/mesh_solve.hpp"
 #include "transcription/initial_guess.hpp"
 
 namespace brachisto::benchmarks {

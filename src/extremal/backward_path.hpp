@@ -65,7 +65,7 @@ class BackwardShooting {
  private:
   Scene scene_;
   double longest_;
-  Start start_;
+  InitialState start_;
   mutable long steps_ = 0;
 };
 

@@ -12,7 +12,7 @@
 
 namespace brachisto::shooting {
 
-Start start_conditions(const Scene& natural, double eta) {
+InitialState start_conditions(const Scene& natural, double eta) {
   Scene scene = natural;
   scene.body.eta_m = eta;
   const Body& body = scene.body;
@@ -24,15 +24,15 @@ Start start_conditions(const Scene& natural, double eta) {
   const double a = energy_slope(body, theta, beta);
   const Point centre = start_of_centre(scene);
 
-  Start start{.x = centre.x,
-              .z = centre.z,
-              .theta = theta,
-              .w = 0.0,
-              .p_w = -R / (g * a),
-              .beta = beta,
-              .dx_deta = 0.0,
-              .dz_deta = 0.0,
-              .dp_w_deta = 0.0};
+  InitialState start{.x = centre.x,
+                     .z = centre.z,
+                     .theta = theta,
+                     .w = 0.0,
+                     .p_w = -R / (g * a),
+                     .beta = beta,
+                     .dx_deta = 0.0,
+                     .dz_deta = 0.0,
+                     .dp_w_deta = 0.0};
 
   // R/a is stationary in β, so that only its explicit dependence on η counts.
   const double R_eta = (eta - std::sin(delta)) / R;

@@ -14,7 +14,7 @@
 namespace brachisto::shooting {
 
 /// The start: all is known there but p_θ.
-struct Start {
+struct InitialState {
   double x, z, theta, w, p_w;
   double beta;
   double dx_deta, dz_deta, dp_w_deta;  ///< derivatives by η
@@ -24,7 +24,7 @@ struct Start {
 ///
 /// \param natural  the scene, in natural units
 /// \param eta      offset to use instead of the body's
-[[nodiscard]] Start start_conditions(const Scene& natural, double eta);
+[[nodiscard]] InitialState start_conditions(const Scene& natural, double eta);
 
 /// Derivatives of C_B(φ) by φ; zero with Contact::Centre.
 struct EndSlide {

@@ -45,7 +45,7 @@ struct Root {
 };
 
 /// Where Newton's method for such a root may begin.
-struct Start {
+struct RootStart {
   TerminalCondition terminal;
   double target;
   double outside;  ///< of its triangle, in its own size
@@ -63,10 +63,11 @@ class Scan {
     out.whole_grid = !over();
     out.starts = static_cast<long>(starts_.size());
     // The likelier ones first, for the work is bounded.
-    std::stable_sort(
-        starts_.begin(), starts_.end(),
-        [](const Start& a, const Start& b) { return a.outside < b.outside; });
-    for (const Start& start : starts_) {
+    std::stable_sort(starts_.begin(), starts_.end(),
+                     [](const RootStart& a, const RootStart& b) {
+                       return a.outside < b.outside;
+                     });
+    for (const RootStart& start : starts_) {
       if (over()) break;
       polish(start.terminal, start.target);
       ++out.tried;
@@ -257,7 +258,7 @@ class Scan {
   BackwardShooting shooting_;
   const std::function<bool()>& stop_;
   long most_steps_;
-  std::vector<Start> starts_;
+  std::vector<RootStart> starts_;
   std::vector<Root> roots_;
 };
 

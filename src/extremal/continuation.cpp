@@ -66,7 +66,7 @@ Globals covector(const Tangent& tangent, const ChainScale& scale) {
   return scaled(scaled(tangent.direction.globals, scale), scale);
 }
 
-void record(const NewtonResult& result, ContinuationReport& report) {
+void record(const ShootingResult& result, ContinuationReport& report) {
   report.points.push_back({result.point.globals(kEta),
                            result.point.globals(kPhi), result.at.transit_time});
 }
@@ -75,7 +75,7 @@ void record(const NewtonResult& result, ContinuationReport& report) {
 /// to go along the tangent until dη/ds vanishes.
 ///
 /// \param slope  dη/ds at the end of the step of this length from `here`
-double fold_between(const ShootingSystem& system, const NewtonResult& here,
+double fold_between(const ShootingSystem& system, const ShootingResult& here,
                     const Tangent& tangent, double length, double slope,
                     const ChainScale& scale, const ShootingOptions& newton) {
   constexpr int kSteps = 8;
@@ -90,7 +90,7 @@ double fold_between(const ShootingSystem& system, const NewtonResult& here,
     const double middle =
         low + (high - low) * slope_low / (slope_low - slope_high);
     const ChainVector predicted = moved(here.point, middle, tangent.direction);
-    const NewtonResult at =
+    const ShootingResult at =
         solve_newton(system, predicted, scale,
                      {along, along.dot(predicted.globals)}, newton);
     if (at.end != NewtonEnd::Converged) return eta;
@@ -113,13 +113,13 @@ double fold_between(const ShootingSystem& system, const NewtonResult& here,
 
 }  // namespace
 
-Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
-                     const ChainScale& scale, double target,
-                     const ExtremalOptions& options) {
+FollowedBranch follow_branch(const ShootingSystem& system,
+                             const ChainVector& start, const ChainScale& scale,
+                             double target, const ExtremalOptions& options) {
   const ShootingOptions newton = loose(system.num_arcs());
-  Branch branch;
+  FollowedBranch branch;
   branch.point = start;
-  NewtonResult here =
+  ShootingResult here =
       solve_newton(system, start, scale, TangencyRow::offset(0.0), newton);
   branch.newton_steps += here.steps;
   if (here.end == NewtonEnd::Stopped) branch.end = BranchEnd::Stopped;
@@ -142,7 +142,7 @@ Branch follow_branch(const ShootingSystem& system, const ChainVector& start,
       tangency.value = tangency.row.dot(predicted.globals);
     }
 
-    NewtonResult next =
+    ShootingResult next =
         solve_newton(system, predicted, scale, tangency, newton);
     branch.newton_steps += next.steps;
     if (next.end == NewtonEnd::Stopped) {

@@ -20,7 +20,7 @@ enum class BranchEnd {
   Stopped,  ///< from outside
 };
 
-struct Branch {
+struct FollowedBranch {
   BranchEnd end = BranchEnd::NoStart;
   ChainVector point;          ///< the last one reached
   ContinuationReport report;  ///< times in natural units
@@ -33,9 +33,10 @@ struct Branch {
 /// hyperplane across it (Keller 1977), so that folds in η are no obstacle. The
 /// step is controlled by the contraction of Newton's method and by the turn of
 /// the tangent, in order not to fall onto a neighbouring branch.
-[[nodiscard]] Branch follow_branch(const ShootingSystem& system,
-                                   const ChainVector& start,
-                                   const ChainScale& scale, double target,
-                                   const ExtremalOptions& options);
+[[nodiscard]] FollowedBranch follow_branch(const ShootingSystem& system,
+                                           const ChainVector& start,
+                                           const ChainScale& scale,
+                                           double target,
+                                           const ExtremalOptions& options);
 
 }  // namespace brachisto::shooting

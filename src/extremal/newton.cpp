@@ -8,14 +8,14 @@
 
 namespace brachisto::shooting {
 
-NewtonResult solve_newton(const ShootingSystem& system,
-                          const ChainVector& start, const ChainScale& scale,
-                          const TangencyRow& tangency,
-                          const ShootingOptions& options) {
+ShootingResult solve_newton(const ShootingSystem& system,
+                            const ChainVector& start, const ChainScale& scale,
+                            const TangencyRow& tangency,
+                            const ShootingOptions& options) {
   // A correction this small that no longer shrinks is made of rounding, which
   // a long path magnifies: over a thousand turns by 1e8.
   constexpr double kRoundingLevel = 1e-7;
-  NewtonResult result;
+  ShootingResult result;
   result.point = start;
   if (!system.evaluate(start, options.integration, result.at)) {
     if (system.stopped()) result.end = NewtonEnd::Stopped;

@@ -32,7 +32,7 @@ struct ShootingOptions {
 
 enum class NewtonEnd { Converged, Diverged, MaxSteps, NotEvaluable, Stopped };
 
-struct NewtonResult {
+struct ShootingResult {
   NewtonEnd end = NewtonEnd::NotEvaluable;
   ChainVector point;
   Linearisation at;  ///< at `point`
@@ -48,10 +48,10 @@ struct NewtonResult {
 /// Nonlinear Problems", 2004, sec. 3.3). The test does not depend on how the
 /// equations are scaled. Ends when the correction is below the tolerance, or
 /// when rounding keeps it from shrinking further.
-[[nodiscard]] NewtonResult solve_newton(const ShootingSystem& system,
-                                        const ChainVector& start,
-                                        const ChainScale& scale,
-                                        const TangencyRow& tangency,
-                                        const ShootingOptions& options);
+[[nodiscard]] ShootingResult solve_newton(const ShootingSystem& system,
+                                          const ChainVector& start,
+                                          const ChainScale& scale,
+                                          const TangencyRow& tangency,
+                                          const ShootingOptions& options);
 
 }  // namespace brachisto::shooting

@@ -77,16 +77,16 @@ class Solve {
     solution_.status = status;
     solution_.message = fmt::format("{}: {}", describe(status), details);
   }
-  void fill(const NewtonResult& result);
+  void fill(const ShootingResult& result);
   void judge();
   /// T, corrected for the matching errors left [natural units].
-  [[nodiscard]] double time_of(const NewtonResult& result) const {
+  [[nodiscard]] double time_of(const ShootingResult& result) const {
     return result.at.transit_time +
            system_.time_missing(result.point, result.at.residual);
   }
   /// What is known of ∂²𝓗/∂β² along a point of the branch, in words.
   [[nodiscard]] std::string legendre_at(const ChainVector& point) const;
-  [[nodiscard]] double rounding_error(const NewtonResult& result) const;
+  [[nodiscard]] double rounding_error(const ShootingResult& result) const;
 
   const Scene& scene_;
   const ExtremalOptions& options_;
@@ -102,7 +102,8 @@ bool Solve::continue_in_offset() {
   const double target = natural_.body.eta_m;
   start_.globals(kEta) = 0.0;
   if (target == 0.0) return true;
-  Branch branch = follow_branch(system_, start_, scale_, target, options_);
+  FollowedBranch branch =
+      follow_branch(system_, start_, scale_, target, options_);
   solution_.newton_steps += branch.newton_steps;
   solution_.continuation = std::move(branch.report);
   ContinuationReport& report = solution_.continuation;
@@ -172,10 +173,10 @@ void Solve::finish() {
       .max_steps = options_.max_newton_steps};
   const TangencyRow tangency = TangencyRow::offset(natural_.body.eta_m);
 
-  const NewtonResult coarse =
+  const ShootingResult coarse =
       solve_newton(system_, start_, scale_, tangency, newton);
   solution_.newton_steps += coarse.steps;
-  const auto describe_stop = [&](const NewtonResult& result) {
+  const auto describe_stop = [&](const ShootingResult& result) {
     return fmt::format(
         "after {} steps the correction is {:.1e}, the residual "
         "{:.1e}",
@@ -201,7 +202,7 @@ void Solve::finish() {
       return;
   }
   newton.integration.halve = true;
-  const NewtonResult fine =
+  const ShootingResult fine =
       solve_newton(system_, coarse.point, scale_, tangency, newton);
   solution_.newton_steps += fine.steps;
   if (fine.end == NewtonEnd::Stopped) {
@@ -233,7 +234,7 @@ void Solve::finish() {
   judge();
 }
 
-void Solve::fill(const NewtonResult& result) {
+void Solve::fill(const ShootingResult& result) {
   const Globals& q = result.point.globals;
   solution_.transit_time = time_of(result) * units_.time;
   solution_.tau =
@@ -255,7 +256,7 @@ void Solve::fill(const NewtonResult& result) {
 // Every step rounds the states, which T feels through the costates; the errors
 // are independent. The slope at the end, which determines φ and so the end
 // point, is as wrong as the last correction that could not be told from zero.
-double Solve::rounding_error(const NewtonResult& result) const {
+double Solve::rounding_error(const ShootingResult& result) const {
   const double T = result.at.transit_time;
   const Globals& q = result.point.globals;
   double largest = T;

@@ -29,7 +29,7 @@ Vector6 to_vector(const State& y) {
 constexpr std::array<Eigen::Index, kStartRows> kFixedAtStart{kX, kZ, kTheta, kW,
                                                              kPW};
 
-void start_rows(const Start& start, const ChainVector& point,
+void start_rows(const InitialState& start, const ChainVector& point,
                 Linearisation& out) {
   Eigen::Matrix<double, kStartRows, 1> wanted;
   wanted << start.x, start.z, start.theta, start.w, start.p_w;
@@ -59,7 +59,7 @@ bool ShootingSystem::evaluate(const ChainVector& point,
   const double eta_limit = 1.0;
   if (!(q(kU) > 0.0) || !(std::abs(q(kEta)) < eta_limit)) return false;
 
-  const Start start = start_conditions(scene_, q(kEta));
+  const InitialState start = start_conditions(scene_, q(kEta));
   start_rows(start, point, out);
 
   out.jacobian.arcs.resize(at(num_arcs_));

@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
+#include "refinement/refinement.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/pose.hpp"
-#include "study/refinement.hpp"
 
 namespace brachisto {
 

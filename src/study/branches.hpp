@@ -11,8 +11,8 @@
 
 #include "brachisto/study/effort.hpp"
 #include "model/units.hpp"
-#include "study/global_search.hpp"
-#include "study/refinement.hpp"
+#include "refinement/refinement.hpp"
+#include "search/global_search.hpp"
 
 namespace brachisto {
 

@@ -11,7 +11,7 @@
 #include "brachisto/trajectory/certificate.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
-#include "study/refinement.hpp"
+#include "refinement/refinement.hpp"
 #include "trajectory/arc_length_motion.hpp"
 
 namespace brachisto {

@@ -13,7 +13,7 @@
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
 
 namespace brachisto {
 

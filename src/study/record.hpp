@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "extremal/shooting.hpp"
+#include "refinement/refinement.hpp"
 #include "study/answer.hpp"
 #include "study/branches.hpp"
-#include "study/refinement.hpp"
 #include "study/start.hpp"
 
 namespace brachisto {

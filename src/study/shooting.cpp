@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "brachisto/trajectory/certificate.hpp"
-#include "study/turn_meshes.hpp"
+#include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
 #include "transcription/mesh.hpp"

@@ -9,8 +9,8 @@
 
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
+#include "refinement/refinement.hpp"
 #include "study/pose.hpp"
-#include "study/refinement.hpp"
 #include "transcription/extremal_curve.hpp"
 
 namespace brachisto {

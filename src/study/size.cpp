@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "study/turn_meshes.hpp"
+#include "refinement/turn_meshes.hpp"
 
 namespace brachisto {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
-#include "study/continuation.hpp"
 #include "study/start.hpp"
 #include "trajectory/feasibility.hpp"
 

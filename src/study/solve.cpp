@@ -17,14 +17,14 @@
 #include <utility>
 #include <vector>
 
+#include "refinement/turn_meshes.hpp"
+#include "search/descent.hpp"
 #include "study/answer.hpp"
 #include "study/certification.hpp"
-#include "study/descent.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"
 #include "study/size.hpp"
 #include "study/start.hpp"
-#include "study/turn_meshes.hpp"
 #include "study/within_limits.hpp"
 
 namespace brachisto {

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <utility>
 
+#include "refinement/turn_meshes.hpp"
 #include "study/shooting.hpp"
-#include "study/turn_meshes.hpp"
 #include "trajectory/trajectory.hpp"
 #include "transcription/initial_guess.hpp"
 

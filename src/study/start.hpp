@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "study/continuation.hpp"
+#include "search/continuation.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {

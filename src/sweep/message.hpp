@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "study/continuation.hpp"
+#include "search/continuation.hpp"
 
 namespace brachisto::sweep {
 

@@ -9,7 +9,7 @@
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "support/reference_values.hpp"
 #include "transcription/initial_guess.hpp"
 

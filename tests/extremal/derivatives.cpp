@@ -108,10 +108,10 @@ TEST(CanonicalFlow, VariationsAreDerivativesOfTheRates) {
 TEST(StartConditions, DerivativesByTheOffsetAreExact) {
   constexpr double kEtaHere = 0.5;
   const Scene scene = natural_scene();
-  const Start here = start_conditions(scene, kEtaHere);
+  const InitialState here = start_conditions(scene, kEtaHere);
 
   const auto remainder = [&](double h) {
-    const Start there = start_conditions(scene, kEtaHere + h);
+    const InitialState there = start_conditions(scene, kEtaHere + h);
     return std::abs(there.x - here.x - h * here.dx_deta) +
            std::abs(there.z - here.z - h * here.dz_deta) +
            std::abs(there.p_w - here.p_w - h * here.dp_w_deta);

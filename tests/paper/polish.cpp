@@ -9,8 +9,8 @@
 
 #include "brachisto/study/solve.hpp"
 #include "model/units.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "study/answer_kinds.hpp"
-#include "study/mesh_solve.hpp"
 #include "support/reference_values.hpp"
 #include "trajectory/extended_residual.hpp"
 #include "transcription/initial_guess.hpp"

@@ -12,8 +12,8 @@
 
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "model/units.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "solvers/small_problem.hpp"
-#include "study/mesh_solve.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

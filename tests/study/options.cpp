@@ -13,7 +13,7 @@
 #include <string>
 
 #include "brachisto/study/solve.hpp"
-#include "study/continuation.hpp"
+#include "search/continuation.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {

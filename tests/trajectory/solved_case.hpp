@@ -16,7 +16,7 @@
 
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "support/reference_values.hpp"
 #include "trajectory/certify.hpp"
 #include "transcription/initial_guess.hpp"

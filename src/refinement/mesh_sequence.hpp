@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "study/refinement.hpp"
+#include "refinement/refinement.hpp"
 
 namespace brachisto {
 

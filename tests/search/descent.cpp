@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/descent.hpp"
+#include "search/descent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "model/units.hpp"
+#include "refinement/turn_meshes.hpp"
+#include "search/continuation.hpp"
 #include "solvers/inertia.hpp"
-#include "study/continuation.hpp"
-#include "study/turn_meshes.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/continuation.hpp"
+#include "search/continuation.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@
 #include "brachisto/study/solve_options.hpp"
 #include "math/index.hpp"
 #include "model/units.hpp"
-#include "study/branch_history.hpp"
-#include "study/turn_meshes.hpp"
+#include "refinement/turn_meshes.hpp"
+#include "search/branch_history.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/initial_guess.hpp"
 #include "transcription/prolongation.hpp"

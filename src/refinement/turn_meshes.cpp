@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/turn_meshes.hpp"
+#include "refinement/turn_meshes.hpp"
 
 #include <algorithm>
 #include <cmath>

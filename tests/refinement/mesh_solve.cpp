@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/continuation.hpp"
+#include "search/continuation.hpp"
 
 #include <gtest/gtest.h>
 

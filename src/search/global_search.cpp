@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/global_search.hpp"
+#include "search/global_search.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

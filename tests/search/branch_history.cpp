@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/branch_history.hpp"
+#include "search/branch_history.hpp"
 
 #include <gtest/gtest.h>
 

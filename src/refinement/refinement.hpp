@@ -12,7 +12,7 @@
 
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/solve_options.hpp"
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
 #include "transcription/arc_length.hpp"
 
 namespace brachisto {

@@ -11,9 +11,9 @@
 #include <limits>
 #include <utility>
 
-#include "study/mesh_sequence.hpp"
-#include "study/refinement.hpp"
-#include "study/turn_meshes.hpp"
+#include "refinement/mesh_sequence.hpp"
+#include "refinement/refinement.hpp"
+#include "refinement/turn_meshes.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/descent.hpp"
+#include "search/descent.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "brachisto/study/solution.hpp"
-#include "study/global_search.hpp"
-#include "study/mesh_solve.hpp"
+#include "refinement/mesh_solve.hpp"
+#include "search/global_search.hpp"
 
 namespace brachisto {
 

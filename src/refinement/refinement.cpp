@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "study/refinement.hpp"
+#include "refinement/refinement.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "model/contact.hpp"
-#include "study/mesh_sequence.hpp"
+#include "refinement/mesh_sequence.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/mesh.hpp"

@@ -11,8 +11,8 @@
 #include "brachisto/study/solve_options.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
-#include "study/continuation.hpp"
-#include "study/turn_meshes.hpp"
+#include "refinement/turn_meshes.hpp"
+#include "search/continuation.hpp"
 #include "transcription/initial_guess.hpp"
 
 namespace brachisto {

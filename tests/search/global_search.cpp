@@ -4,7 +4,7 @@
 // Search::Global: what it lists and what it answers with. The expected τ come
 // from backward shooting over (θ_end, φ) that shares no code with the project.
 
-#include "study/global_search.hpp"
+#include "search/global_search.hpp"
 
 #include <gtest/gtest.h>
 

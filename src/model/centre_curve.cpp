@@ -18,7 +18,7 @@ namespace brachisto {
 
 namespace {
 
-constexpr double kVertical = 0.5 * std::numbers::pi;
+constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 PlaneCurvePtr curve_between(const GivenPath& path, Point start, Point end) {
   switch (path.shape) {
@@ -59,7 +59,7 @@ PlaneCurvePtr curve_with_contacts(const Scene& scene, Point start) {
   double phi_before = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
     check_stop();
-    const double phi = kVertical * (2.0 * i / kSteps - 1.0);
+    const double phi = kQuarterTurn * (2.0 * i / kSteps - 1.0);
     const std::optional<double> now =
         if_there_is([&] { return mismatch(phi); });
     if (before && now && *before * *now <= 0.0 &&

@@ -16,7 +16,7 @@ namespace brachisto {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// The first number of a file; a word such as "max" is none.
 std::optional<double> number_in(const std::string& file) {
@@ -34,13 +34,13 @@ double of_the_machine() {
     if (name == "MemAvailable:" && info >> kilobytes) return 1024.0 * kilobytes;
     info.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return kUnknown;
+  return kNoBound;
 }
 
 double of_the_address_space() {
   rlimit limit = {};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
-    return kUnknown;
+    return kNoBound;
   }
   const double page = static_cast<double>(::sysconf(_SC_PAGESIZE));
   const double taken = page * number_in("/proc/self/statm").value_or(0.0);
@@ -51,8 +51,8 @@ double of_the_address_space() {
 double of_the_control_group() {
   const std::string folder = "/sys/fs/cgroup/";
   return std::min(
-      number_in(folder + "memory.max").value_or(kUnknown),
-      number_in(folder + "memory/memory.limit_in_bytes").value_or(kUnknown));
+      number_in(folder + "memory.max").value_or(kNoBound),
+      number_in(folder + "memory/memory.limit_in_bytes").value_or(kNoBound));
 }
 
 }  // namespace

@@ -199,6 +199,11 @@ def verbs():
     yield Case("verbs/body", ["body", "ring:m=2", "point:m=1,at=1@-30deg"])
     yield Case("verbs/body json", ["body", "--json", "disc:m=2,hole=1/2", "rod:from=0@0,to=1@1"])
     yield Case("verbs/body wrong", ["body", "rings:m=2"])
+    # The principal extremal is a saddle: refused, with advice.
+    saddle = ("scene: {body: {shape: cylinder, radius: 0.38522, eta_m: 0.63445, theta_m: -1.2318, "
+              "k: 0.50532}, finish: {L: 2.9236, H: 1}}\n")
+    yield Case("verbs/saddle", ["solve", "case.yaml"], {"case.yaml": saddle.encode()})
+    yield solve("verbs/saddle json", saddle)
     points = "x,z\n" + "".join(f"{3 * i / 40},{(i / 40) ** 0.5}\n" for i in range(41))
     yield Case("verbs/points", ["solve", "case.yaml", "--json", "--out", "out"], {
         "p.csv": points.encode(),

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ class NotVerified : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+inline constexpr double kDegrees = 180.0 / std::numbers::pi;  ///< in 1 rad
 
 /// The flag that a signal sets.
 using Interrupt = std::atomic<int>;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reproduction/results.hpp"
@@ -41,21 +40,7 @@ struct PrintedNumber {
   [[nodiscard]] bool agrees() const;
 };
 
-/// Whether a statement of the paper is borne out.
-enum class Verdict { Holds, HoldsInPart, Fails };
-
-/// A statement of the paper in words, and what is found.
-struct Claim {
-  std::string place;
-  std::string statement;
-  Verdict verdict = Verdict::Holds;
-  std::string evidence;
-};
-
-[[nodiscard]] std::string_view name(Verdict verdict);
-
 [[nodiscard]] std::vector<PrintedNumber> printed_numbers(const Results& found);
-[[nodiscard]] std::vector<Claim> judge(const Results& found);
 
 /// As many digits as are known, and the error: "5.0934444666180(2)".
 [[nodiscard]] std::string with_error(const Measured& number);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "brachisto/io/diagnostics.hpp"
 #include "comparison/methods.hpp"

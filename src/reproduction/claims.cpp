@@ -121,7 +121,7 @@ Claim about_grid(const Results& found) {
 
 Claim about_shortest_time(const Results& found) {
   const double extremal = found.tau("fig04_reference_case");
-  const BentTrack& bent = found.bent;
+  const BentTrack& bent = found.arched.front();
   return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
           bent.tau < extremal ? Fails : Holds,
           fmt::format(

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <ranges>
 
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
 #include "reproduction/claims.hpp"
-#include "reproduction/members.hpp"
 #include "reproduction/peaks.hpp"
 
 namespace brachisto::reproduction {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "brachisto/model/mass_distribution.hpp"
 #include "report/sweep_plots.hpp"
@@ -213,7 +212,7 @@ Figure slope_at_b(const Results& found) {
        .colour = kBlue,
        .id = "kink"},
       {.name = fmt::format("bent on an arc of radius {:g} H: a track, feasible",
-                           found.bent.radius),
+                           found.arched.front().radius),
        .points = points_of(found.arched, place),
        .colour = kBrown,
        .width = 0.0,

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "reproduction/figures.hpp"
-#include "reproduction/members.hpp"
 #include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {

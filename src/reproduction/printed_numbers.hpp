@@ -30,8 +30,8 @@ struct PrintedNumber {
   std::string quantity;
   std::string paper;  ///< its digits as printed
   Measured ours;
-  std::string unit;
-  std::string remark;
+  std::string unit = {};
+  std::string remark = {};
 
   /// Ours − paper.
   [[nodiscard]] double difference() const;

@@ -15,7 +15,6 @@
 
 #include "reproduction/bent_track.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/members.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::reproduction {
@@ -142,16 +141,6 @@ std::vector<BackwardStart> backward_starts(Scene scene,
   return rows;
 }
 
-BentTrack bent_reference(const Scene& reference, double phi,
-                         const Interrupt& interrupt) {
-  constexpr double kRadius = 0.1;
-  // Of the time on a spline through points.
-  constexpr double kTolerance = 1e-8;
-  const Solution solution = verified_solution(
-      bent_track(reference, phi, kRadius, interrupt), interrupt, kTolerance);
-  return {phi, kRadius, solution.motion()->tau(), solution.feasible()};
-}
-
 std::vector<BentTrack> kinked_reference(const Motion& reference,
                                         const Interrupt& interrupt) {
   constexpr double kLast = -2.05;  // [rad], beyond the least time
@@ -169,11 +158,17 @@ std::vector<BentTrack> kinked_reference(const Motion& reference,
 
 std::vector<BentTrack> arched_reference(const Scene& reference,
                                         const Interrupt& interrupt) {
+  constexpr double kRadius = 0.1;
+  // Of the time on a spline through points.
+  constexpr double kTolerance = 1e-8;
   std::vector<BentTrack> tracks;
   // Less of a bend than that asks for more digits at the start, where every
   // extremal bends like the body, than points can give.
   for (const double phi : {-0.8, -0.9, -1.0, -1.1, -1.2, -1.3, -1.4, -1.5}) {
-    tracks.push_back(bent_reference(reference, phi, interrupt));
+    const Solution solution = verified_solution(
+        bent_track(reference, phi, kRadius, interrupt), interrupt, kTolerance);
+    tracks.push_back(
+        {phi, kRadius, solution.motion()->tau(), solution.feasible()});
   }
   return tracks;
 }
@@ -303,8 +298,6 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.uniform_on_incline = uniform_on_incline(out.cases, interrupt);
   out.backward_starts = backward_starts(reference, interrupt);
   hooks.announce("slopes at B");
-  constexpr double kExample = -0.8;
-  out.bent = bent_reference(reference, kExample, interrupt);
   out.kinked =
       kinked_reference(out.cases["fig04_reference_case"].motion(), interrupt);
   out.arched = arched_reference(reference, interrupt);

@@ -104,9 +104,8 @@ struct Results {
   ShiftByInertia shift_by_inertia = {};
   double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
   std::vector<BackwardStart> backward_starts = {};
-  BentTrack bent = {};
   /// With a kink, φ downwards from the smooth contact to the least time and a
-  /// little farther; and with an arc of the radius of `bent`.
+  /// little farther; and with an arc, all of one radius, the least bend first.
   std::vector<BentTrack> kinked = {}, arched = {};
 
   /// τ of a case.

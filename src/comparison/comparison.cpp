@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "brachisto/io/diagnostics.hpp"
 #include "comparison/methods.hpp"
@@ -27,32 +28,30 @@ struct Contender {
 std::vector<Contender> contenders(const SolveOptions& base, int nodes,
                                   double residual) {
   constexpr int kDegree = 5;
-  const auto contender = [&](const ComparedMethod& method, int mesh) {
-    Contender out{label(method), options_of(method, mesh, base)};
-    if (out.options.of<Collocation>() != nullptr) {
-      out.options.use<Collocation>().tolerance = residual;
+  const int elements = std::max(1, (nodes - 1) / kDegree);
+  std::vector<Contender> all;
+  const auto add = [&](const ComparedMethod& method, int mesh) -> Contender& {
+    SolveOptions options = options_of(method, mesh, base);
+    if (auto* program = std::get_if<Collocation>(&options.method)) {
+      program->tolerance = residual;
+    } else if (auto* system = std::get_if<DiscreteSystem>(&options.method)) {
+      system->tolerance = residual;
     }
-    if (out.options.of<DiscreteSystem>() != nullptr) {
-      out.options.use<DiscreteSystem>().tolerance = residual;
-    }
-    return out;
+    return all.emplace_back(Contender{label(method), std::move(options)});
   };
-  std::vector<Contender> all{contender({.kind = Kind::Extremal}, 0)};
+  add({.kind = Kind::Extremal}, 0);
   // On the mesh that the wanted accuracy asks for, not on one with n nodes.
-  Contender by_tolerance = contender(rolling_time(kDegree), 1);
+  Contender& by_tolerance = add(rolling_time(kDegree), 1);
   by_tolerance.label = "rolling_time";
   by_tolerance.options.use<Collocation>().discretisation = {};
-  all.push_back(by_tolerance);
-  all.push_back(
-      contender(rolling_time(kDegree), std::max(1, (nodes - 1) / kDegree)));
-  Contender newton = all.back();
+  add(rolling_time(kDegree), elements);
+  Contender& newton = add(rolling_time(kDegree), elements);
   newton.label += ", newton";
   newton.options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
-  all.push_back(newton);
-  all.push_back(contender({.kind = Kind::ArcLength}, nodes - 1));
+  add({.kind = Kind::ArcLength}, nodes - 1);
   for (const DiscreteArm arm : {DiscreteArm::Rest, DiscreteArm::Release,
                                 DiscreteArm::Newton, DiscreteArm::Lifted}) {
-    all.push_back(contender(discrete_system(arm), nodes));
+    add(discrete_system(arm), nodes);
   }
   return all;
 }

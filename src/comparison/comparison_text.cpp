@@ -25,7 +25,32 @@ using report::text_table;
 
 using Json = nlohmann::ordered_json;
 
-namespace {}  // namespace
+namespace {
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+std::string kernel() {
+  struct utsname system = {};
+  if (::uname(&system) != 0) return "unknown";
+  return fmt::format("{} {} {}", system.sysname, system.release,
+                     system.machine);
+}
+
+}  // namespace
+
+Machine this_machine() {
+  return {cpu_model(), kernel(),
+          static_cast<int>(std::thread::hardware_concurrency())};
+}
 
 Json to_json(const Measurement& run) {
   Json json = {{"outcome", name(run.outcome)},
@@ -141,33 +166,6 @@ std::string to_json(const MethodComparison& comparison) {
                    {"methods", rows}};
   add_origin(document, comparison.subject);
   return document.dump(2) + "\n";
-}
-
-namespace {
-
-std::string cpu_model() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
-  }
-  return "unknown";
-}
-
-std::string kernel() {
-  struct utsname system = {};
-  if (::uname(&system) != 0) return "unknown";
-  return fmt::format("{} {} {}", system.sysname, system.release,
-                     system.machine);
-}
-
-}  // namespace
-
-Machine this_machine() {
-  return {cpu_model(), kernel(),
-          static_cast<int>(std::thread::hardware_concurrency())};
 }
 
 }  // namespace brachisto::comparison

@@ -78,19 +78,9 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 const char* name(Measurement::Outcome outcome) {
-  switch (outcome) {
-    case Measurement::Outcome::Solved:
-      return "solved";
-    case Measurement::Outcome::Failed:
-      return "failed";
-    case Measurement::Outcome::Limit:
-      return "limit";
-    case Measurement::Outcome::Crashed:
-      return "crashed";
-    case Measurement::Outcome::Refused:
-      return "refused";
-  }
-  return "";
+  constexpr const char* kNames[] = {"solved", "failed", "limit", "crashed",
+                                    "refused"};
+  return kNames[static_cast<int>(outcome)];
 }
 
 Measurement parse_measurement(const std::string& line) {

@@ -15,58 +15,45 @@ namespace {
 
 using Kind = ComparedMethod::Kind;
 
-const char* name(DiscreteArm arm) {
-  switch (arm) {
-    case DiscreteArm::Rest:
-      return "rest";
-    case DiscreteArm::Release:
-      return "release";
-    case DiscreteArm::Newton:
-      return "newton";
-    case DiscreteArm::Lifted:
-      return "lifted";
-  }
-  return "";
-}
+/// What an arm of the discrete system is run with.
+struct Arm {
+  const char* name;
+  DiscreteSolver solver;
+  std::optional<DiscreteReading::Datum> datum = {};  ///< else the problem's
+};
 
-void take_arm(DiscreteArm arm, DiscreteSystem& system) {
+Arm arm_of(const ComparedMethod& method) {
   using Datum = DiscreteReading::Datum;
-  switch (arm) {
-    case DiscreteArm::Rest:
-    case DiscreteArm::Release:
-      system.solver = DiscreteSolver::Hybrid;
-      system.reading.datum =
-          arm == DiscreteArm::Rest ? Datum::Rest : Datum::Release;
-      break;
-    case DiscreteArm::Newton:
-      system.solver = DiscreteSolver::Newton;
-      break;
-    case DiscreteArm::Lifted:
-      system.solver = DiscreteSolver::Lifted;
-  }
+  constexpr Arm kArms[] = {{"rest", DiscreteSolver::Hybrid, Datum::Rest},
+                           {"release", DiscreteSolver::Hybrid, Datum::Release},
+                           {"newton", DiscreteSolver::Newton},
+                           {"lifted", DiscreteSolver::Lifted}};
+  return kArms[static_cast<int>(method.arm)];
 }
 
-}  // namespace
-
-std::string label(const ComparedMethod& method) {
+/// \param degree  between the name of collocation and its degree
+std::string named(const ComparedMethod& method, const char* degree) {
   switch (method.kind) {
     case Kind::RollingTime:
-      return fmt::format("rolling_time p = {}", method.degree);
+      return fmt::format("rolling_time{}{}", degree, method.degree);
     case Kind::ArcLength:
       return "arc_length";
     case Kind::Extremal:
       return "extremal";
     case Kind::DiscreteSystem:
-      return fmt::format("fsolve {}", name(method.arm));
+      return fmt::format("fsolve {}", arm_of(method).name);
   }
   return "";
 }
 
+}  // namespace
+
+std::string label(const ComparedMethod& method) {
+  return named(method, " p = ");
+}
+
 std::string identifier(const ComparedMethod& method) {
-  std::string id = label(method);
-  if (method.kind == Kind::RollingTime) {
-    id = fmt::format("rolling_time_{}", method.degree);
-  }
+  std::string id = named(method, "_");
   std::ranges::replace(id, ' ', '_');
   return id;
 }
@@ -76,27 +63,15 @@ bool has_meshes(const ComparedMethod& method) {
 }
 
 int smallest_mesh(const ComparedMethod& method) {
-  switch (method.kind) {
-    case Kind::ArcLength:
-    case Kind::DiscreteSystem:  // with fewer, too: chords that make no path
-      return kFewestPieces;
-    case Kind::RollingTime:
-    case Kind::Extremal:
-      break;
-  }
-  return 1;
+  // With fewer the discrete system, too, has chords that make no path.
+  const bool needs_pieces =
+      method.kind == Kind::ArcLength || method.kind == Kind::DiscreteSystem;
+  return needs_pieces ? kFewestPieces : 1;
 }
 
 std::optional<int> promised_order(const ComparedMethod& method) {
-  switch (method.kind) {
-    case Kind::RollingTime:
-      return 2 * method.degree;
-    case Kind::ArcLength:
-      return 2;
-    case Kind::Extremal:
-    case Kind::DiscreteSystem:
-      break;
-  }
+  if (method.kind == Kind::RollingTime) return 2 * method.degree;
+  if (method.kind == Kind::ArcLength) return 2;
   return std::nullopt;
 }
 
@@ -122,7 +97,9 @@ SolveOptions options_of(const ComparedMethod& method, int mesh,
     case Kind::DiscreteSystem: {
       auto system = base.or_default<DiscreteSystem>();
       system.nodes = mesh;
-      take_arm(method.arm, system);
+      const Arm arm = arm_of(method);
+      system.solver = arm.solver;
+      system.reading.datum = arm.datum.value_or(system.reading.datum);
       options.method = system;
     }
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "comparison/methods.hpp"
@@ -15,61 +16,41 @@ namespace brachisto::comparison {
 
 namespace {
 
-class Campaign {
- public:
-  Campaign(const Subject& subject, const WorkPrecisionPlan& plan,
-           const Hooks& hooks)
-      : subject_(subject), plan_(plan), hooks_(hooks) {}
+/// Runs a method on one mesh.
+using Run = std::function<Measurement(const ComparedMethod& method, int mesh,
+                                      int repetitions)>;
 
-  [[nodiscard]] Reference reference() const {
-    const Measurement extremal =
-        run({.kind = ComparedMethod::Kind::Extremal}, 0, 1);
-    if (const auto found = reference_in(extremal)) return *found;
-    throw NoReference(fmt::format(
-        "there is no reference to take errors against; the "
-        "extremal method {}: {}",
-        extremal.solved() ? "is not verified" : name(extremal.outcome),
-        extremal.cause));
-  }
+Reference find_reference(const Run& run) {
+  const Measurement extremal =
+      run({.kind = ComparedMethod::Kind::Extremal}, 0, 1);
+  if (const auto found = reference_in(extremal)) return *found;
+  throw NoReference(fmt::format(
+      "there is no reference to take errors against; the "
+      "extremal method {}: {}",
+      extremal.solved() ? "is not verified" : name(extremal.outcome),
+      extremal.cause));
+}
 
-  [[nodiscard]] PrecisionLine line(const ComparedMethod& method,
-                                   const Reference& reference) const {
-    PrecisionLine out{method, {}, {}};
-    const std::vector<int> meshes =
-        has_meshes(method) ? plan_.meshes : std::vector<int>{0};
-    for (const int mesh : meshes) {
-      if (has_meshes(method) && mesh < smallest_mesh(method)) continue;
-      PrecisionPoint point{mesh, run(method, mesh, plan_.repetitions), {}, {}};
-      if (point.run.solved()) {
-        const Scene& scene = subject_.problem.scene;
-        point.error = error_of(point.run, reference);
-        if (method.kind != ComparedMethod::Kind::Extremal) {
-          point.path_error = path_error(point.run.path, reference.path,
-                                        std::max(scene.L, scene.H));
-        }
+PrecisionLine line_of(const ComparedMethod& method, const WorkPrecision& all,
+                      const Run& run) {
+  PrecisionLine out{method, {}, {}};
+  const Scene& scene = all.subject.problem.scene;
+  const std::vector<int> meshes =
+      has_meshes(method) ? all.plan.meshes : std::vector<int>{0};
+  for (const int mesh : meshes) {
+    if (has_meshes(method) && mesh < smallest_mesh(method)) continue;
+    PrecisionPoint point{mesh, run(method, mesh, all.plan.repetitions), {}, {}};
+    if (point.run.solved()) {
+      point.error = error_of(point.run, all.reference);
+      if (method.kind != ComparedMethod::Kind::Extremal) {
+        point.path_error = path_error(point.run.path, all.reference.path,
+                                      std::max(scene.L, scene.H));
       }
-      out.points.push_back(std::move(point));
     }
-    return out;
+    out.points.push_back(std::move(point));
   }
-
- private:
-  [[nodiscard]] Measurement run(const ComparedMethod& method, int mesh,
-                                int repetitions) const {
-    if (hooks_.announce) {
-      hooks_.announce(mesh > 0 ? fmt::format("{}, {}", label(method), mesh)
-                               : label(method));
-    }
-    return measure({subject_.file, subject_.overrides,
-                    options_of(method, mesh, subject_.problem.options),
-                    repetitions, plan_.seconds_per_point},
-                   hooks_.interrupt);
-  }
-
-  const Subject& subject_;
-  const WorkPrecisionPlan& plan_;
-  const Hooks& hooks_;
-};
+  return out;
+}
 
 std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
   std::vector<SizeError> errors;
@@ -97,10 +78,19 @@ double WorkPrecision::floor() const {
 WorkPrecision run_work_precision(const Subject& subject,
                                  const WorkPrecisionPlan& plan,
                                  const Hooks& hooks) {
-  const Campaign campaign(subject, plan, hooks);
-  WorkPrecision out{subject, plan, campaign.reference(), {}};
+  const Run run = [&](const ComparedMethod& method, int mesh, int repetitions) {
+    if (hooks.announce) {
+      hooks.announce(mesh > 0 ? fmt::format("{}, {}", label(method), mesh)
+                              : label(method));
+    }
+    return measure({subject.file, subject.overrides,
+                    options_of(method, mesh, subject.problem.options),
+                    repetitions, plan.seconds_per_point},
+                   hooks.interrupt);
+  };
+  WorkPrecision out{subject, plan, find_reference(run), {}};
   for (const ComparedMethod& method : plan.methods) {
-    out.lines.push_back(campaign.line(method, out.reference));
+    out.lines.push_back(line_of(method, out, run));
     out.lines.back().order = order_of(out.lines.back(), out.floor());
   }
   return out;

@@ -60,6 +60,11 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
              std::size_t index) {
   constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
                               Mark::Diamond, Mark::Triangle};
+  const Look arms[] = {// by DiscreteArm
+                       {"#a50026", Stroke::DashDotted, Mark::Triangle},
+                       {"#d95f02", Stroke::DashDotted, Mark::Circle},
+                       {"#8c510a", Stroke::Dotted, Mark::Diamond},
+                       {"#666666", Stroke::Dashed, Mark::Disc}};
   switch (method.kind) {
     case Kind::RollingTime:
       return {report::family_colours(degrees)[index], Stroke::Solid,
@@ -69,19 +74,9 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
     case Kind::Extremal:
       return {"#000000", Stroke::Solid, Mark::Triangle};
     case Kind::DiscreteSystem:
-      break;
+      return arms[static_cast<int>(method.arm)];
   }
-  switch (method.arm) {
-    case DiscreteArm::Rest:
-      return {"#a50026", Stroke::DashDotted, Mark::Triangle};
-    case DiscreteArm::Release:
-      return {"#d95f02", Stroke::DashDotted, Mark::Circle};
-    case DiscreteArm::Newton:
-      return {"#8c510a", Stroke::Dotted, Mark::Diamond};
-    case DiscreteArm::Lifted:
-      return {"#666666", Stroke::Dashed, Mark::Disc};
-  }
-  return {"#000000", Stroke::Solid, Mark::Disc};
+  return {};
 }
 
 /// Without what rich text would lower.
@@ -105,9 +100,9 @@ class Diagram {
   }
 
   [[nodiscard]] report::Chart draw() {
+    const auto kind = [](const PrecisionLine& l) { return l.method.kind; };
     const auto degrees = static_cast<std::size_t>(
-        std::ranges::count(found_.lines, Kind::RollingTime,
-                           [](const auto& l) { return l.method.kind; }));
+        std::ranges::count(found_.lines, Kind::RollingTime, kind));
     std::size_t index = 0;
     for (const PrecisionLine& line : found_.lines) {
       const Look look = look_of(line.method, degrees, index);
@@ -199,12 +194,10 @@ class Diagram {
     }
     if (!(xs_.low <= xs_.high)) return;  // nothing to show
     constexpr double kRoom = 2.5;
-    const auto widen = [](report::Side& side, const report::Extent& extent) {
-      side.low = extent.low / kRoom;
-      side.high = extent.high * kRoom;
-    };
-    widen(chart_.x, xs_);
-    widen(chart_.y, ys_);
+    chart_.x.low = xs_.low / kRoom;
+    chart_.x.high = xs_.high * kRoom;
+    chart_.y.low = ys_.low / kRoom;
+    chart_.y.high = ys_.high * kRoom;
   }
 
   /// Runs without a result have no error: they stand in a field of their own,
@@ -213,11 +206,8 @@ class Diagram {
     constexpr double kWidth = 1.6;  // decades
     const double left = *chart_.x.high;
     chart_.x.high = left * std::pow(10.0, kWidth);
-    chart_.areas.push_back({.name = "no result",
-                            .outline = {{left, *chart_.y.low},
-                                        {*chart_.x.high, *chart_.y.low},
-                                        {*chart_.x.high, *chart_.y.high},
-                                        {left, *chart_.y.high}}});
+    chart_.areas.push_back(
+        {.name = "no result", .outline = between(left, *chart_.x.high)});
     bool limited = false;
     int place = 0;
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
@@ -247,10 +237,7 @@ class Diagram {
       if (crosses.points.empty()) continue;
       chart_.curves.push_back(std::move(crosses));
     }
-    if (limited) add_limit();
-  }
-
-  void add_limit() {
+    if (!limited) return;
     const double cap = found_.plan.seconds_per_point;
     chart_.curves.push_back(
         {.name = fmt::format("limit of {:g} s", cap),
@@ -261,15 +248,20 @@ class Diagram {
          .id = "limit"});
   }
 
+  /// The field from one error to another.
+  [[nodiscard]] std::vector<Datum> between(double left, double right) const {
+    return {{left, *chart_.y.low},
+            {right, *chart_.y.low},
+            {right, *chart_.y.high},
+            {left, *chart_.y.high}};
+  }
+
   /// Where errors cannot be told from that of the reference.
   void add_reference() {
     const double error = found_.reference.error;
     if (!(error > *chart_.x.low)) return;
     chart_.areas.push_back({.name = "error of the reference",
-                            .outline = {{*chart_.x.low, *chart_.y.low},
-                                        {error, *chart_.y.low},
-                                        {error, *chart_.y.high},
-                                        {*chart_.x.low, *chart_.y.high}},
+                            .outline = between(*chart_.x.low, error),
                             .fill = "#d9e6f2"});
   }
 

@@ -1,25 +1,51 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "reproduction/claims.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 
-#include "reproduction/members.hpp"
-#include "reproduction/printed_numbers.hpp"
+#include "brachisto/model/mass_distribution.hpp"
+#include "math/portable_random.hpp"
+#include "reproduction/claims.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
-double tau(const Results& found, const char* name) {
-  return found.cases[name].tau().value;
+using enum Verdict;
+
+/// A body of three parts at random: points, rings and discs that lie within it.
+MassProperties random_body(const RandomStream& random, std::uint64_t index) {
+  constexpr int kParts = 3;
+  constexpr int kDraws = 5;
+  std::uint64_t next = index * kParts * kDraws;
+  const auto draw = [&] { return random.draw(next++) / random.kWhole; };
+  std::vector<MassPart> parts;
+  for (int i = 0; i < kParts; ++i) {
+    const double mass = 0.01 + draw();
+    const double angle = 2.0 * std::numbers::pi * draw();
+    const double reach = draw();
+    const double size = (1.0 - reach) * (0.01 + 0.99 * draw());
+    const Point at{reach * std::cos(angle), reach * std::sin(angle)};
+    const double kind = draw();
+    parts.push_back(kind < 1.0 / 3.0   ? MassPart::point(mass, at)
+                    : kind < 2.0 / 3.0 ? MassPart::ring(mass, at, size)
+                                       : MassPart::disc(mass, at, size));
+  }
+  return mass_properties(parts, 1.0);
+}
+
+/// sin(θ − β): −1 with the centre of mass as far from the track as it comes, 1
+/// with it next to the track.
+double nearness(const TrajectoryPoint& at) {
+  return std::sin(at.theta - at.beta);
 }
 
 /// The name of a case without what would be markup.
@@ -28,32 +54,43 @@ std::string words(std::string name) {
   return name;
 }
 
-Claim about_standard_curves(const Results& found) {
-  const double best = tau(found, "fig04_reference_case");
-  double next = std::numeric_limits<double>::infinity();
-  for (const char* curve : {"fig04_straight", "fig04_parabola",
-                            "fig04_circular_arc", "fig04_cycloid"}) {
-    next = std::min(next, tau(found, curve));
+Claim about_possible_bodies() {
+  constexpr std::uint64_t kBodies = 10'000;
+  const RandomStream random(1, "possible bodies");
+  double most = 0.0;
+  for (std::uint64_t i = 0; i < kBodies; ++i) {
+    const MassProperties body = random_body(random, i);
+    most = std::max(most, body.k + body.eta_m * body.eta_m);
   }
-  return {"Fig. 4", "The brachistochrone is faster than the standard curves.",
-          best < next ? Verdict::Holds : Verdict::Fails,
-          fmt::format("τ = {:.6f}; the best standard curve has {:.6f}.", best,
-                      next)};
+  // Two bodies of the figure, both with all mass on the rim.
+  const MassProperties ring =
+      mass_properties(std::vector{MassPart::ring(1.0, {0.0, 0.0}, 1.0)}, 1.0);
+  const MassProperties pair =
+      mass_properties(std::vector{MassPart::point(1.0, {1.0, 0.0}),
+                                  MassPart::point(1.0, {-1.0, 0.0})},
+                      1.0);
+  constexpr double kRounding = 1e-15;
+  const bool same = std::abs(ring.k - pair.k) < kRounding &&
+                    std::abs(ring.eta_m - pair.eta_m) < kRounding;
+  return {"App. A", "No body has k > 1 − η_m^2; several may share η_m and k.",
+          most <= 1.0 && same ? Holds : Fails,
+          fmt::format("Of {} bodies of random parts the largest k + η_m^2 is "
+                      "{:.4f}. A ring and two opposite masses on the rim have "
+                      "η_m = {:.0f}, k = {:.0f} and η_m = {:.0f}, k = {:.0f}.",
+                      kBodies, most, ring.eta_m, ring.k, pair.eta_m, pair.k)};
 }
 
-Claim about_shortest_time(const Results& found) {
-  const double extremal = tau(found, "fig04_reference_case");
-  const BentTrack& bent = found.bent;
-  return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
-          bent.tau < extremal ? Verdict::Fails : Verdict::Holds,
-          fmt::format(
-              "It is a minimum between the fixed ends of its centre's path. A "
-              "track between the same A and B that turns up next to B, "
-              "in a groove {:.3g} H wider than the body, takes τ = "
-              "{:.4f} against {:.4f}{}. The sharper the bend, the "
-              "faster: without limits there is no fastest track.",
-              bent.radius, bent.tau, extremal,
-              bent.feasible ? ", and is feasible" : "")};
+Claim about_dependence_on_inertia(const Results& found) {
+  const auto& [axisymmetric, off_centred] = found.shift_by_inertia;
+  constexpr double kNone = 1e-6;
+  const bool holds = axisymmetric < kNone && off_centred > kNone;
+  return {"Sec. II.A",
+          "The track depends on k too; that of an axisymmetric body does not.",
+          holds ? Holds : Fails,
+          fmt::format("Between k = 0.1 and k = 5/9 a point of the track at the "
+                      "same share of the rolling time moves by up to {:.3f} "
+                      "for η_m = 2/3 and by {:.0e} for η_m = 0.",
+                      off_centred, axisymmetric)};
 }
 
 Claim about_grid(const Results& found) {
@@ -74,12 +111,40 @@ Claim about_grid(const Results& found) {
   return {"Sec. II.C",
           "The result does not depend on the grid, to two decimals from n = 50 "
           "on.",
-          converged ? Verdict::Holds : Verdict::HoldsInPart,
+          converged ? Holds : HoldsInPart,
           fmt::format("The paper's own equations go from {} or from {}, as "
                       "their energy is read, between n = {} and {}. Degree 5 "
                       "moves by {:.0e} from {} nodes on.",
                       rest, release, coarse.nodes, fine.nodes, ours,
                       found.grid.front().nodes + 1)};
+}
+
+Claim about_shortest_time(const Results& found) {
+  const double extremal = found.tau("fig04_reference_case");
+  const BentTrack& bent = found.arched.front();
+  return {"Fig. 4", "The brachistochrone is the path of shortest transit time.",
+          bent.tau < extremal ? Fails : Holds,
+          fmt::format(
+              "It is a minimum between the fixed ends of its centre's path. A "
+              "track between the same A and B that turns up next to B, "
+              "in a groove {:.3g} H wider than the body, takes τ = "
+              "{:.4f} against {:.4f}{}. The sharper the bend, the "
+              "faster: without limits there is no fastest track.",
+              bent.radius, bent.tau, extremal,
+              bent.feasible ? ", and is feasible" : "")};
+}
+
+Claim about_standard_curves(const Results& found) {
+  const double best = found.tau("fig04_reference_case");
+  double next = std::numeric_limits<double>::infinity();
+  for (const char* curve : {"fig04_straight", "fig04_parabola",
+                            "fig04_circular_arc", "fig04_cycloid"}) {
+    next = std::min(next, found.tau(curve));
+  }
+  return {"Fig. 4", "The brachistochrone is faster than the standard curves.",
+          best < next ? Holds : Fails,
+          fmt::format("τ = {:.6f}; the best standard curve has {:.6f}.", best,
+                      next)};
 }
 
 Claim about_normal_force(const Results& found) {
@@ -93,17 +158,75 @@ Claim about_normal_force(const Results& found) {
       lifted.push_back(words(name));
     }
   }
-  const auto infeasible = std::ranges::count_if(
-      found.map.outcomes,
-      [](const SweepOutcome& outcome) { return !outcome.feasible; });
+  const auto infeasible =
+      std::ranges::count(found.map.outcomes, false, &SweepOutcome::feasible);
   return {"Sec. III.A", "R_n > 0 in every case studied.",
-          lifted.empty() && infeasible == 0 ? Verdict::Holds : Verdict::Fails,
+          lifted.empty() && infeasible == 0 ? Holds : Fails,
           fmt::format("After the start, where R_n = 0 for every body. Lift-off "
                       "in {} of {} single scenes{}{}; {} of the {} scenes of "
                       "Fig. 13 are infeasible.",
                       lifted.size(), count, lifted.empty() ? "" : ": ",
                       fmt::join(lifted, ", "), infeasible,
                       found.map.outcomes.size())};
+}
+
+/// The path of the reference case.
+struct SampledPath {
+  static constexpr int kSamples = 2000;
+  const Motion& motion;
+  std::vector<TrajectoryPoint> points = motion.fine_sample(kSamples);
+  /// Where R_n is largest.
+  const TrajectoryPoint& most = *std::ranges::max_element(
+      points, {}, [](const TrajectoryPoint& at) { return at.motion.R_n; });
+};
+
+Claim about_rise_of_normal_force(const SampledPath& sampled) {
+  const auto& [motion, path, most] = sampled;
+  double together = 0.0, far_off = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double nearer = nearness(path[i]) - nearness(path[i - 1]);
+    const double rise = path[i].motion.R_n - path[i - 1].motion.R_n;
+    const double time = path[i].t - path[i - 1].t;
+    if (nearer * rise > 0.0) {
+      together += time;
+    } else if (nearness(path[i]) < 0.0) {
+      far_off += time;
+    }
+  }
+  const double share = together / motion.transit_time();
+  // A sample or two may straddle an extremum.
+  constexpr double kAlways = 1.0 - 4.0 / SampledPath::kSamples;
+  return {"Sec. III.A",
+          "R_n rises as the centre of mass rolls towards the track and falls "
+          "as it rolls away.",
+          share > kAlways ? Holds
+          : share > 0.5   ? HoldsInPart
+                          : Fails,
+          fmt::format("On the track of Fig. 4 for {:.0f} % of the time. Where "
+                      "R_n is largest the centre of mass is {:.0f}° from its "
+                      "place next to the track. In {:.0f} % of the time that "
+                      "is left it is farther from the track than the axis.",
+                      100.0 * share,
+                      std::acos(std::min(1.0, nearness(most))) * kDegrees,
+                      100.0 * far_off / (motion.transit_time() - together))};
+}
+
+Claim about_bulk_of_normal_force(const SampledPath& sampled) {
+  const Scene& scene = sampled.motion.scene();
+  const TrajectoryPoint& most = sampled.most;
+  // m r η ω², along the normal.
+  const double centripetal = scene.body.radius * scene.body.eta_m *
+                             most.motion.omega * most.motion.omega *
+                             nearness(most) / scene.gravity;
+  const double share = centripetal / most.motion.R_n;
+  return {
+      "Sec. III.A",
+      "The bulk of the largest R_n counters the centripetal force of the "
+      "centre of mass about the axis.",
+      share > 0.5 ? Holds : Fails,
+      fmt::format("It takes {:.3f} m g; R_n is {:.3f} m g{}.", centripetal,
+                  most.motion.R_n,
+                  share > 1.0 ? ", less, for the track bends away there" : "")};
 }
 
 Claim about_curvature(const Results& found) {
@@ -119,7 +242,7 @@ Claim about_curvature(const Results& found) {
                                1.0 / one.scene().body.radius));
   }
   return {"Sec. III.A", "κ_b < 1/r in every case studied.",
-          bent.empty() ? Verdict::Holds : Verdict::Fails,
+          bent.empty() ? Holds : Fails,
           fmt::format("{}The condition is sufficient, not necessary: a track "
                       "folds where 1 − r κ_c ≤ 0, and the least 1 − r κ_c of "
                       "all cases is {:.3f}.",
@@ -129,183 +252,23 @@ Claim about_curvature(const Results& found) {
                       least_margin)};
 }
 
-Claim about_shortest_track(const Results& found) {
-  const auto length = [&](const char* name) {
-    return found.cases[name].motion().rail_length();
-  };
-  const double bead = length("fig06_bead");
-  const double uniform = length("fig06_uniform_cylinder");
-  const double off = length("fig04_reference_case");
-  return {"Fig. 6", "The bead has the shortest track of the three.",
-          bead < std::min(uniform, off) ? Verdict::Holds : Verdict::Fails,
-          fmt::format("{:.4f}, {:.4f}, {:.4f}: bead, uniform, off-centred.",
-                      bead, uniform, off)};
-}
-
-Claim about_lengths(const Results& found) {
-  const double uniform =
-      found.cases["fig06_uniform_cylinder"].motion().rail_length();
-  const double off = found.cases["fig04_reference_case"].motion().rail_length();
-  const double share = std::abs(uniform - off) / uniform;
-  return {"Fig. 6",
-          "The uniform and the off-centred cylinder have near equal path "
-          "lengths.",
-          share < 0.01 ? Verdict::Holds : Verdict::HoldsInPart,
-          fmt::format("{:.4f} and {:.4f}, {:.1f} % apart.", uniform, off,
-                      100.0 * share)};
-}
-
-/// By how many percent the second is less than the first.
-double percent_less(double first, double second) {
-  return 100.0 * (first - second) / first;
-}
-
-Claim about_order(const Results& found) {
-  const double bead = tau(found, "fig06_bead");
-  const double off = tau(found, "fig04_reference_case");
-  const double uniform = tau(found, "fig06_uniform_cylinder");
-  return {"Fig. 6",
-          "The bead is the quickest, the off-centred cylinder second, the "
-          "uniform cylinder last.",
-          bead < off && off < uniform ? Verdict::Holds : Verdict::Fails,
-          fmt::format("{:.4f}, {:.4f}, {:.4f}. The off-centred cylinder is "
-                      "faster than the uniform one by {:.1f} %; by the printed "
-                      "times it would be {:.1f} %.",
-                      bead, off, uniform, percent_less(uniform, off),
-                      percent_less(number_in(printed::kUniform),
-                                   number_in(printed::kOffCentred)))};
-}
-
-/// "4.8706 (r = 0.5), …".
-std::string by_radius(const std::vector<RadiusRow>& rows) {
-  std::vector<std::string> values;
-  for (const RadiusRow& row : rows) {
-    values.push_back(fmt::format("{:.4f} (r = {:.3g})", row.tau, row.radius));
-  }
-  return fmt::format("{}", fmt::join(values, ", "));
-}
-
-double spread(const std::vector<RadiusRow>& rows) {
-  const auto [least, most] =
-      std::ranges::minmax_element(rows, {}, &RadiusRow::tau);
-  return most->tau - least->tau;
-}
-
-Claim about_radius(const Results& found) {
-  constexpr double kNone = 0.005;  // half of the last digit that is printed
-  std::vector<RadiusRow> off_centred;
-  for (const Member& member : tracks_by_radius()) {
-    off_centred.push_back({found.cases[member.file].scene().body.radius,
-                           tau(found, member.file.c_str())});
-  }
-  const double k = found.cases["fig06_uniform_cylinder"].scene().body.k;
-  const bool varies = spread(off_centred) > kNone;
-  const bool constant = spread(found.uniform) < kNone;
-  return {"Sec. III.F",
-          "Transit times vary with r, unlike those of axisymmetric cylinders.",
-          !varies    ? Verdict::Fails
-          : constant ? Verdict::Holds
-                     : Verdict::HoldsInPart,
-          fmt::format("Off-centred, η_m = 2/3: τ = {}. Axisymmetric times do "
-                      "not depend on r between fixed ends of the centre's "
-                      "path; between fixed points A and B of the track they "
-                      "do: τ = {}, and for r → 0 that of the bead times "
-                      "√(1 + k), {:.4f}.",
-                      by_radius(off_centred), by_radius(found.uniform),
-                      tau(found, "fig06_bead") * std::sqrt(1.0 + k))};
-}
-
-Claim about_length_of_domain(const Results& found) {
-  const double a = tau(found, "fig12_L_2");
-  const double b = tau(found, "fig04_reference_case");
-  const double c = tau(found, "fig12_L_4");
-  std::vector<double> lengths;
-  for (const Member& member : tracks_by_length()) {
-    lengths.push_back(found.cases[member.file].motion().rail_length());
-  }
-  const bool longer = std::ranges::is_sorted(lengths);
-  return {"Sec. III.G", "Longer domains have longer tracks and take longer.",
-          a < b && b < c && longer ? Verdict::Holds : Verdict::Fails,
-          fmt::format("τ = {:.4f}, {:.4f}, {:.4f} and lengths {:.4f} for L = "
-                      "2, 3, 4.",
-                      a, b, c, fmt::join(lengths, ", "))};
-}
-
-Claim about_beating_the_bead(const Results& found) {
-  const double bead = tau(found, "fig06_bead");
-  const double fast = tau(found, "fig13_faster_than_bead");
-  const double between = found.bead_between_centres;
-  return {
-      "Sec. III.H", "An off-centred cylinder can be faster than the bead.",
-      fast < bead ? Verdict::Holds : Verdict::Fails,
-      fmt::format(
-          "{:.6f} against {:.6f}, by {:.1f} %; by the printed times "
-          "it would be {:.1f} %. A bead between the ends of the "
-          "path of that cylinder's centre takes {:.6f}{}.",
-          fast, bead, percent_less(bead, fast),
-          percent_less(number_in(printed::kBead), number_in(printed::kFast)),
-          between,
-          between < bead ? ": part of the gain is that the cylinder starts "
-                           "beside A and ends above B"
-                         : ", so that starting beside A and ending above B "
-                           "is no gain in itself")};
-}
-
-Claim about_axisymmetric_bodies(const Results& found) {
-  const double k = found.boundary.front().k;
-  return {"Sec. III.H", "Axisymmetric objects are always slower than the bead.",
-          k > 0.0 ? Verdict::HoldsInPart : Verdict::Holds,
-          fmt::format("Between fixed ends of the centre's path, by the factor "
-                      "√(1 + k). Between A and B, with r = 1/3 and L = 3, "
-                      "axisymmetric cylinders of k < {:.6f} are faster "
-                      "than the bead.",
-                      k)};
-}
-
 }  // namespace
 
-std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Holds:
-      return "holds";
-    case Verdict::HoldsInPart:
-      return "holds in part";
-    case Verdict::Fails:
-      return "does not hold";
-  }
-  return "";
-}
-
 std::vector<Claim> judge(const Results& found) {
-  return {about_possible_bodies(),
-          about_dependence_on_inertia(found),
-          about_grid(found),
-          about_shortest_time(found),
-          about_standard_curves(found),
-          about_normal_force(found),
-          about_rise_of_normal_force(found),
-          about_bulk_of_normal_force(found),
-          about_curvature(found),
-          about_cycloids(found),
-          about_pull(found),
-          about_depth(found),
-          about_shortest_track(found),
-          about_lengths(found),
-          about_order(found),
-          about_incline(found),
-          about_angular_speed(found),
-          about_effect_of_offset(found),
-          about_place_of_peaks(found),
-          about_effect_of_inertia(found),
-          about_number_of_peaks(found),
-          about_radius(found),
-          about_length_of_domain(found),
-          about_start(found),
-          about_effect_of_orientation(found),
-          about_minimum(found),
-          about_orientation(found),
-          about_beating_the_bead(found),
-          about_axisymmetric_bodies(found)};
+  const SampledPath sampled{found.cases["fig04_reference_case"].motion()};
+  std::vector<Claim> claims = {about_possible_bodies(),
+                               about_dependence_on_inertia(found),
+                               about_grid(found),
+                               about_shortest_time(found),
+                               about_standard_curves(found),
+                               about_normal_force(found),
+                               about_rise_of_normal_force(sampled),
+                               about_bulk_of_normal_force(sampled),
+                               about_curvature(found)};
+  for (auto&& more : {claims_of_shapes(found), claims_of_orientation(found)}) {
+    claims.insert(claims.end(), more.begin(), more.end());
+  }
+  return claims;
 }
 
 }  // namespace brachisto::reproduction

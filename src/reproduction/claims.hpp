@@ -2,37 +2,44 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Statements of the paper by what they are about; judge() has the others.
+/// Statements of the paper, and whether they are borne out.
 
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 
-// Bodies.
-[[nodiscard]] Claim about_possible_bodies();
+enum class Verdict { Holds, HoldsInPart, Fails };
 
-// Shape.
-[[nodiscard]] Claim about_dependence_on_inertia(const Results& found);
-[[nodiscard]] Claim about_cycloids(const Results& found);
-[[nodiscard]] Claim about_pull(const Results& found);
-[[nodiscard]] Claim about_depth(const Results& found);
-[[nodiscard]] Claim about_effect_of_offset(const Results& found);
-[[nodiscard]] Claim about_place_of_peaks(const Results& found);
-[[nodiscard]] Claim about_effect_of_inertia(const Results& found);
-[[nodiscard]] Claim about_number_of_peaks(const Results& found);
+[[nodiscard]] inline const char* name(Verdict verdict) {
+  constexpr const char* kNames[] = {"holds", "holds in part", "does not hold"};
+  return kNames[static_cast<int>(verdict)];
+}
 
-// Motion.
-[[nodiscard]] Claim about_rise_of_normal_force(const Results& found);
-[[nodiscard]] Claim about_bulk_of_normal_force(const Results& found);
-[[nodiscard]] Claim about_angular_speed(const Results& found);
-[[nodiscard]] Claim about_incline(const Results& found);
-[[nodiscard]] Claim about_start(const Results& found);
+/// A statement of the paper in words, and what is found.
+struct Claim {
+  std::string place;
+  std::string statement;
+  Verdict verdict = Verdict::Holds;
+  std::string evidence;
+};
 
-// The map of Fig. 13.
-[[nodiscard]] Claim about_effect_of_orientation(const Results& found);
-[[nodiscard]] Claim about_minimum(const Results& found);
-[[nodiscard]] Claim about_orientation(const Results& found);
+/// All of them in the order of the paper.
+[[nodiscard]] std::vector<Claim> judge(const Results& found);
+
+/// Those on how tracks and times depend on the body and on L, sections III.B to
+/// III.G.
+[[nodiscard]] std::vector<Claim> claims_of_shapes(const Results& found);
+/// Those on θ_m, and on what is faster than the bead, section III.H.
+[[nodiscard]] std::vector<Claim> claims_of_orientation(const Results& found);
+
+/// By how many percent the second is less than the first.
+[[nodiscard]] inline double percent_less(double first, double second) {
+  return 100.0 * (first - second) / first;
+}
 
 }  // namespace brachisto::reproduction

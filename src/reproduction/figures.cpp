@@ -9,6 +9,16 @@
 
 namespace brachisto::reproduction {
 
+report::Chart chart_of(const char* name, const char* title, const char* x,
+                       const char* y) {
+  report::Chart chart;
+  chart.name = name;
+  chart.title = title;
+  chart.x.label = x;
+  chart.y.label = y;
+  return chart;
+}
+
 Figure figure(const report::Chart& chart, std::string heading,
               std::string caption) {
   return {.heading = std::move(heading),

@@ -14,6 +14,11 @@
 
 namespace brachisto::reproduction {
 
+inline constexpr const char* kBlack = "#000000";
+inline constexpr const char* kBlue = "#1a3f8f";
+inline constexpr const char* kBrown = "#b5651d";
+inline constexpr const char* kGrey = "#888888";
+
 /// A picture and what is to be said of it.
 struct Figure {
   std::string heading;  ///< "Fig. 4. …", rich text
@@ -21,6 +26,9 @@ struct Figure {
   report::Figure drawing{};
 };
 
+/// A chart without curves.
+[[nodiscard]] report::Chart chart_of(const char* name, const char* title,
+                                     const char* x, const char* y);
 [[nodiscard]] Figure figure(const report::Chart& chart, std::string heading,
                             std::string caption);
 

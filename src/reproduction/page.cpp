@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -110,7 +109,6 @@ std::string cases_table(const Cases& cases) {
 }
 
 std::string orientation_table(const std::vector<OrientationRow>& fastest) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   std::string rows;
   for (const OrientationRow& row : fastest) {
     rows += fmt::format(

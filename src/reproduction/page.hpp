@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
+#include "reproduction/claims.hpp"
 #include "reproduction/figures.hpp"
 #include "reproduction/printed_numbers.hpp"
 

@@ -97,21 +97,20 @@ std::vector<PrintedNumber> lengths_and_forces(const Cases& cases) {
   using D = PathDiagnostics;
   return {
       {"Fig. 6", "length of the track, bead", "3.57",
-       track_length(cases["fig06_bead"]), "", ""},
+       track_length(cases["fig06_bead"])},
       {"Fig. 6", "length of the track, uniform cylinder", "3.66",
-       track_length(cases["fig06_uniform_cylinder"]), "", ""},
+       track_length(cases["fig06_uniform_cylinder"])},
       {"Fig. 6", "length of the track, off-centred cylinder", "3.66",
-       track_length(reference), "", ""},
+       track_length(reference)},
       {"Fig. 5", "largest R_n, off-centred cylinder", "4.2",
-       diagnostic([](const D& d) { return d.max_normal_force.value; }), "m g",
-       ""},
+       diagnostic([](const D& d) { return d.max_normal_force.value; }), "m g"},
       {"Fig. 5", "where R_n is largest, x_b / H", "2.5",
-       diagnostic([](const D& d) { return d.max_normal_force.x; }), "", ""},
+       diagnostic([](const D& d) { return d.max_normal_force.x; })},
       {"Sec. III.A", "least local minimum of κ_b", "−1.34",
        diagnostic([](const D& d) { return d.curvature_after_rise.value; }),
        "1/H", "The rise from the start, where κ_b tends to −1/r, is left out."},
       {"Sec. III.A", "largest κ_b", "1.52",
-       diagnostic([](const D& d) { return d.max_curvature.value; }), "1/H", ""},
+       diagnostic([](const D& d) { return d.max_curvature.value; }), "1/H"},
   };
 }
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "reproduction/results.hpp"
@@ -31,8 +30,8 @@ struct PrintedNumber {
   std::string quantity;
   std::string paper;  ///< its digits as printed
   Measured ours;
-  std::string unit;
-  std::string remark;
+  std::string unit = {};
+  std::string remark = {};
 
   /// Ours − paper.
   [[nodiscard]] double difference() const;
@@ -41,21 +40,7 @@ struct PrintedNumber {
   [[nodiscard]] bool agrees() const;
 };
 
-/// Whether a statement of the paper is borne out.
-enum class Verdict { Holds, HoldsInPart, Fails };
-
-/// A statement of the paper in words, and what is found.
-struct Claim {
-  std::string place;
-  std::string statement;
-  Verdict verdict = Verdict::Holds;
-  std::string evidence;
-};
-
-[[nodiscard]] std::string_view name(Verdict verdict);
-
 [[nodiscard]] std::vector<PrintedNumber> printed_numbers(const Results& found);
-[[nodiscard]] std::vector<Claim> judge(const Results& found);
 
 /// As many digits as are known, and the error: "5.0934444666180(2)".
 [[nodiscard]] std::string with_error(const Measured& number);

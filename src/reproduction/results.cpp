@@ -3,16 +3,18 @@
 
 #include "reproduction/results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <stdexcept>
 #include <system_error>
 
 #include "reproduction/bent_track.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/members.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::reproduction {
@@ -70,12 +72,6 @@ std::vector<OrientationRow> fastest_orientations(Scene scene,
     guess = rows.back().fastest.theta_m.value;
   }
   return rows;
-}
-
-std::vector<double> offsets(int steps, double largest) {
-  std::vector<double> eta;
-  for (int i = 0; i <= steps; ++i) eta.push_back(largest * i / steps);
-  return eta;
 }
 
 std::vector<RadiusRow> uniform_of_radius(Scene scene,
@@ -145,19 +141,6 @@ std::vector<BackwardStart> backward_starts(Scene scene,
   return rows;
 }
 
-BentTrack bent_reference(const Scene& reference, double phi,
-                         const Interrupt& interrupt) {
-  // Of the time on a spline through points.
-  constexpr double kTolerance = 1e-8;
-  BentTrack bent{.phi = phi, .radius = 0.1, .tau = 0.0, .feasible = false};
-  const Solution solution =
-      verified_solution(bent_track(reference, bent.phi, bent.radius, interrupt),
-                        interrupt, kTolerance);
-  bent.tau = solution.motion()->tau();
-  bent.feasible = solution.feasible();
-  return bent;
-}
-
 std::vector<BentTrack> kinked_reference(const Motion& reference,
                                         const Interrupt& interrupt) {
   constexpr double kLast = -2.05;  // [rad], beyond the least time
@@ -175,11 +158,17 @@ std::vector<BentTrack> kinked_reference(const Motion& reference,
 
 std::vector<BentTrack> arched_reference(const Scene& reference,
                                         const Interrupt& interrupt) {
+  constexpr double kRadius = 0.1;
+  // Of the time on a spline through points.
+  constexpr double kTolerance = 1e-8;
   std::vector<BentTrack> tracks;
   // Less of a bend than that asks for more digits at the start, where every
   // extremal bends like the body, than points can give.
   for (const double phi : {-0.8, -0.9, -1.0, -1.1, -1.2, -1.3, -1.4, -1.5}) {
-    tracks.push_back(bent_reference(reference, phi, interrupt));
+    const Solution solution = verified_solution(
+        bent_track(reference, phi, kRadius, interrupt), interrupt, kTolerance);
+    tracks.push_back(
+        {phi, kRadius, solution.motion()->tau(), solution.feasible()});
   }
   return tracks;
 }
@@ -195,10 +184,8 @@ std::vector<std::string> needed_cases() {
                                  "fig06_bead",
                                  "fig06_uniform_cylinder",
                                  "fig13_faster_than_bead"};
-  for (const Members& family :
-       {tracks_by_offset(), tracks_by_orientation(), tracks_by_inertia(),
-        tracks_by_radius(), tracks_by_radius_of_the_text(),
-        tracks_by_length()}) {
+  for (const Members& family : {kByOffset, kByOrientation, kByInertia,
+                                kByRadius, kByRadiusOfTheText, kByLength}) {
     for (const Member& member : family) names.push_back(member.file);
   }
   return names;
@@ -257,27 +244,40 @@ SweepTable solve_family(const sweep::Job& job, int jobs,
 
 }  // namespace
 
+double largest_error(const std::vector<OrientationRow>& rows) {
+  const auto error = [](const OrientationRow& row) {
+    return row.fastest.theta_m.error;
+  };
+  return error(std::ranges::max(rows, {}, error));
+}
+
+std::size_t column_of(const SweepTable& table, const char* key) {
+  const auto found = std::ranges::find(table.columns, key, &SweepColumn::key);
+  if (found != table.columns.end()) {
+    return static_cast<std::size_t>(found - table.columns.begin());
+  }
+  throw std::runtime_error(fmt::format("the map does not vary {}", key));
+}
+
+std::vector<MapRow> rows_of(const SweepTable& map) {
+  const SweepColumn& eta_m = map.columns[column_of(map, kEtaKey)];
+  const SweepColumn& theta_m = map.columns[column_of(map, kThetaKey)];
+  const std::size_t count = map.axes.back().count;
+  std::vector<MapRow> rows;
+  for (std::size_t i = 0; i < map.outcomes.size(); ++i) {
+    if (i % count == 0) rows.push_back({eta_m.numbers[i], {}});
+    rows.back().points.push_back({theta_m.numbers[i], map.outcomes[i].tau});
+  }
+  return rows;
+}
+
 Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   const Interrupt& interrupt = *hooks.interrupt;
   // What is wrong with it is told before the work begins.
   const sweep::Job map =
       sweep::read_job(directory / "sweeps" / "fig13_map.yaml", {});
-  Results out{
-      .cases = Cases(directory, needed_cases(), interrupt, hooks.announce),
-      .map = {},
-      .grid = {},
-      .equations = {},
-      .orientations = {},
-      .boundary = {},
-      .best_boundary = {},
-      .uniform = {},
-      .bead_between_centres = 0.0,
-      .shift_by_inertia = {},
-      .uniform_on_incline = 0.0,
-      .backward_starts = {},
-      .bent = {},
-      .kinked = {},
-      .arched = {}};
+  Results out{.cases =
+                  Cases(directory, needed_cases(), interrupt, hooks.announce)};
   const Scene& reference = out.cases["fig04_reference_case"].scene();
   const Case& fast = out.cases["fig13_faster_than_bead"];
   hooks.announce("grid study");
@@ -298,8 +298,6 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.uniform_on_incline = uniform_on_incline(out.cases, interrupt);
   out.backward_starts = backward_starts(reference, interrupt);
   hooks.announce("slopes at B");
-  constexpr double kExample = -0.8;
-  out.bent = bent_reference(reference, kExample, interrupt);
   out.kinked =
       kinked_reference(out.cases["fig04_reference_case"].motion(), interrupt);
   out.arched = arched_reference(reference, interrupt);
@@ -307,7 +305,10 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.orientations = fastest_orientations(reference, interrupt);
   hooks.announce("bodies as fast as the bead");
   constexpr int kSteps = 20;
-  const std::vector<double> eta_m = offsets(kSteps, 1.0 - 1.0 / kSteps);
+  std::vector<double> eta_m;
+  for (int i = 0; i <= kSteps; ++i) {
+    eta_m.push_back((1.0 - 1.0 / kSteps) * i / kSteps);
+  }
   out.boundary = bead_boundary(fast.scene(), eta_m, false, interrupt);
   hooks.announce("the same, put down best");
   out.best_boundary = bead_boundary(fast.scene(), eta_m, true, interrupt);

@@ -48,6 +48,25 @@ struct RadiusRow {
   double tau = 0.0;
 };
 
+/// The largest error of an orientation [rad].
+[[nodiscard]] double largest_error(const std::vector<OrientationRow>& rows);
+
+/// A row of the map: one η_m.
+struct MapPoint {
+  double theta_m = 0.0;  ///< [rad]
+  double tau = 0.0;
+};
+struct MapRow {
+  double eta_m = 0.0;
+  std::vector<MapPoint> points;
+};
+[[nodiscard]] std::vector<MapRow> rows_of(const SweepTable& map);
+
+/// Keys that the map varies, and the column of one of them.
+inline constexpr const char* kEtaKey = "scene.body.eta_m";
+inline constexpr const char* kThetaKey = "scene.body.theta_m";
+[[nodiscard]] std::size_t column_of(const SweepTable& map, const char* key);
+
 /// How far a point of the track moves, at the same share of the rolling time,
 /// between k = 0.1 and k = 5/9: the farthest of all [H].
 struct ShiftByInertia {
@@ -71,24 +90,28 @@ struct BentTrack {
 
 struct Results {
   Cases cases;
-  SweepTable map;  ///< τ over η_m and θ_m
-  std::vector<GridRow> grid;
+  SweepTable map = {};  ///< τ over η_m and θ_m
+  std::vector<GridRow> grid = {};
   /// By problem file, with the paper's n = 100.
-  std::map<std::string, PaperEquations> equations;
-  std::vector<OrientationRow> orientations;
-  std::vector<BoundaryBody> boundary;       ///< with θ_m = −π/6
-  std::vector<BoundaryBody> best_boundary;  ///< with the best θ_m
-  std::vector<RadiusRow> uniform;
+  std::map<std::string, PaperEquations> equations = {};
+  std::vector<OrientationRow> orientations = {};
+  std::vector<BoundaryBody> boundary = {};       ///< with θ_m = −π/6
+  std::vector<BoundaryBody> best_boundary = {};  ///< with the best θ_m
+  std::vector<RadiusRow> uniform = {};
   /// τ of a bead between the ends of the *centre's* path of the body that the
   /// paper found to be faster than the bead.
   double bead_between_centres = 0.0;
-  ShiftByInertia shift_by_inertia;
+  ShiftByInertia shift_by_inertia = {};
   double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
-  std::vector<BackwardStart> backward_starts;
-  BentTrack bent;
+  std::vector<BackwardStart> backward_starts = {};
   /// With a kink, φ downwards from the smooth contact to the least time and a
-  /// little farther; and with an arc of the radius of `bent`.
-  std::vector<BentTrack> kinked, arched;
+  /// little farther; and with an arc, all of one radius, the least bend first.
+  std::vector<BentTrack> kinked = {}, arched = {};
+
+  /// τ of a case.
+  [[nodiscard]] double tau(const std::string& name) const {
+    return cases[name].tau().value;
+  }
 };
 
 /// Who asks and who listens.

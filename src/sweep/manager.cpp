@@ -33,21 +33,6 @@ struct Slot {
   WallClock::time_point deadline;
 };
 
-/// What made a worker useless.
-enum class Loss { Ended, Rubbish, Timeout };
-
-const char* status_of(Loss loss) {
-  switch (loss) {
-    case Loss::Ended:
-      return "worker_lost";
-    case Loss::Rubbish:
-      return "worker_rubbish";
-    case Loss::Timeout:
-      return "worker_timeout";
-  }
-  return "";
-}
-
 /// Scenes of a shard that have no result, in runs of one chain each.
 class Backlog {
  public:
@@ -106,20 +91,21 @@ class Manager {
       for (Slot& slot : slots_) {
         if (slot.busy) attend(slot, answers);
       }
-      store_.record(answers, plan_);
-      for (const Answer& answer : answers) count(answer.scene, answer.result);
+      keep(answers);
       progress(counts_);
     }
-    if (!interrupted()) {
-      store_.record(held_, plan_);
-      for (const Answer& answer : held_) count(answer.scene, answer.result);
-    }
+    if (!interrupted()) keep(held_);
     return counts_;
   }
 
  private:
   [[nodiscard]] bool interrupted() const {
     return options_.interrupt != nullptr && options_.interrupt->load() != 0;
+  }
+
+  void keep(const std::vector<Answer>& answers) {
+    store_.record(answers, plan_);
+    for (const Answer& answer : answers) count(answer.scene, answer.result);
   }
 
   /// Counts what is there. \return whether each scene has a result
@@ -203,7 +189,8 @@ class Manager {
     for (const std::string& line : slot.worker->read_lines()) {
       std::optional<Answer> answer = answer_from_line(line);
       if (!slot.busy || !answer || answer->scene != slot.next) {
-        lose(slot, Loss::Rubbish, answers);
+        lose(slot, "worker_rubbish",
+             "the worker wrote something else than an answer", answers);
         return;
       }
       // Whoever answers proves that workers can.
@@ -217,9 +204,12 @@ class Manager {
     }
     if (!slot.busy) return;
     if (slot.worker->ended()) {
-      lose(slot, Loss::Ended, answers);
+      lose(slot, "worker_lost", "the worker " + slot.worker->finish(), answers);
     } else if (WallClock::now() > slot.deadline) {
-      lose(slot, Loss::Timeout, answers);
+      lose(slot, "worker_timeout",
+           fmt::format("no answer within {:g} s; the worker was killed",
+                       options_.seconds_per_scene),
+           answers);
     }
   }
 
@@ -233,8 +223,8 @@ class Manager {
 
   /// The scene is tried once more; the second time it has failed, and the next
   /// one starts cold.
-  void lose(Slot& slot, Loss loss, std::vector<Answer>& answers) {
-    const std::string message = describe(loss, slot.worker->finish());
+  void lose(Slot& slot, const char* status, const std::string& message,
+            std::vector<Answer>& answers) {
     slot.worker.reset();
     if (++losses_in_a_row_ >= 4 + 2 * options_.jobs) {
       store_.record(answers, plan_);
@@ -246,28 +236,14 @@ class Manager {
     if (slot.retrying) {
       // Held back until some worker answers: it may not be the scene's fault.
       if (slot.next >= slot.run.first) {
-        held_.push_back({slot.next,
-                         failure_json(status_of(loss), message + ", twice"),
-                         ""});
+        held_.push_back(
+            {slot.next, failure_json(status, message + ", twice"), ""});
       }
       advance(slot, "");
     } else {
       slot.retrying = true;
     }
     if (slot.busy) send_request(slot);
-  }
-
-  [[nodiscard]] std::string describe(Loss loss, const std::string& end) const {
-    switch (loss) {
-      case Loss::Ended:
-        return "the worker " + end;
-      case Loss::Rubbish:
-        return "the worker wrote something else than an answer";
-      case Loss::Timeout:
-        return fmt::format("no answer within {:g} s; the worker was killed",
-                           options_.seconds_per_scene);
-    }
-    return "";
   }
 
   ChainPlan plan_;

@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
+#include <span>
 
 namespace brachisto::sweep {
 
@@ -46,52 +46,17 @@ Store open_part(const std::filesystem::path& part, const StoreInfo& target) {
   return store;
 }
 
-/// Results that are known, and what the parts add to them.
-class Collection {
- public:
-  explicit Collection(Store& target) {
-    target.for_each_result([&](std::size_t scene, const std::string& document) {
-      known_.emplace(scene, document);
-    });
-  }
-
-  void add(Store& part, const ChainPlan& plan, MergeReport& report) {
-    const std::size_t before = added_.size();
-    part.for_each_result([&](std::size_t scene, const std::string& document) {
-      const auto [place, is_new] = known_.emplace(scene, document);
-      if (is_new) {
-        added_.push_back({scene, document, std::nullopt});
-      } else if (essence(place->second) == essence(document)) {
-        report.overlaps.push_back(scene);
-      } else {
-        report.conflicts.push_back(scene);
-      }
-    });
-    // The last scene of a chain that is not finished brings its state along.
-    for (std::size_t i = before; i < added_.size(); ++i) {
-      const Chain chain = plan.of_scene(added_[i].scene);
-      const bool last =
-          i + 1 == added_.size() || added_[i + 1].scene != added_[i].scene + 1;
-      if (last && added_[i].scene + 1 < chain.last) {
-        added_[i].state = part.state_after(chain.id, added_[i].scene);
-      }
+/// The last scene of a chain that is not finished brings its state along.
+void add_states(std::span<Answer> added, Store& part, const ChainPlan& plan) {
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    const std::size_t scene = added[i].scene;
+    const Chain chain = plan.of_scene(scene);
+    const bool last = i + 1 == added.size() || added[i + 1].scene != scene + 1;
+    if (last && scene + 1 < chain.last) {
+      added[i].state = part.state_after(chain.id, scene);
     }
   }
-
-  [[nodiscard]] bool has(std::size_t scene) const {
-    return known_.contains(scene);
-  }
-  [[nodiscard]] std::vector<Answer> added() && {
-    std::sort(
-        added_.begin(), added_.end(),
-        [](const Answer& a, const Answer& b) { return a.scene < b.scene; });
-    return std::move(added_);
-  }
-
- private:
-  std::map<std::size_t, std::string> known_;
-  std::vector<Answer> added_;
-};
+}
 
 }  // namespace
 
@@ -106,17 +71,33 @@ std::vector<Store> open_parts(const std::vector<std::filesystem::path>& parts,
 MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
   const ChainPlan plan(job.file);
   MergeReport report;
-  Collection collection(target);
-  for (Store& part : parts) collection.add(part, plan, report);
+  std::map<std::size_t, std::string> known;
+  std::vector<Answer> added;
+  target.for_each_result([&](std::size_t scene, const std::string& document) {
+    known.emplace(scene, document);
+  });
+  for (Store& part : parts) {
+    const std::size_t before = added.size();
+    part.for_each_result([&](std::size_t scene, const std::string& document) {
+      const auto [place, is_new] = known.emplace(scene, document);
+      if (is_new) {
+        added.push_back({scene, document, std::nullopt});
+      } else {
+        const bool alike = essence(place->second) == essence(document);
+        (alike ? report.overlaps : report.conflicts).push_back(scene);
+      }
+    });
+    add_states(std::span(added).subspan(before), part, plan);
+  }
   for (std::size_t scene = 0; scene < job.file.num_scenes(); ++scene) {
-    if (!collection.has(scene)) report.gaps.push_back(scene);
+    if (!known.contains(scene)) report.gaps.push_back(scene);
   }
   report.damaged = may_be_missing(target.damage(), report.gaps);
   for (const Store& part : parts) {
     report.damaged =
         report.damaged || may_be_missing(part.damage(), report.gaps);
   }
-  const std::vector<Answer> added = std::move(collection).added();
+  std::ranges::sort(added, {}, &Answer::scene);
   std::vector<std::size_t> replaced;
   for (const Answer& answer : added) {
     if (target.damage().scenes.contains(answer.scene)) {
@@ -127,8 +108,8 @@ MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
   target.record(added, plan);
   target.set_shard(kMerged);
   report.added = added.size();
-  std::sort(report.overlaps.begin(), report.overlaps.end());
-  std::sort(report.conflicts.begin(), report.conflicts.end());
+  std::ranges::sort(report.overlaps);
+  std::ranges::sort(report.conflicts);
   return report;
 }
 

@@ -33,6 +33,24 @@ std::string failed_checks(const Solution& solution) {
   return advice.empty() ? text : text + "; to try: " + advice;
 }
 
+/// \throws Json::exception  if something is missing or of another type
+SweepOutcome outcome_of(const Json& json) {
+  SweepOutcome outcome;
+  outcome.status = json.at("status");
+  outcome.message = json.at("message");
+  if (!json.at("verified").get<bool>()) {
+    outcome.state = SweepOutcome::State::Failed;
+    return outcome;
+  }
+  outcome.state = SweepOutcome::State::Verified;
+  outcome.feasible = json.at("feasible");
+  outcome.tau = json.at("tau");
+  outcome.transit_time = json.at("transit_time");
+  outcome.estimated_error = json.at("estimated_error");
+  outcome.end_angle = json.at("end_angle");
+  return outcome;
+}
+
 }  // namespace
 
 std::string outcome_json(const Solution& solution) {
@@ -57,41 +75,18 @@ std::string failure_json(std::string_view status, std::string_view message) {
 
 bool is_outcome(const std::string& document) {
   if (document.size() > kLongestOutcome) return false;
-  const std::optional<Json> read = parse_bounded_json(document);
-  if (!read) return false;
-  const Json& json = *read;
-  const auto has = [&](const char* key, auto&& test) {
-    return json.contains(key) && test(json[key]);
-  };
-  const auto is_text = [](const Json& j) { return j.is_string(); };
-  const auto is_truth = [](const Json& j) { return j.is_boolean(); };
-  const auto is_number = [](const Json& j) { return j.is_number(); };
-  if (!json.is_object() || !has("status", is_text) ||
-      !has("message", is_text) || !has("verified", is_truth)) {
+  const std::optional<Json> json = parse_bounded_json(document);
+  if (!json) return false;
+  try {
+    (void)outcome_of(*json);
+    return true;
+  } catch (const Json::exception&) {
     return false;
   }
-  return !json["verified"] ||
-         (has("feasible", is_truth) && has("tau", is_number) &&
-          has("transit_time", is_number) && has("estimated_error", is_number) &&
-          has("end_angle", is_number));
 }
 
 SweepOutcome read_outcome(const std::string& document) {
-  const Json json = Json::parse(document);
-  SweepOutcome outcome;
-  outcome.status = json.at("status");
-  outcome.message = json.at("message");
-  if (!json.at("verified")) {
-    outcome.state = SweepOutcome::State::Failed;
-    return outcome;
-  }
-  outcome.state = SweepOutcome::State::Verified;
-  outcome.feasible = json.at("feasible");
-  outcome.tau = json.at("tau");
-  outcome.transit_time = json.at("transit_time");
-  outcome.estimated_error = json.at("estimated_error");
-  outcome.end_angle = json.at("end_angle");
-  return outcome;
+  return outcome_of(Json::parse(document));
 }
 
 std::optional<nlohmann::ordered_json> parse_bounded_json(

@@ -16,15 +16,9 @@ namespace brachisto::sweep {
 namespace {
 
 int flags_of(Database::Access access) {
-  switch (access) {
-    case Database::Access::ReadOnly:
-      return SQLITE_OPEN_READONLY;
-    case Database::Access::ReadWrite:
-      return SQLITE_OPEN_READWRITE;
-    case Database::Access::Create:
-      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  }
-  return 0;
+  constexpr int kFlags[] = {SQLITE_OPEN_READONLY, SQLITE_OPEN_READWRITE,
+                            SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE};
+  return kFlags[static_cast<int>(access)];
 }
 
 /// Beside the file, as long as it is in use.
@@ -36,11 +30,10 @@ std::string journal_of(const std::string& path) {
 std::string uri_path(const std::string& path) {
   std::string text;
   for (const char c : path) {
-    if (c == '%' || c == '?' || c == '#') {
-      text += c == '%' ? "%25" : c == '?' ? "%3f" : "%23";
-    } else {
-      text += c;
-    }
+    text += c == '%'   ? "%25"
+            : c == '?' ? "%3f"
+            : c == '#' ? "%23"
+                       : std::string(1, c);
   }
   return text;
 }
@@ -135,19 +128,17 @@ Statement::~Statement() {
   sqlite3_finalize(handle_);
 }
 
-Statement& Statement::bind(int parameter, std::int64_t value) {
+void Statement::bind(int parameter, std::int64_t value) {
   if (sqlite3_bind_int64(handle_, parameter, value) != SQLITE_OK) {
     database_.fail();
   }
-  return *this;
 }
 
-Statement& Statement::bind(int parameter, std::string_view value) {
+void Statement::bind(int parameter, std::string_view value) {
   if (sqlite3_bind_text64(handle_, parameter, value.data(), value.size(),
                           SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
     database_.fail();
   }
-  return *this;
 }
 
 bool Statement::step() {

@@ -64,9 +64,13 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  Statement& bind(int parameter, std::int64_t value);
-  /// The text is copied.
-  Statement& bind(int parameter, std::string_view value);
+  /// Sets the parameters, in order; texts are copied.
+  template <class... Values>
+  Statement& with(const Values&... values) {
+    int parameter = 0;
+    (bind(++parameter, values), ...);
+    return *this;
+  }
   /// True if there is a row; after the last one the statement is reset.
   [[nodiscard]] bool step();
   void run() {
@@ -77,6 +81,9 @@ class Statement {
   [[nodiscard]] std::string text(int column) const;
 
  private:
+  void bind(int parameter, std::int64_t value);
+  void bind(int parameter, std::string_view value);
+
   Database& database_;
   sqlite3_stmt* handle_ = nullptr;
 };

@@ -30,17 +30,13 @@ fs::path file_in(const fs::path& directory) {
   return directory / Store::kFileName;
 }
 
-std::int64_t to_integer(std::size_t value) {
-  return static_cast<std::int64_t>(value);
-}
-
 std::int64_t info_checksum(std::string_view key, std::string_view value) {
   return row_checksum(fmt::format("info {}", key), value);
 }
 std::int64_t result_checksum(std::size_t scene, std::string_view document) {
   return row_checksum(fmt::format("result {}", scene), document);
 }
-std::int64_t state_checksum(std::int64_t chain, std::int64_t scene,
+std::int64_t state_checksum(std::size_t chain, std::size_t scene,
                             std::string_view value) {
   return row_checksum(fmt::format("state {} {}", chain, scene), value);
 }
@@ -96,8 +92,9 @@ std::array<std::pair<std::string_view, std::string>, 6> rows_of(
 
 void put_info(Database& database, std::string_view key,
               std::string_view value) {
-  Statement put(database, "INSERT OR REPLACE INTO info VALUES (?, ?, ?)");
-  put.bind(1, key).bind(2, value).bind(3, info_checksum(key, value)).run();
+  Statement(database, "INSERT OR REPLACE INTO info VALUES (?, ?, ?)")
+      .with(key, value, info_checksum(key, value))
+      .run();
 }
 
 }  // namespace
@@ -241,19 +238,16 @@ void Store::read_info(bool lacks_journal) {
     }
   }
   damage_.journal_lost = lacks_journal && sound.contains(Mark::kKey);
-  std::string scenes;
-  for (const auto& [key, value] : {std::pair{"job", &info_.job},
-                                   {"input_hash", &info_.input_hash},
-                                   {"version", &info_.version},
-                                   {"shard", &info_.shard},
-                                   {"provenance", &info_.provenance},
-                                   {"scenes", &scenes}}) {
-    if (const auto found = sound.find(key); found != sound.end()) {
-      *value = found->second;
-    } else {
-      damage_.info.emplace_back(key);
-    }
-  }
+  const auto value = [&](const char* key) {
+    if (!sound.contains(key)) damage_.info.emplace_back(key);
+    return sound[key];
+  };
+  info_ = {.job = value("job"),
+           .input_hash = value("input_hash"),
+           .version = value("version"),
+           .shard = value("shard"),
+           .provenance = value("provenance")};
+  const std::string scenes = value("scenes");
   std::from_chars(scenes.data(), scenes.data() + scenes.size(),
                   info_.num_scenes);
   infer_info();
@@ -313,8 +307,9 @@ void Store::check() {
   Statement select(*database_,
                    "SELECT chain, scene, value, checksum FROM state");
   while (select.step()) {
-    if (state_checksum(select.integer(0), select.integer(1), select.text(2)) !=
-        select.integer(3)) {
+    const auto chain = static_cast<std::size_t>(select.integer(0));
+    const auto scene = static_cast<std::size_t>(select.integer(1));
+    if (state_checksum(chain, scene, select.text(2)) != select.integer(3)) {
       ++damage_.states;
     }
   }
@@ -325,9 +320,9 @@ void Store::mend(const StoreInfo& same) {
   forget(
       std::vector<std::size_t>(damage_.scenes.begin(), damage_.scenes.end()));
   Transaction transaction(*database_);
-  Statement strays(*database_,
-                   "DELETE FROM result WHERE scene < 0 OR scene >= ?");
-  strays.bind(1, to_integer(info_.num_scenes)).run();
+  Statement(*database_, "DELETE FROM result WHERE scene < 0 OR scene >= ?")
+      .with(info_.num_scenes)
+      .run();
   // Those that are sound can be found again, at the price of their chains.
   if (damage_.states > 0) database_->execute("DELETE FROM state");
   if (!damage_.info.empty()) {
@@ -352,20 +347,15 @@ void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
                      "scene = ?2, value = ?3, checksum = ?4 WHERE scene < ?2");
   Statement forget_state(*database_, "DELETE FROM state WHERE chain = ?");
   for (const Answer& answer : answers) {
-    insert.bind(1, to_integer(answer.scene))
-        .bind(2, std::string_view(answer.result))
-        .bind(3, result_checksum(answer.scene, answer.result))
-        .run();
-    const Chain of = plan.of_scene(answer.scene);
-    const std::int64_t chain = to_integer(of.id);
-    if (answer.scene + 1 == of.last) {
-      forget_state.bind(1, chain).run();
-    } else if (answer.state) {
-      const std::int64_t scene = to_integer(answer.scene);
-      remember.bind(1, chain)
-          .bind(2, scene)
-          .bind(3, std::string_view(*answer.state))
-          .bind(4, state_checksum(chain, scene, *answer.state))
+    const auto& [scene, result, state] = answer;
+    insert.with(scene, result, result_checksum(scene, result)).run();
+    const Chain chain = plan.of_scene(scene);
+    if (scene + 1 == chain.last) {
+      forget_state.with(chain.id).run();
+    } else if (state) {
+      remember
+          .with(chain.id, scene, *state,
+                state_checksum(chain.id, scene, *state))
           .run();
     }
   }
@@ -380,9 +370,7 @@ void Store::set_shard(const std::string& shard) {
 void Store::forget(std::span<const std::size_t> scenes) {
   Transaction transaction(*database_);
   Statement remove(*database_, "DELETE FROM result WHERE scene = ?");
-  for (const std::size_t scene : scenes) {
-    remove.bind(1, to_integer(scene)).run();
-  }
+  for (const std::size_t scene : scenes) remove.with(scene).run();
   transaction.commit();
 }
 
@@ -396,7 +384,7 @@ std::size_t Store::for_each_result(
   for (std::size_t scene = 0; scene < info_.num_scenes; ++scene) {
     std::optional<std::string> document;
     try {
-      if (!select.bind(1, to_integer(scene)).step()) continue;
+      if (!select.with(scene).step()) continue;
       document = select.text(0);
       if (result_checksum(scene, *document) != select.integer(1) ||
           !is_outcome(*document)) {
@@ -417,8 +405,7 @@ std::size_t Store::for_each_result(
     Statement strays(
         *database_,
         "SELECT count(*) FROM result WHERE scene < 0 OR scene >= ?");
-    strays.bind(1, to_integer(info_.num_scenes));
-    if (strays.step()) {
+    if (strays.with(info_.num_scenes).step()) {
       damage_.strays = static_cast<std::size_t>(strays.integer(0));
     }
   } catch (const DamagedStore&) {
@@ -433,12 +420,9 @@ std::optional<std::string> Store::state_after(std::size_t chain,
     Statement select(
         *database_,
         "SELECT value, checksum FROM state WHERE chain = ? AND scene = ?");
-    select.bind(1, to_integer(chain)).bind(2, to_integer(scene));
-    if (!select.step()) return std::nullopt;
+    if (!select.with(chain, scene).step()) return std::nullopt;
     std::string value = select.text(0);
-    const std::int64_t checksum =
-        state_checksum(to_integer(chain), to_integer(scene), value);
-    if (select.integer(1) == checksum) return value;
+    if (select.integer(1) == state_checksum(chain, scene, value)) return value;
   } catch (const DamagedStore&) {
     // It is as good as not there.
   }

@@ -4,10 +4,12 @@
 #include "sweep/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -97,12 +99,8 @@ std::string field(const Json& value) {
 
 template <class Fields, class ToText>
 std::string csv_line(const Fields& fields, const ToText& to_text) {
-  std::string line;
-  for (const auto& one : fields) {
-    if (!line.empty()) line += ',';
-    line += to_text(one);
-  }
-  return line + '\n';
+  return fmt::format("{}\n",
+                     fmt::join(fields | std::views::transform(to_text), ","));
 }
 
 /// What τ depends on besides the keys of the sweep. Outside of its section no

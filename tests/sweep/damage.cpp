@@ -199,9 +199,9 @@ TEST_F(DamageTest, IsWhatNoProgramOfOursCanHaveWritten) {
     Statement update(
         database,
         "UPDATE result SET document = ?, checksum = ? WHERE scene = ?");
-    update.bind(1, std::string_view(document))
-        .bind(2, row_checksum("result " + std::to_string(scene), document))
-        .bind(3, static_cast<std::int64_t>(scene))
+    update
+        .with(document,
+              row_checksum("result " + std::to_string(scene), document), scene)
         .run();
     ++scene;
   }

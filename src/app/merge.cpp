@@ -87,7 +87,7 @@ int run(const MergeFlags& flags) {
         {"overlaps", report.overlaps},
         {"conflicts", report.conflicts},
         {"gaps", report.gaps}};
-    print_data(document.dump(2) + "\n");
+    print_json(document);
   } else if (!flags.quiet) {
     print(
         fmt::format("{}: {} of {} scenes, {} of them added now\n"
@@ -104,33 +104,24 @@ int run(const MergeFlags& flags) {
 
 }  // namespace
 
-Verb merge_verb() {
+void add_merge(Command& command) {
   const auto flags = std::make_shared<MergeFlags>();
-  return {
-      .name = "merge",
-      .text = "Join parts of a sweep into one",
-      .flags = {{.name = "DIR",
-                 .value = &flags->parts,
-                 .text = "Directories of the parts",
-                 .check = not_empty(),
-                 .required = true},
-                {.name = "--out",
-                 .value = &flags->out,
-                 .text = "Directory of the whole; it may exist and be part of "
-                         "it",
-                 .check = not_empty(),
-                 .required = true},
-                json_flag(flags->json),
-                {"--quiet", &flags->quiet, "Print no results"}},
-      .footer =
-          "Example:\n"
-          "  brachisto merge part1 part2 part3 part4 --out map\n"
-          "Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts "
-          "have\n"
-          "different results for a scene; 6 I/O, parts of different sweeps, "
-          "or\n"
-          "damaged results that are sound in no part.",
-      .run = [flags] { return run(*flags); }};
+  CLI::App& verb = command.add("merge", "Join parts of a sweep into one",
+                               R"(Example:
+  brachisto merge part1 part2 part3 part4 --out map
+Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts have
+different results for a scene; 6 I/O, parts of different sweeps, or
+damaged results that are sound in no part.)",
+                               [flags] { return run(*flags); });
+  add_value(verb, "DIR", flags->parts, "TEXT", "Directories of the parts")
+      ->check(not_empty())
+      ->required();
+  add_value(verb, "--out", flags->out, "TEXT",
+            "Directory of the whole; it may exist and be part of it")
+      ->check(not_empty())
+      ->required();
+  add_json(verb, flags->json);
+  verb.add_flag("--quiet", flags->quiet, "Print no results");
 }
 
 }  // namespace brachisto::app

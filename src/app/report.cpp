@@ -33,9 +33,7 @@ int run(const ReportFlags& flags) {
   const sweep::Job job = store.job();
   const report::SweepPage page =
       report::sweep_report(read_table(store, job), &catch_signals());
-  if (!page.missing.empty()) {
-    tell(fmt::format("warning: {}\n", page.missing));
-  }
+  warn(page.missing);
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";
   report::write_files(out, page.files, flags.force);
@@ -49,20 +47,18 @@ int run(const ReportFlags& flags) {
 
 }  // namespace
 
-Verb report_verb() {
+void add_report(Command& command) {
   const auto flags = std::make_shared<ReportFlags>();
-  return {
-      .name = "report",
-      .text = "Draw the results of a sweep into DIR/report",
-      .flags = {sweep_directory(flags->directory),
-                {"--force", &flags->force, "Replace an earlier report"},
-                {"--quiet", &flags->quiet, "Do not list what was written"}},
-      .footer =
-          "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
-          "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
-          "and\n"
-          "not in the figures.",
-      .run = [flags] { return run(*flags); }};
+  CLI::App& verb =
+      command.add("report", "Draw the results of a sweep into DIR/report",
+                  R"(Example:
+  brachisto report map && xdg-open map/report/index.html
+Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named and
+not in the figures.)",
+                  [flags] { return run(*flags); });
+  add_sweep_directory(verb, flags->directory);
+  verb.add_flag("--force", flags->force, "Replace an earlier report");
+  verb.add_flag("--quiet", flags->quiet, "Do not list what was written");
 }
 
 }  // namespace brachisto::app

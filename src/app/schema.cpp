@@ -14,26 +14,24 @@
 
 namespace brachisto::app {
 
-Verb schema_verb() {
+void add_schema(Command& command) {
   const auto kind = std::make_shared<std::string>("problem");
-  return {.name = "schema",
-          .text = "Print a JSON Schema, by which editors check files",
-          .flags = {{.name = "KIND",
-                     .value = kind.get(),
-                     .text = "problem: of problem files, sweeps included; "
-                             "result: of result documents",
-                     .check = one_of({"problem", "result"}),
-                     .shows_default = true}},
-          .footer =
-              "Examples:\n"
-              "  brachisto schema > brachisto.schema.json\n"
-              "and as the first line of a problem file:\n"
-              "  # yaml-language-server: $schema=brachisto.schema.json",
-          .run = [kind] {
-            print_data(*kind == "result" ? report::result_schema()
-                                         : io::problem_schema());
-            return static_cast<int>(kSuccess);
-          }};
+  CLI::App& verb =
+      command.add("schema", "Print a JSON Schema, by which editors check files",
+                  R"(Examples:
+  brachisto schema > brachisto.schema.json
+and as the first line of a problem file:
+  # yaml-language-server: $schema=brachisto.schema.json)",
+                  [kind] {
+                    print_data(*kind == "result" ? report::result_schema()
+                                                 : io::problem_schema());
+                    return static_cast<int>(kSuccess);
+                  });
+  add_value(verb, "KIND", *kind, "TEXT",
+            "problem: of problem files, sweeps included; result: of result "
+            "documents")
+      ->check(CLI::IsMember({"problem", "result"}))
+      ->capture_default_str();
 }
 
 }  // namespace brachisto::app

@@ -56,9 +56,7 @@ int run(const WorkPrecisionFlags& flags) {
   if (!flags.out.empty()) {
     const report::DrawnFigure diagram =
         comparison::drawn(found, hooks.interrupt);
-    if (!diagram.missing.empty()) {
-      tell(fmt::format("warning: {}\n", diagram.missing));
-    }
+    warn(diagram.missing);
     report::write_files(flags.out, diagram.files, flags.force, names);
   }
   if (flags.json) {
@@ -76,31 +74,27 @@ int run(const WorkPrecisionFlags& flags) {
 
 }  // namespace
 
-Verb work_precision_verb() {
+void add_work_precision(Command& command) {
   const auto flags = std::make_shared<WorkPrecisionFlags>();
-  return {
-      .name = "work-precision",
-      .text = "Processor time against true error, method by method",
-      .flags = flags->with(
-          {directory_flag("--out", flags->out,
-                          "Write diagrams, their tables and scripts, and "
-                          "work_precision.json there"),
-           {"--force", &flags->force, "Replace existing files in DIR"},
-           {"--quick", &flags->quick,
-            "The three coarsest meshes that all methods take, one "
-            "repetition"}}),
-      .footer =
-          "The section work_precision of the file says which methods run on "
-          "which\n"
-          "meshes; it has defaults.\n"
-          "Examples:\n"
-          "  brachisto work-precision problems/work_precision/base.yaml --out "
-          "wp\n"
-          "  brachisto work-precision case.yaml --quick\n"
-          "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
-          "extremal method to take errors against, 6 I/O, 130/143 after\n"
-          "SIGINT/SIGTERM.",
-      .run = [flags] { return run(*flags); }};
+  CLI::App& verb = command.add(
+      "work-precision", "Processor time against true error, method by method",
+      R"(The section work_precision of the file says which methods run on which
+meshes; it has defaults.
+Examples:
+  brachisto work-precision problems/work_precision/base.yaml --out wp
+  brachisto work-precision case.yaml --quick
+Exit codes: 0 done, 3 bad input file, 4 no verified answer of the
+extremal method to take errors against, 6 I/O, 130/143 after
+SIGINT/SIGTERM.)",
+      [flags] { return run(*flags); });
+  flags->add_to(verb);
+  add_directory(verb, "--out", flags->out,
+                "Write diagrams, their tables and scripts, and "
+                "work_precision.json there");
+  verb.add_flag("--force", flags->force, "Replace existing files in DIR");
+  verb.add_flag("--quick", flags->quick,
+                "The three coarsest meshes that all methods take, one "
+                "repetition");
 }
 
 }  // namespace brachisto::app

@@ -51,10 +51,9 @@ Draft ProblemReader::read(const YamlValue& root) {
   if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
     read_map(root, "", root.position);
   } else if (root.kind != YamlValue::Kind::Refused) {
-    findings_.add(
-        root.position, "",
-        fmt::format("{} was read; expected {}", kind_name(root.kind),
-                    expected({.path = "", .value = {.type = KeyType::Map}})));
+    findings_.add(root.position, "",
+                  fmt::format("{} was read; expected {}", kind_name(root.kind),
+                              expected({"", {.type = KeyType::Map}, ""})));
   }
   return problem_;
 }

@@ -15,7 +15,6 @@
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "io/findings.hpp"
-#include "io/suggestion.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::app {

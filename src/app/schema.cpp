@@ -10,7 +10,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
-#include "io/key_table.hpp"
+#include "io/key_spec.hpp"
 
 namespace brachisto::app {
 

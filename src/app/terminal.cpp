@@ -15,7 +15,6 @@
 
 #include "io/visible_text.hpp"
 #include "report/letters.hpp"
-#include "report/terminal.hpp"
 
 namespace brachisto::app {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/findings.hpp"
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 

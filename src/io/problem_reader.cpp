@@ -16,7 +16,7 @@
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 #include "math/angle.hpp"
 
 namespace brachisto::io {

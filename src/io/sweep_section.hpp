@@ -121,14 +121,4 @@ struct SweepSection {
 [[nodiscard]] SweepValue value_of(const SweepEntry& entry, std::size_t index,
                                   const QuantityValues& quantities);
 
-/// Fills in the axes of a section whose entries are known.
-///
-/// An entry makes an axis of its own, but for those that `zip` makes run
-/// together and for random ones, all of which share one; an axis stands where
-/// the first of its entries does.
-///
-/// \param sweep  the whole section
-/// Mistakes in `zip`, and too many scenes, go to the findings.
-void build_axes(const Entry& sweep, SweepSection& section, Findings& findings);
-
 }  // namespace brachisto::io

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <sys/ioctl.h>
+#include <unistd.h>
 #include <algorithm>
 
 namespace brachisto::report {
@@ -59,6 +61,15 @@ std::string shortened_key(std::string_view key, std::size_t length) {
     out = "…" + std::string(key);
   }
   return shortened(out, length);
+}
+
+std::size_t columns_for_a_line() {
+  constexpr std::size_t kUsual = 80;
+  if (::isatty(STDERR_FILENO) == 0) return kNoTerminal;
+  struct winsize window {};
+  const bool known =
+      ::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1;
+  return (known ? window.ws_col : kUsual) - 1;
 }
 
 }  // namespace brachisto::report

@@ -99,10 +99,22 @@ template <class Source>
   return texts;
 }
 
-/// What a function that finds a part of a source points at.
+/// Where a part of a source is: a member, perhaps optional, or what a function
+/// points at; nullptr: there is none.
 template <class Source, class Find>
-using PartOf = std::remove_const_t<
-    std::remove_pointer_t<std::invoke_result_t<Find, const Source&>>>;
+[[nodiscard]] const auto* found(Find find, const Source& source) {
+  decltype(auto) part = std::invoke(find, source);
+  if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
+    return part;
+  } else if constexpr (requires { part.has_value(); }) {
+    return part ? &*part : nullptr;
+  } else {
+    return &part;
+  }
+}
+template <class Source, class Find>
+using PartOf = std::remove_const_t<std::remove_pointer_t<decltype(found(
+    std::declval<Find>(), std::declval<const Source&>()))>>;
 
 /// An object about a part of the source; nullptr: null.
 template <class Source, class Find>
@@ -111,7 +123,7 @@ template <class Source, class Find>
                                    Fields<PartOf<Source, Find>> fields) {
   return {{name, "object", unit, meaning, texts_of(fields)},
           [=](const Source& source) {
-            const auto* part = find(source);
+            const auto* part = found(find, source);
             return part != nullptr ? written(fields, *part) : Json();
           }};
 }
@@ -138,7 +150,7 @@ template <class Source, class Find>
                                     Field<PartOf<Source, Find>> field) {
   return {field.text,
           [=](const Source& source) {
-            const auto* part = find(source);
+            const auto* part = found(find, source);
             return part != nullptr ? field.write(*part) : Json();
           },
           field.may_lack};

@@ -32,9 +32,8 @@ const PathDiagnostics* diagnostics_of(const Solution& solution) {
 const PathDiagnostics* rolling_diagnostics_of(const Solution& solution) {
   return solution.scene.body.rolls() ? diagnostics_of(solution) : nullptr;
 }
-template <class Whole>
-const Whole* itself(const Whole& whole) {
-  return &whole;
+const Solution* itself(const Solution& solution) {
+  return &solution;
 }
 
 /// The cross-check if it can be compared with the answer.
@@ -143,10 +142,6 @@ Fields<Solution> diagnostics_fields() {
       {"estimated_error", "", "relative, of T", &Solution::estimated_error}};
 }
 
-const ProgramSize* program_of(const Solution& solution) {
-  return solution.program();
-}
-
 /// On which the answer was computed.
 Field<Solution> mesh_field() {
   using S = const Solution&;
@@ -228,7 +223,7 @@ Field<Solution> discrete_field() {
     return [=](const A& a) { return only_if(a.solved(), a.*member); };
   };
   Fields<Solution> fields = of_part<Solution>(
-      [](const Solution& s) { return s.discrete(); },
+      &Solution::discrete,
       Fields<A>{
           {"solved", "", "its equations hold", &A::solved},
           {"nodes", "", "n", &A::nodes},
@@ -276,7 +271,7 @@ Fields<Solution> search_fields() {
        &Solution::folds},
       object<Solution>(
           "cold_start", "", "where guess: straight or random led",
-          [](S s) { return s.cold_start ? &*s.cold_start : nullptr; },
+          &Solution::cold_start,
           {{"status", "", "how it ended",
             [](const ColdStart& c) { return name(c.status); }},
            {"tau_coarse", "", "τ on the coarse mesh", &ColdStart::tau},
@@ -287,7 +282,7 @@ Fields<Solution> search_fields() {
        [](S s) { return only_if(!s.search_remark.empty(), s.search_remark); }},
       object<Solution>(
           "extremal", "", "cross-check by multiple shooting",
-          [](S s) { return s.extremal ? &*s.extremal : nullptr; },
+          &Solution::extremal,
           {{"solved", "", "it has an answer", &E::solved},
            {"message", "", "why not",
             [](const E& e) { return only_if(!e.solved, e.message); }, true},
@@ -307,16 +302,15 @@ Field<Solution> seconds_field() {
   }
   return object<Solution>(
       "seconds", "s", "wall clock, where nothing else is said",
-      [](const Solution& s) { return &s.effort; },
+      &Solution::effort,
       {{"total", "s", "all", &Effort::seconds},
        {"solve", "s", "without the certificate",
         [](const Effort& e) { return e.seconds - e.certificate_seconds; }},
        {"certificate", "s", "of the certificate", &Effort::certificate_seconds},
        {"cpu", "s", "processor time without certificate and cross-checks",
         &Effort::cpu_seconds},
-       object<Effort>(
-           "phases", "s", "processor time by part",
-           [](const Effort& e) { return &e.phases; }, std::move(phases))});
+       object<Effort>("phases", "s", "processor time by part", &Effort::phases,
+                      std::move(phases))});
 }
 
 /// The checks stand in it twice: by name, and in their list with thresholds.
@@ -368,16 +362,6 @@ Field<Solution> certificate_field() {
           }};
 }
 
-Fields<Provenance> version_fields() {
-  using P = Provenance;
-  return {{"brachisto", "", "version of this program", &P::brachisto},
-          {"ipopt", "", "version", &P::ipopt},
-          {"mumps", "", "version", &P::mumps},
-          {"blas", "", "file or configuration", &P::blas},
-          {"suitesparse", "", "version", &P::suitesparse},
-          {"compiler", "", "and its version", &P::compiler}};
-}
-
 Fields<Solution> origin_fields() {
   const auto input = [](const Solution& s) {
     return io::effective_input(s.scene, s.options);
@@ -392,7 +376,7 @@ Fields<Solution> origin_fields() {
                            std::move(write));
   };
   return {object<Solution>(
-              "provenance", "", "what made the result", itself<Solution>,
+              "provenance", "", "what made the result", itself,
               joined<Solution>(
                   {of_part<Solution>(made, version_fields()),
                    {as_in_input("options", "as in input",
@@ -419,15 +403,14 @@ const Fields<Solution>& result_fields() {
        of_part<Solution>(answer_of, motion_fields()),
        diagnostics_fields(),
        of_part<Solution>(
-           program_of,
+           &Solution::program,
            Fields<ProgramSize>{
                {"nodes", "", "of the mesh, N p + 1", &ProgramSize::nodes},
                {"variables", "", "of the nonlinear program",
                 &ProgramSize::variables},
                {"constraints", "", "its rows", &ProgramSize::constraints}}),
        {mesh_field()},
-       of_part<Solution>([](const Solution& s) { return &s.effort; },
-                         effort_fields()),
+       of_part<Solution>(&Solution::effort, effort_fields()),
        search_fields(),
        {seconds_field(), certificate_field()},
        origin_fields()});
@@ -444,10 +427,6 @@ std::string input_json(const Scene& scene, const SolveOptions& options) {
   Json json = {{"schema_version", kSchemaVersion}, {"valid", true}};
   json.update(io::effective_input(scene, options));
   return json.dump(2) + "\n";
-}
-
-std::string provenance_json() {
-  return written(version_fields(), provenance()).dump();
 }
 
 std::string result_reference_markdown() {

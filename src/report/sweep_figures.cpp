@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "report/key_label.hpp"
-#include "report/sweep_order.hpp"
 #include "report/sweep_plots.hpp"
 
 namespace brachisto::report {

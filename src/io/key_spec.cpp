@@ -114,8 +114,7 @@ std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
 
 std::string objection(const KeySpec& spec, std::string_view word) {
   if (std::ranges::count(spec.value.words, word) > 0) return "";
-  return fmt::format("{} was read; expected {}{}", in_quotes(word),
-                     expected(spec), suggestion(word, spec.value.words));
+  return unknown_word(word, expected(spec), spec.value.words);
 }
 
 std::string expected(const KeySpec& spec) {

@@ -43,10 +43,8 @@ class EntryReader {
         read_range(value);
         break;
       case YamlValue::Kind::Null:
-        refuse(value.position, std::string(kind_name(value.kind)) +
-                                   " was read; expected " + expected_rule());
-        break;
       case YamlValue::Kind::Refused:
+        refuse_kind(value, swept_.key, expected_rule(), findings_);
         break;
     }
     return std::move(swept_);
@@ -72,10 +70,9 @@ class EntryReader {
                                    RandomStream(seed, spec_.path)};
         swept_.readable = true;
       }
-    } else if (value.kind != YamlValue::Kind::Refused) {
-      refuse(value.position, fmt::format("{} was read; expected a map with "
-                                         "from, to and, if need be, spacing",
-                                         kind_name(value.kind)));
+    } else {
+      refuse_kind(value, swept_.key,
+                  "a map with from, to and, if need be, spacing", findings_);
     }
     return std::move(swept_);
   }
@@ -104,9 +101,7 @@ class EntryReader {
       swept_.positions.push_back(item.position);
       if (item.kind == YamlValue::Kind::Refused) return;
       if (item.kind != YamlValue::Kind::Scalar) {
-        refuse(item.position,
-               fmt::format("{} was read; expected {}", kind_name(item.kind),
-                           expected(spec_)));
+        refuse_kind(item, swept_.key, expected(spec_), findings_);
       } else if (spec_.type() == KeyType::Choice) {
         words.words.push_back(read_word(item));
       } else {
@@ -138,8 +133,7 @@ class EntryReader {
 
   void read_range(const YamlValue& map) {
     if (spec_.type() == KeyType::Choice) {
-      refuse(map.position, "a map was read; expected " + expected_rule());
-      return;
+      return refuse_kind(map, swept_.key, expected_rule(), findings_);
     }
     const std::size_t before = findings_.all().size();
     const FieldReader fields(map, swept_.key, entry_.position, findings_);

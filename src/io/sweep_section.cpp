@@ -81,7 +81,7 @@ constexpr double kDefaultSeed = 1;
 
 constexpr const char* kZip = "sweep.zip";
 constexpr const char* kExpectedZip =
-    "expected a list of keys that run together, or a list of such lists";
+    "a list of keys that run together, or a list of such lists";
 
 bool is_random(const SweepEntry& entry) {
   return std::holds_alternative<NumberSample>(entry.rule);
@@ -107,13 +107,11 @@ class AxisBuilder {
   }
 
   void read_zip(const YamlValue& zip) {
-    if (zip.kind == YamlValue::Kind::Refused) return;
     const auto is_list = [](const YamlValue& item) {
       return item.kind == YamlValue::Kind::List;
     };
     if (zip.kind != YamlValue::Kind::List) {
-      refuse(zip.position,
-             fmt::format("{} was read; {}", kind_name(zip.kind), kExpectedZip));
+      refuse_kind(zip, kZip, kExpectedZip, findings_);
     } else if (std::ranges::all_of(zip.items, is_list)) {
       for (const YamlValue& list : zip.items) read_list(list);
     } else {
@@ -159,13 +157,11 @@ class AxisBuilder {
   /// The entry that is named; their number if there is a mistake.
   [[nodiscard]] std::size_t read_member(const YamlValue& item) {
     const auto& entries = section_.entries;
-    if (item.kind == YamlValue::Kind::Refused) return entries.size();
     const auto found = std::ranges::find_if(entries, [&](const auto& entry) {
       return entry.spec->path == item.text;
     });
     if (item.kind != YamlValue::Kind::Scalar) {
-      refuse(item.position, fmt::format("{} was read; {}", kind_name(item.kind),
-                                        kExpectedZip));
+      refuse_kind(item, kZip, kExpectedZip, findings_);
     } else if (found == entries.end()) {
       std::vector<std::string_view> keys;
       keys.reserve(entries.size());
@@ -283,13 +279,9 @@ class SectionReader {
 
   void read_random(const Entry& random) {
     const YamlValue& map = random.value;
-    if (map.kind == YamlValue::Kind::Refused) return;
     if (map.kind != YamlValue::Kind::Map) {
-      findings_.add(map.position, kRandom,
-                    fmt::format("{} was read; expected a map with seed, count "
-                                "and ranges",
-                                kind_name(map.kind)));
-      return;
+      return refuse_kind(map, kRandom, "a map with seed, count and ranges",
+                         findings_);
     }
     const FieldReader fields(map, kRandom, random.position, findings_);
     fields.allow_only({"seed", "count", "ranges"});
@@ -308,14 +300,13 @@ class SectionReader {
 
   void read_ranges(const Entry& ranges, std::uint64_t seed, std::size_t count) {
     const YamlValue& map = ranges.value;
-    if (map.kind == YamlValue::Kind::Refused) return;
-    if (map.kind != YamlValue::Kind::Map || map.entries.empty()) {
+    if (map.kind != YamlValue::Kind::Map) {
+      return refuse_kind(map, kRanges, kExpectedRanges, findings_);
+    }
+    if (map.entries.empty()) {
       findings_.add(
           map.position, kRanges,
-          fmt::format("{} was read; expected {}",
-                      map.kind == YamlValue::Kind::Map ? "an empty map"
-                                                       : kind_name(map.kind),
-                      kExpectedRanges));
+          fmt::format("an empty map was read; expected {}", kExpectedRanges));
     }
     for (const Entry& entry : map.entries) {
       read_key(entry, kRanges, [&](const KeySpec& spec, std::string key) {
@@ -342,12 +333,9 @@ const SweepEntry* SweepSection::find(std::string_view path) const {
 
 SweepSection read_sweep_section(const Entry& sweep, Findings& findings) {
   const YamlValue& value = sweep.value;
-  if (value.kind == YamlValue::Kind::Refused) return {};
   const std::string expected = io::expected(*find_key("sweep"));
   if (value.kind != YamlValue::Kind::Map) {
-    findings.add(value.position, "sweep",
-                 fmt::format("{} was read; expected {}", kind_name(value.kind),
-                             expected));
+    refuse_kind(value, "sweep", expected, findings);
     return {};
   }
   const std::size_t before = findings.all().size();

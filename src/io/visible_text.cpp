@@ -147,6 +147,12 @@ std::string suggestion(std::string_view word,
   return found.empty() ? "" : fmt::format("; did you mean {}?", found);
 }
 
+std::string unknown_word(std::string_view word, std::string_view expected,
+                         std::span<const std::string_view> known) {
+  return fmt::format("{} was read; expected {}{}", in_quotes(word), expected,
+                     suggestion(word, known));
+}
+
 std::string in_quotes(std::string_view text) {
   return '"' + printable(text) + '"';
 }

@@ -46,6 +46,12 @@ namespace brachisto::io {
 [[nodiscard]] std::string suggestion(
     std::string_view word, std::span<const std::string_view> candidates);
 
+/// Why a word is none of those known: what was read, what is expected, and the
+/// nearest one.
+[[nodiscard]] std::string unknown_word(std::string_view word,
+                                       std::string_view expected,
+                                       std::span<const std::string_view> known);
+
 /// Text from an input as it may stand in a message: in quotes, control
 /// characters escaped, cut after 40 characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -53,6 +53,11 @@ struct Entry {
 /// What a node is, for messages: "a map", "a list", …
 [[nodiscard]] std::string_view kind_name(YamlValue::Kind kind);
 
+/// Reports that a value is of another kind than is expected, unless a mistake
+/// in it was reported already.
+void refuse_kind(const YamlValue& value, std::string key,
+                 std::string_view expected, Findings& findings);
+
 /// The entry with a dotted key, or nullptr.
 [[nodiscard]] const Entry* find_entry(const YamlValue& root,
                                       std::string_view path);

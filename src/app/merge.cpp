@@ -14,7 +14,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
 #include "io/visible_text.hpp"
-#include "report/held_signals.hpp"
+#include "report/in_full.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/merge.hpp"
 

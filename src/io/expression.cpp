@@ -8,14 +8,14 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <cfenv>
+#include <charconv>
 #include <cmath>
 #include <mutex>
 #include <numbers>
-
-#include <array>
-#include <charconv>
 #include <vector>
+
 #include "io/findings.hpp"
 #include "io/visible_text.hpp"
 #include "math/angle.hpp"

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -21,26 +22,9 @@ namespace brachisto::io {
 namespace {
 
 std::string_view type_name(KeyType type) {
-  switch (type) {
-    case KeyType::Map:
-    case KeyType::Sweep:
-      return "map";
-    case KeyType::Number:
-      return "number";
-    case KeyType::Angle:
-      return "angle";
-    case KeyType::Integer:
-      return "integer";
-    case KeyType::Choice:
-      return "word";
-    case KeyType::Text:
-      return "text";
-    case KeyType::List:
-      return "list";
-    case KeyType::Reserved:
-      break;
-  }
-  return "reserved";
+  constexpr std::array kNames{"map",  "number", "angle", "integer", "word",
+                              "text", "list",   "map",   "reserved"};
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 std::string default_text(const KeySpec& spec) {
@@ -143,6 +127,20 @@ Json map_of(Json properties) {
           {"additionalProperties", false}};
 }
 
+/// Numbers between two ends, with or without their count.
+Json range_schema(const Json& value, bool counted) {
+  Json properties = {{"from", value}, {"to", value}};
+  if (counted) {
+    properties["count"] = {{"type", {"integer", "string"}},
+                           {"minimum", kCounts.lower},
+                           {"maximum", kCounts.upper}};
+  }
+  properties["spacing"] = {{"enum", {"linear", "log"}}};
+  Json range = map_of(std::move(properties));
+  range["required"] = {"from", counted ? "count" : "to"};
+  return range;
+}
+
 /// What a key may be in the section `sweep`: one value, a list or a range.
 Json swept_schema(const KeySpec& spec) {
   if (spec.type() == KeyType::Choice) {
@@ -150,25 +148,7 @@ Json swept_schema(const KeySpec& spec) {
     return {{"anyOf", {word, list_of(word)}}};
   }
   const Json value = number_schema(spec, Names::Quantities);
-  Json range = map_of({{"from", value},
-                       {"to", value},
-                       {"count",
-                        {{"type", {"integer", "string"}},
-                         {"minimum", kCounts.lower},
-                         {"maximum", kCounts.upper}}},
-                       {"spacing", {{"enum", {"linear", "log"}}}}});
-  range["required"] = {"from", "count"};
-  return {{"anyOf", {value, list_of(value), range}}};
-}
-
-/// What a key may be among the random ranges.
-Json sampled_schema(const KeySpec& spec) {
-  const Json value = number_schema(spec, Names::Quantities);
-  Json range = map_of({{"from", value},
-                       {"to", value},
-                       {"spacing", {{"enum", {"linear", "log"}}}}});
-  range["required"] = {"from", "to"};
-  return range;
+  return {{"anyOf", {value, list_of(value), range_schema(value, true)}}};
 }
 
 Json sweep_schema() {
@@ -180,7 +160,9 @@ Json sweep_schema() {
     swept[spec.path]["description"] = spec.description;
     const bool real =
         spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
-    if (real) sampled[spec.path] = sampled_schema(spec);
+    if (!real) continue;
+    sampled[spec.path] =
+        range_schema(number_schema(spec, Names::Quantities), false);
   }
   const Json together = {
       {"type", "array"}, {"items", {{"enum", paths}}}, {"minItems", 2}};

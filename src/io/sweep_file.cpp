@@ -4,16 +4,16 @@
 #include "brachisto/io/sweep_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
-#include <utility>
-
-#include <fmt/ranges.h>
 #include <string>
+#include <utility>
 #include <vector>
+
 #include "io/consistency.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"

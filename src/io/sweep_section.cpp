@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <numeric>
-#include <set>
 #include "io/field_reader.hpp"
 #include "io/visible_text.hpp"
 

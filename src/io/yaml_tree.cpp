@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace brachisto::io {
 
@@ -28,19 +29,9 @@ const Entry* YamlValue::find(std::string_view key) const {
 }
 
 std::string_view kind_name(YamlValue::Kind kind) {
-  switch (kind) {
-    case YamlValue::Kind::Null:
-      return "no value";
-    case YamlValue::Kind::Scalar:
-      return "a single value";
-    case YamlValue::Kind::List:
-      return "a list";
-    case YamlValue::Kind::Map:
-      return "a map";
-    case YamlValue::Kind::Refused:
-      break;
-  }
-  return "a refused value";
+  constexpr std::array kNames{"no value", "a single value", "a list", "a map",
+                              "a refused value"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 void refuse_kind(const YamlValue& value, std::string key,

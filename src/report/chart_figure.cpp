@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -31,40 +32,17 @@ std::string quoted_words(std::string_view source) {
   return "'" + gnuplot_words(source) + "'";
 }
 
-/// In units of the width of the line, for the terminals of a Figure.
+/// By Stroke, in units of the width of the line, for the terminals of a Figure.
+constexpr std::array kDashes{"solid", "(5,3)", "(1.2,2.2)",
+                             "(6.5,2.5,1.2,2.5)"};
 std::string_view dashes(Stroke stroke) {
-  switch (stroke) {
-    case Stroke::Solid:
-      break;
-    case Stroke::Dashed:
-      return "(5,3)";
-    case Stroke::Dotted:
-      return "(1.2,2.2)";
-    case Stroke::DashDotted:
-      return "(6.5,2.5,1.2,2.5)";
-  }
-  return "solid";
+  return kDashes[static_cast<std::size_t>(stroke)];
 }
 
-/// Number of a mark in the terminals.
+/// Number of a Mark in the terminals.
+constexpr std::array kPointTypes{0, 7, 6, 5, 9, 12, 2};
 int point_type(Mark mark) {
-  switch (mark) {
-    case Mark::None:
-      break;
-    case Mark::Disc:
-      return 7;
-    case Mark::Circle:
-      return 6;
-    case Mark::Square:
-      return 5;
-    case Mark::Triangle:
-      return 9;
-    case Mark::Diamond:
-      return 12;
-    case Mark::Cross:
-      return 2;
-  }
-  return 0;
+  return kPointTypes[static_cast<std::size_t>(mark)];
 }
 
 bool look_the_same(const Curve& a, const Curve& b) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 
 #include "report/csv.hpp"
+
 #include <fmt/format.h>
+
 #include <cmath>
 #include <iterator>
+
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/result.hpp"
 #include "report/sweep_scenes.hpp"

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Fields of comma-separated values.
+/// Comma-separated values: fields, and the scenes of a sweep.
 
 #pragma once
 
 #include <string>
 #include <string_view>
+
 #include "report/sweep_table.hpp"
 
 namespace brachisto::report {

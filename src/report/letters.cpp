@@ -4,9 +4,9 @@
 #include "report/letters.hpp"
 
 #include <fmt/format.h>
-
 #include <sys/ioctl.h>
 #include <unistd.h>
+
 #include <algorithm>
 
 namespace brachisto::report {
@@ -20,8 +20,8 @@ constexpr double kWide =
 
 std::size_t letters(std::string_view text) {
   // All but continuation bytes begin a letter.
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 double width_of(std::size_t letters, double font_size) {

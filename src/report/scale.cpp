@@ -28,7 +28,7 @@ std::string printed(double value, int digits) {
 Scale suitable_scale(std::vector<double> values) {
   constexpr double kDecade = 10.0;
   if (values.empty()) return Scale::Linear;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const double low = values.front();
   const double high = values.back();
   if (!(low > 0.0) || !(high >= kDecade * low)) return Scale::Linear;

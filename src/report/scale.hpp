@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// How numbers are laid out along an axis, and how they are written.
+/// How numbers are laid out along an axis, in colours, and how they are
+/// written.
 
 #pragma once
 

@@ -64,14 +64,12 @@ std::vector<Direction> directions(const SweepTable& table, bool numeric) {
     const auto is_numeric = [&](std::size_t c) {
       return table.columns[c].numeric();
     };
-    auto number =
-        std::find_if(axis.columns.begin(), axis.columns.end(), is_numeric);
+    auto number = std::ranges::find_if(axis.columns, is_numeric);
     const bool has_number = number != axis.columns.end();
     const Scenes first = scenes_along(table, {a}).front();
-    const auto telling = std::find_if(
-        axis.columns.begin(), axis.columns.end(), [&](std::size_t c) {
-          return is_numeric(c) && distinct(table.columns[c], first);
-        });
+    const auto telling = std::ranges::find_if(axis.columns, [&](std::size_t c) {
+      return is_numeric(c) && distinct(table.columns[c], first);
+    });
     if (telling != axis.columns.end()) number = telling;
     if (numeric && has_number) found.push_back({a, *number});
     if (!numeric && !has_number && !axis.columns.empty()) {
@@ -213,7 +211,7 @@ XyPlot Planner::curve_plot(const SweepFigure& figure, Direction x,
   std::vector<Scenes> curves;
   for (const std::size_t scene :
        sorted_by(table_.columns[family->column], first)) {
-    const auto at = std::find(first.begin(), first.end(), scene);
+    const auto at = std::ranges::find(first, scene);
     curves.push_back(plot.curves[static_cast<std::size_t>(at - first.begin())]);
   }
   plot.curves = std::move(curves);
@@ -225,12 +223,10 @@ std::optional<XyPlot> Planner::clear_curve_plot(const SweepFigure& figure,
                                                 Direction family) const {
   if (table_.axes[family.axis].count > kMostCurves) return std::nullopt;
   XyPlot plot = curve_plot(figure, x, family);
-  const bool told = std::all_of(
-      plot.curves.begin(), plot.curves.end(), [&](const Scenes& scenes) {
-        const auto varying = columns_that_vary(table_, scenes);
-        return !std::binary_search(varying.begin(), varying.end(),
-                                   family.column);
-      });
+  const bool told = std::ranges::all_of(plot.curves, [&](const Scenes& scenes) {
+    const auto varying = columns_that_vary(table_, scenes);
+    return !std::ranges::binary_search(varying, family.column);
+  });
   if (!told || !plot.joined) return std::nullopt;
   return plot;
 }
@@ -293,8 +289,8 @@ void Planner::dots() {
 
 SweepFigures Planner::figures() {
   const std::vector<Direction> numeric = directions(table_, true);
-  const bool sample = std::any_of(
-      table_.axes.begin(), table_.axes.end(),
+  const bool sample = std::ranges::any_of(
+      table_.axes,
       [](const SweepAxis& axis) { return !axis.ordered && axis.count > 1; });
   if (sample || numeric.empty()) {
     dots();

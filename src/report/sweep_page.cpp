@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include <algorithm>
-#include <cmath>
 #include "brachisto/version.hpp"
 #include "report/csv.hpp"
 #include "report/key_label.hpp"
@@ -65,8 +65,7 @@ std::string values_of(const SweepTable& table, const SweepColumn& column) {
   }
   if (column.numbers.empty()) return "–";
   const KeyLabel label = key_label(column.key);
-  const auto [low, high] =
-      std::minmax_element(column.numbers.begin(), column.numbers.end());
+  const auto [low, high] = std::ranges::minmax_element(column.numbers);
   const std::string unit = label.after_number();
   if (*low == *high) return printed(label.shown(*low)) + unit;
   return fmt::format("{}{} to {}{}", printed(label.shown(*low)), unit,
@@ -91,7 +90,7 @@ std::string axes_table(const SweepTable& table) {
   const std::vector<std::size_t> varying =
       columns_that_vary(table, all_scenes(table));
   const auto varies = [&](std::size_t c) {
-    return std::binary_search(varying.begin(), varying.end(), c);
+    return std::ranges::binary_search(varying, c);
   };
   std::vector<bool> on_axis(table.columns.size(), false);
   for (std::size_t a = 0; a < table.axes.size(); ++a) {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <cmath>
+
 #include "report/letters.hpp"
 
 namespace brachisto::report {

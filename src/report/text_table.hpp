@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Tables for people.
+/// Tables and numbers for people: no digit beyond the error.
 
 #pragma once
 

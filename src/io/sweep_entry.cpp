@@ -66,8 +66,8 @@ class EntryReader {
       auto to = fields.number("to", spec_);
       const Spacing spacing = spacing_of(fields);
       if (from && to) {
-        swept_.rule = NumberSample{*std::move(from), *std::move(to), spacing,
-                                   RandomStream(seed, spec_.path)};
+        swept_.rule = NumberRange{*std::move(from), *std::move(to), spacing,
+                                  RandomStream(seed, spec_.path)};
         swept_.readable = true;
       }
     } else {
@@ -95,15 +95,15 @@ class EntryReader {
       return;
     }
     const std::size_t before = findings_.all().size();
-    WordList words;
-    NumberList numbers;
+    std::vector<std::string> words;
+    std::vector<Expression> numbers;
     for (const YamlValue& item : items) {
       swept_.positions.push_back(item.position);
       if (item.kind == YamlValue::Kind::Refused) return;
       if (item.kind != YamlValue::Kind::Scalar) {
         refuse_kind(item, swept_.key, expected(spec_), findings_);
       } else if (spec_.type() == KeyType::Choice) {
-        words.words.push_back(read_word(item));
+        words.push_back(read_word(item));
       } else {
         read_number(item, numbers);
       }
@@ -123,9 +123,9 @@ class EntryReader {
     return item.text;
   }
 
-  void read_number(const YamlValue& item, NumberList& list) {
+  void read_number(const YamlValue& item, std::vector<Expression>& numbers) {
     try {
-      list.numbers.emplace_back(item.text, unit_of(spec_));
+      numbers.emplace_back(item.text, unit_of(spec_));
     } catch (const ExpressionError& error) {
       refuse(item.position, not_a_number(item.text, error, expected(spec_)));
     }

@@ -84,7 +84,8 @@ constexpr const char* kExpectedZip =
     "a list of keys that run together, or a list of such lists";
 
 bool is_random(const SweepEntry& entry) {
-  return std::holds_alternative<NumberSample>(entry.rule);
+  const auto* range = std::get_if<NumberRange>(&entry.rule);
+  return range != nullptr && range->random;
 }
 
 /// Finds out which entries share an axis.

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,30 +48,16 @@ inline constexpr Interval kCounts{1, static_cast<double>(kMaxScenes)};
 inline constexpr std::string_view kExpectedCount =
     "an integer, from 1 to 10 million";
 
-/// Words, one after the other.
-struct WordList {
-  std::vector<std::string> words;
-};
-
-/// Numbers, one after the other.
-struct NumberList {
-  std::vector<Expression> numbers;
-};
-
-/// Numbers from one end to the other, both included.
+/// Numbers from one end to the other, both included, or random ones between.
 struct NumberRange {
   Expression from, to;
   Spacing spacing = Spacing::Linear;
+  std::optional<RandomStream> random = {};
 };
 
-/// Random numbers between two ends.
-struct NumberSample {
-  Expression from, to;
-  Spacing spacing = Spacing::Linear;
-  RandomStream stream;
-};
-
-using SweepRule = std::variant<WordList, NumberList, NumberRange, NumberSample>;
+/// Words or numbers, one after the other, or a range.
+using SweepRule = std::variant<std::vector<std::string>,
+                               std::vector<Expression>, NumberRange>;
 
 /// A key of the section.
 struct SweepEntry {

@@ -91,17 +91,21 @@ std::string yaml(const BodyFlags& flags, double radius,
   return line + fmt::format(", mass: {}}}", tidy(found.mass));
 }
 
-nlohmann::ordered_json document_of(const BodyFlags& flags, double radius,
-                                   const MassProperties& found) {
+void print_json(const BodyFlags& flags, double radius,
+                const MassProperties& found) {
   nlohmann::ordered_json body = {
       {"shape", "cylinder"},      {"radius", radius}, {"eta_m", found.eta_m},
       {"theta_m", found.theta_m}, {"k", found.k},     {"mass", found.mass}};
-  return {{"schema_version", report::kSchemaVersion},
-          {"unit_of_length", flags.radius.empty() ? "radius" : "m"},
-          {"body", body},
-          {"r_m", found.r_m},
-          {"largest_k", found.largest_k()},
-          {"yaml", yaml(flags, radius, found)}};
+  const nlohmann::ordered_json document = {
+      {"schema_version", report::kSchemaVersion},
+      {"unit_of_length", flags.radius.empty() ? "radius" : "m"},
+      {"body", body},
+      {"r_m", found.r_m},
+      {"largest_k", found.largest_k()},
+      {"yaml", yaml(flags, radius, found)}};
+  print_data(
+      document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+      "\n");
 }
 
 void print_text(const BodyFlags& flags, double radius,
@@ -128,7 +132,7 @@ int run(const BodyFlags& flags) {
   const double radius = radius_of(flags);
   const MassProperties found = properties_of(flags, radius);
   if (flags.json) {
-    print_json(document_of(flags, radius, found));
+    print_json(flags, radius, found);
   } else {
     print_text(flags, radius, found);
   }
@@ -137,25 +141,31 @@ int run(const BodyFlags& flags) {
 
 }  // namespace
 
-void add_body(Command& command) {
+Verb body_verb() {
   const auto flags = std::make_shared<BodyFlags>();
-  CLI::App& verb = command.add(
-      "body", "Compute eta_m, theta_m and k of a body from its parts",
-      "Parts:\n" + io::mass_part_grammar() +
-          R"(Numbers may be expressions as in problem files.
-Examples:
-  brachisto body ring:m=2 point:m=1,at=1@-30deg
-  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg
-  brachisto body --radius 0.077 disc:m=0.4 point:m=0.1,x=0.05,z=-0.02)",
-      [flags] { return run(*flags); });
-  add_value(verb, "PART", flags->parts, "",
-            "Part of the body, KIND:NAME=VALUE,… (see below)")
-      ->required();
-  add_value(verb, "--radius", flags->radius, "LENGTH",
-            "Radius of the cylinder in m; lengths of parts are in m then and "
-            "masses in kg, else lengths are in radii")
-      ->check(not_empty());
-  add_json(verb, flags->json);
+  return {
+      .name = "body",
+      .text = "Compute eta_m, theta_m and k of a body from its parts",
+      .flags = {{.name = "PART",
+                 .value = &flags->parts,
+                 .text = "Part of the body, KIND:NAME=VALUE,… (see below)",
+                 .placeholder = "",
+                 .required = true},
+                {.name = "--radius",
+                 .value = &flags->radius,
+                 .text = "Radius of the cylinder in m; lengths of parts are in "
+                         "m then and masses in kg, else lengths are in radii",
+                 .placeholder = "LENGTH",
+                 .check = not_empty()},
+                json_flag(flags->json)},
+      .footer = "Parts:\n" + io::mass_part_grammar() +
+                "Numbers may be expressions as in problem files.\n"
+                "Examples:\n"
+                "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
+                "  brachisto body disc:m=3,hole=0.8 rod:from=1@0,to=1@180deg\n"
+                "  brachisto body --radius 0.077 disc:m=0.4 "
+                "point:m=0.1,x=0.05,z=-0.02",
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -6,14 +6,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <limits>
+#include <map>
 #include <sstream>
 #include <string_view>
 #include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
-#include "app/exit_code.hpp"
-#include "app/terminal.hpp"
+#include "app/verbs.hpp"
 #include "io/findings.hpp"
 #include "io/visible_text.hpp"
 
@@ -140,106 +143,176 @@ UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
   return {asked(app), what};
 }
 
+/// A check of the library's own.
+TextCheck of_library(const CLI::Validator& check) {
+  return {[check](const std::string& text) { return check(text); },
+          check.get_description()};
+}
+
+void describe(const Flag& flag, CLI::App& verb) {
+  const auto valued = [&](auto* value) {
+    CLI::Option* option = verb.add_option(flag.name, *value, flag.text);
+    option->type_name(flag.placeholder)->required(flag.required);
+    if (flag.shows_default) option->capture_default_str();
+    if (flag.check.objection) {
+      option->check(CLI::Validator(flag.check.objection, flag.check.kind));
+    }
+    return option;
+  };
+  CLI::Option* const option = std::visit(
+      [&](auto* value) -> CLI::Option* {
+        using Value = std::remove_pointer_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, bool>) {
+          return verb.add_flag(flag.name, *value, flag.text);
+        } else if constexpr (std::is_same_v<Value, Words>) {
+          CLI::Option* list = valued(value);
+          if (!is_flag(flag.name)) return list;
+          return list->expected(1)->multi_option_policy(
+              CLI::MultiOptionPolicy::TakeAll);
+        } else {
+          return valued(value);
+        }
+      },
+      flag.value);
+  if (flag.hidden) option->group("");
+  if (flag.needs != nullptr) option->needs(flag.needs);
+  if (flag.excludes != nullptr) option->excludes(flag.excludes);
+}
+
+void describe(const Verb& verb, CLI::App& app) {
+  CLI::App* const out = app.add_subcommand(verb.name, verb.text);
+  out->footer(verb.footer);
+  if (verb.hidden) out->group("");
+  std::map<std::string, CLI::App*> choices;
+  for (const Flag& flag : verb.flags) {
+    if (flag.choice == nullptr) {
+      describe(flag, *out);
+      continue;
+    }
+    CLI::App*& group = choices[flag.choice];
+    if (group == nullptr) {
+      group = out->add_option_group(flag.choice);
+      group->require_option(1);
+    }
+    describe(flag, *group);
+  }
+}
+
 }  // namespace
 
-Command::Command(const std::string& text, const std::string& footer,
-                 const std::function<std::string()>& version)
-    : app_(text, "brachisto") {
-  app_.set_version_flag("--version", version,
-                        "Print versions of the program and its libraries");
-  app_.require_subcommand(1);
-  app_.footer(footer);
-}
-
-CLI::App& Command::add(const std::string& name, const std::string& text,
-                       const std::string& footer, Run run) {
-  runs_[name] = std::move(run);
-  CLI::App* const verb = app_.add_subcommand(name, text);
-  verb->footer(footer);
-  return *verb;
-}
-
-Run Command::read(int argc, char** argv) {
-  try {
-    app_.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    std::ostringstream text;
-    app_.exit(help_or_version, text);
-    return [text = text.str()] {
-      print(text);
-      return static_cast<int>(kSuccess);
-    };
-  } catch (const CLI::ParseError& error) {
-    throw explained(app_, error);
-  }
-  return runs_.at(app_.get_subcommands().front()->get_name());
-}
-
-CLI::Validator not_empty() {
+TextCheck not_empty() {
   return {[](const std::string& text) -> std::string {
-            return text.empty() ? "an empty text was read; a name is expected"
-                                : "";
-          },
-          ""};
+    return text.empty() ? "an empty text was read; a name is expected" : "";
+  }};
 }
 
-CLI::Validator number(const std::string& kind, double least, double most) {
-  return {[=](const std::string& text) {
-            double value = 0.0;
-            const bool fine = CLI::detail::lexical_cast(text, value);
-            return fine && value >= least && value <= most
-                       ? std::string()
-                       : fmt::format("{} was read; expected a number {}",
-                                     io::in_quotes(text), kind);
-          },
-          ""};
+TextCheck number(std::string kind, bool (*allowed)(double)) {
+  return {[kind = std::move(kind), allowed](const std::string& text) {
+    double value = 0.0;
+    const bool fine = CLI::detail::lexical_cast(text, value);
+    return fine && allowed(value)
+               ? std::string()
+               : fmt::format("{} was read; expected a number {}",
+                             io::in_quotes(text), kind);
+  }};
 }
 
-CLI::Validator seconds() {
+TextCheck seconds() {
   return number("greater than 0, at most 1e9",
-                std::numeric_limits<double>::denorm_min(), 1e9);
+                [](double value) { return value > 0.0 && value <= 1e9; });
 }
 
-void add_json(CLI::App& verb, bool& json) {
-  verb.add_flag("--json", json, "Print one JSON document to stdout");
+TextCheck integer_within(int least, int most) {
+  return of_library(CLI::Range(least, most));
 }
 
-void add_quiet(CLI::App& verb, bool& quiet) {
-  verb.add_flag("--quiet", quiet, "Print no results and no progress");
+TextCheck positive() {
+  return of_library(CLI::PositiveNumber);
 }
 
-void add_jobs(CLI::App& verb, int& jobs) {
-  add_value(verb, "--jobs", jobs, "N",
-            "Worker processes; default: one per core")
-      ->check(CLI::Range(1, 1024));
+TextCheck existing_file() {
+  return of_library(CLI::ExistingFile);
 }
 
-CLI::Option* add_directory(CLI::App& verb, const std::string& name,
-                           std::string& directory, const std::string& text) {
-  return add_value(verb, name, directory, "DIR", text)->check(not_empty());
+TextCheck existing_directory() {
+  return of_library(CLI::ExistingDirectory);
 }
 
-void add_sweep_directory(CLI::App& verb, std::string& directory) {
-  add_value(verb, "DIR", directory, "TEXT", "Directory of the sweep")
-      ->check(not_empty())
-      ->required();
+TextCheck one_of(std::vector<std::string> words) {
+  return of_library(CLI::IsMember(std::move(words)));
 }
 
-void CommonFlags::add_to(CLI::App& verb) {
-  add_value(verb, "FILE", file, "TEXT",
-            "Problem file (YAML); - is standard input")
-      ->required();
-  add_value(verb, "--set", overrides, "KEY=VALUE",
-            "Replace a value of the file, such as scene.body.k=1/4")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_json(verb, json);
-  add_quiet(verb, quiet);
+Flag json_flag(bool& json) {
+  return {"--json", &json, "Print one JSON document to stdout"};
+}
+
+Flag jobs_flag(int& jobs) {
+  return {.name = "--jobs",
+          .value = &jobs,
+          .text = "Worker processes; default: one per core",
+          .placeholder = "N",
+          .check = integer_within(1, 1024)};
+}
+
+Flag directory_flag(const char* name, std::string& directory, const char* text,
+                    bool required) {
+  return {.name = name,
+          .value = &directory,
+          .text = text,
+          .placeholder = "DIR",
+          .check = not_empty(),
+          .required = required};
+}
+
+Flag sweep_directory(std::string& directory) {
+  return {.name = "DIR",
+          .value = &directory,
+          .text = "Directory of the sweep",
+          .check = not_empty(),
+          .required = true};
+}
+
+std::vector<Flag> CommonFlags::with(std::vector<Flag> own) {
+  std::vector<Flag> flags{
+      {.name = "FILE",
+       .value = &file,
+       .text = "Problem file (YAML); - is standard input",
+       .required = true},
+      {.name = "--set",
+       .value = &overrides,
+       .text = "Replace a value of the file, such as scene.body.k=1/4",
+       .placeholder = "KEY=VALUE"},
+      json_flag(json),
+      {"--quiet", &quiet, "Print no results and no progress"}};
+  std::ranges::move(own, std::back_inserter(flags));
+  return flags;
 }
 
 int jobs_or_cores(int jobs) {
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  return jobs > 0 ? jobs : std::max(1, cores);
+  return jobs > 0
+             ? jobs
+             : std::max(1,
+                        static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Asked read_command_line(const CommandLine& command, int argc, char** argv) {
+  CLI::App app(command.text, "brachisto");
+  app.set_version_flag("--version", command.version,
+                       "Print versions of the program and its libraries");
+  app.require_subcommand(1);
+  app.footer(command.footer);
+  for (const Verb& verb : command.verbs) describe(verb, app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    std::ostringstream text;
+    app.exit(help_or_version, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    throw explained(app, error);
+  }
+  const std::string name = app.get_subcommands().front()->get_name();
+  return &*std::ranges::find(command.verbs, name, &Verb::name);
 }
 
 }  // namespace brachisto::app

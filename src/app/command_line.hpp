@@ -1,23 +1,87 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The command line: what verbs there are, what each may be told, and what is
-// said of one that nobody understands. CLI11 reads it.
+// The command line as data: what verbs there are, and what each may be told.
+// Only command_line.cpp knows the library that reads it.
 
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace brachisto::app {
 
-/// What is to be done; returns the exit code.
-using Run = std::function<int()>;
+/// What a text has to be.
+struct TextCheck {
+  std::function<std::string(const std::string&)> objection;  ///< "": none
+  std::string kind = {};                                     ///< for the help
+};
+
+/// Refuses an empty text, such as the name of a directory in a variable that is
+/// not set.
+[[nodiscard]] TextCheck not_empty();
+/// Refuses what is no number or not of the kind, NaN included.
+///
+/// \param kind     what is allowed, "greater than 0, at most 1e9"
+/// \param allowed  whether a number is, false for NaN
+[[nodiscard]] TextCheck number(std::string kind, bool (*allowed)(double));
+/// Of a limit of time: greater than 0, at most 1e9.
+[[nodiscard]] TextCheck seconds();
+[[nodiscard]] TextCheck integer_within(int least, int most);
+[[nodiscard]] TextCheck positive();
+[[nodiscard]] TextCheck existing_file();
+[[nodiscard]] TextCheck existing_directory();
+[[nodiscard]] TextCheck one_of(std::vector<std::string> words);
+
+/// A flag, or a word without one, and what it is read into.
+struct Flag {
+  const char* name;  ///< "--jobs"; "FILE" of a word
+  std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*>
+      value;                         ///< a list: given again and again
+  const char* text = "";             ///< in the help
+  const char* placeholder = "TEXT";  ///< of the value, in the help
+  TextCheck check = {};
+  bool required = false;
+  bool shows_default = false;
+  bool hidden = false;
+  const char* needs = nullptr;     ///< another flag
+  const char* excludes = nullptr;  ///< another flag
+  /// Of the flags that name the same choice one has to be given.
+  const char* choice = nullptr;
+};
+
+/// Flags of several verbs: --json; --jobs, 0 unless it is given; a directory
+/// under whatever name; the DIR of a finished sweep.
+[[nodiscard]] Flag json_flag(bool& json);
+[[nodiscard]] Flag jobs_flag(int& jobs);
+[[nodiscard]] Flag directory_flag(const char* name, std::string& directory,
+                                  const char* text, bool required = false);
+
+[[nodiscard]] Flag sweep_directory(std::string& directory);
+
+/// `jobs`, or one for each core if that is 0.
+[[nodiscard]] int jobs_or_cores(int jobs);
+
+struct Verb {
+  const char* name;
+  const char* text;  ///< in the help
+  std::vector<Flag> flags;
+  std::string footer;
+  std::function<int()> run;  ///< once the flags are read; returns the exit code
+  bool hidden = false;
+};
+
+/// The whole command.
+struct CommandLine {
+  const char* text;
+  const char* footer;
+  std::string (*version)();
+  std::vector<Verb> verbs;
+};
 
 /// A command line that is refused; what() begins with the verb.
 class UsageError : public std::runtime_error {
@@ -32,70 +96,14 @@ class UsageError : public std::runtime_error {
   std::string asked_;
 };
 
-/// The whole command.
-class Command {
- public:
-  Command(const std::string& text, const std::string& footer,
-          const std::function<std::string()>& version);
+/// What a command line asks for: a verb, whose flags are read, or a text, of
+/// the help or the version.
+using Asked = std::variant<const Verb*, std::string>;
 
-  /// A further verb, whose flags are still to be described.
-  CLI::App& add(const std::string& name, const std::string& text,
-                const std::string& footer, Run run);
-
-  /// What a command line asks for: a verb, whose flags are read, or to print
-  /// the help or the version.
-  ///
-  /// \throws UsageError  of what is wrong first the verb or the flag that
-  ///         nobody knows, with the nearest one, or the word too many, and only
-  ///         then what follows from it
-  [[nodiscard]] Run read(int argc, char** argv);
-
- private:
-  CLI::App app_;
-  std::map<std::string, Run> runs_;
-};
-
-/// Refuses an empty text, such as the name of a directory in a variable that is
-/// not set.
-[[nodiscard]] CLI::Validator not_empty();
-/// Refuses what is no number or outside of an interval, NaN included.
-/// \param kind  what is allowed, "from 0 to 1e12"
-[[nodiscard]] CLI::Validator number(const std::string& kind, double least,
-                                    double most);
-/// Of a limit of time: greater than 0, at most 1e9.
-[[nodiscard]] CLI::Validator seconds();
-
-/// A flag with a value, or a word without a flag. A list is given again and
-/// again.
-/// \param placeholder  of the value, in the help
-template <class Value>
-CLI::Option* add_value(CLI::App& verb, const std::string& name, Value& value,
-                       const std::string& placeholder,
-                       const std::string& text) {
-  return verb.add_option(name, value, text)->type_name(placeholder);
-}
-
-/// Flags of several verbs: --json; --quiet; --jobs, 0 unless it is given; a
-/// directory under whatever name; the DIR of a finished sweep.
-void add_json(CLI::App& verb, bool& json);
-void add_quiet(CLI::App& verb, bool& quiet);
-void add_jobs(CLI::App& verb, int& jobs);
-CLI::Option* add_directory(CLI::App& verb, const std::string& name,
-                           std::string& directory, const std::string& text);
-void add_sweep_directory(CLI::App& verb, std::string& directory);
-
-/// Flags that every verb with a problem file shares.
-struct CommonFlags {
-  std::string file;
-  std::vector<std::string> overrides;  ///< --set KEY=VALUE
-  bool json = false;
-  bool quiet = false;
-
-  /// Describes them.
-  void add_to(CLI::App& verb);
-};
-
-/// `jobs`, or one for each core if that is 0.
-[[nodiscard]] int jobs_or_cores(int jobs);
+/// \throws UsageError  of what is wrong first the verb or the flag that nobody
+///         knows, with the nearest one, or the word too many, and only then
+///         what follows from it
+[[nodiscard]] Asked read_command_line(const CommandLine& command, int argc,
+                                      char** argv);
 
 }  // namespace brachisto::app

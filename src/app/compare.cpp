@@ -49,12 +49,44 @@ int run(const CompareFlags& flags) {
 
 }  // namespace
 
-void add_compare(Command& command) {
+Verb compare_verb() {
   const auto flags = std::make_shared<CompareFlags>();
   comparison::ComparisonOptions& options = flags->options;
-  CLI::App& verb = command.add(
-      "compare", "Solve one scene by every method: time, memory, true error",
-      R"(Every method runs in a process of its own, from the cycloid. One that
+  return {
+      .name = "compare",
+      .text = "Solve one scene by every method: time, memory, true error",
+      .flags = flags->with(
+          {{.name = "--nodes",
+            .value = &options.nodes,
+            .text = "n, of the methods on a fixed mesh",
+            .placeholder = "N",
+            .check = integer_within(11, 1'000'000),
+            .shows_default = true},
+           {.name = "--repetitions",
+            .value = &options.repetitions,
+            .text = "Timed solves of each method",
+            .placeholder = "R",
+            .check = integer_within(1, 1000),
+            .shows_default = true},
+           {.name = "--seconds",
+            .value = &options.seconds,
+            .text = "Wall-clock limit of each method",
+            .placeholder = "S",
+            .check = seconds(),
+            .shows_default = true},
+           {.name = "--residual",
+            .value = &options.residual,
+            .text = "Residual at which the iterations of every method stop",
+            .placeholder = "R",
+            .check = number(
+                "from 1e-14 to 1e-6",
+                [](double value) { return value >= 1e-14 && value <= 1e-6; }),
+            .shows_default = true},
+           directory_flag("--out", flags->out,
+                          "Write compare.txt and compare.json there"),
+           {"--force", &flags->force, "Replace existing files in DIR"}}),
+      .footer =
+          R"(Every method runs in a process of its own, from the cycloid. One that
 fails is a row with the reason.
 Examples:
   brachisto compare problems/paper/fig04_reference_case.yaml
@@ -62,27 +94,7 @@ Examples:
 Exit codes: 0 compared, 3 bad input file, 4 no verified answer of the
 extremal method to take errors against, 6 I/O, 130/143 after
 SIGINT/SIGTERM.)",
-      [flags] { return run(*flags); });
-  flags->add_to(verb);
-  add_value(verb, "--nodes", options.nodes, "N",
-            "n, of the methods on a fixed mesh")
-      ->check(CLI::Range(11, 1'000'000))
-      ->capture_default_str();
-  add_value(verb, "--repetitions", options.repetitions, "R",
-            "Timed solves of each method")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  add_value(verb, "--seconds", options.seconds, "S",
-            "Wall-clock limit of each method")
-      ->check(seconds())
-      ->capture_default_str();
-  add_value(verb, "--residual", options.residual, "R",
-            "Residual at which the iterations of every method stop")
-      ->check(number("from 1e-14 to 1e-6", 1e-14, 1e-6))
-      ->capture_default_str();
-  add_directory(verb, "--out", flags->out,
-                "Write compare.txt and compare.json there");
-  verb.add_flag("--force", flags->force, "Replace existing files in DIR");
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

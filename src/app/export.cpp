@@ -39,21 +39,26 @@ int run(const ExportFlags& flags) {
 
 }  // namespace
 
-void add_export(Command& command) {
+Verb export_verb() {
   const auto flags = std::make_shared<ExportFlags>();
-  CLI::App& verb =
-      command.add("export", "Print the results of a sweep as a flat table",
-                  R"(Examples:
+  return {.name = "export",
+          .text = "Print the results of a sweep as a flat table",
+          .flags = {sweep_directory(flags->directory),
+                    {.name = "--csv",
+                     .value = &flags->csv,
+                     .text = "Comma-separated values",
+                     .choice = "form"},
+                    {.name = "--json",
+                     .value = &flags->json,
+                     .text = "One JSON document",
+                     .choice = "form"}},
+          .footer =
+              R"(Examples:
   brachisto export map --csv > map.csv
   brachisto export map --json | jq '.rows[0].tau'
 Exit codes: 0 the table has all that is there, 6 I/O, or results are
 damaged, which are named and not in the table.)",
-                  [flags] { return run(*flags); });
-  add_sweep_directory(verb, flags->directory);
-  CLI::App* const form = verb.add_option_group("form");
-  form->require_option(1);
-  form->add_flag("--csv", flags->csv, "Comma-separated values");
-  form->add_flag("--json", flags->json, "One JSON document");
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -12,6 +12,8 @@
 #include <new>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <variant>
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -54,25 +56,20 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
   return code;
 }
 
-/// What the command line asks for.
-int run_command(int argc, char** argv) {
-  Command command(
-      R"(Computes brachistochrones of a bead or a rolling, possibly off-centred cylinder:
-its smooth-contact extremal (docs/theory.md, section 3).)",
-      R"(Examples:
-  brachisto solve problems/paper/fig04_reference_case.yaml
-  brachisto validate problems/case.yaml
-  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map
-  brachisto body ring:m=2 point:m=1,at=1@-30deg
-`brachisto VERB --help` tells more.)",
-      version_text);
-  for (const auto add :
-       {add_solve, add_validate, add_schema, add_sweep, add_export, add_merge,
-        add_report, add_paper, add_body, add_compare, add_work_precision,
-        add_worker, add_measure}) {
-    add(command);
-  }
-  return command.read(argc, argv)();
+CommandLine command_line() {
+  return {
+      "Computes brachistochrones of a bead or a rolling, possibly off-centred "
+      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
+      "Examples:\n"
+      "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
+      "  brachisto validate problems/case.yaml\n"
+      "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
+      "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
+      "`brachisto VERB --help` tells more.",
+      version_text,
+      {solve_verb(), validate_verb(), schema_verb(), sweep_verb(),
+       export_verb(), merge_verb(), report_verb(), paper_verb(), body_verb(),
+       compare_verb(), work_precision_verb(), worker_verb(), measure_verb()}};
 }
 
 int run(int argc, char** argv) {
@@ -86,7 +83,14 @@ int run(int argc, char** argv) {
     return fail(how, status, before + io::visible(error.what()), json);
   };
   try {
-    const int code = run_command(argc, argv);
+    const CommandLine command = command_line();
+    const Asked asked = read_command_line(command, argc, argv);
+    int code = kSuccess;
+    if (const auto* text = std::get_if<std::string>(&asked)) {
+      print(*text);
+    } else {
+      code = std::get<const Verb*>(asked)->run();
+    }
     // A full disk or a closed pipe shows when the buffer is written.
     if (!flush_results()) {
       return fail(kIoError, "io_error", "brachisto: cannot write to stdout",

@@ -94,18 +94,22 @@ int run(const MeasureFlags& flags) {
 
 }  // namespace
 
-void add_measure(Command& command) {
+Verb measure_verb() {
   const auto flags = std::make_shared<MeasureFlags>();
-  CLI::App& verb =
-      command.add("measure", "", "", [flags] { return run(*flags); });
-  verb.group("");  // hidden
-  flags->add_to(verb);
-  const auto positive = [](CLI::Option* option) {
-    option->type_name("TEXT")->check(CLI::PositiveNumber);
-  };
-  positive(verb.add_option("--repetitions", flags->repetitions));
-  positive(verb.add_option("--seconds", flags->seconds));
-  positive(verb.add_option("--residual", flags->residual));
+  return {
+      .name = "measure",
+      .text = "",
+      .flags = flags->with(
+          {{.name = "--repetitions",
+            .value = &flags->repetitions,
+            .check = positive()},
+           {.name = "--seconds", .value = &flags->seconds, .check = positive()},
+           {.name = "--residual",
+            .value = &flags->residual,
+            .check = positive()}}),
+      .footer = R"()",
+      .run = [flags] { return run(*flags); },
+      .hidden = true};
 }
 
 }  // namespace brachisto::app

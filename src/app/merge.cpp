@@ -104,24 +104,31 @@ int run(const MergeFlags& flags) {
 
 }  // namespace
 
-void add_merge(Command& command) {
+Verb merge_verb() {
   const auto flags = std::make_shared<MergeFlags>();
-  CLI::App& verb = command.add("merge", "Join parts of a sweep into one",
-                               R"(Example:
+  return {
+      .name = "merge",
+      .text = "Join parts of a sweep into one",
+      .flags = {{.name = "DIR",
+                 .value = &flags->parts,
+                 .text = "Directories of the parts",
+                 .check = not_empty(),
+                 .required = true},
+                {.name = "--out",
+                 .value = &flags->out,
+                 .text = "Directory of the whole; it may exist and be part of "
+                         "it",
+                 .check = not_empty(),
+                 .required = true},
+                json_flag(flags->json),
+                {"--quiet", &flags->quiet, "Print no results"}},
+      .footer =
+          R"(Example:
   brachisto merge part1 part2 part3 part4 --out map
 Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts have
 different results for a scene; 6 I/O, parts of different sweeps, or
 damaged results that are sound in no part.)",
-                               [flags] { return run(*flags); });
-  add_value(verb, "DIR", flags->parts, "TEXT", "Directories of the parts")
-      ->check(not_empty())
-      ->required();
-  add_value(verb, "--out", flags->out, "TEXT",
-            "Directory of the whole; it may exist and be part of it")
-      ->check(not_empty())
-      ->required();
-  add_json(verb, flags->json);
-  verb.add_flag("--quiet", flags->quiet, "Print no results");
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -73,7 +73,9 @@ int run(const PaperFlags& flags) {
   const reproduction::Reproduction made = reproduction::reproduce(found);
   const reproduction::PaperFiles written =
       reproduction::files(found, made, &signal);
-  warn(written.missing);
+  if (!written.missing.empty()) {
+    tell(fmt::format("warning: {}\n", written.missing));
+  }
   report::write_files(flags.out, written.files, flags.force);
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
@@ -86,27 +88,31 @@ int run(const PaperFlags& flags) {
 
 }  // namespace
 
-void add_paper(Command& command) {
+Verb paper_verb() {
   const auto flags = std::make_shared<PaperFlags>();
-  CLI::App& verb = command.add(
-      "paper", "Reproduce every figure and every number of the paper",
-      R"(Example:
+  return {
+      .name = "paper",
+      .text = "Reproduce every figure and every number of the paper",
+      .flags = {directory_flag("--out", flags->out,
+                               "Write index.html, figures and tables there",
+                               true),
+                {.name = "--problems",
+                 .value = &flags->problems,
+                 .text = "Directory of the problem files; default: those that "
+                         "came with the program",
+                 .placeholder = "DIR",
+                 .check = existing_directory()},
+                jobs_flag(flags->jobs),
+                json_flag(flags->json),
+                {"--quiet", &flags->quiet, "Print no results and no progress"},
+                {"--force", &flags->force, "Replace existing files in DIR"}},
+      .footer =
+          R"(Example:
   brachisto paper --out paper && xdg-open paper/index.html
 Exit codes: 0 all verified, 3 a problem file is wrong, 4 something has
 no verified answer and nothing was written, 6 I/O, 130/143 after
 SIGINT/SIGTERM.)",
-      [flags] { return run(*flags); });
-  add_directory(verb, "--out", flags->out,
-                "Write index.html, figures and tables there")
-      ->required();
-  add_value(verb, "--problems", flags->problems, "DIR",
-            "Directory of the problem files; default: those that came with "
-            "the program")
-      ->check(CLI::ExistingDirectory);
-  add_jobs(verb, flags->jobs);
-  add_json(verb, flags->json);
-  add_quiet(verb, flags->quiet);
-  verb.add_flag("--force", flags->force, "Replace existing files in DIR");
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

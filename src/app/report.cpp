@@ -33,7 +33,9 @@ int run(const ReportFlags& flags) {
   const sweep::Job job = store.job();
   const report::SweepPage page =
       report::sweep_report(read_table(store, job), &catch_signals());
-  warn(page.missing);
+  if (!page.missing.empty()) {
+    tell(fmt::format("warning: {}\n", page.missing));
+  }
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";
   report::write_files(out, page.files, flags.force);
@@ -47,18 +49,19 @@ int run(const ReportFlags& flags) {
 
 }  // namespace
 
-void add_report(Command& command) {
+Verb report_verb() {
   const auto flags = std::make_shared<ReportFlags>();
-  CLI::App& verb =
-      command.add("report", "Draw the results of a sweep into DIR/report",
-                  R"(Example:
+  return {.name = "report",
+          .text = "Draw the results of a sweep into DIR/report",
+          .flags = {sweep_directory(flags->directory),
+                    {"--force", &flags->force, "Replace an earlier report"},
+                    {"--quiet", &flags->quiet, "Do not list what was written"}},
+          .footer =
+              R"(Example:
   brachisto report map && xdg-open map/report/index.html
 Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named and
 not in the figures.)",
-                  [flags] { return run(*flags); });
-  add_sweep_directory(verb, flags->directory);
-  verb.add_flag("--force", flags->force, "Replace an earlier report");
-  verb.add_flag("--quiet", flags->quiet, "Do not list what was written");
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

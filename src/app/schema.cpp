@@ -14,24 +14,26 @@
 
 namespace brachisto::app {
 
-void add_schema(Command& command) {
+Verb schema_verb() {
   const auto kind = std::make_shared<std::string>("problem");
-  CLI::App& verb =
-      command.add("schema", "Print a JSON Schema, by which editors check files",
-                  R"(Examples:
+  return {.name = "schema",
+          .text = "Print a JSON Schema, by which editors check files",
+          .flags = {{.name = "KIND",
+                     .value = kind.get(),
+                     .text = "problem: of problem files, sweeps included; "
+                             "result: of result documents",
+                     .check = one_of({"problem", "result"}),
+                     .shows_default = true}},
+          .footer =
+              R"(Examples:
   brachisto schema > brachisto.schema.json
 and as the first line of a problem file:
   # yaml-language-server: $schema=brachisto.schema.json)",
-                  [kind] {
-                    print_data(*kind == "result" ? report::result_schema()
-                                                 : io::problem_schema());
-                    return static_cast<int>(kSuccess);
-                  });
-  add_value(verb, "KIND", *kind, "TEXT",
-            "problem: of problem files, sweeps included; result: of result "
-            "documents")
-      ->check(CLI::IsMember({"problem", "result"}))
-      ->capture_default_str();
+          .run = [kind] {
+            print_data(*kind == "result" ? report::result_schema()
+                                         : io::problem_schema());
+            return static_cast<int>(kSuccess);
+          }};
 }
 
 }  // namespace brachisto::app

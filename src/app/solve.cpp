@@ -158,11 +158,24 @@ int run(const SolveFlags& flags) {
 
 }  // namespace
 
-void add_solve(Command& command) {
+Verb solve_verb() {
   const auto flags = std::make_shared<SolveFlags>();
-  CLI::App& verb = command.add(
-      "solve", "Compute the track of one scene, its smooth-contact extremal",
-      R"(Examples:
+  return {
+      .name = "solve",
+      .text = "Compute the track of one scene, its smooth-contact extremal",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Write result.json, trajectory.csv and the picture "
+                          "path.svg there"),
+           {.name = "--certify",
+            .value = &flags->certify,
+            .text = "Cross-check: none or extremal (solver.certify)",
+            .placeholder = "METHOD",
+            .check = not_empty()},
+           {"--force", &flags->force, "Replace existing results in DIR"},
+           {"--verbose", &flags->verbose, "Print the solver's log"}}),
+      .footer =
+          R"(Examples:
   brachisto solve problems/paper/fig04_reference_case.yaml
   brachisto solve case.yaml --json | jq .tau
   brachisto solve case.yaml --certify extremal
@@ -170,16 +183,7 @@ void add_solve(Command& command) {
 Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or
 not verified, 5 verified but physically infeasible, 6 I/O, 7 limit
 reached, 130/143 after SIGINT/SIGTERM.)",
-      [flags] { return run(*flags); });
-  flags->add_to(verb);
-  add_directory(
-      verb, "--out", flags->out,
-      "Write result.json, trajectory.csv and the picture path.svg there");
-  add_value(verb, "--certify", flags->certify, "METHOD",
-            "Cross-check: none or extremal (solver.certify)")
-      ->check(not_empty());
-  verb.add_flag("--force", flags->force, "Replace existing results in DIR");
-  verb.add_flag("--verbose", flags->verbose, "Print the solver's log");
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

@@ -211,19 +211,61 @@ int run(const SweepFlags& flags) {
 
 }  // namespace
 
-void add_sweep(Command& command) {
+Verb sweep_verb() {
   const auto flags = std::make_shared<SweepFlags>();
-  const auto shard = [](const std::string& text) -> std::string {
+  const TextCheck shard{[](const std::string& text) -> std::string {
     try {
       (void)Shard::parse(text);
       return {};
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
-  };
-  CLI::App& verb =
-      command.add("sweep", "Solve the family of scenes of a problem file",
-                  R"(Examples:
+  }};
+  const TextCheck memory = number("from 0 to 1e12", [](double mebibytes) {
+    return mebibytes >= 0.0 && mebibytes <= 1e12;
+  });
+  return {
+      .name = "sweep",
+      .text = "Solve the family of scenes of a problem file",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Keep the results in DIR/sweep.sqlite", true),
+           jobs_flag(flags->jobs),
+           {.name = "--shard",
+            .value = &flags->shard,
+            .text = "Do the i-th of N parts only; `merge` joins them",
+            .placeholder = "i/N",
+            .check = shard},
+           {"--resume", &flags->resume,
+            "Go on with the results in DIR, if there are any"},
+           {.name = "--retry-failed",
+            .value = &flags->retry,
+            .text = "Solve scenes again that no worker answered for",
+            .needs = "--resume"},
+           {.name = "--force",
+            .value = &flags->force,
+            .text = "Replace the results in DIR",
+            .excludes = "--resume"},
+           {.name = "--timeout",
+            .value = &flags->timeout,
+            .text = "Kill a worker that takes longer for one scene; default: "
+                    "three times solver.limits.seconds and a minute",
+            .placeholder = "SECONDS",
+            .check = seconds()},
+           {.name = "--memory",
+            .value = &flags->memory,
+            .text = "Bound on a worker's address space, 0 for none; default: "
+                    "the machine's memory / N",
+            .placeholder = "MIB",
+            .check = memory},
+           {.name = "--worker",
+            .value = &flags->program,
+            .text = "Program to run as worker, for tests",
+            .placeholder = "PROGRAM",
+            .check = existing_file(),
+            .hidden = true}}),
+      .footer =
+          R"(Examples:
   brachisto sweep map.yaml --out map
   brachisto sweep map.yaml --out map --resume
   brachisto sweep map.yaml --out part2 --shard 2/4
@@ -231,45 +273,21 @@ void add_sweep(Command& command) {
   brachisto report map
 Exit codes: 0 all solved and verified, 3 bad input file, 4 some are
 not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.)",
-                  [flags] { return run(*flags); });
-  flags->add_to(verb);
-  add_directory(verb, "--out", flags->out,
-                "Keep the results in DIR/sweep.sqlite")
-      ->required();
-  add_jobs(verb, flags->jobs);
-  add_value(verb, "--shard", flags->shard, "i/N",
-            "Do the i-th of N parts only; `merge` joins them")
-      ->check(CLI::Validator(shard, ""));
-  verb.add_flag("--resume", flags->resume,
-                "Go on with the results in DIR, if there are any");
-  verb.add_flag("--retry-failed", flags->retry,
-                "Solve scenes again that no worker answered for")
-      ->needs("--resume");
-  verb.add_flag("--force", flags->force, "Replace the results in DIR")
-      ->excludes("--resume");
-  add_value(verb, "--timeout", flags->timeout, "SECONDS",
-            "Kill a worker that takes longer for one scene; default: three "
-            "times solver.limits.seconds and a minute")
-      ->check(seconds());
-  add_value(verb, "--memory", flags->memory, "MIB",
-            "Bound on a worker's address space, 0 for none; default: the "
-            "machine's memory / N")
-      ->check(number("from 0 to 1e12", 0.0, 1e12));
-  add_value(verb, "--worker", flags->program, "PROGRAM",
-            "Program to run as worker, for tests")
-      ->check(CLI::ExistingFile)
-      ->group("");
+      .run = [flags] { return run(*flags); }};
 }
 
-void add_worker(Command& command) {
-  command
-      .add("worker", "Solve what the manager of a sweep asks for", "",
-           [] {
-             std::ios::sync_with_stdio(false);
-             sweep::run_worker(std::cin, std::cout);
-             return static_cast<int>(kSuccess);
-           })
-      .group("");
+Verb worker_verb() {
+  return {.name = "worker",
+          .text = "Solve what the manager of a sweep asks for",
+          .flags = {},
+          .footer = R"()",
+          .run =
+              [] {
+                std::ios::sync_with_stdio(false);
+                sweep::run_worker(std::cin, std::cout);
+                return static_cast<int>(kSuccess);
+              },
+          .hidden = true};
 }
 
 }  // namespace brachisto::app

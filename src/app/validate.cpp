@@ -162,7 +162,7 @@ std::string scenes_table(const io::SweepFile& sweep) {
 
 void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
   for (const io::Diagnostic& warning : problem.warnings) {
-    warn(io::to_string(warning));
+    fmt::print(stderr, "warning: {}\n", io::to_string(warning));
   }
   if (flags.json) {
     print_data(text_of(effective_input(problem)));
@@ -186,21 +186,23 @@ void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
 
 }  // namespace
 
-void add_validate(Command& command) {
+Verb validate_verb() {
   const auto flags = std::make_shared<CommonFlags>();
-  CLI::App& verb = command.add(
-      "validate", "Check a problem file and print its effective input",
-      R"(Of a file with a section sweep, all scenes are checked and some listed.
+  return {
+      .name = "validate",
+      .text = "Check a problem file and print its effective input",
+      .flags = flags->with({}),
+      .footer =
+          R"(Of a file with a section sweep, all scenes are checked and some listed.
 Examples:
   brachisto validate case.yaml
   brachisto validate case.yaml --set scene.body.k=1/4 --json)",
-      [flags] {
+      .run = [flags] {
         const auto content =
             io::read_problem_or_sweep_file(flags->file, flags->overrides);
         std::visit([&](const auto& what) { describe(*flags, what); }, content);
         return static_cast<int>(kSuccess);
-      });
-  flags->add_to(verb);
+      }};
 }
 
 }  // namespace brachisto::app

@@ -5,23 +5,36 @@
 
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/command_line.hpp"
 
 namespace brachisto::app {
 
-/// Each adds its verb to the command.
-void add_solve(Command& command);
-void add_validate(Command& command);
-void add_schema(Command& command);
-void add_sweep(Command& command);
-void add_export(Command& command);
-void add_merge(Command& command);
-void add_report(Command& command);
-void add_paper(Command& command);
-void add_body(Command& command);
-void add_compare(Command& command);
-void add_work_precision(Command& command);
-void add_worker(Command& command);   ///< for sweeps, not for people
-void add_measure(Command& command);  ///< for comparisons, not for people
+/// Flags that every verb with a problem file shares.
+struct CommonFlags {
+  std::string file;
+  std::vector<std::string> overrides;  ///< --set KEY=VALUE
+  bool json = false;
+  bool quiet = false;
+
+  /// Their descriptions, before those of one verb.
+  [[nodiscard]] std::vector<Flag> with(std::vector<Flag> own);
+};
+
+[[nodiscard]] Verb solve_verb();
+[[nodiscard]] Verb validate_verb();
+[[nodiscard]] Verb schema_verb();
+[[nodiscard]] Verb sweep_verb();
+[[nodiscard]] Verb export_verb();
+[[nodiscard]] Verb merge_verb();
+[[nodiscard]] Verb report_verb();
+[[nodiscard]] Verb paper_verb();
+[[nodiscard]] Verb body_verb();
+[[nodiscard]] Verb compare_verb();
+[[nodiscard]] Verb work_precision_verb();
+[[nodiscard]] Verb worker_verb();   ///< for sweeps, not for people
+[[nodiscard]] Verb measure_verb();  ///< for comparisons, not for people
 
 }  // namespace brachisto::app

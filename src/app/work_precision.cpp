@@ -56,7 +56,9 @@ int run(const WorkPrecisionFlags& flags) {
   if (!flags.out.empty()) {
     const report::DrawnFigure diagram =
         comparison::drawn(found, hooks.interrupt);
-    warn(diagram.missing);
+    if (!diagram.missing.empty()) {
+      tell(fmt::format("warning: {}\n", diagram.missing));
+    }
     report::write_files(flags.out, diagram.files, flags.force, names);
   }
   if (flags.json) {
@@ -74,11 +76,21 @@ int run(const WorkPrecisionFlags& flags) {
 
 }  // namespace
 
-void add_work_precision(Command& command) {
+Verb work_precision_verb() {
   const auto flags = std::make_shared<WorkPrecisionFlags>();
-  CLI::App& verb = command.add(
-      "work-precision", "Processor time against true error, method by method",
-      R"(The section work_precision of the file says which methods run on which
+  return {
+      .name = "work-precision",
+      .text = "Processor time against true error, method by method",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Write diagrams, their tables and scripts, and "
+                          "work_precision.json there"),
+           {"--force", &flags->force, "Replace existing files in DIR"},
+           {"--quick", &flags->quick,
+            "The three coarsest meshes that all methods take, one "
+            "repetition"}}),
+      .footer =
+          R"(The section work_precision of the file says which methods run on which
 meshes; it has defaults.
 Examples:
   brachisto work-precision problems/work_precision/base.yaml --out wp
@@ -86,15 +98,7 @@ Examples:
 Exit codes: 0 done, 3 bad input file, 4 no verified answer of the
 extremal method to take errors against, 6 I/O, 130/143 after
 SIGINT/SIGTERM.)",
-      [flags] { return run(*flags); });
-  flags->add_to(verb);
-  add_directory(verb, "--out", flags->out,
-                "Write diagrams, their tables and scripts, and "
-                "work_precision.json there");
-  verb.add_flag("--force", flags->force, "Replace existing files in DIR");
-  verb.add_flag("--quick", flags->quick,
-                "The three coarsest meshes that all methods take, one "
-                "repetition");
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

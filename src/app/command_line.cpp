@@ -18,7 +18,6 @@
 
 #include "app/verbs.hpp"
 #include "io/findings.hpp"
-#include "io/suggestion.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::app {

@@ -53,12 +53,11 @@ Verb export_verb() {
                      .text = "One JSON document",
                      .choice = "form"}},
           .footer =
-              "Examples:\n"
-              "  brachisto export map --csv > map.csv\n"
-              "  brachisto export map --json | jq '.rows[0].tau'\n"
-              "Exit codes: 0 the table has all that is there, 6 I/O, or "
-              "results are\n"
-              "damaged, which are named and not in the table.",
+              R"(Examples:
+  brachisto export map --csv > map.csv
+  brachisto export map --json | jq '.rows[0].tau'
+Exit codes: 0 the table has all that is there, 6 I/O, or results are
+damaged, which are named and not in the table.)",
           .run = [flags] { return run(*flags); }};
 }
 

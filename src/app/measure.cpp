@@ -107,7 +107,7 @@ Verb measure_verb() {
            {.name = "--residual",
             .value = &flags->residual,
             .check = positive()}}),
-      .footer = "",
+      .footer = R"()",
       .run = [flags] { return run(*flags); },
       .hidden = true};
 }

@@ -14,7 +14,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
 #include "io/visible_text.hpp"
-#include "report/held_signals.hpp"
+#include "report/in_full.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/merge.hpp"
 
@@ -87,7 +87,7 @@ int run(const MergeFlags& flags) {
         {"overlaps", report.overlaps},
         {"conflicts", report.conflicts},
         {"gaps", report.gaps}};
-    print_data(document.dump(2) + "\n");
+    print_json(document);
   } else if (!flags.quiet) {
     print(
         fmt::format("{}: {} of {} scenes, {} of them added now\n"
@@ -123,13 +123,11 @@ Verb merge_verb() {
                 json_flag(flags->json),
                 {"--quiet", &flags->quiet, "Print no results"}},
       .footer =
-          "Example:\n"
-          "  brachisto merge part1 part2 part3 part4 --out map\n"
-          "Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts "
-          "have\n"
-          "different results for a scene; 6 I/O, parts of different sweeps, "
-          "or\n"
-          "damaged results that are sound in no part.",
+          R"(Example:
+  brachisto merge part1 part2 part3 part4 --out map
+Exit codes: 0 joined, perhaps with gaps, which are listed; 4 parts have
+different results for a scene; 6 I/O, parts of different sweeps, or
+damaged results that are sound in no part.)",
       .run = [flags] { return run(*flags); }};
 }
 

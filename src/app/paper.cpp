@@ -107,12 +107,11 @@ Verb paper_verb() {
                 {"--quiet", &flags->quiet, "Print no results and no progress"},
                 {"--force", &flags->force, "Replace existing files in DIR"}},
       .footer =
-          "Example:\n"
-          "  brachisto paper --out paper && xdg-open paper/index.html\n"
-          "Exit codes: 0 all verified, 3 a problem file is wrong, 4 something "
-          "has\n"
-          "no verified answer and nothing was written, 6 I/O, 130/143 after\n"
-          "SIGINT/SIGTERM.",
+          R"(Example:
+  brachisto paper --out paper && xdg-open paper/index.html
+Exit codes: 0 all verified, 3 a problem file is wrong, 4 something has
+no verified answer and nothing was written, 6 I/O, 130/143 after
+SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }
 

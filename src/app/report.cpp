@@ -51,18 +51,17 @@ int run(const ReportFlags& flags) {
 
 Verb report_verb() {
   const auto flags = std::make_shared<ReportFlags>();
-  return {
-      .name = "report",
-      .text = "Draw the results of a sweep into DIR/report",
-      .flags = {sweep_directory(flags->directory),
-                {"--force", &flags->force, "Replace an earlier report"},
-                {"--quiet", &flags->quiet, "Do not list what was written"}},
-      .footer =
-          "Example:\n  brachisto report map && xdg-open map/report/index.html\n"
-          "Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named "
-          "and\n"
-          "not in the figures.",
-      .run = [flags] { return run(*flags); }};
+  return {.name = "report",
+          .text = "Draw the results of a sweep into DIR/report",
+          .flags = {sweep_directory(flags->directory),
+                    {"--force", &flags->force, "Replace an earlier report"},
+                    {"--quiet", &flags->quiet, "Do not list what was written"}},
+          .footer =
+              R"(Example:
+  brachisto report map && xdg-open map/report/index.html
+Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named and
+not in the figures.)",
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

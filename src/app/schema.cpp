@@ -10,7 +10,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
-#include "io/key_table.hpp"
+#include "io/key_spec.hpp"
 
 namespace brachisto::app {
 
@@ -25,10 +25,10 @@ Verb schema_verb() {
                      .check = one_of({"problem", "result"}),
                      .shows_default = true}},
           .footer =
-              "Examples:\n"
-              "  brachisto schema > brachisto.schema.json\n"
-              "and as the first line of a problem file:\n"
-              "  # yaml-language-server: $schema=brachisto.schema.json",
+              R"(Examples:
+  brachisto schema > brachisto.schema.json
+and as the first line of a problem file:
+  # yaml-language-server: $schema=brachisto.schema.json)",
           .run = [kind] {
             print_data(*kind == "result" ? report::result_schema()
                                          : io::problem_schema());

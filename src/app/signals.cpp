@@ -3,10 +3,16 @@
 
 #include "app/signals.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
 #include <csignal>
 #include <ctime>
+#include <string_view>
 
-#include "app/last_resort.hpp"
+#include "app/exit_code.hpp"
+#include "brachisto/solvers/status.hpp"
 
 namespace brachisto::app {
 
@@ -15,6 +21,57 @@ namespace {
 std::atomic<int> received{0};
 static_assert(std::atomic<int>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
+
+// What is left for an end in order [s]; to end the process takes time too.
+constexpr double kGrace = 0.5;
+
+// All that the handler touches: written before the timer is set, and left alone
+// until it is deleted.
+struct Ending {
+  std::string message, document;
+};
+Ending at_limit, at_signal;
+std::atomic<bool> in_force{false};
+timer_t timer;
+
+itimerspec once_after(double seconds) {
+  itimerspec time = {};
+  const double whole = std::floor(seconds);
+  time.it_value.tv_sec = static_cast<time_t>(whole);
+  time.it_value.tv_nsec = static_cast<long>((seconds - whole) * 1e9);
+  return time;
+}
+
+void put(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+extern "C" void end_process(int) {
+  const int signal = received.load();
+  const Ending& ending = signal != 0 ? at_signal : at_limit;
+  put(STDERR_FILENO, ending.message);
+  put(STDOUT_FILENO, ending.document);
+  ::_exit(signal != 0 ? kSignalBase + signal : kLimit);
+}
+
+Ending ending(Status status, std::string_view why, bool json) {
+  const std::string message = fmt::format(
+      "brachisto: {}, and the solve did not end in order in time", why);
+  return {message + "\n",
+          json ? failure_document(name(status), message) : std::string{}};
+}
+
+/// From now on there is little time.
+void hurry() {
+  if (!in_force.load()) return;
+  itimerspec time = {};
+  time.it_value.tv_nsec = static_cast<long>(kGrace * 1e9);
+  ::timer_settime(timer, 0, &time, nullptr);
+}
 
 double now() {
   timespec time = {};
@@ -37,7 +94,7 @@ extern "C" void handle(int signal) {
     return;
   }
   received.store(signal);
-  LastResort::after_signal(signal);
+  hurry();
 }
 
 }  // namespace
@@ -51,6 +108,32 @@ const std::atomic<int>& catch_signals() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   return received;
+}
+
+LastResort::LastResort(double seconds, bool json) {
+  at_limit =
+      ending(Status::TimeLimit,
+             fmt::format("the limit of {:g} s was reached", seconds), json);
+  at_signal = ending(Status::Interrupted, "stopped by a signal", json);
+  struct sigaction action = {};
+  action.sa_handler = end_process;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGALRM, &action, nullptr);
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  if (::timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) return;
+  // Beyond a century nobody waits, and the seconds of the timer end.
+  constexpr double kForever = 3e9;
+  if (seconds < kForever) {
+    const itimerspec time = once_after(seconds + kGrace);
+    ::timer_settime(timer, 0, &time, nullptr);
+  }
+  in_force = true;
+}
+
+LastResort::~LastResort() {
+  if (in_force.exchange(false)) ::timer_delete(timer);
 }
 
 }  // namespace brachisto::app

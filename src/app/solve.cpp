@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
-#include "app/last_resort.hpp"
 #include "app/signals.hpp"
 #include "app/solve_progress.hpp"
 #include "app/terminal.hpp"
@@ -60,7 +59,7 @@ std::vector<report::OutputFile> path_files(Solution& solution,
       report::draw(report::path_figure(motion, *solution.diagnostics),
                    report::Format::Svg, &signal);
   if (!picture.missing.empty()) {
-    tell(fmt::format("warning: {}\n", picture.missing));
+    warn(picture.missing);
     solution.warnings.push_back(picture.missing);
   }
   picture.files.push_back({kTrajectoryFile, report::trajectory_csv(motion)});
@@ -116,7 +115,7 @@ int run(const SolveFlags& flags) {
     };
   }
   for (const io::Diagnostic& warning : problem.warnings) {
-    tell(fmt::format("warning: {}\n", io::to_string(warning)));
+    warn(io::to_string(warning));
   }
   Solution solution = [&] {
     const LastResort last_resort(problem.options.limits.seconds, flags.json);
@@ -176,15 +175,14 @@ Verb solve_verb() {
            {"--force", &flags->force, "Replace existing results in DIR"},
            {"--verbose", &flags->verbose, "Print the solver's log"}}),
       .footer =
-          "Examples:\n"
-          "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
-          "  brachisto solve case.yaml --json | jq .tau\n"
-          "  brachisto solve case.yaml --certify extremal\n"
-          "  brachisto solve case.yaml --set scene.finish.L=4 --out results\n"
-          "Exit codes: 0 solved and verified, 3 bad input file, 4 not solved "
-          "or\n"
-          "not verified, 5 verified but physically infeasible, 6 I/O, 7 limit\n"
-          "reached, 130/143 after SIGINT/SIGTERM.",
+          R"(Examples:
+  brachisto solve problems/paper/fig04_reference_case.yaml
+  brachisto solve case.yaml --json | jq .tau
+  brachisto solve case.yaml --certify extremal
+  brachisto solve case.yaml --set scene.finish.L=4 --out results
+Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or
+not verified, 5 verified but physically infeasible, 6 I/O, 7 limit
+reached, 130/143 after SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }
 

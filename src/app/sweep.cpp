@@ -174,7 +174,7 @@ void print_results(const SweepFlags& flags, const Counts& counts,
         {"seconds", seconds},
         {"store",
          (std::filesystem::path(flags.out) / Store::kFileName).string()}};
-    print_data(document.dump(2) + "\n");
+    print_json(document);
   } else if (!flags.quiet) {
     print(
         fmt::format("{}: {} of {} scenes finished, {} of them now in {:.1f} s\n"
@@ -265,15 +265,14 @@ Verb sweep_verb() {
             .check = existing_file(),
             .hidden = true}}),
       .footer =
-          "Examples:\n"
-          "  brachisto sweep map.yaml --out map\n"
-          "  brachisto sweep map.yaml --out map --resume\n"
-          "  brachisto sweep map.yaml --out part2 --shard 2/4\n"
-          "  brachisto export map --csv > map.csv\n"
-          "  brachisto report map\n"
-          "Exit codes: 0 all solved and verified, 3 bad input file, 4 some "
-          "are\n"
-          "not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.",
+          R"(Examples:
+  brachisto sweep map.yaml --out map
+  brachisto sweep map.yaml --out map --resume
+  brachisto sweep map.yaml --out part2 --shard 2/4
+  brachisto export map --csv > map.csv
+  brachisto report map
+Exit codes: 0 all solved and verified, 3 bad input file, 4 some are
+not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.)",
       .run = [flags] { return run(*flags); }};
 }
 
@@ -281,7 +280,7 @@ Verb worker_verb() {
   return {.name = "worker",
           .text = "Solve what the manager of a sweep asks for",
           .flags = {},
-          .footer = "",
+          .footer = R"()",
           .run =
               [] {
                 std::ios::sync_with_stdio(false);

@@ -9,12 +9,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include "io/visible_text.hpp"
 #include "report/letters.hpp"
-#include "report/terminal.hpp"
 
 namespace brachisto::app {
 
@@ -58,8 +58,17 @@ void print_data(std::string_view data) {
   write(data);
 }
 
+void print_json(const nlohmann::ordered_json& document) {
+  constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+  print_data(document.dump(2, ' ', false, kReplace) + "\n");
+}
+
 void tell(std::string_view text) {
   std::fputs(io::visible_lines(text).c_str(), stderr);
+}
+
+void warn(std::string_view text) {
+  if (!text.empty()) tell(fmt::format("warning: {}\n", text));
 }
 
 void tell_progress(std::string_view line) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -27,9 +28,15 @@ void print_with_verdict(std::string_view text, Colour colour);
 /// Data for programs, to stdout, byte by byte; to a terminal like print().
 /// \throws std::system_error  if they cannot be written
 void print_data(std::string_view data);
+/// The same of a document, two spaces per level.
+void print_json(const nlohmann::ordered_json& document);
 
 /// Everything else, to stderr, control characters escaped. Nobody may listen.
 void tell(std::string_view text);
+
+/// The same for what went well, but not quite; nothing if there is nothing to
+/// say.
+void warn(std::string_view text);
 
 /// A line on how it gets on, without its line feed: no longer than the terminal
 /// is wide.

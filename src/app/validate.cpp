@@ -188,22 +188,21 @@ void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
 
 Verb validate_verb() {
   const auto flags = std::make_shared<CommonFlags>();
-  return {.name = "validate",
-          .text = "Check a problem file and print its effective input",
-          .flags = flags->with({}),
-          .footer =
-              "Of a file with a section sweep, all scenes are checked and some "
-              "listed.\n"
-              "Examples:\n"
-              "  brachisto validate case.yaml\n"
-              "  brachisto validate case.yaml --set scene.body.k=1/4 --json",
-          .run = [flags] {
-            const auto content =
-                io::read_problem_or_sweep_file(flags->file, flags->overrides);
-            std::visit([&](const auto& what) { describe(*flags, what); },
-                       content);
-            return static_cast<int>(kSuccess);
-          }};
+  return {
+      .name = "validate",
+      .text = "Check a problem file and print its effective input",
+      .flags = flags->with({}),
+      .footer =
+          R"(Of a file with a section sweep, all scenes are checked and some listed.
+Examples:
+  brachisto validate case.yaml
+  brachisto validate case.yaml --set scene.body.k=1/4 --json)",
+      .run = [flags] {
+        const auto content =
+            io::read_problem_or_sweep_file(flags->file, flags->overrides);
+        std::visit([&](const auto& what) { describe(*flags, what); }, content);
+        return static_cast<int>(kSuccess);
+      }};
 }
 
 }  // namespace brachisto::app

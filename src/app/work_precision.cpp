@@ -90,16 +90,14 @@ Verb work_precision_verb() {
             "The three coarsest meshes that all methods take, one "
             "repetition"}}),
       .footer =
-          "The section work_precision of the file says which methods run on "
-          "which\n"
-          "meshes; it has defaults.\n"
-          "Examples:\n"
-          "  brachisto work-precision problems/work_precision/base.yaml --out "
-          "wp\n"
-          "  brachisto work-precision case.yaml --quick\n"
-          "Exit codes: 0 done, 3 bad input file, 4 no verified answer of the\n"
-          "extremal method to take errors against, 6 I/O, 130/143 after\n"
-          "SIGINT/SIGTERM.",
+          R"(The section work_precision of the file says which methods run on which
+meshes; it has defaults.
+Examples:
+  brachisto work-precision problems/work_precision/base.yaml --out wp
+  brachisto work-precision case.yaml --quick
+Exit codes: 0 done, 3 bad input file, 4 no verified answer of the
+extremal method to take errors against, 6 I/O, 130/143 after
+SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }
 

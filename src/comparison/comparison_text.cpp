@@ -10,7 +10,6 @@
 #include "brachisto/report/result.hpp"
 #include "comparison/documents.hpp"
 #include "comparison/statistics.hpp"
-#include "report/digits.hpp"
 #include "report/letters.hpp"
 #include "report/provenance.hpp"
 #include "report/text_table.hpp"

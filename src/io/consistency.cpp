@@ -20,6 +20,12 @@ namespace {
 // Relative errors of the paper's cases are 0.07/N² to 0.9/N².
 constexpr double kPiecesTimesRootOfError = 0.6;
 
+/// The entry of a key, unless there is none or a mistake in it.
+const Entry* sound_entry(const YamlValue& root, std::string_view key,
+                         const Findings& findings) {
+  return findings.concern(key) ? nullptr : find_entry(root, key);
+}
+
 void check_bead(const YamlValue& root, Findings& findings) {
   std::vector<std::string_view> allowed = keys_of("scene.body");
   std::erase_if(allowed, [](std::string_view name) {
@@ -48,9 +54,7 @@ void check_cylinder(const YamlValue& root, Findings& findings) {
 
 void check_body(const YamlValue& root, const Draft& problem,
                 Findings& findings) {
-  const bool shape_known = find_entry(root, "scene.body.shape") != nullptr &&
-                           !findings.concern("scene.body.shape");
-  if (!shape_known) return;
+  if (!sound_entry(root, "scene.body.shape", findings)) return;
   if (problem.scene.body.shape == Shape::Bead) {
     check_bead(root, findings);
   } else {
@@ -69,9 +73,9 @@ void check_use(const YamlValue& root, const Draft& draft, Findings& findings) {
   for (const KeySpec& spec : key_table()) {
     const bool of_solve = spec.path.starts_with("discretisation.") ||
                           spec.path.starts_with("solver.");
-    const Entry* entry = of_solve ? find_entry(root, spec.path) : nullptr;
+    const Entry* entry =
+        of_solve ? sound_entry(root, spec.path, findings) : nullptr;
     if (entry == nullptr || !spec.value.get || spec.used(draft) ||
-        findings.concern(spec.path) ||
         spec.value.get(draft) == spec.value.get({})) {
       continue;
     }
@@ -90,9 +94,8 @@ void check_use(const YamlValue& root, const Draft& draft, Findings& findings) {
 
 void check_solver(const YamlValue& root, const Draft& problem,
                   Findings& findings) {
-  const Entry* search = find_entry(root, "solver.search");
-  if (search != nullptr && !findings.concern("solver.search") &&
-      !findings.concern("scene.contact") &&
+  const Entry* search = sound_entry(root, "solver.search", findings);
+  if (search != nullptr && !findings.concern("scene.contact") &&
       problem.program.search == Search::Global &&
       problem.scene.contact == Contact::Centre) {
     findings.add(search->value.position, "solver.search",
@@ -108,8 +111,8 @@ void check_arc_length(const YamlValue& root, const Draft& problem,
                       Findings& findings) {
   const Discretisation& mesh = problem.program.discretisation;
   const auto too_few = [&](std::string_view key, int count, int fewest) {
-    const Entry* entry = find_entry(root, key);
-    if (entry == nullptr || findings.concern(key) || count >= fewest) return;
+    const Entry* entry = sound_entry(root, key, findings);
+    if (entry == nullptr || count >= fewest) return;
     findings.add(entry->value.position, std::string(key),
                  fmt::format("{} is not allowed with formulation: arc_length, "
                              "which needs {} or more",
@@ -120,8 +123,8 @@ void check_arc_length(const YamlValue& root, const Draft& problem,
   too_few("discretisation.nodes", mesh.nodes.value_or(kFewestPieces + 1),
           kFewestPieces + 1);
   const std::string key = "discretisation.tolerance";
-  const Entry* tolerance = find_entry(root, key);
-  if (tolerance == nullptr || findings.concern(key) ||
+  const Entry* tolerance = sound_entry(root, key, findings);
+  if (tolerance == nullptr ||
       mesh.wanted_tolerance() >= kSmallestArcLengthTolerance) {
     return;
   }

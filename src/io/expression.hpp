@@ -62,6 +62,9 @@ enum class Names { None, Quantities };
 /// Longest expression that is evaluated [bytes].
 inline constexpr std::size_t kMaxExpressionLength = 200;
 
+/// The names that an expression may have: pi, functions, quantities.
+[[nodiscard]] std::vector<std::string_view> expression_names(Names names);
+
 /// What an expression may consist of, for messages and the documentation.
 [[nodiscard]] std::string expression_grammar();
 

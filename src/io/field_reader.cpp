@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 
@@ -17,6 +17,27 @@ std::string not_a_number(std::string_view text, const ExpressionError& error,
                          std::string_view expected) {
   return fmt::format("{} is not a number: {}; expected {}", in_quotes(text),
                      error.what(), expected);
+}
+
+std::optional<double> read_number(
+    const YamlValue& value, const std::string& key, KeyType type,
+    const Interval& interval, std::string_view expected, Findings& findings,
+    const std::function<double(const std::string&)>& evaluated) {
+  const auto refuse = [&](std::string message) {
+    findings.add(value.position, key, std::move(message));
+    return std::nullopt;
+  };
+  try {
+    const double number = evaluated(value.text);
+    const bool integral =
+        type != KeyType::Integer || number == std::trunc(number);
+    if (integral && interval.contains(number)) return number;
+    return refuse(fmt::format("{} is not {}; expected {}",
+                              in_quotes(value.text),
+                              integral ? "allowed" : "an integer", expected));
+  } catch (const ExpressionError& error) {
+    return refuse(not_a_number(value.text, error, expected));
+  }
 }
 
 void FieldReader::allow_only(const std::vector<std::string_view>& names) const {
@@ -49,10 +70,7 @@ const YamlValue* FieldReader::scalar(std::string_view name,
   }
   const YamlValue& value = entry->value;
   if (value.kind == YamlValue::Kind::Scalar) return &value;
-  if (value.kind != YamlValue::Kind::Refused) {
-    refuse(name, fmt::format("{} was read; expected {}", kind_name(value.kind),
-                             expected));
-  }
+  refuse_kind(value, fmt::format("{}.{}", key_, name), expected, findings_);
   return nullptr;
 }
 
@@ -75,18 +93,8 @@ std::optional<double> FieldReader::integer(std::string_view name,
                                            bool optional) const {
   const YamlValue* value = scalar(name, expected, optional);
   if (value == nullptr) return std::nullopt;
-  double number = 0.0;
-  try {
-    number = evaluate(value->text);
-  } catch (const ExpressionError& error) {
-    refuse(name, not_a_number(value->text, error, expected));
-    return std::nullopt;
-  }
-  const bool integral = number == std::trunc(number);
-  if (integral && interval.contains(number)) return number;
-  refuse(name, fmt::format("{} is not {}; expected {}", in_quotes(value->text),
-                           integral ? "allowed" : "an integer", expected));
-  return std::nullopt;
+  return read_number(*value, fmt::format("{}.{}", key_, name), KeyType::Integer,
+                     interval, expected, findings_);
 }
 
 std::string_view FieldReader::word(
@@ -96,8 +104,7 @@ std::string_view FieldReader::word(
   if (value == nullptr) return words.front();
   const auto found = std::ranges::find(words, value->text);
   if (found != words.end()) return *found;
-  refuse(name, fmt::format("{} was read; expected {}{}", in_quotes(value->text),
-                           expected, suggestion(value->text, words)));
+  refuse(name, unknown_word(value->text, expected, words));
   return words.front();
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Small maps with a few keys of fixed names.
+/// Numbers, and small maps with a few keys of fixed names.
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,15 @@ namespace brachisto::io {
 [[nodiscard]] std::string not_a_number(std::string_view text,
                                        const ExpressionError& error,
                                        std::string_view expected);
+
+/// The number that a single value is, integral and within an interval as asked
+/// for; otherwise nothing, and a mistake.
+/// \param evaluated  makes a number of a text, throws ExpressionError
+[[nodiscard]] std::optional<double> read_number(
+    const YamlValue& value, const std::string& key, KeyType type,
+    const Interval& interval, std::string_view expected, Findings& findings,
+    const std::function<double(const std::string&)>& evaluated =
+        [](const std::string& text) { return evaluate(text); });
 
 /// Reads the fields of a map and reports those that it must not have, those
 /// that are missing, and those that are not what they have to be.

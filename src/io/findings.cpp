@@ -56,15 +56,6 @@ std::vector<Diagnostic> Findings::warnings(
   return diagnostics_of(warnings_, sources);
 }
 
-std::string in_quotes(std::string_view text) {
-  return '"' + printable(text) + '"';
-}
-
-std::string printable(std::string_view text) {
-  constexpr std::size_t kMostCharacters = 40;
-  return visible(text, kMostCharacters);
-}
-
 namespace {
 
 std::string joined(const std::vector<Diagnostic>& diagnostics) {

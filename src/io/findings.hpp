@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "brachisto/io/diagnostics.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 
@@ -61,12 +62,5 @@ class Findings {
  private:
   std::vector<Finding> findings_, warnings_;
 };
-
-/// Text from an input as it may stand in a message: in quotes, control
-/// characters escaped, cut after 40 characters.
-[[nodiscard]] std::string in_quotes(std::string_view text);
-
-/// The same without quotes, for keys.
-[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace brachisto::io

@@ -16,7 +16,6 @@
 #include "brachisto/io/problem_file.hpp"
 #include "io/effective_input.hpp"
 #include "io/key_spec.hpp"
-#include "io/source_text.hpp"
 
 namespace brachisto::io {
 
@@ -88,7 +87,7 @@ void join_swept_keys(std::vector<std::string>& parts) {
 YamlValue read_value(const std::string& text, const std::string& key,
                      int source, Findings& findings) {
   try {
-    return parse_yaml(prepared_text(text, source), source, findings, key);
+    return parse_yaml(text, source, findings, key);
   } catch (const SyntaxError& error) {
     findings.add(error.position, printable(key), error.what());
     return YamlValue::of(YamlValue::Kind::Refused, error.position);
@@ -133,7 +132,7 @@ void apply_override(YamlValue& root, const std::string& text, int source,
 YamlValue read_tree(std::string_view text, const std::string& name,
                     Findings& findings) {
   try {
-    YamlValue root = parse_yaml(prepared_text(text, 0), 0, findings);
+    YamlValue root = parse_yaml(text, 0, findings);
     if (root.kind == YamlValue::Kind::Null) {
       throw SyntaxError({0, 1, 1},
                         "the file is empty; expected at least the "

@@ -1,37 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+/// \file
+/// problem_schema(): what editors check a problem file by. Draft 7 of JSON
+/// Schema, which all of them know.
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/expression.hpp"
+#include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
-#include "io/key_table.hpp"
+#include "io/sweep_section.hpp"
 
 namespace brachisto::io {
 
 namespace {
 
 std::string_view type_name(KeyType type) {
-  switch (type) {
-    case KeyType::Map:
-    case KeyType::Sweep:
-      return "map";
-    case KeyType::Number:
-      return "number";
-    case KeyType::Angle:
-      return "angle";
-    case KeyType::Integer:
-      return "integer";
-    case KeyType::Choice:
-      return "word";
-    case KeyType::Text:
-      return "text";
-    case KeyType::List:
-      return "list";
-    case KeyType::Reserved:
-      break;
-  }
-  return "reserved";
+  constexpr std::array kNames{"map",  "number", "angle", "integer", "word",
+                              "text", "list",   "map",   "reserved"};
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 std::string default_text(const KeySpec& spec) {
@@ -82,6 +75,209 @@ std::string key_reference_markdown() {
     if (spec.type() != KeyType::Reserved) text += row(spec);
   }
   return text + "\nReserved for later versions: " + reserved() + ".\n";
+}
+
+namespace {
+
+/// Texts that consist of what expressions consist of. Whether they are one,
+/// only the program says.
+std::string pattern(const KeySpec& spec, Names names) {
+  // One character or word at a time, for a search without backtracking.
+  return fmt::format(R"(^([0-9.]|[eE][-+]?[0-9]|{}|[-+*/^(),\s])+{}$)",
+                     fmt::join(expression_names(names), "|"),
+                     unit_of(spec) == Unit::Angle ? R"((deg|rad)?\s*)" : "");
+}
+
+void add_bounds(Json& schema, const Interval& interval) {
+  if (!std::isinf(interval.lower)) {
+    schema[interval.lower_allowed ? "minimum" : "exclusiveMinimum"] =
+        interval.lower;
+  }
+  if (!std::isinf(interval.upper)) {
+    schema[interval.upper_allowed ? "maximum" : "exclusiveMaximum"] =
+        interval.upper;
+  }
+}
+
+/// A number that may also be an expression. Bounds are for literals alone, a
+/// pattern for texts alone.
+Json number_schema(const KeySpec& spec, Names names = Names::None) {
+  Json schema = {
+      {"type",
+       {spec.type() == KeyType::Integer ? "integer" : "number", "string"}},
+      {"pattern", pattern(spec, names)},
+      {"patternErrorMessage", "expected " + expected(spec)}};
+  add_bounds(schema, spec.interval);
+  add_bounds(schema, spec.physical);
+  return schema;
+}
+
+Json choice_schema(const KeySpec& spec) {
+  const bool truth = spec.value.words.front() == "true";
+  return truth ? Json{{"type", "boolean"}} : Json{{"enum", spec.value.words}};
+}
+
+Json list_of(Json items) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
+}
+
+Json map_of(Json properties) {
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"additionalProperties", false}};
+}
+
+/// Numbers between two ends, with or without their count.
+Json range_schema(const Json& value, bool counted) {
+  Json properties = {{"from", value}, {"to", value}};
+  if (counted) {
+    properties["count"] = {{"type", {"integer", "string"}},
+                           {"minimum", kCounts.lower},
+                           {"maximum", kCounts.upper}};
+  }
+  properties["spacing"] = {{"enum", {"linear", "log"}}};
+  Json range = map_of(std::move(properties));
+  range["required"] = {"from", counted ? "count" : "to"};
+  return range;
+}
+
+/// What a key may be in the section `sweep`: one value, a list or a range.
+Json swept_schema(const KeySpec& spec) {
+  if (spec.type() == KeyType::Choice) {
+    const Json word = choice_schema(spec);
+    return {{"anyOf", {word, list_of(word)}}};
+  }
+  const Json value = number_schema(spec, Names::Quantities);
+  return {{"anyOf", {value, list_of(value), range_schema(value, true)}}};
+}
+
+Json sweep_schema() {
+  Json swept, sampled, paths = Json::array();
+  for (const KeySpec& spec : key_table()) {
+    if (!is_value_key(spec.path)) continue;
+    paths.push_back(spec.path);
+    swept[spec.path] = swept_schema(spec);
+    swept[spec.path]["description"] = spec.description;
+    const bool real =
+        spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
+    if (!real) continue;
+    sampled[spec.path] =
+        range_schema(number_schema(spec, Names::Quantities), false);
+  }
+  const Json together = {
+      {"type", "array"}, {"items", {{"enum", paths}}}, {"minItems", 2}};
+  swept["zip"] = {{"description", "keys that run together"},
+                  {"anyOf", {together, list_of(together)}}};
+  Json random = map_of({{"seed", {{"type", "integer"}, {"minimum", 0}}},
+                        {"count", {{"type", "integer"}, {"minimum", 1}}},
+                        {"ranges", map_of(sampled)}});
+  random["required"] = {"count", "ranges"};
+  random["description"] = "keys that are drawn between two ends";
+  swept["random"] = std::move(random);
+  swept["warm_start"] = {
+      {"type", "boolean"},
+      {"description", "start each scene from its neighbour's solution"}};
+  return map_of(std::move(swept));
+}
+
+Json value_schema(const KeySpec& spec) {
+  switch (spec.type()) {
+    case KeyType::Number:
+    case KeyType::Angle:
+    case KeyType::Integer:
+      return number_schema(spec);
+    case KeyType::Choice:
+      return choice_schema(spec);
+    case KeyType::Text:
+      return {{"type", "string"}};
+    case KeyType::List:
+      return list_of(spec.value.items());
+    case KeyType::Map:
+      return map_of(Json::object());
+    case KeyType::Sweep:
+      return sweep_schema();
+    case KeyType::Reserved:
+      break;
+  }
+  return false;
+}
+
+/// Null is as good as absent.
+void allow_null(Json& schema) {
+  if (schema.contains("enum")) {
+    schema["enum"].push_back(nullptr);
+  } else if (Json& type = schema["type"]; type.is_array()) {
+    type.push_back("null");
+  } else {
+    type = {type, "null"};
+  }
+}
+
+std::string description(const KeySpec& spec) {
+  std::string text(spec.description);
+  if (!spec.unit.empty()) text += fmt::format(" [{}]", spec.unit);
+  if (!spec.bounds.empty()) text += fmt::format("; {}", spec.bounds);
+  if (!spec.fallback.empty())
+    text += fmt::format("; default: {}", spec.fallback);
+  return text;
+}
+
+Json& properties_of(Json& schema, std::string_view map) {
+  Json* place = &schema["properties"];
+  if (map.empty()) return *place;
+  for (const std::string& part : parts_of(map)) {
+    place = &(*place)[part]["properties"];
+  }
+  return *place;
+}
+
+/// What must be there, unless a sweep may supply it.
+Json required_of_problems() {
+  Json needed;
+  const auto need = [&](const KeySpec& spec) {
+    Json* map = &needed;
+    if (!spec.parent().empty()) {
+      for (const std::string& part : parts_of(spec.parent())) {
+        map = &(*map)["properties"][part];
+      }
+    }
+    (*map)["required"].push_back(spec.name());
+  };
+  Json of_cylinder;
+  for (const KeySpec& spec : key_table()) {
+    if (spec.presence == Presence::Required) need(spec);
+    if (spec.presence == Presence::RequiredOfCylinder) {
+      of_cylinder.push_back(spec.name());
+    }
+  }
+  Json& body = needed["properties"]["scene"]["properties"]["body"];
+  body["if"] = {{"properties", {{"shape", {{"const", "cylinder"}}}}}};
+  body["then"] = {{"required", of_cylinder}};
+  return needed;
+}
+
+}  // namespace
+
+std::string problem_schema() {
+  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                 {"title", "Problem file of brachisto"}};
+  schema.update(map_of(Json::object()));
+  Json of_cylinder;
+  for (const KeySpec& spec : key_table()) {
+    if (spec.type() == KeyType::Reserved) continue;
+    Json value = value_schema(spec);
+    if (!spec.is_required()) allow_null(value);
+    value["description"] = description(spec);
+    if (spec.of_cylinder()) of_cylinder[spec.name()] = {{"type", "null"}};
+    properties_of(schema, spec.parent())[spec.name()] = std::move(value);
+  }
+  Json& body = properties_of(schema, "scene")["body"];
+  body["if"] = {{"properties", {{"shape", {{"const", "bead"}}}}},
+                {"required", {"shape"}}};
+  body["then"] = {{"properties", of_cylinder}};
+  schema["if"] = {{"not", {{"required", {"sweep"}}}}};
+  schema["then"] = required_of_problems();
+  return schema.dump(2) + "\n";
 }
 
 }  // namespace brachisto::io

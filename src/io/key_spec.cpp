@@ -7,12 +7,50 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "io/findings.hpp"
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
+
+namespace {
+
+/// A number as one would write it: 1e-6, not 1e-06.
+std::string short_number(double value) {
+  std::string text = fmt::format("{}", value);
+  if (const std::size_t at = text.find("e-0"); at != std::string::npos) {
+    text.erase(at + 2, 1);
+  }
+  return text;
+}
+
+std::string words_of(const Interval& interval) {
+  if (std::isinf(interval.lower)) return "";
+  if (interval.upper >= std::numeric_limits<int>::max()) {
+    return fmt::format("{} {}", interval.lower_allowed ? "≥" : ">",
+                       short_number(interval.lower));
+  }
+  return fmt::format("from {} to {}", short_number(interval.lower),
+                     short_number(interval.upper));
+}
+
+/// A value as it stands in a file.
+std::string written(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_number()) return short_number(value.get<double>());
+  std::string text;
+  for (const char c : value.dump()) {
+    if (c == '"') continue;
+    text += c;
+    if (c == ',' || c == ':') text += ' ';
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string_view KeySpec::name() const {
   return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
@@ -21,6 +59,14 @@ std::string_view KeySpec::name() const {
 std::string_view KeySpec::parent() const {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? "" : path.substr(0, dot);
+}
+
+void KeySpec::complete(const Draft& fresh) {
+  if (bounds.empty()) bounds = words_of(interval);
+  if (bounds.empty()) bounds = words_of(physical);
+  const bool has_default =
+      type() != KeyType::Map && value.get && !is_required();
+  if (fallback.empty() && has_default) fallback = written(value.get(fresh));
 }
 
 const KeySpec* find_key(std::string_view path) {
@@ -68,8 +114,7 @@ std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
 
 std::string objection(const KeySpec& spec, std::string_view word) {
   if (std::ranges::count(spec.value.words, word) > 0) return "";
-  return fmt::format("{} was read; expected {}{}", in_quotes(word),
-                     expected(spec), suggestion(word, spec.value.words));
+  return unknown_word(word, expected(spec), spec.value.words);
 }
 
 std::string expected(const KeySpec& spec) {

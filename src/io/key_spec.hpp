@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/draft.hpp"
@@ -78,18 +79,33 @@ struct Binding {
   std::function<Json()> items = {};  ///< schema of the items of a list
 };
 
-/// One key.
-struct KeySpec {
-  std::string_view path;  ///< dotted
-  Binding value = {};
+/// What holds of a key, where there is anything to say.
+struct KeyRules {
   Presence presence = Presence::Optional;
   std::string_view unit = {};
   /// What holds if the key is absent; left out: as a new problem has it.
   std::string fallback = {};
   std::string bounds = {};  ///< in words; left out: as the intervals say
-  std::string_view description = {};
-  Interval interval = {};  ///< for the sake of the program, checked in reading
-  Interval physical = {};  ///< what validate(const Scene&) checks at the least
+  Interval interval = {};   ///< for the sake of the program, checked in reading
+  Interval physical = {};   ///< what validate(const Scene&) checks at the least
+};
+
+/// One key.
+struct KeySpec : KeyRules {
+  std::string_view path;  ///< dotted
+  Binding value;
+  std::string_view description;
+
+  KeySpec(std::string_view key, Binding binding, std::string_view meaning,
+          KeyRules rules = {})
+      : KeyRules(std::move(rules)),
+        path(key),
+        value(std::move(binding)),
+        description(meaning) {}
+
+  /// Bounds and fallback in words, where they are left out.
+  /// \param fresh  a new problem
+  void complete(const Draft& fresh);
 
   [[nodiscard]] std::string_view name() const;    ///< last part of the path
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
@@ -139,5 +155,15 @@ struct KeyWord {
 
 /// What a value has to be: "a number in m, > 0".
 [[nodiscard]] std::string expected(const KeySpec& spec);
+
+/// The reference of all keys as a Markdown table, made from the very table
+/// that the reader of problem files works with. docs/problem-files.md quotes
+/// it.
+[[nodiscard]] std::string key_reference_markdown();
+
+/// A JSON Schema of problem files, made from the same table. It knows keys,
+/// types, words and the bounds of single values; what keys demand of each other
+/// the reader alone knows.
+[[nodiscard]] std::string problem_schema();
 
 }  // namespace brachisto::io

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "io/expression.hpp"
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 

@@ -13,10 +13,11 @@
 #include "brachisto/io/problem_file.hpp"
 #include "io/consistency.hpp"
 #include "io/expression.hpp"
+#include "io/field_reader.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 #include "math/angle.hpp"
 
 namespace brachisto::io {
@@ -50,11 +51,9 @@ std::string allowed_in(std::string_view map) {
 Draft ProblemReader::read(const YamlValue& root) {
   if (root.kind == YamlValue::Kind::Map || root.kind == YamlValue::Kind::Null) {
     read_map(root, "", root.position);
-  } else if (root.kind != YamlValue::Kind::Refused) {
-    findings_.add(
-        root.position, "",
-        fmt::format("{} was read; expected {}", kind_name(root.kind),
-                    expected({.path = "", .value = {.type = KeyType::Map}})));
+  } else {
+    refuse_kind(root, "", expected({"", {.type = KeyType::Map}, ""}),
+                findings_);
   }
   return problem_;
 }
@@ -121,9 +120,7 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
                  node.kind == YamlValue::Kind::Null)) {
     read_map(node, spec.path, entry.position);
   } else if (is_map || node.kind != YamlValue::Kind::Scalar) {
-    findings_.add(node.position, std::string(spec.path),
-                  fmt::format("{} was read; expected {}", kind_name(node.kind),
-                              expected(spec)));
+    refuse_kind(node, std::string(spec.path), expected(spec), findings_);
   } else if (spec.type() == KeyType::Choice) {
     read_choice(spec, node);
   } else if (spec.type() == KeyType::Text) {
@@ -134,26 +131,13 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
 }
 
 void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {
-  const auto refuse = [&](std::string_view reason) {
-    findings_.add(node.position, std::string(spec.path),
-                  fmt::format("{} {}; expected {}", in_quotes(node.text),
-                              reason, expected(spec)));
-  };
-  double value = 0.0;
-  try {
-    value = spec.type() == KeyType::Angle ? read_angle(spec, node)
-                                          : evaluate(node.text);
-  } catch (const ExpressionError& error) {
-    refuse(fmt::format("is not a number: {}", error.what()));
-    return;
-  }
-  if (spec.type() == KeyType::Integer && value != std::trunc(value)) {
-    refuse("is not an integer");
-  } else if (!spec.interval.contains(value)) {
-    refuse("is not allowed");
-  } else {
-    spec.value.set(problem_, value);
-  }
+  const auto value = io::read_number(
+      node, std::string(spec.path), spec.type(), spec.interval, expected(spec),
+      findings_, [&](const std::string& text) {
+        return spec.type() == KeyType::Angle ? read_angle(spec, node)
+                                             : evaluate(text);
+      });
+  if (value) spec.value.set(problem_, *value);
 }
 
 double ProblemReader::read_angle(const KeySpec& spec, const YamlValue& node) {

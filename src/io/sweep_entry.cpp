@@ -43,10 +43,8 @@ class EntryReader {
         read_range(value);
         break;
       case YamlValue::Kind::Null:
-        refuse(value.position, std::string(kind_name(value.kind)) +
-                                   " was read; expected " + expected_rule());
-        break;
       case YamlValue::Kind::Refused:
+        refuse_kind(value, swept_.key, expected_rule(), findings_);
         break;
     }
     return std::move(swept_);
@@ -68,14 +66,13 @@ class EntryReader {
       auto to = fields.number("to", spec_);
       const Spacing spacing = spacing_of(fields);
       if (from && to) {
-        swept_.rule = NumberSample{*std::move(from), *std::move(to), spacing,
-                                   RandomStream(seed, spec_.path)};
+        swept_.rule = NumberRange{*std::move(from), *std::move(to), spacing,
+                                  RandomStream(seed, spec_.path)};
         swept_.readable = true;
       }
-    } else if (value.kind != YamlValue::Kind::Refused) {
-      refuse(value.position, fmt::format("{} was read; expected a map with "
-                                         "from, to and, if need be, spacing",
-                                         kind_name(value.kind)));
+    } else {
+      refuse_kind(value, swept_.key,
+                  "a map with from, to and, if need be, spacing", findings_);
     }
     return std::move(swept_);
   }
@@ -98,17 +95,15 @@ class EntryReader {
       return;
     }
     const std::size_t before = findings_.all().size();
-    WordList words;
-    NumberList numbers;
+    std::vector<std::string> words;
+    std::vector<Expression> numbers;
     for (const YamlValue& item : items) {
       swept_.positions.push_back(item.position);
       if (item.kind == YamlValue::Kind::Refused) return;
       if (item.kind != YamlValue::Kind::Scalar) {
-        refuse(item.position,
-               fmt::format("{} was read; expected {}", kind_name(item.kind),
-                           expected(spec_)));
+        refuse_kind(item, swept_.key, expected(spec_), findings_);
       } else if (spec_.type() == KeyType::Choice) {
-        words.words.push_back(read_word(item));
+        words.push_back(read_word(item));
       } else {
         read_number(item, numbers);
       }
@@ -128,9 +123,9 @@ class EntryReader {
     return item.text;
   }
 
-  void read_number(const YamlValue& item, NumberList& list) {
+  void read_number(const YamlValue& item, std::vector<Expression>& numbers) {
     try {
-      list.numbers.emplace_back(item.text, unit_of(spec_));
+      numbers.emplace_back(item.text, unit_of(spec_));
     } catch (const ExpressionError& error) {
       refuse(item.position, not_a_number(item.text, error, expected(spec_)));
     }
@@ -138,8 +133,7 @@ class EntryReader {
 
   void read_range(const YamlValue& map) {
     if (spec_.type() == KeyType::Choice) {
-      refuse(map.position, "a map was read; expected " + expected_rule());
-      return;
+      return refuse_kind(map, swept_.key, expected_rule(), findings_);
     }
     const std::size_t before = findings_.all().size();
     const FieldReader fields(map, swept_.key, entry_.position, findings_);

@@ -53,14 +53,6 @@ double between(double from, double to, double part, double whole,
 
 namespace {
 
-/// Calls the alternative that fits.
-template <class... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
-
 /// The value of an expression, which a mistake names.
 double number(const Expression& expression, const QuantityValues& quantities) {
   try {
@@ -74,42 +66,31 @@ double number(const Expression& expression, const QuantityValues& quantities) {
 }  // namespace
 
 std::vector<const Expression*> expressions_of(const SweepRule& rule) {
-  using Expressions = std::vector<const Expression*>;
-  return std::visit(Overloaded{[](const WordList&) { return Expressions{}; },
-                               [](const NumberList& list) {
-                                 Expressions all;
-                                 for (const Expression& number : list.numbers) {
-                                   all.push_back(&number);
-                                 }
-                                 return all;
-                               },
-                               [](const auto& ends) {
-                                 return Expressions{&ends.from, &ends.to};
-                               }},
-                    rule);
+  if (const auto* range = std::get_if<NumberRange>(&rule)) {
+    return {&range->from, &range->to};
+  }
+  std::vector<const Expression*> all;
+  if (const auto* list = std::get_if<std::vector<Expression>>(&rule)) {
+    for (const Expression& number : *list) all.push_back(&number);
+  }
+  return all;
 }
 
 SweepValue value_of(const SweepEntry& entry, std::size_t index,
                     const QuantityValues& quantities) {
-  const auto part_of = [&](const auto& ends, double part, double whole) {
-    return between(number(ends.from, quantities), number(ends.to, quantities),
-                   part, whole, ends.spacing);
-  };
-  return std::visit(
-      Overloaded{
-          [&](const WordList& list) -> SweepValue { return list.words[index]; },
-          [&](const NumberList& list) -> SweepValue {
-            return number(list.numbers[index], quantities);
-          },
-          [&](const NumberRange& range) -> SweepValue {
-            return part_of(range, static_cast<double>(index),
-                           static_cast<double>(entry.count - 1));
-          },
-          [&](const NumberSample& sample) -> SweepValue {
-            return part_of(sample, sample.stream.draw(index),
-                           RandomStream::kWhole);
-          }},
-      entry.rule);
+  if (const auto* words = std::get_if<std::vector<std::string>>(&entry.rule)) {
+    return (*words)[index];
+  }
+  if (const auto* list = std::get_if<std::vector<Expression>>(&entry.rule)) {
+    return number((*list)[index], quantities);
+  }
+  const auto& range = std::get<NumberRange>(entry.rule);
+  const double part =
+      range.random ? range.random->draw(index) : static_cast<double>(index);
+  const double whole = range.random ? RandomStream::kWhole
+                                    : static_cast<double>(entry.count - 1);
+  return between(number(range.from, quantities), number(range.to, quantities),
+                 part, whole, range.spacing);
 }
 
 }  // namespace brachisto::io

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,30 +48,16 @@ inline constexpr Interval kCounts{1, static_cast<double>(kMaxScenes)};
 inline constexpr std::string_view kExpectedCount =
     "an integer, from 1 to 10 million";
 
-/// Words, one after the other.
-struct WordList {
-  std::vector<std::string> words;
-};
-
-/// Numbers, one after the other.
-struct NumberList {
-  std::vector<Expression> numbers;
-};
-
-/// Numbers from one end to the other, both included.
+/// Numbers from one end to the other, both included, or random ones between.
 struct NumberRange {
   Expression from, to;
   Spacing spacing = Spacing::Linear;
+  std::optional<RandomStream> random = {};
 };
 
-/// Random numbers between two ends.
-struct NumberSample {
-  Expression from, to;
-  Spacing spacing = Spacing::Linear;
-  RandomStream stream;
-};
-
-using SweepRule = std::variant<WordList, NumberList, NumberRange, NumberSample>;
+/// Words or numbers, one after the other, or a range.
+using SweepRule = std::variant<std::vector<std::string>,
+                               std::vector<Expression>, NumberRange>;
 
 /// A key of the section.
 struct SweepEntry {
@@ -120,15 +107,5 @@ struct SweepSection {
 /// \throws ExpressionError  if it is not a finite number
 [[nodiscard]] SweepValue value_of(const SweepEntry& entry, std::size_t index,
                                   const QuantityValues& quantities);
-
-/// Fills in the axes of a section whose entries are known.
-///
-/// An entry makes an axis of its own, but for those that `zip` makes run
-/// together and for random ones, all of which share one; an axis stands where
-/// the first of its entries does.
-///
-/// \param sweep  the whole section
-/// Mistakes in `zip`, and too many scenes, go to the findings.
-void build_axes(const Entry& sweep, SweepSection& section, Findings& findings);
 
 }  // namespace brachisto::io

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Words of others as a terminal may show them.
+/// Words of others: as a terminal may show them, and as they may be meant.
 
 #pragma once
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -29,5 +30,33 @@ namespace brachisto::io {
 
 /// The same for a text of several lines, whose tabs and line feeds stay.
 [[nodiscard]] std::string visible_lines(std::string_view text);
+
+/// Number of insertions, deletions, replacements and swaps of neighbours that
+/// turn one word into the other (optimal string alignment), case ignored.
+/// O(|a| |b|) in time, O(|b|) in space.
+[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate with the smallest distance to a mistyped word, or "" if none
+/// is near: the distance must not exceed a third of the longer word (rounded
+/// up) and must leave something of it.
+[[nodiscard]] std::string_view nearest(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+/// "; did you mean NEAREST?", or nothing if none is near.
+[[nodiscard]] std::string suggestion(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+/// Why a word is none of those known: what was read, what is expected, and the
+/// nearest one.
+[[nodiscard]] std::string unknown_word(std::string_view word,
+                                       std::string_view expected,
+                                       std::span<const std::string_view> known);
+
+/// Text from an input as it may stand in a message: in quotes, control
+/// characters escaped, cut after 40 characters.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// The same without quotes, for keys.
+[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace brachisto::io

@@ -8,14 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "io/expression.hpp"
-#include "io/suggestion.hpp"
+#include "io/field_reader.hpp"
+#include "io/visible_text.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
@@ -49,73 +48,41 @@ Methods methods_of(std::string_view name) {
   return methods;
 }
 
-/// Reads lists whose items are all of one sort.
-class ListReader {
- public:
-  ListReader(std::string key, std::string expected, Findings& findings)
-      : key_(std::move(key)),
-        expected_(std::move(expected)),
-        findings_(findings) {}
-
-  /// True if it is a list with an item at least.
-  [[nodiscard]] bool accepts(const YamlValue& list) const {
-    if (list.kind == YamlValue::Kind::Refused) return false;
-    if (list.kind == YamlValue::Kind::List && !list.items.empty()) return true;
-    refuse(list.position,
-           fmt::format("{} was read", list.kind == YamlValue::Kind::List
-                                          ? "an empty list"
-                                          : kind_name(list.kind)));
-    return false;
+/// Calls `read` for each item of a list, which has to have one.
+template <class Read>
+void for_each_item(const YamlValue& list, const std::string& key,
+                   std::string_view expected, Findings& findings, Read read) {
+  if (list.kind != YamlValue::Kind::List) {
+    refuse_kind(list, key, expected, findings);
+  } else if (list.items.empty()) {
+    findings.add(list.position, key,
+                 fmt::format("an empty list was read; expected {}", expected));
   }
+  for (const YamlValue& item : list.items) read(item);
+}
 
-  void refuse(Position position, std::string_view what,
-              std::string_view hint = "") const {
-    findings_.add(position, key_,
-                  fmt::format("{}; expected {}{}", what, expected_, hint));
-  }
-
-  /// True if an item is one value; otherwise reported.
-  [[nodiscard]] bool is_scalar(const YamlValue& item) const {
-    if (item.kind == YamlValue::Kind::Scalar) return true;
-    if (item.kind != YamlValue::Kind::Refused) {
-      refuse(item.position, fmt::format("{} was read", kind_name(item.kind)));
-    }
-    return false;
-  }
-
-  /// An item that is an integer within an interval; otherwise nothing, and
-  /// reported.
-  [[nodiscard]] std::optional<int> integer(const YamlValue& item,
-                                           Interval interval) const {
-    if (!is_scalar(item)) return std::nullopt;
-    try {
-      const double value = evaluate(item.text);
-      const bool integral = value == std::trunc(value);
-      if (integral && interval.contains(value)) return static_cast<int>(value);
-      refuse(item.position, fmt::format("{} is not {}", in_quotes(item.text),
-                                        integral ? "allowed" : "an integer"));
-    } catch (const ExpressionError& error) {
-      refuse(item.position, fmt::format("{} is not a number: {}",
-                                        in_quotes(item.text), error.what()));
-    }
+/// An item that is an integer within an interval; otherwise nothing, and
+/// reported.
+std::optional<int> integer(const YamlValue& item, const Interval& interval,
+                           const std::string& key, std::string_view expected,
+                           Findings& findings) {
+  if (item.kind != YamlValue::Kind::Scalar) {
+    refuse_kind(item, key, expected, findings);
     return std::nullopt;
   }
-
- private:
-  std::string key_, expected_;
-  Findings& findings_;
-};
+  const auto value =
+      read_number(item, key, KeyType::Integer, interval, expected, findings);
+  return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
 
 class MethodsReader {
  public:
   MethodsReader(const KeySpec& spec, Findings& findings)
-      : key_(spec.path),
-        findings_(findings),
-        list_(key_, expected(spec), findings) {}
+      : key_(spec.path), expected_(expected(spec)), findings_(findings) {}
 
   [[nodiscard]] Methods read(const YamlValue& list) {
-    if (!list_.accepts(list)) return {};
-    for (const YamlValue& item : list.items) read_item(item);
+    for_each_item(list, key_, expected_, findings_,
+                  [&](const YamlValue& item) { read_item(item); });
     return std::move(methods_);
   }
 
@@ -124,79 +91,70 @@ class MethodsReader {
     const bool named_list =
         item.kind == YamlValue::Kind::Map && item.entries.size() == 1;
     if (named_list) return read_named(item.entries.front());
-    if (!list_.is_scalar(item) || !is_name(item.text, item.position)) return;
+    if (item.kind != YamlValue::Kind::Scalar) {
+      return refuse_kind(item, key_, expected_, findings_);
+    }
+    if (!is_name(item.text, item.position)) return;
     for (const ComparedMethod& method : methods_of(item.text)) {
-      add(method, item.position, item.text);
+      add(method, item);
     }
   }
 
   [[nodiscard]] bool is_name(const std::string& word, Position position) const {
     if (std::ranges::count(kNames, word) > 0) return true;
-    list_.refuse(position, fmt::format("{} was read", in_quotes(word)),
-                 suggestion(word, kNames));
+    findings_.add(position, key_, unknown_word(word, expected_, kNames));
     return false;
   }
 
   void read_named(const Entry& entry) {
     if (!is_name(entry.key, entry.position)) return;
-    if (entry.key == "rolling_time") return read_degrees(entry);
-    if (entry.key == "fsolve") return read_arms(entry);
-    findings_.add(
-        entry.position, key_of(entry),
-        fmt::format("{} has no list; expected {} alone", entry.key, entry.key));
-  }
-
-  void read_degrees(const Entry& entry) {
-    const ListReader degrees(key_of(entry), std::string(kExpectedDegrees),
-                             findings_);
-    if (!degrees.accepts(entry.value)) return;
-    for (const YamlValue& item : entry.value.items) {
-      if (const auto degree = degrees.integer(item, kDegrees)) {
-        add(rolling_time(*degree), item.position, item.text);
-      }
+    const std::string key = fmt::format("{}.{}", key_, entry.key);
+    if (entry.key == "rolling_time") {
+      for_each_item(entry.value, key, kExpectedDegrees, findings_,
+                    [&](const YamlValue& item) {
+                      const auto degree = integer(item, kDegrees, key,
+                                                  kExpectedDegrees, findings_);
+                      if (degree) add(rolling_time(*degree), item);
+                    });
+    } else if (entry.key == "fsolve") {
+      read_arms(entry.value, key);
+    } else {
+      findings_.add(entry.position, key,
+                    fmt::format("{} has no list; expected {} alone", entry.key,
+                                entry.key));
     }
   }
 
-  void read_arms(const Entry& entry) {
+  void read_arms(const YamlValue& list, const std::string& key) {
     std::vector<std::string_view> names;
     for (const auto& [name, arm] : kArms) names.push_back(name);
-    const ListReader arms(key_of(entry),
-                          fmt::format("a list of {}", fmt::join(names, ", ")),
-                          findings_);
-    if (!arms.accepts(entry.value)) return;
-    for (const YamlValue& item : entry.value.items) {
-      if (!arms.is_scalar(item)) continue;
-      const auto found = std::ranges::find(names, item.text);
-      if (found == names.end()) {
-        arms.refuse(item.position,
-                    fmt::format("{} was read", in_quotes(item.text)),
-                    suggestion(item.text, names));
+    const std::string expected =
+        fmt::format("a list of {}", fmt::join(names, ", "));
+    for_each_item(list, key, expected, findings_, [&](const YamlValue& item) {
+      const auto found = std::ranges::find(kArms, item.text, &Arm::first);
+      if (item.kind != YamlValue::Kind::Scalar) {
+        refuse_kind(item, key, expected, findings_);
+      } else if (found == kArms.end()) {
+        findings_.add(item.position, key,
+                      unknown_word(item.text, expected, names));
       } else {
-        add(discrete_system(
-                kArms[static_cast<std::size_t>(found - names.begin())].second),
-            item.position, item.text);
+        add(discrete_system(found->second), item);
       }
-    }
+    });
   }
 
   /// A line would be drawn over itself.
-  void add(const ComparedMethod& method, Position position,
-           std::string_view text) {
+  void add(const ComparedMethod& method, const YamlValue& item) {
     if (std::ranges::count(methods_, method) > 0) {
-      findings_.add(position, key_,
-                    fmt::format("{} is repeated", in_quotes(text)));
+      findings_.add(item.position, key_,
+                    fmt::format("{} is repeated", in_quotes(item.text)));
     } else {
       methods_.push_back(method);
     }
   }
 
-  [[nodiscard]] std::string key_of(const Entry& entry) const {
-    return fmt::format("{}.{}", key_, entry.key);
-  }
-
-  std::string key_;
+  std::string key_, expected_;
   Findings& findings_;
-  ListReader list_;
   Methods methods_;
 };
 
@@ -208,18 +166,16 @@ void read_methods(Draft& problem, const KeySpec& spec, const YamlValue& list,
 
 void read_meshes(Draft& problem, const KeySpec& spec, const YamlValue& list,
                  Findings& findings) {
-  const ListReader reader(std::string(spec.path), expected(spec), findings);
-  if (!reader.accepts(list)) return;
+  const std::string key(spec.path), wanted = expected(spec);
   std::vector<int> meshes;
-  for (const YamlValue& item : list.items) {
-    const std::optional<int> mesh = reader.integer(item, kMeshes);
+  for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
+    const auto mesh = integer(item, kMeshes, key, wanted, findings);
     if (mesh && std::ranges::count(meshes, *mesh) > 0) {
-      findings.add(item.position, std::string(spec.path),
-                   fmt::format("{} is repeated", *mesh));
+      findings.add(item.position, key, fmt::format("{} is repeated", *mesh));
     } else if (mesh) {
       meshes.push_back(*mesh);
     }
-  }
+  });
   std::ranges::sort(meshes);
   problem.work_precision.meshes = std::move(meshes);
 }

@@ -3,7 +3,10 @@
 
 #include "io/yaml_tree.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 namespace brachisto::io {
 
@@ -26,30 +29,28 @@ const Entry* YamlValue::find(std::string_view key) const {
 }
 
 std::string_view kind_name(YamlValue::Kind kind) {
-  switch (kind) {
-    case YamlValue::Kind::Null:
-      return "no value";
-    case YamlValue::Kind::Scalar:
-      return "a single value";
-    case YamlValue::Kind::List:
-      return "a list";
-    case YamlValue::Kind::Map:
-      return "a map";
-    case YamlValue::Kind::Refused:
-      break;
-  }
-  return "a refused value";
+  constexpr std::array kNames{"no value", "a single value", "a list", "a map",
+                              "a refused value"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+void refuse_kind(const YamlValue& value, std::string key,
+                 std::string_view expected, Findings& findings) {
+  if (value.kind == YamlValue::Kind::Refused) return;
+  findings.add(
+      value.position, std::move(key),
+      fmt::format("{} was read; expected {}", kind_name(value.kind), expected));
 }
 
 const Entry* find_entry(const YamlValue& root, std::string_view path) {
   const YamlValue* node = &root;
-  while (true) {
-    const std::size_t dot = path.find('.');
-    const Entry* entry = node->find(path.substr(0, dot));
-    if (entry == nullptr || dot == std::string_view::npos) return entry;
+  const Entry* entry = nullptr;
+  for (const std::string& part : parts_of(path)) {
+    entry = node->find(part);
+    if (entry == nullptr) return nullptr;
     node = &entry->value;
-    path.remove_prefix(dot + 1);
   }
+  return entry;
 }
 
 Entry* make_entry(YamlValue& root, const std::vector<std::string>& parts,
@@ -82,16 +83,14 @@ std::vector<std::string> parts_of(std::string_view key) {
 
 Position position_of(const YamlValue& root, std::string_view key) {
   const YamlValue* node = &root;
-  Position position = root.position;
-  while (true) {
-    const std::size_t dot = key.find('.');
-    const Entry* entry = node->find(key.substr(0, dot));
-    if (entry == nullptr) return position;
-    if (dot == std::string_view::npos) return entry->value.position;
-    position = entry->position;
+  Position above = root.position;
+  for (const std::string& part : parts_of(key)) {
+    const Entry* entry = node->find(part);
+    if (entry == nullptr) return above;
+    above = entry->position;
     node = &entry->value;
-    key.remove_prefix(dot + 1);
   }
+  return node->position;
 }
 
 }  // namespace brachisto::io

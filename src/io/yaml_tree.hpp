@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,11 @@ struct Entry {
 /// What a node is, for messages: "a map", "a list", …
 [[nodiscard]] std::string_view kind_name(YamlValue::Kind kind);
 
+/// Reports that a value is of another kind than is expected, unless a mistake
+/// in it was reported already.
+void refuse_kind(const YamlValue& value, std::string key,
+                 std::string_view expected, Findings& findings);
+
 /// The entry with a dotted key, or nullptr.
 [[nodiscard]] const Entry* find_entry(const YamlValue& root,
                                       std::string_view path);
@@ -74,18 +80,27 @@ struct Entry {
 /// is absent.
 [[nodiscard]] Position position_of(const YamlValue& root, std::string_view key);
 
+/// The input cannot be read any further.
+class SyntaxError : public std::runtime_error {
+ public:
+  SyntaxError(Position where, const std::string& message)
+      : std::runtime_error(message), position(where) {}
+
+  Position position;
+};
+
 /// Builds the tree of a text that holds one document.
 ///
 /// Repeated keys (the first one counts), anchors, aliases, tags, merge keys and
 /// keys that are not words go to `findings`.
 ///
-/// \param text    the result of prepared_text()
 /// \param source  number of the input, see Position
 /// \param key     dotted key under which the text stands, for messages
 /// \return the document; Kind::Null if there is none
-/// \throws SyntaxError  if the text is not YAML, nests more than kMaxNesting
-///                      levels, or holds more than one document
-[[nodiscard]] YamlValue parse_yaml(const std::string& text, int source,
+/// \throws SyntaxError  if the text is too long, is not UTF-8, contains control
+///         characters or a tab in an indentation, is not YAML, nests more than
+///         kMaxNesting levels, or holds more than one document
+[[nodiscard]] YamlValue parse_yaml(std::string_view bytes, int source,
                                    Findings& findings,
                                    const std::string& key = "");
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "report/colour_map.hpp"
 #include "report/figure.hpp"
 #include "report/scale.hpp"
 

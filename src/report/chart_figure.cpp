@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -31,40 +32,17 @@ std::string quoted_words(std::string_view source) {
   return "'" + gnuplot_words(source) + "'";
 }
 
-/// In units of the width of the line, for the terminals of a Figure.
+/// By Stroke, in units of the width of the line, for the terminals of a Figure.
+constexpr std::array kDashes{"solid", "(5,3)", "(1.2,2.2)",
+                             "(6.5,2.5,1.2,2.5)"};
 std::string_view dashes(Stroke stroke) {
-  switch (stroke) {
-    case Stroke::Solid:
-      break;
-    case Stroke::Dashed:
-      return "(5,3)";
-    case Stroke::Dotted:
-      return "(1.2,2.2)";
-    case Stroke::DashDotted:
-      return "(6.5,2.5,1.2,2.5)";
-  }
-  return "solid";
+  return kDashes[static_cast<std::size_t>(stroke)];
 }
 
-/// Number of a mark in the terminals.
+/// Number of a Mark in the terminals.
+constexpr std::array kPointTypes{0, 7, 6, 5, 9, 12, 2};
 int point_type(Mark mark) {
-  switch (mark) {
-    case Mark::None:
-      break;
-    case Mark::Disc:
-      return 7;
-    case Mark::Circle:
-      return 6;
-    case Mark::Square:
-      return 5;
-    case Mark::Triangle:
-      return 9;
-    case Mark::Diamond:
-      return 12;
-    case Mark::Cross:
-      return 2;
-  }
-  return 0;
+  return kPointTypes[static_cast<std::size_t>(mark)];
 }
 
 bool look_the_same(const Curve& a, const Curve& b) {
@@ -138,17 +116,223 @@ class Drawing {
   }
 
   /// From the sides, else from what is drawn, with a little room.
-  void set_ranges();
+  void set_ranges() {
+    const auto include = [&](const std::vector<Datum>& points) {
+      for (const Datum& p : points) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        x_.include(p.x);
+        y_.include(p.y);
+      }
+    };
+    for (const Area& area : chart_.areas) include(area.outline);
+    for (const Curve& curve : chart_.curves) include(curve.points);
+    for (const Round& round : chart_.rounds) {
+      const auto [x, y] = round.centre;
+      const double r = round.radius;
+      include({{x - r, y - r}, {x + r, y + r}});
+    }
+    const auto settle = [](Extent& range, const Side& side) {
+      constexpr double kRoom = 0.03;  // of the side
+      if (!(range.low <= range.high)) range = {0.0, 1.0};
+      const bool logarithmic = side.scale == Scale::Logarithmic;
+      const double span = logarithmic ? std::log(range.high / range.low)
+                                      : range.high - range.low;
+      const double room =
+          kRoom * (span > 0.0 ? span : std::max(1.0, std::abs(range.low)));
+      range.low = side.low.value_or(logarithmic ? range.low * std::exp(-room)
+                                                : range.low - room);
+      range.high = side.high.value_or(logarithmic ? range.high * std::exp(room)
+                                                  : range.high + room);
+    };
+    settle(x_, chart_.x);
+    settle(y_, chart_.y);
+    if (!equal_) return;
+    // A range is widened about its middle rather than a scale changed.
+    const auto widen = [](Extent& range, double span) {
+      const double more = 0.5 * (span - (range.high - range.low));
+      range = {range.low - more, range.high + more};
+    };
+    const double ratio = (y_.high - y_.low) / (x_.high - x_.low);
+    plot_height_ = std::clamp(kPlotWidth * ratio, kLeast, kLargest);
+    if (kPlotWidth * ratio < kLeast) {
+      widen(y_, (x_.high - x_.low) * kLeast / kPlotWidth);
+    } else if (kPlotWidth * ratio > kLargest) {
+      widen(x_, (y_.high - y_.low) * kPlotWidth / kLargest);
+    }
+  }
+
   /// Rows of the key.
-  void count_names();
-  void side(char name, const Side& side, const Extent& range, bool reversed);
-  void titles();
-  void rounds();
-  void sketches();
-  void notes();
-  void plot();
+  void count_names() {
+    std::size_t longest = 0;
+    int names = 0;
+    const auto count = [&](const std::string& name) {
+      if (name.empty()) return;
+      longest = std::max(longest, letters(plain_words(name)));
+      ++names;
+    };
+    for (const Curve& curve : chart_.curves) count(curve.name);
+    for (const Area& area : chart_.areas) count(area.name);
+    // One thing alone needs no name.
+    if (names == 0 || chart_.curves.size() + chart_.areas.size() < 2) return;
+    constexpr double kSample = 80.0, kSize = 13.0;  // [px]
+    const int columns = std::clamp(
+        static_cast<int>(kWidth / (kSample + width_of(longest, kSize))), 1,
+        names);
+    rows_ = (names + columns - 1) / columns;
+  }
+
+  void side(char name, const Side& side, const Extent& range, bool reversed) {
+    put("set {}label {}\n", name, quoted_words(side.label));
+    put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
+        reversed ? range.high : range.low, reversed ? range.low : range.high);
+    put("{}", tics(name, side, range));
+  }
+
+  void titles() {
+    const auto line = [&](const std::string& words, double y,
+                          std::string_view style) {
+      if (words.empty()) return;
+      put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
+          quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_, style);
+    };
+    line(chart_.title, kTitle, "font ',15'");
+    double y = chart_.title.empty() ? 0.0 : kTitle;
+    for (const std::string& words : subtitle_) {
+      line(words, y += kSubtitle, "textcolor rgb '#444444'");
+    }
+  }
+
+  void rounds() {
+    for (const Round& round : chart_.rounds) {
+      const Datum& c = round.centre;
+      put("set object ellipse center {:.12g},{:.12g} size {:.12g},{:.12g} "
+          "units xy fc rgb '#bbbbbb' fs transparent solid 0.3 "
+          "border lc rgb '#777777'\n",
+          c.x, c.y, 2.0 * round.radius, 2.0 * round.radius);
+      if (!round.mass_centre) continue;
+      put("set arrow from {:.12g},{:.12g} to {:.12g},{:.12g} nohead "
+          "lc rgb '#1f5fa8'\n",
+          c.x, c.y, round.mass_centre->x, round.mass_centre->y);
+      put("set label '' at {:.12g},{:.12g} point pt 7 ps 0.8 "
+          "lc rgb '#1f5fa8'\n",
+          round.mass_centre->x, round.mass_centre->y);
+    }
+  }
+
+  void sketches() {
+    // Of one pixel, in units of the axes, which are linear.
+    const double x_unit = (x_.high - x_.low) / kPlotWidth;
+    const double y_unit =
+        (y_.high - y_.low) / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
+    const auto circle = [&](Datum at, double radius, std::string_view style) {
+      put("set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",
+          at.x, at.y, radius / kWidth, style);
+    };
+    for (const Sketch& sketch : chart_.sketches) {
+      if (!shows(sketch.at)) continue;
+      const double r = sketch.radius;
+      circle(sketch.at, r,
+             "fc rgb '#ffffff' fs solid border lc rgb '#333333' lw 1.2");
+      for (const double ring : sketch.rings) {
+        circle(sketch.at, ring * r, "fs empty border lc rgb '#777777' lw 3");
+      }
+      circle(sketch.at, 1.2, "fc rgb '#333333' fs solid noborder");
+      for (const Datum& mass : sketch.masses) {
+        circle({sketch.at.x + r * mass.x * x_unit,
+                sketch.at.y + r * mass.y * y_unit},
+               std::max(2.4, 0.15 * r), "fc rgb '#222222' fs solid noborder");
+      }
+      if (sketch.name.empty()) continue;
+      constexpr double kGap = 7.0, kSize = 13.0;
+      const double width = width_of(letters(plain_words(sketch.name)), kSize);
+      const bool ends = sketch.at.x + (r + kGap + width) * x_unit > x_.high;
+      put("set label {} at {:.12g},{:.12g} {} front\n",
+          quoted_words(sketch.name),
+          sketch.at.x + (ends ? -1.0 : 1.0) * (r + kGap) * x_unit, sketch.at.y,
+          ends ? "right" : "left");
+    }
+  }
+
+  void notes() {
+    constexpr double kHalfHeight = 4.5;  // gnuplot centres upon the height
+    for (const Note& note : chart_.notes) {
+      if (!shows(note.at)) continue;
+      put("set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
+          "screen {:.5f} front",
+          quoted_words(note.text), note.at.x, note.at.y,
+          note.dx < 0.0 ? "right" : "left", note.dx / kWidth,
+          (kHalfHeight - note.dy) / height_);
+      if (note.mark != Mark::None) {
+        put(" point pt {} ps 0.8 lc rgb '#000000'", point_type(note.mark));
+      }
+      put("\n");
+    }
+  }
+
+  void plot() {
+    const auto add = [&](const std::string& item, const std::string& name) {
+      items_ += fmt::format(
+          "{}{} {}", items_.empty() ? "plot " : ", \\\n  ", item,
+          name.empty() || rows_ == 0 ? "notitle"
+                                     : "title " + quoted_words(name));
+    };
+    for (const Area& area : chart_.areas) {
+      add(part(plain_words(area.name), area.outline) +
+              fmt::format(" with filledcurves closed fc rgb '{}' fs solid "
+                          "noborder",
+                          area.fill),
+          area.name);
+    }
+    for (auto curve = chart_.curves.begin(); curve != chart_.curves.end();
+         ++curve) {
+      const bool line = curve->width > 0.0;
+      const bool marked = curve->mark != Mark::None;
+      std::string style = fmt::format(
+          " with {} lc rgb '{}'",
+          line ? (marked ? "linespoints" : "lines") : "points", curve->colour);
+      if (line) {
+        style += fmt::format(" lw {:.3g} dt {}", curve->width,
+                             dashes(curve->stroke));
+      }
+      if (marked) {
+        // No line within open marks.
+        const bool open =
+            curve->mark == Mark::Circle || curve->mark == Mark::Diamond;
+        style += fmt::format(" pt {} ps {:g}{}", point_type(curve->mark),
+                             curve->mark_size, open && line ? " pi -1" : "");
+      }
+      const bool known = std::any_of(
+          chart_.curves.begin(), curve,
+          [&](const Curve& before) { return look_the_same(before, *curve); });
+      add(part(curve->id.empty() ? plain_words(curve->name) : curve->id,
+               curve->points) +
+              style,
+          known ? "" : curve->name);
+    }
+    // A frame without curves is drawn for an empty function.
+    commands_ += (items_.empty() ? "plot NaN notitle" : items_) + "\n";
+  }
+
   /// Adds the points to the table. \return the expression that picks them
-  std::string part(std::string name, const std::vector<Datum>& points);
+  std::string part(std::string name, const std::vector<Datum>& points) {
+    // Without what would have to be quoted, and each another one.
+    std::erase_if(name, [](char c) {
+      return c == ',' || c == '"' || c == '\'' || c == '\\' ||
+             static_cast<unsigned char>(c) < ' ';
+    });
+    if (name.empty()) name = "curve";
+    std::string id = name;
+    for (int i = 2; !parts_.insert(id).second; ++i) {
+      id = fmt::format("{} ({})", name, i);
+    }
+    const std::string field = csv_field(id);
+    for (const Datum& p : points) {
+      fmt::format_to(std::back_inserter(table_), "{},{:.12g},{:.12g}\n", field,
+                     p.x, p.y);
+    }
+    return fmt::format("data using (part('{}', 'x')):(column('y'))",
+                       field.starts_with('\'') ? "'" + field : field);
+  }
 
   [[nodiscard]] bool shows(const Datum& at) const {
     return at.x >= x_.low && at.x <= x_.high && at.y >= y_.low &&
@@ -164,221 +348,6 @@ class Drawing {
   std::set<std::string> parts_{"part"};
   std::string table_ = "part,x,y\n", commands_, items_;
 };
-
-void Drawing::set_ranges() {
-  const auto include = [&](const std::vector<Datum>& points) {
-    for (const Datum& p : points) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-      x_.include(p.x);
-      y_.include(p.y);
-    }
-  };
-  for (const Area& area : chart_.areas) include(area.outline);
-  for (const Curve& curve : chart_.curves) include(curve.points);
-  for (const Round& round : chart_.rounds) {
-    const auto [x, y] = round.centre;
-    const double r = round.radius;
-    include({{x - r, y - r}, {x + r, y + r}});
-  }
-  const auto settle = [](Extent& range, const Side& side) {
-    constexpr double kRoom = 0.03;  // of the side
-    if (!(range.low <= range.high)) range = {0.0, 1.0};
-    const bool logarithmic = side.scale == Scale::Logarithmic;
-    const double span =
-        logarithmic ? std::log(range.high / range.low) : range.high - range.low;
-    const double room =
-        kRoom * (span > 0.0 ? span : std::max(1.0, std::abs(range.low)));
-    range.low = side.low.value_or(logarithmic ? range.low * std::exp(-room)
-                                              : range.low - room);
-    range.high = side.high.value_or(logarithmic ? range.high * std::exp(room)
-                                                : range.high + room);
-  };
-  settle(x_, chart_.x);
-  settle(y_, chart_.y);
-  if (!equal_) return;
-  // A range is widened about its middle rather than a scale changed.
-  const auto widen = [](Extent& range, double span) {
-    const double more = 0.5 * (span - (range.high - range.low));
-    range = {range.low - more, range.high + more};
-  };
-  const double ratio = (y_.high - y_.low) / (x_.high - x_.low);
-  plot_height_ = std::clamp(kPlotWidth * ratio, kLeast, kLargest);
-  if (kPlotWidth * ratio < kLeast) {
-    widen(y_, (x_.high - x_.low) * kLeast / kPlotWidth);
-  } else if (kPlotWidth * ratio > kLargest) {
-    widen(x_, (y_.high - y_.low) * kPlotWidth / kLargest);
-  }
-}
-
-void Drawing::count_names() {
-  std::size_t longest = 0;
-  int names = 0;
-  const auto count = [&](const std::string& name) {
-    if (name.empty()) return;
-    longest = std::max(longest, letters(plain_words(name)));
-    ++names;
-  };
-  for (const Curve& curve : chart_.curves) count(curve.name);
-  for (const Area& area : chart_.areas) count(area.name);
-  // One thing alone needs no name.
-  if (names == 0 || chart_.curves.size() + chart_.areas.size() < 2) return;
-  constexpr double kSample = 80.0, kSize = 13.0;  // [px]
-  const int columns = std::clamp(
-      static_cast<int>(kWidth / (kSample + width_of(longest, kSize))), 1,
-      names);
-  rows_ = (names + columns - 1) / columns;
-}
-
-void Drawing::side(char name, const Side& side, const Extent& range,
-                   bool reversed) {
-  put("set {}label {}\n", name, quoted_words(side.label));
-  put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
-      reversed ? range.high : range.low, reversed ? range.low : range.high);
-  put("{}", tics(name, side, range));
-}
-
-void Drawing::titles() {
-  const auto line = [&](const std::string& words, double y,
-                        std::string_view style) {
-    if (words.empty()) return;
-    put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
-        quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_, style);
-  };
-  line(chart_.title, kTitle, "font ',15'");
-  double y = chart_.title.empty() ? 0.0 : kTitle;
-  for (const std::string& words : subtitle_) {
-    line(words, y += kSubtitle, "textcolor rgb '#444444'");
-  }
-}
-
-void Drawing::rounds() {
-  for (const Round& round : chart_.rounds) {
-    const Datum& c = round.centre;
-    put("set object ellipse center {:.12g},{:.12g} size {:.12g},{:.12g} "
-        "units xy fc rgb '#bbbbbb' fs transparent solid 0.3 "
-        "border lc rgb '#777777'\n",
-        c.x, c.y, 2.0 * round.radius, 2.0 * round.radius);
-    if (!round.mass_centre) continue;
-    put("set arrow from {:.12g},{:.12g} to {:.12g},{:.12g} nohead "
-        "lc rgb '#1f5fa8'\n",
-        c.x, c.y, round.mass_centre->x, round.mass_centre->y);
-    put("set label '' at {:.12g},{:.12g} point pt 7 ps 0.8 "
-        "lc rgb '#1f5fa8'\n",
-        round.mass_centre->x, round.mass_centre->y);
-  }
-}
-
-void Drawing::sketches() {
-  // Of one pixel, in units of the axes, which are linear.
-  const double x_unit = (x_.high - x_.low) / kPlotWidth;
-  const double y_unit =
-      (y_.high - y_.low) / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
-  const auto circle = [&](Datum at, double radius, std::string_view style) {
-    put("set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",
-        at.x, at.y, radius / kWidth, style);
-  };
-  for (const Sketch& sketch : chart_.sketches) {
-    if (!shows(sketch.at)) continue;
-    const double r = sketch.radius;
-    circle(sketch.at, r,
-           "fc rgb '#ffffff' fs solid border lc rgb '#333333' lw 1.2");
-    for (const double ring : sketch.rings) {
-      circle(sketch.at, ring * r, "fs empty border lc rgb '#777777' lw 3");
-    }
-    circle(sketch.at, 1.2, "fc rgb '#333333' fs solid noborder");
-    for (const Datum& mass : sketch.masses) {
-      circle({sketch.at.x + r * mass.x * x_unit,
-              sketch.at.y + r * mass.y * y_unit},
-             std::max(2.4, 0.15 * r), "fc rgb '#222222' fs solid noborder");
-    }
-    if (sketch.name.empty()) continue;
-    constexpr double kGap = 7.0, kSize = 13.0;
-    const double width = width_of(letters(plain_words(sketch.name)), kSize);
-    const bool ends = sketch.at.x + (r + kGap + width) * x_unit > x_.high;
-    put("set label {} at {:.12g},{:.12g} {} front\n", quoted_words(sketch.name),
-        sketch.at.x + (ends ? -1.0 : 1.0) * (r + kGap) * x_unit, sketch.at.y,
-        ends ? "right" : "left");
-  }
-}
-
-void Drawing::notes() {
-  constexpr double kHalfHeight = 4.5;  // gnuplot centres upon the height
-  for (const Note& note : chart_.notes) {
-    if (!shows(note.at)) continue;
-    put("set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
-        "screen {:.5f} front",
-        quoted_words(note.text), note.at.x, note.at.y,
-        note.dx < 0.0 ? "right" : "left", note.dx / kWidth,
-        (kHalfHeight - note.dy) / height_);
-    if (note.mark != Mark::None) {
-      put(" point pt {} ps 0.8 lc rgb '#000000'", point_type(note.mark));
-    }
-    put("\n");
-  }
-}
-
-std::string Drawing::part(std::string name, const std::vector<Datum>& points) {
-  // Without what would have to be quoted, and each another one.
-  std::erase_if(name, [](char c) {
-    return c == ',' || c == '"' || c == '\'' || c == '\\' ||
-           static_cast<unsigned char>(c) < ' ';
-  });
-  if (name.empty()) name = "curve";
-  std::string id = name;
-  for (int i = 2; !parts_.insert(id).second; ++i) {
-    id = fmt::format("{} ({})", name, i);
-  }
-  const std::string field = csv_field(id);
-  for (const Datum& p : points) {
-    fmt::format_to(std::back_inserter(table_), "{},{:.12g},{:.12g}\n", field,
-                   p.x, p.y);
-  }
-  return fmt::format("data using (part('{}', 'x')):(column('y'))",
-                     field.starts_with('\'') ? "'" + field : field);
-}
-
-void Drawing::plot() {
-  const auto add = [&](const std::string& item, const std::string& name) {
-    items_ += fmt::format(
-        "{}{} {}", items_.empty() ? "plot " : ", \\\n  ", item,
-        name.empty() || rows_ == 0 ? "notitle" : "title " + quoted_words(name));
-  };
-  for (const Area& area : chart_.areas) {
-    add(part(plain_words(area.name), area.outline) +
-            fmt::format(" with filledcurves closed fc rgb '{}' fs solid "
-                        "noborder",
-                        area.fill),
-        area.name);
-  }
-  for (auto curve = chart_.curves.begin(); curve != chart_.curves.end();
-       ++curve) {
-    const bool line = curve->width > 0.0;
-    const bool marked = curve->mark != Mark::None;
-    std::string style = fmt::format(
-        " with {} lc rgb '{}'",
-        line ? (marked ? "linespoints" : "lines") : "points", curve->colour);
-    if (line) {
-      style +=
-          fmt::format(" lw {:.3g} dt {}", curve->width, dashes(curve->stroke));
-    }
-    if (marked) {
-      // No line within open marks.
-      const bool open =
-          curve->mark == Mark::Circle || curve->mark == Mark::Diamond;
-      style += fmt::format(" pt {} ps {:g}{}", point_type(curve->mark),
-                           curve->mark_size, open && line ? " pi -1" : "");
-    }
-    const bool known = std::any_of(
-        chart_.curves.begin(), curve,
-        [&](const Curve& before) { return look_the_same(before, *curve); });
-    add(part(curve->id.empty() ? plain_words(curve->name) : curve->id,
-             curve->points) +
-            style,
-        known ? "" : curve->name);
-  }
-  // A frame without curves is drawn for an empty function.
-  commands_ += (items_.empty() ? "plot NaN notitle" : items_) + "\n";
-}
 
 }  // namespace
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Fields of comma-separated values.
+/// Comma-separated values: fields, and the scenes of a sweep.
 
 #pragma once
 
 #include <string>
 #include <string_view>
+
+#include "report/sweep_table.hpp"
 
 namespace brachisto::report {
 
@@ -19,5 +21,11 @@ namespace brachisto::report {
 /// begins as a formula stands an apostrophe. Not for numbers, whose minus is a
 /// sign.
 [[nodiscard]] std::string csv_field(std::string_view text);
+
+/// Comma-separated values with a header line (RFC 4180 with newlines), one
+/// row per scene: its number, its keys in SI units and radians, state, status,
+/// feasible, tau, transit_time, estimated_error, end_angle and message; 17
+/// digits; what a scene does not have stays empty.
+[[nodiscard]] std::string sweep_csv(const SweepTable& table);
 
 }  // namespace brachisto::report

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "brachisto/math/stop_condition.hpp"
 #include "process/child_process.hpp"
 #include "report/rich_text.hpp"
@@ -70,15 +72,8 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 std::string_view ending(Format format) {
-  switch (format) {
-    case Format::Svg:
-      break;
-    case Format::Pdf:
-      return ".pdf";
-    case Format::Png:
-      return ".png";
-  }
-  return ".svg";
+  constexpr std::array kEndings{".svg", ".pdf", ".png"};
+  return kEndings[static_cast<std::size_t>(format)];
 }
 
 std::string figure_script(const Figure& figure, Format format) {

@@ -4,6 +4,8 @@
 #include "report/letters.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -18,8 +20,8 @@ constexpr double kWide =
 
 std::size_t letters(std::string_view text) {
   // All but continuation bytes begin a letter.
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 double width_of(std::size_t letters, double font_size) {
@@ -59,6 +61,15 @@ std::string shortened_key(std::string_view key, std::size_t length) {
     out = "…" + std::string(key);
   }
   return shortened(out, length);
+}
+
+std::size_t columns_for_a_line() {
+  constexpr std::size_t kUsual = 80;
+  if (::isatty(STDERR_FILENO) == 0) return kNoTerminal;
+  struct winsize window {};
+  const bool known =
+      ::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1;
+  return (known ? window.ws_col : kUsual) - 1;
 }
 
 }  // namespace brachisto::report

@@ -12,8 +12,7 @@
 #include <cstring>
 #include <utility>
 
-#include "report/held_signals.hpp"
-#include "report/new_directories.hpp"
+#include "report/in_full.hpp"
 
 #include "brachisto/math/stop_condition.hpp"
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/version.hpp"
@@ -42,6 +43,20 @@ Provenance provenance() {
                       SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION),
       .compiler = fmt::format("g++ {}", __VERSION__),
   };
+}
+
+Fields<Provenance> version_fields() {
+  using P = Provenance;
+  return {{"brachisto", "", "version of this program", &P::brachisto},
+          {"ipopt", "", "version", &P::ipopt},
+          {"mumps", "", "version", &P::mumps},
+          {"blas", "", "file or configuration", &P::blas},
+          {"suitesparse", "", "version", &P::suitesparse},
+          {"compiler", "", "and its version", &P::compiler}};
+}
+
+std::string provenance_json() {
+  return written(version_fields(), provenance()).dump();
 }
 
 }  // namespace brachisto::report

@@ -8,6 +8,8 @@
 
 #include <string>
 
+#include "report/result_field.hpp"
+
 namespace brachisto::report {
 
 /// Versions of this program and of everything numbers depend on.
@@ -21,6 +23,9 @@ struct Provenance {
 };
 
 [[nodiscard]] Provenance provenance();
+
+/// Its keys in documents.
+[[nodiscard]] Fields<Provenance> version_fields();
 
 /// The same as a JSON document.
 [[nodiscard]] std::string provenance_json();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -31,17 +32,6 @@ struct FieldText {
   bool open = false;  ///< an object may have further keys
 };
 
-/// A key of what is told of a `Source`; null is written for what it lacks.
-template <class Source>
-struct Field {
-  FieldText text;
-  std::function<Json(const Source&)> write;
-  bool may_lack = false;  ///< left out in place of null
-};
-
-template <class Source>
-using Fields = std::vector<Field<Source>>;
-
 template <class Value>
 struct Written {
   static constexpr std::string_view kType =
@@ -60,27 +50,36 @@ struct Written<std::optional<Value>> {
   }
 };
 
-/// A value: a member of the source or what a function makes of it. The type of
-/// the key is that of the value, which may be optional.
-template <class Source, class Read>
-[[nodiscard]] Field<Source> value(std::string_view name, std::string_view unit,
-                                  std::string_view meaning, Read read) {
-  using Value =
-      Written<std::remove_cvref_t<std::invoke_result_t<Read, const Source&>>>;
-  return {{name, Value::kType, unit, meaning}, [=](const Source& source) {
-            return Value::json(std::invoke(read, source));
-          }};
-}
+/// A key of what is told of a `Source`; null is written for what it lacks.
+template <class Source>
+struct Field {
+  FieldText text;
+  std::function<Json(const Source&)> write;
+  bool may_lack = false;  ///< left out in place of null
 
-/// The same, left out where there is none.
-template <class Source, class Read>
-[[nodiscard]] Field<Source> value_if(std::string_view name,
-                                     std::string_view unit,
-                                     std::string_view meaning, Read read) {
-  Field<Source> field = value<Source>(name, unit, meaning, read);
-  field.may_lack = true;
-  return field;
-}
+  Field(FieldText described, std::function<Json(const Source&)> writer,
+        bool lacking = false)
+      : text(std::move(described)),
+        write(std::move(writer)),
+        may_lack(lacking) {}
+
+  /// A value: a member of the source or what a function makes of it. The type
+  /// of the key is that of the value, which may be optional.
+  template <class Read>
+  Field(std::string_view name, std::string_view unit, std::string_view meaning,
+        Read read, bool lacking = false)
+      : may_lack(lacking) {
+    using Value =
+        Written<std::remove_cvref_t<std::invoke_result_t<Read, const Source&>>>;
+    text = {name, Value::kType, unit, meaning};
+    write = [=](const Source& source) {
+      return Value::json(std::invoke(read, source));
+    };
+  }
+};
+
+template <class Source>
+using Fields = std::vector<Field<Source>>;
 
 template <class Source>
 [[nodiscard]] Json written(const Fields<Source>& fields, const Source& source) {
@@ -100,10 +99,22 @@ template <class Source>
   return texts;
 }
 
-/// What a function that finds a part of a source points at.
+/// Where a part of a source is: a member, perhaps optional, or what a function
+/// points at; nullptr: there is none.
 template <class Source, class Find>
-using PartOf = std::remove_const_t<
-    std::remove_pointer_t<std::invoke_result_t<Find, const Source&>>>;
+[[nodiscard]] const auto* found(Find find, const Source& source) {
+  decltype(auto) part = std::invoke(find, source);
+  if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(part)>>) {
+    return part;
+  } else if constexpr (requires { part.has_value(); }) {
+    return part ? &*part : nullptr;
+  } else {
+    return &part;
+  }
+}
+template <class Source, class Find>
+using PartOf = std::remove_const_t<std::remove_pointer_t<decltype(found(
+    std::declval<Find>(), std::declval<const Source&>()))>>;
 
 /// An object about a part of the source; nullptr: null.
 template <class Source, class Find>
@@ -112,7 +123,7 @@ template <class Source, class Find>
                                    Fields<PartOf<Source, Find>> fields) {
   return {{name, "object", unit, meaning, texts_of(fields)},
           [=](const Source& source) {
-            const auto* part = find(source);
+            const auto* part = found(find, source);
             return part != nullptr ? written(fields, *part) : Json();
           }};
 }
@@ -133,18 +144,43 @@ template <class Source, class Item>
           }};
 }
 
-/// Keys about a part among those of the source; nullptr: all of them are null.
+/// A key about a part as one of the source; nullptr: null.
 template <class Source, class Find>
-void splice(Fields<Source>& target, Find find,
-            const Fields<PartOf<Source, Find>>& fields) {
-  for (const auto& field : fields) {
-    target.push_back({field.text,
-                      [=](const Source& source) {
-                        const auto* part = find(source);
-                        return part != nullptr ? field.write(*part) : Json();
-                      },
-                      field.may_lack});
-  }
+[[nodiscard]] Field<Source> of_part(Find find,
+                                    Field<PartOf<Source, Find>> field) {
+  return {field.text,
+          [=](const Source& source) {
+            const auto* part = found(find, source);
+            return part != nullptr ? field.write(*part) : Json();
+          },
+          field.may_lack};
 }
+
+/// The same of several keys.
+template <class Source, class Find>
+[[nodiscard]] Fields<Source> of_part(
+    Find find, const Fields<PartOf<Source, Find>>& fields) {
+  Fields<Source> out;
+  for (const auto& field : fields) out.push_back(of_part<Source>(find, field));
+  return out;
+}
+
+template <class Source>
+[[nodiscard]] Fields<Source> joined(
+    std::initializer_list<Fields<Source>> groups) {
+  Fields<Source> all;
+  for (const Fields<Source>& group : groups) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
+
+/// The keys as rows of a table in Markdown.
+[[nodiscard]] std::string markdown_rows(const std::vector<FieldText>& fields,
+                                        const std::string& path = "");
+
+/// What a JSON Schema tells of an object with these keys.
+/// \param open  whether there may be more
+[[nodiscard]] Json schema_of(const std::vector<FieldText>& fields, bool open);
 
 }  // namespace brachisto::report

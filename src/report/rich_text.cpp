@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "report/figure.hpp"
@@ -68,6 +70,20 @@ std::vector<Run> runs(std::string_view source) {
   return out;
 }
 
+/// What stands before and behind words at each level.
+using Marks = std::array<std::pair<std::string_view, std::string_view>, 3>;
+
+std::string marked(std::string_view source,
+                   std::string (*escaped)(std::string_view),
+                   const Marks& marks) {
+  std::string out;
+  for (const Run& run : runs(source)) {
+    const auto& [before, behind] = marks[static_cast<std::size_t>(run.level)];
+    out += fmt::format("{}{}{}", before, escaped(run.text), behind);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string xml_escaped(std::string_view text) {
@@ -75,65 +91,33 @@ std::string xml_escaped(std::string_view text) {
   out.reserve(text.size());
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (code < 0x20 && c != '\t' && c != '\n' && c != '\r') {
-      out += "\uFFFD";
-    } else {
+    const bool known = code >= 0x20 || c == '\t' || c == '\n' || c == '\r';
+    const std::size_t special = std::string_view("&<>\"").find(c);
+    if (special != std::string_view::npos) {
+      constexpr std::array kEntities{"&amp;", "&lt;", "&gt;", "&quot;"};
+      out += kEntities[special];
+    } else if (known) {
       out += c;
+    } else {
+      out += "\uFFFD";
     }
   }
   return out;
 }
 
 std::string html_words(std::string_view source) {
-  std::string out;
-  for (const Run& run : runs(source)) {
-    const std::string text = xml_escaped(run.text);
-    switch (run.level) {
-      case Level::Line:
-        out += text;
-        break;
-      case Level::Lowered:
-        out += "<sub>" + text + "</sub>";
-        break;
-      case Level::Raised:
-        out += "<sup>" + text + "</sup>";
-        break;
-    }
-  }
-  return out;
+  return marked(source, xml_escaped,
+                {{{"", ""}, {"<sub>", "</sub>"}, {"<sup>", "</sup>"}}});
 }
 
 std::string gnuplot_words(std::string_view source) {
-  std::string out;
-  for (const Run& run : runs(source)) {
-    const std::string text = gnuplot_escaped(run.text);
-    switch (run.level) {
-      case Level::Line:
-        out += text;
-        break;
-      case Level::Lowered:
-        out += "_{" + text + "}";
-        break;
-      case Level::Raised:
-        out += "^{" + text + "}";
-        break;
-    }
-  }
-  return out;
+  return marked(source, gnuplot_escaped,
+                {{{"", ""}, {"_{", "}"}, {"^{", "}"}}});
 }
 
 std::string plain_words(std::string_view source) {
-  std::string out;
-  for (const Run& run : runs(source)) out += run.text;
-  return out;
+  return marked(source, [](std::string_view text) { return std::string(text); },
+                {});
 }
 
 std::string as_rich_text(std::string_view text) {

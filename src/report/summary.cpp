@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/digits.hpp"
+#include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 
 namespace brachisto::report {

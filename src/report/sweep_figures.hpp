@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "report/colour_map.hpp"
 #include "report/figure.hpp"
+#include "report/scale.hpp"
 #include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_order.hpp"
+#include "report/sweep_plots.hpp"
 
 #include <algorithm>
 #include <array>
@@ -70,8 +70,8 @@ bool is_mesh(const SweepTable& table, const SweepMap& map,
       if (!std::isfinite(area)) continue;
       if (sense == 0.0) sense = area > 0.0 ? 1.0 : -1.0;
       if (sense * area < kNothing ||
-          std::any_of(turns.begin(), turns.end(),
-                      [&](double turn) { return sense * turn < -kNothing; })) {
+          std::ranges::any_of(
+              turns, [&](double turn) { return sense * turn < -kNothing; })) {
         return false;
       }
     }
@@ -97,9 +97,8 @@ std::vector<std::size_t> order_along(
   }
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(
-      order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return mean[a] < mean[b]; });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return mean[a] < mean[b]; });
   return order;
 }
 
@@ -111,9 +110,9 @@ Scenes sorted_by(const SweepColumn& column, Scenes scenes) {
     const double value = column.numbers[scene];
     return std::isnan(value) ? kInfinity : value;
   };
-  std::stable_sort(
-      scenes.begin(), scenes.end(),
-      [&](std::size_t a, std::size_t b) { return number(a) < number(b); });
+  std::ranges::stable_sort(scenes, [&](std::size_t a, std::size_t b) {
+    return number(a) < number(b);
+  });
   return scenes;
 }
 
@@ -126,8 +125,8 @@ bool distinct(const SweepColumn& column, const Scenes& scenes) {
     const double number = column.numbers[scene];
     if (!std::isnan(number)) numbers.push_back(number);
   }
-  std::sort(numbers.begin(), numbers.end());
-  return std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end();
+  std::ranges::sort(numbers);
+  return std::ranges::adjacent_find(numbers) == numbers.end();
 }
 
 std::optional<Scenes> in_map_order(const SweepTable& table,

@@ -5,19 +5,210 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "brachisto/version.hpp"
+#include "report/csv.hpp"
 #include "report/key_label.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
-#include "report/sweep_csv.hpp"
-#include "report/sweep_html.hpp"
+#include "report/sweep_figures.hpp"
 
 namespace brachisto::report {
 
 namespace {
+
+constexpr std::size_t kMostFailures = 200;
+constexpr std::size_t kMostRows = 3000;
+
+using State = SweepOutcome::State;
+
+/// A number of few digits, or a dash.
+std::string brief(double value, int digits) {
+  return std::isfinite(value) ? printed(value, digits) : "–";
+}
+
+std::string column_heads(const SweepTable& table) {
+  std::string out;
+  for (const SweepColumn& column : table.columns) {
+    out += fmt::format("<th scope=\"col\">{}</th>",
+                       key_label(column.key).text(Markup::Html, true));
+  }
+  return out;
+}
+
+std::string column_cells(const SweepTable& table, std::size_t scene) {
+  std::string out;
+  for (const SweepColumn& column : table.columns) {
+    out +=
+        column.numeric()
+            ? fmt::format("<td>{}</td>", printed(shown_number(column, scene)))
+            : fmt::format("<td>{}</td>", xml_escaped(column.words[scene]));
+  }
+  return out;
+}
+
+/// Least and greatest number, or the words, of a column.
+std::string values_of(const SweepTable& table, const SweepColumn& column) {
+  if (!column.numeric()) {
+    const std::vector<std::string> words =
+        distinct_words(column, all_scenes(table));
+    std::string out;
+    constexpr std::size_t kMostWords = 12;
+    for (std::size_t i = 0; i < std::min(words.size(), kMostWords); ++i) {
+      out += (i == 0 ? "" : ", ") + xml_escaped(words[i]);
+    }
+    return out + (words.size() > kMostWords ? ", …" : "");
+  }
+  if (column.numbers.empty()) return "–";
+  const KeyLabel label = key_label(column.key);
+  const auto [low, high] = std::ranges::minmax_element(column.numbers);
+  const std::string unit = label.after_number();
+  if (*low == *high) return printed(label.shown(*low)) + unit;
+  return fmt::format("{}{} to {}{}", printed(label.shown(*low)), unit,
+                     printed(label.shown(*high)), unit);
+}
+
+/// The axes with their columns and the values they run over.
+std::string axes_table(const SweepTable& table) {
+  std::string out =
+      "<table class=\"axes\"><thead><tr><th scope=\"col\">axis</th>"
+      "<th scope=\"col\">values</th><th scope=\"col\">quantity</th>"
+      "<th scope=\"col\">range</th><th scope=\"col\">key</th></tr></thead>"
+      "<tbody>\n";
+  const auto row = [&](const std::string& axis, const std::string& count,
+                       const SweepColumn& column) {
+    out += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td><code>{}</code></td></tr>\n",
+        axis, count, key_label(column.key).text(Markup::Html, false),
+        values_of(table, column), xml_escaped(column.key));
+  };
+  const std::vector<std::size_t> varying =
+      columns_that_vary(table, all_scenes(table));
+  const auto varies = [&](std::size_t c) {
+    return std::ranges::binary_search(varying, c);
+  };
+  std::vector<bool> on_axis(table.columns.size(), false);
+  for (std::size_t a = 0; a < table.axes.size(); ++a) {
+    const SweepAxis& axis = table.axes[a];
+    for (const std::size_t column : axis.columns) {
+      const bool first = column == axis.columns.front();
+      row(first ? fmt::format("{}", a + 1) : "",
+          first ? fmt::format("{}{}", axis.count,
+                              axis.ordered ? "" : ", at random")
+                : "",
+          table.columns[column]);
+      on_axis[column] = true;
+    }
+  }
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (!on_axis[c])
+      row("–", varies(c) ? "follows" : "fixed", table.columns[c]);
+  }
+  for (const SweepConstant& constant : table.constants) {
+    row("–", "fixed",
+        {.key = constant.key, .numbers = {constant.value}, .words = {}});
+  }
+  return out + "</tbody></table>\n";
+}
+
+/// Counts and extreme values of these scenes.
+std::string digest_table(const SweepTable& table, const Scenes& scenes) {
+  const SweepDigest found = digest(table, scenes);
+  const std::vector<std::size_t> varying = columns_that_vary(table, scenes);
+  std::string out = "<table class=\"digest\"><tbody>\n";
+  const auto row = [&](std::string_view what, const std::string& value) {
+    out += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", what,
+                       value);
+  };
+  const auto at = [&](std::optional<std::size_t> scene,
+                      const std::string& value) {
+    const std::string where = place(table, varying, *scene, Markup::Html);
+    return value + (where.empty() ? "" : "<br/><small>" + where + "</small>");
+  };
+  const auto tau = [&](std::optional<std::size_t> scene) {
+    return at(scene, printed(table.outcomes[*scene].tau, 10));
+  };
+  row("scenes", fmt::format("{}", scenes.size()));
+  row("verified", fmt::format("{}", found.verified));
+  row("of them feasible", fmt::format("{}", found.verified - found.infeasible));
+  row("failed", fmt::format("{}", found.failed));
+  row("not run yet", fmt::format("{}", found.missing));
+  if (found.fastest) row("minimum of <i>τ</i>", tau(found.fastest));
+  if (found.fastest_feasible && found.infeasible > 0) {
+    row("minimum, feasible", tau(found.fastest_feasible));
+  }
+  if (found.slowest) row("maximum of <i>τ</i>", tau(found.slowest));
+  if (found.least_accurate) {
+    const double error = table.outcomes[*found.least_accurate].estimated_error;
+    row("largest estimated error", at(found.least_accurate, printed(error, 2)));
+  }
+  return out + "</tbody></table>\n";
+}
+
+/// The scenes that failed, with their cause, up to a number that can be read;
+/// empty if none did.
+std::string failures_table(const SweepTable& table) {
+  std::string rows;
+  std::size_t count = 0;
+  for (std::size_t scene = 0; scene < table.outcomes.size(); ++scene) {
+    const SweepOutcome& outcome = table.outcomes[scene];
+    if (outcome.state != State::Failed || ++count > kMostFailures) continue;
+    rows += fmt::format(
+        "<tr><td>{}</td>{}<td>{}</td><td class=\"words\">{}</td></tr>\n", scene,
+        column_cells(table, scene), xml_escaped(outcome.status),
+        xml_escaped(outcome.message));
+  }
+  if (count == 0) return {};
+  std::string out = fmt::format(
+      "<h2>Failed scenes</h2>\n<p>{} of {} scenes have no verified "
+      "result.</p>\n"
+      "<div class=\"wide\"><table><thead><tr><th scope=\"col\">scene</th>{}"
+      "<th scope=\"col\">status</th><th scope=\"col\">cause</th></tr></thead>"
+      "<tbody>\n{}</tbody></table></div>\n",
+      count, table.outcomes.size(), column_heads(table), rows);
+  if (count > kMostFailures) {
+    out += fmt::format("<p>{} more are not listed here.</p>\n",
+                       count - kMostFailures);
+  }
+  return out;
+}
+
+/// All scenes, folded; of a sweep too large for a page, where to find them.
+std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
+  const std::string link = fmt::format("<a href=\"{0}\">{0}</a>", csv_name);
+  std::string out = fmt::format(
+      "<h2>All scenes</h2>\n<p>With 17 digits, in SI units and radians: "
+      "{}.</p>\n",
+      link);
+  if (table.outcomes.empty() || table.outcomes.size() > kMostRows) return out;
+  out += fmt::format(
+      "<details><summary>Table of {} scenes</summary>\n<div class=\"wide\">"
+      "<table><thead><tr><th scope=\"col\">scene</th>{}"
+      "<th scope=\"col\"><i>τ</i></th><th scope=\"col\"><i>T</i> [s]</th>"
+      "<th scope=\"col\">error</th><th scope=\"col\">feasible</th>"
+      "<th scope=\"col\">status</th></tr></thead><tbody>\n",
+      table.outcomes.size(), column_heads(table));
+  for (std::size_t scene = 0; scene < table.outcomes.size(); ++scene) {
+    const SweepOutcome& outcome = table.outcomes[scene];
+    const bool verified = outcome.state == State::Verified;
+    out += fmt::format(
+        "<tr><td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td>{}</td></tr>\n",
+        scene, column_cells(table, scene), brief(outcome.tau, 10),
+        brief(outcome.transit_time, 6), brief(outcome.estimated_error, 2),
+        !verified          ? "–"
+        : outcome.feasible ? "yes"
+                           : "no",
+        outcome.status.empty() ? name(outcome.state)
+                               : xml_escaped(outcome.status));
+  }
+  return out + "</tbody></table></div></details>\n";
+}
 
 constexpr const char* kAllScenes = "scenes.csv";
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "report/colour_map.hpp"
 #include "report/figure.hpp"
+#include "report/scale.hpp"
 #include "report/sweep_scenes.hpp"
 
 namespace brachisto::report {
@@ -81,5 +81,17 @@ struct MarkedScene {
 
 /// "τ = T / √(H / 2g)", as all these pictures have it.
 inline constexpr const char* kTauLabel = "τ = T / √(H / 2g)";
+
+/// Scenes by ascending numbers of a column; as they are if it has words.
+[[nodiscard]] Scenes sorted_by(const SweepColumn& column, Scenes scenes);
+
+/// Whether no two of these scenes have the same value.
+[[nodiscard]] bool distinct(const SweepColumn& column, const Scenes& scenes);
+
+/// The scenes of a map with both axes in an order in which its cells neither
+/// overlap nor vanish; none if sorting the axes, each by the mean of what its
+/// column says, does not give one, or if a value is there twice.
+[[nodiscard]] std::optional<Scenes> in_map_order(const SweepTable& table,
+                                                 const SweepMap& map);
 
 }  // namespace brachisto::report

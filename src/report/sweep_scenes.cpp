@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -65,7 +66,7 @@ std::vector<Scenes> scenes_along(const SweepTable& table,
   for (const std::size_t scene : all_scenes(table)) {
     std::vector<std::size_t> group;
     for (std::size_t a = 0; a < table.axes.size(); ++a) {
-      if (std::find(inner.begin(), inner.end(), a) != inner.end()) continue;
+      if (std::ranges::find(inner, a) != inner.end()) continue;
       group.push_back(index_along(table, a, scene));
     }
     groups[group].push_back(scene);
@@ -117,12 +118,11 @@ std::vector<std::size_t> columns_that_vary(const SweepTable& table,
   std::vector<std::size_t> found;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const SweepColumn& column = table.columns[c];
-    const bool varies =
-        std::any_of(scenes.begin(), scenes.end(), [&](std::size_t scene) {
-          return column.numeric()
-                     ? column.numbers[scene] != column.numbers[scenes.front()]
-                     : column.words[scene] != column.words[scenes.front()];
-        });
+    const bool varies = std::ranges::any_of(scenes, [&](std::size_t scene) {
+      return column.numeric()
+                 ? column.numbers[scene] != column.numbers[scenes.front()]
+                 : column.words[scene] != column.words[scenes.front()];
+    });
     if (varies == vary) found.push_back(c);
   }
   return found;
@@ -133,7 +133,7 @@ std::vector<std::string> distinct_words(const SweepColumn& column,
   std::vector<std::string> words;
   for (const std::size_t scene : scenes) {
     const std::string& word = column.words[scene];
-    if (std::find(words.begin(), words.end(), word) == words.end()) {
+    if (std::ranges::find(words, word) == words.end()) {
       words.push_back(word);
     }
   }
@@ -141,15 +141,8 @@ std::vector<std::string> distinct_words(const SweepColumn& column,
 }
 
 const char* name(SweepOutcome::State state) {
-  switch (state) {
-    case SweepOutcome::State::Missing:
-      return "missing";
-    case SweepOutcome::State::Failed:
-      return "failed";
-    case SweepOutcome::State::Verified:
-      return "verified";
-  }
-  return "";
+  constexpr std::array kNames{"missing", "failed", "verified"};
+  return kNames[static_cast<std::size_t>(state)];
 }
 
 }  // namespace brachisto::report

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "reproduction/printed_numbers.hpp"
-#include "report/digits.hpp"
+#include "report/text_table.hpp"
 
 #include <fmt/format.h>
 

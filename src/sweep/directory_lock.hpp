@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "report/new_directories.hpp"
+#include "report/in_full.hpp"
 
 namespace brachisto::sweep {
 

@@ -11,7 +11,6 @@
 
 #include "math/wall_clock.hpp"
 #include "report/letters.hpp"
-#include "report/terminal.hpp"
 
 namespace brachisto::sweep {
 

@@ -15,7 +15,6 @@
 #include "brachisto/study/solve.hpp"
 #include "io/expression.hpp"
 #include "io/key_spec.hpp"
-#include "io/key_table.hpp"
 #include "io/reading.hpp"
 #include "io/sweep_reading.hpp"
 #include "study/answer_kinds.hpp"

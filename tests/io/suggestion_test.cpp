@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "io/suggestion.hpp"
+#include "io/visible_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/digits.hpp"
+#include "report/text_table.hpp"
 
 #include <gtest/gtest.h>
 

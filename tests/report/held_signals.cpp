@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/held_signals.hpp"
+#include "report/in_full.hpp"
 
 #include <gtest/gtest.h>
 

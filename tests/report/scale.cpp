@@ -7,8 +7,6 @@
 
 #include <cmath>
 
-#include "report/colour_map.hpp"
-
 namespace brachisto::report {
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_csv.hpp"
+#include "report/csv.hpp"
 
 #include <gtest/gtest.h>
 

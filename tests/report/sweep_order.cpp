@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_order.hpp"
+#include "report/sweep_plots.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,15 +2,35 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Directories that do not stay if nothing comes into them.
+/// What is to be done in full or not at all: no signal in the middle of it, no
+/// directory that nothing came into.
 
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
 namespace brachisto::report {
+
+/// Lets the signals that ask the process to end wait as long as this lives; one
+/// that came meanwhile is raised then. One object at a time.
+class HeldSignals {
+ public:
+  HeldSignals();
+  ~HeldSignals();
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+  /// Whether one waits.
+  [[nodiscard]] static bool waiting();
+
+ private:
+  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+  std::array<struct sigaction, kSignals.size()> before_{};
+};
 
 /// A directory for what is about to be written, made if need be with those
 /// above it. What was made and is empty in the end is removed again.

@@ -46,7 +46,8 @@ install_packages() {
 
 build() {
   say "building (preset release, in build/release)"
-  cmake --preset release "$@" >build-configure.log 2>&1 || {
+  # Files compiled several at a time take half the time when all are.
+  cmake --preset release -DCMAKE_UNITY_BUILD=ON "$@" >build-configure.log 2>&1 || {
     cat build-configure.log
     exit 1
   }

@@ -91,8 +91,8 @@ std::string yaml(const BodyFlags& flags, double radius,
   return line + fmt::format(", mass: {}}}", tidy(found.mass));
 }
 
-void print_json(const BodyFlags& flags, double radius,
-                const MassProperties& found) {
+void print_document(const BodyFlags& flags, double radius,
+                    const MassProperties& found) {
   nlohmann::ordered_json body = {
       {"shape", "cylinder"},      {"radius", radius}, {"eta_m", found.eta_m},
       {"theta_m", found.theta_m}, {"k", found.k},     {"mass", found.mass}};
@@ -108,8 +108,8 @@ void print_json(const BodyFlags& flags, double radius,
       "\n");
 }
 
-void print_text(const BodyFlags& flags, double radius,
-                const MassProperties& found) {
+void print_table(const BodyFlags& flags, double radius,
+                 const MassProperties& found) {
   const bool metres = !flags.radius.empty();
   const bool off = found.eta_m > 0.0;
   print(fmt::format(
@@ -132,9 +132,9 @@ int run(const BodyFlags& flags) {
   const double radius = radius_of(flags);
   const MassProperties found = properties_of(flags, radius);
   if (flags.json) {
-    print_json(flags, radius, found);
+    print_document(flags, radius, found);
   } else {
-    print_text(flags, radius, found);
+    print_table(flags, radius, found);
   }
   return kSuccess;
 }

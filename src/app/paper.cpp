@@ -74,7 +74,7 @@ int run(const PaperFlags& flags) {
   const reproduction::PaperFiles written =
       reproduction::files(found, made, &signal);
   if (!written.missing.empty()) {
-    tell(fmt::format("warning: {}\n", written.missing));
+    warn(written.missing);
   }
   report::write_files(flags.out, written.files, flags.force);
   if (flags.json) {

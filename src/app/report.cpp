@@ -34,7 +34,7 @@ int run(const ReportFlags& flags) {
   const report::SweepPage page =
       report::sweep_report(read_table(store, job), &catch_signals());
   if (!page.missing.empty()) {
-    tell(fmt::format("warning: {}\n", page.missing));
+    warn(page.missing);
   }
   const std::filesystem::path out =
       std::filesystem::path(flags.directory) / "report";

@@ -57,7 +57,7 @@ int run(const WorkPrecisionFlags& flags) {
     const report::DrawnFigure diagram =
         comparison::drawn(found, hooks.interrupt);
     if (!diagram.missing.empty()) {
-      tell(fmt::format("warning: {}\n", diagram.missing));
+      warn(diagram.missing);
     }
     report::write_files(flags.out, diagram.files, flags.force, names);
   }

@@ -15,7 +15,7 @@ namespace brachisto::comparison {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr int kBadInput = 3;  // exit code of a problem that is refused
 

@@ -24,10 +24,10 @@ namespace brachisto::report {
 namespace {
 
 // Lengths on the picture [px].
-constexpr double kPlotWidth = 860.0, kLeastWidth = 400.0;
+constexpr double kPictureWidth = 860.0, kLeastWidth = 400.0;
 constexpr double kPlotHeight = 800.0, kLeastHeight = 150.0;
-constexpr double kLeft = 80.0, kRight = 30.0;
-constexpr double kTitle = 74.0, kTitleLine = 18.0, kBelow = 120.0;
+constexpr double kLeftMargin = 80.0, kRightMargin = 30.0;
+constexpr double kTitleHeight = 74.0, kTitleLine = 18.0, kBottomMargin = 120.0;
 constexpr double kEnlargedAbove = 34.0, kEnlargedBelow = 74.0;
 /// Bodies smaller than this are enlarged to that, and those as small as a dot
 /// are drawn as one.
@@ -62,7 +62,7 @@ struct Frame {
     constexpr double kRoom = 1.06;
     const double wide = kRoom * content.width();
     const double high = kRoom * content.height();
-    scale = std::min({kPlotWidth / wide, kPlotHeight / high, largest_scale});
+    scale = std::min({kPictureWidth / wide, kPlotHeight / high, largest_scale});
     box = content.resized(std::max(wide, kLeastWidth / scale),
                           std::max(high, kLeastHeight / scale));
   }
@@ -131,7 +131,7 @@ std::optional<Enlarged> enlarged(const Motion& motion,
                                  double scale) {
   const Body& body = motion.scene().body;
   if (!body.off_centred() || body.radius * scale >= kSmallRadius) return {};
-  const double half = 0.5 * kPlotWidth * body.radius / kEnlargedRadius;
+  const double half = 0.5 * kPictureWidth * body.radius / kEnlargedRadius;
   const auto lowest = std::ranges::max_element(
       rows, {}, [](const TrajectoryPoint& p) { return p.centre.z; });
   const double middle =
@@ -152,7 +152,8 @@ std::optional<Enlarged> enlarged(const Motion& motion,
     box.include(p.motion.mass_centre, 0.0);
   }
   Frame frame(box, kEnlargedRadius / body.radius);
-  frame.box = frame.box.resized(kPlotWidth / frame.scale, frame.box.height());
+  frame.box =
+      frame.box.resized(kPictureWidth / frame.scale, frame.box.height());
   return Enlarged{std::move(piece), at, frame};
 }
 
@@ -172,11 +173,11 @@ class Picture {
   [[nodiscard]] Figure figure() {
     Figure figure;
     figure.name = "path";
-    width_ = kLeft + kPlotWidth + kRight;
+    width_ = kLeftMargin + kPictureWidth + kRightMargin;
     const double above =
-        kTitle + kTitleLine * static_cast<double>(reasons_.size());
+        kTitleHeight + kTitleLine * static_cast<double>(reasons_.size());
     constexpr double kKey = 66.0;  // below the plot
-    const double bottom = above + frame_.height() + kBelow;
+    const double bottom = above + frame_.height() + kBottomMargin;
     height_ = bottom;
     if (enlarged_) {
       height_ += kEnlargedAbove + enlarged_->frame.height() + kEnlargedBelow;
@@ -189,7 +190,7 @@ class Picture {
     style();
     title();
     put("set key at screen {:.5f}, screen {:.5f}\n",
-        (kLeft + 0.5 * kPlotWidth) / width_,
+        (kLeftMargin + 0.5 * kPictureWidth) / width_,
         1.0 - (above + frame_.height() + kKey) / height_);
     ends();
     if (enlarged_) window();
@@ -247,7 +248,7 @@ class Picture {
     const auto line = [&](int index, double y, std::string_view style,
                           const std::string& text) {
       put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n", index,
-          gnuplot_words(text), kLeft / width_, 1.0 - y / height_, style);
+          gnuplot_words(text), kLeftMargin / width_, 1.0 - y / height_, style);
     };
     line(1, 22.0, "font ',16'", head);
     line(2, 46.0, "textcolor rgb '#444444'", in_words(motion_.scene()));
@@ -273,7 +274,7 @@ class Picture {
 
   /// The frame, its upper edge at `top` [px].
   void place(const Frame& frame, double top) {
-    const double left = kLeft + 0.5 * (kPlotWidth - frame.width());
+    const double left = kLeftMargin + 0.5 * (kPictureWidth - frame.width());
     put("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
         left / width_, (left + frame.width()) / width_);
     put("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",

@@ -95,9 +95,8 @@ YamlValue read_value(const std::string& text, const std::string& key,
 }
 
 /// Replaces or adds a value in a tree; maps on the way that are absent or
-/// empty come into being. If something else stands in the way, the tree stays
-/// as it is, for reading it reports that. Behind "sweep." a key of the problem
-/// is one key of the section, dots and all.
+/// empty come into being. Behind "sweep." a key of the problem is one key of
+/// the section, dots and all.
 ///
 /// \param text    KEY=VALUE, VALUE in YAML
 /// \param source  number of the input, ≥ 1, see Position
@@ -122,7 +121,18 @@ void apply_override(YamlValue& root, const std::string& text, int source,
   if (parts.front() == "sweep") join_swept_keys(parts);
 
   Entry* entry = make_entry(root, parts, position);
-  if (entry == nullptr) return;
+  if (entry == nullptr) {
+    // Of a text where a map is expected, reading tells.
+    for (std::size_t dot = key.find('.'); dot != std::string::npos;
+         dot = key.find('.', dot + 1)) {
+      const std::string before = key.substr(0, dot);
+      if (!is_value_key(before)) continue;
+      findings.add(
+          position, printable(key),
+          fmt::format("{} has a value, and no keys of its own", before));
+    }
+    return;
+  }
   YamlValue& value = entry->value;
   value = read_value(text.substr(equals + 1), key, source, findings);
   if (value.kind == YamlValue::Kind::Null) value.position = position;

@@ -41,7 +41,7 @@ PrimalDual sample(const ScannedContact& contact, const RollingTime& problem) {
 std::string remark(const ContactScan& scan, std::size_t left) {
   std::vector<std::string> parts;
   if (!scan.whole_grid) {
-    parts.emplace_back("not all arrivals at B were shot from");
+    parts.emplace_back("not all terminal conditions at B were tried");
   } else if (!scan.complete()) {
     parts.push_back(
         fmt::format("of {} likely places of contacts it looked at {}",

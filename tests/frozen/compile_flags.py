@@ -27,15 +27,22 @@ COUNTS = re.compile(r"-(O|march|mtune|mfpmath|ffast-math|ffp-contract|f(no-)?mat
 QUICK = {"app", "comparison", "io", "process", "report", "reproduction", "sweep"}
 
 
+def sources_of(file):
+    """The file, or those that it joins to be compiled together."""
+    if "Unity" not in file.parts:
+        return [file]
+    return [pathlib.Path(path) for path in re.findall(r'#include "(.+)"', file.read_text())]
+
+
 def main(build):
     with open(pathlib.Path(build) / "compile_commands.json", encoding="utf-8") as file:
         commands = json.load(file)
     flags = {}
     for command in commands:
-        source = pathlib.Path(command["file"])
-        if source.is_relative_to(SOURCES):
-            words = shlex.split(command["command"])
-            flags[source.relative_to(SOURCES).as_posix()] = [w for w in words if COUNTS.match(w)]
+        words = [w for w in shlex.split(command["command"]) if COUNTS.match(w)]
+        for source in sources_of(pathlib.Path(command["file"])):
+            if source.is_relative_to(SOURCES):
+                flags[source.relative_to(SOURCES).as_posix()] = words
     computing = [tuple(words) for name, words in flags.items() if name.split("/")[0] not in QUICK]
     common = collections.Counter(computing).most_common(1)[0][0]
     wanted = json.loads((HERE / "compile_flags.json").read_text(encoding="utf-8"))

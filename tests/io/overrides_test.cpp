@@ -58,6 +58,12 @@ TEST(Overrides, RepairAMistakeOfTheFile) {
   EXPECT_EQ(errors(cylinder("radius: 0, k: 1/2"), {"scene.body.radius=1"}), "");
 }
 
+TEST(Overrides, NoneIsLostBehindAValue) {
+  EXPECT_EQ(errors(kBead, {"scene.finish.L.y=1"}),
+            "--set scene.finish.L.y=1: scene.finish.L.y: scene.finish.L has a "
+            "value, and no keys of its own");
+}
+
 TEST(Overrides, ErrorsNameTheOverrideBehindThoseOfTheFile) {
   EXPECT_EQ(errors(kBead + "x: 1\n", {"solver.guess=strait", "scene.finish.H=0",
                                       "solver.limits.second=3"}),

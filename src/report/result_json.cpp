@@ -322,7 +322,7 @@ Field<Solution> certificate_field() {
         std::pair{"energy_drift", "of the energy along it"},
         std::pair{"contact_error", "of both contacts"},
         std::pair{"second_order", "0: a minimum between the fixed ends"}}) {
-    fixed.push_back({check, "", meaning, [=](const Solution& s) {
+    fixed.push_back({check, "", meaning, [check = check](const Solution& s) {
                        const Check* found = s.certificate.find(check);
                        return found ? std::optional(found->value)
                                     : std::nullopt;

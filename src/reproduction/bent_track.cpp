@@ -41,12 +41,20 @@ Scene bent_track(const Scene& scene, double phi, double radius,
   constexpr int kOnArc = 100;
   const Point start = start_of_centre(scene);
   const Point end = end_of_centre(scene, phi);
+  // The track starts with the radius of the body itself (κ_b → −1/r), and at
+  // its start a spline through points bends less: by 11/12 h² κ_b'', the error
+  // of the cubic through four points h apart, |κ_b| being convex there. So the
+  // body fits if the points have no larger errors of their own. Those of
+  // shooting are near rounding; collocation is as accurate in τ, but on the
+  // mesh that suffices for it β is off by 1e-5 next to the start.
+  SolveOptions shooting;
+  shooting.method = Shooting{};
   // The arc begins with the slope that the extremal to its beginning ends with.
   double beta = phi;
   for (int round = 0; round < kMostRounds; ++round) {
     const Point arc = along_arc(radius, beta, phi);
     const Solution extremal = verified_solution(
-        free_end(scene, {end.x - arc.x, end.z - arc.z}), interrupt);
+        free_end(scene, {end.x - arc.x, end.z - arc.z}), interrupt, shooting);
     const double before = std::exchange(beta, extremal.motion()->end_angle());
     if (std::abs(beta - before) > kClosed) continue;
 

@@ -20,7 +20,9 @@ namespace brachisto::reproduction {
 ///
 /// \param scene   of an optimised track, with Contact::Smooth
 /// \param phi     slope angle at B, less than that of the extremal [rad]
-/// \param radius  of the arc [m]
+/// \param radius  of the arc [m]; where it begins the spline through points of
+///                the track overshoots, and below some H/12 the body may not
+///                fit there
 /// \throws NotVerified, Interrupted
 [[nodiscard]] Scene bent_track(const Scene& scene, double phi, double radius,
                                const Interrupt& interrupt);

@@ -105,6 +105,11 @@ Solution verified_solution(const Scene& scene, const Interrupt& interrupt,
                            double tolerance) {
   SolveOptions options;
   options.use<Collocation>().discretisation.tolerance = tolerance;
+  return verified_solution(scene, interrupt, options);
+}
+
+Solution verified_solution(const Scene& scene, const Interrupt& interrupt,
+                           const SolveOptions& options) {
   Solution solution = solve(scene, options, {.interrupt = &interrupt});
   check(interrupt);
   if (!solution.verified()) {

@@ -40,6 +40,10 @@ void check(const Interrupt& interrupt);
 [[nodiscard]] Solution verified_solution(const Scene& scene,
                                          const Interrupt& interrupt,
                                          double tolerance = 1e-12);
+/// The same by other options.
+[[nodiscard]] Solution verified_solution(const Scene& scene,
+                                         const Interrupt& interrupt,
+                                         const SolveOptions& options);
 
 /// Its τ.
 [[nodiscard]] double verified_tau(const Scene& scene,

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
-#include <ranges>
 
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
@@ -47,8 +47,9 @@ double spread(const std::vector<double>& values) {
 
 /// Texts of all of some things, "0.0°, 10.8°".
 std::string list_of(const auto& things, const auto& text) {
-  return fmt::format("{}",
-                     fmt::join(things | std::views::transform(text), ", "));
+  std::vector<std::string> texts;
+  std::ranges::transform(things, std::back_inserter(texts), text);
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string in_degrees(const std::vector<double>& radians) {

@@ -162,9 +162,8 @@ std::vector<BentTrack> arched_reference(const Scene& reference,
   // Of the time on a spline through points.
   constexpr double kTolerance = 1e-8;
   std::vector<BentTrack> tracks;
-  // Less of a bend than that asks for more digits at the start, where every
-  // extremal bends like the body, than points can give.
-  for (const double phi : {-0.8, -0.9, -1.0, -1.1, -1.2, -1.3, -1.4, -1.5}) {
+  for (const double phi : {-0.2, -0.3, -0.4, -0.5, -0.6, -0.7, -0.8, -0.9, -1.0,
+                           -1.1, -1.2, -1.3, -1.4, -1.5}) {
     const Solution solution = verified_solution(
         bent_track(reference, phi, kRadius, interrupt), interrupt, kTolerance);
     tracks.push_back(

@@ -91,7 +91,6 @@ SweepOutcome read_outcome(const std::string& document) {
 
 std::optional<nlohmann::ordered_json> parse_bounded_json(
     std::string_view text) {
-  using Json = nlohmann::ordered_json;
   struct TooMuch {};
   std::size_t events = 0;  // at most two of a value and one of a key
   const auto check = [&](int depth, Json::parse_event_t, const Json&) {

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -82,6 +83,11 @@ class Statement {
 
  private:
   void bind(int parameter, std::int64_t value);
+  /// SQLite has no unsigned integers; no count comes near the end of the
+  /// signed.
+  void bind(int parameter, std::size_t value) {
+    bind(parameter, static_cast<std::int64_t>(value));
+  }
   void bind(int parameter, std::string_view value);
 
   Database& database_;

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -99,8 +99,9 @@ std::string field(const Json& value) {
 
 template <class Fields, class ToText>
 std::string csv_line(const Fields& fields, const ToText& to_text) {
-  return fmt::format("{}\n",
-                     fmt::join(fields | std::views::transform(to_text), ","));
+  std::vector<std::string> texts;
+  std::ranges::transform(fields, std::back_inserter(texts), to_text);
+  return fmt::format("{}\n", fmt::join(texts, ","));
 }
 
 /// What τ depends on besides the keys of the sweep. Outside of its section no

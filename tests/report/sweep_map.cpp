@@ -138,7 +138,7 @@ TEST(MapFigure, DrawsNothingAcrossScenesWithoutAResult) {
   SweepTable table = bowl();
   const std::size_t all =
       cells(svg_of(map_figure(table, whole(table), kRange)));
-  for (const std::size_t scene : {100, 500}) fail(table, scene);
+  for (const std::size_t scene : {100U, 500U}) fail(table, scene);
   table.outcomes[300] = {};
 
   const Figure figure = map_figure(table, whole(table), kRange);

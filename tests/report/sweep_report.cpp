@@ -209,7 +209,7 @@ TEST(SweepReport, SaysAtItsTopThatScenesAreMissing) {
   EXPECT_FALSE(says(page(table), "Partial"));
   fail(table, 7);
   EXPECT_FALSE(says(page(table), "Partial"));
-  for (const std::size_t scene : {3, 5, 99}) table.outcomes[scene] = {};
+  for (const std::size_t scene : {3U, 5U, 99U}) table.outcomes[scene] = {};
 
   const std::string html = page(table);
 

@@ -47,6 +47,24 @@ TEST(BentTrack, IsFasterThanTheSmoothContactAndFeasible) {
   EXPECT_NEAR(end.beta, kPhi, 1e-3);
 }
 
+/// From next to the smooth contact, at −0.108 rad, on: the track fits the body
+/// at its start, where it has the radius of the body itself.
+TEST(BentTrack, IsATrackForEveryBend) {
+  double last = kSmoothContact;
+  for (const double phi : {-0.11, -0.15, -0.2, -0.4, -0.6, -0.8}) {
+    const Solution solution =
+        verified_solution(bent_track(reference_scene(), phi, 0.1, kNoSignal),
+                          kNoSignal, kTolerance);
+
+    EXPECT_TRUE(solution.feasible()) << phi;
+    EXPECT_LT(solution.motion()->tau(), last) << phi;
+    EXPECT_GT(solution.motion()->tau(),
+              tau_of_kinked_track(reference_scene(), phi, kNoSignal))
+        << phi;
+    last = solution.motion()->tau();
+  }
+}
+
 TEST(BentTrack, IsTheFasterTheSharperItBends) {
   double last = kSmoothContact;
   for (const double radius : {0.4, 0.2, 0.1, 0.06}) {

@@ -121,7 +121,7 @@ TEST_F(DamageTest, IsRemovedAndMayBeRecordedAnew) {
     store.mend(info_of(job_));
 
     std::vector<Answer> again;
-    for (const std::size_t scene : {1, 2, 3, 9, 30}) {
+    for (const std::size_t scene : {1U, 2U, 3U, 9U, 30U}) {
       again.push_back({scene, whole_[scene].second, "state"});
     }
     store.record(again, ChainPlan(job_.file));
@@ -250,7 +250,7 @@ TEST_F(DamageTest, OfAnyByteChangesNoResult) {
   for (int trial = 0; trial < 1000; ++trial) {
     std::string damaged = sound;
     const std::size_t place = random() % damaged.size();
-    damaged[place] = static_cast<char>(damaged[place] ^ (1U << random() % 8));
+    damaged[place] = static_cast<char>(damaged[place] ^ (1 << random() % 8));
     write(damaged);
     for (const char* suffix : {"-wal", "-shm"}) {
       fs::remove(file_.string() + suffix);

@@ -107,7 +107,6 @@ Verb measure_verb() {
            {.name = "--residual",
             .value = &flags->residual,
             .check = positive()}}),
-      .footer = R"()",
       .run = [flags] { return run(*flags); },
       .hidden = true};
 }

@@ -280,7 +280,6 @@ Verb worker_verb() {
   return {.name = "worker",
           .text = "Solve what the manager of a sweep asks for",
           .flags = {},
-          .footer = R"()",
           .run =
               [] {
                 std::ios::sync_with_stdio(false);

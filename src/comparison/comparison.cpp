@@ -29,29 +29,29 @@ std::vector<Contender> contenders(const SolveOptions& base, int nodes,
                                   double residual) {
   constexpr int kDegree = 5;
   const int elements = std::max(1, (nodes - 1) / kDegree);
-  std::vector<Contender> all;
-  const auto add = [&](const ComparedMethod& method, int mesh) -> Contender& {
+  const auto contender = [&](const ComparedMethod& method, int mesh) {
     SolveOptions options = options_of(method, mesh, base);
     if (auto* program = std::get_if<Collocation>(&options.method)) {
       program->tolerance = residual;
     } else if (auto* system = std::get_if<DiscreteSystem>(&options.method)) {
       system->tolerance = residual;
     }
-    return all.emplace_back(Contender{label(method), std::move(options)});
+    return Contender{label(method), std::move(options)};
   };
-  add({.kind = Kind::Extremal}, 0);
   // On the mesh that the wanted accuracy asks for, not on one with n nodes.
-  Contender& by_tolerance = add(rolling_time(kDegree), 1);
+  Contender by_tolerance = contender(rolling_time(kDegree), 1);
   by_tolerance.label = "rolling_time";
   by_tolerance.options.use<Collocation>().discretisation = {};
-  add(rolling_time(kDegree), elements);
-  Contender& newton = add(rolling_time(kDegree), elements);
+  Contender newton = contender(rolling_time(kDegree), elements);
   newton.label += ", newton";
   newton.options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
-  add({.kind = Kind::ArcLength}, nodes - 1);
+  std::vector<Contender> all{
+      contender({.kind = Kind::Extremal}, 0), std::move(by_tolerance),
+      contender(rolling_time(kDegree), elements), std::move(newton),
+      contender({.kind = Kind::ArcLength}, nodes - 1)};
   for (const DiscreteArm arm : {DiscreteArm::Rest, DiscreteArm::Release,
                                 DiscreteArm::Newton, DiscreteArm::Lifted}) {
-    add(discrete_system(arm), nodes);
+    all.push_back(contender(discrete_system(arm), nodes));
   }
   return all;
 }

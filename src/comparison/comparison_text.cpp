@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <fstream>
 #include <thread>
 
@@ -111,11 +112,14 @@ std::string iterations_text(const Measurement& run) {
   return fmt::format("{} + {}", *run.iterations, steps);
 }
 
-/// Without a reference as the method itself sees its error.
-std::string tau_text(const ComparisonRow& row) {
+/// As far as the reference tells; without one as the method itself sees its
+/// error.
+std::string tau_text(const ComparisonRow& row,
+                     const std::optional<Reference>& reference) {
   const double tau = row.run.tau;
-  const double error =
-      row.error.value_or(row.run.estimated_error.value_or(0.0));
+  const double error = row.error && reference
+                           ? std::max(*row.error, reference->error)
+                           : row.run.estimated_error.value_or(0.0);
   return report::within_error(tau, error * tau);
 }
 
@@ -129,7 +133,8 @@ std::string summary(const MethodComparison& comparison) {
         {row.label, or_dash(run.unknowns),
          run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
          iterations_text(run), or_dash(run.evaluations),
-         memory_text(run.peak_memory), run.solved() ? tau_text(row) : "—",
+         memory_text(run.peak_memory),
+         run.solved() ? tau_text(row, comparison.reference) : "—",
          row.error ? error_text(*row.error, *comparison.reference) : "—",
          report::shortened(verdict(row), kVerdict)});
   }

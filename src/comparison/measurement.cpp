@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result.hpp"
+#include "math/enum_table.hpp"
 #include "process/child_process.hpp"
 
 namespace brachisto::comparison {
@@ -78,9 +79,9 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 const char* name(Measurement::Outcome outcome) {
-  constexpr const char* kNames[] = {"solved", "failed", "limit", "crashed",
-                                    "refused"};
-  return kNames[static_cast<int>(outcome)];
+  constexpr auto kNames = table_by<Measurement::Outcome>(
+      "solved", "failed", "limit", "crashed", "refused");
+  return kNames[outcome];
 }
 
 Measurement parse_measurement(const std::string& line) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "brachisto/study/solve_options.hpp"
+#include "math/enum_table.hpp"
 
 namespace brachisto::comparison {
 
@@ -24,11 +25,12 @@ struct Arm {
 
 Arm arm_of(const ComparedMethod& method) {
   using Datum = DiscreteReading::Datum;
-  constexpr Arm kArms[] = {{"rest", DiscreteSolver::Hybrid, Datum::Rest},
-                           {"release", DiscreteSolver::Hybrid, Datum::Release},
-                           {"newton", DiscreteSolver::Newton},
-                           {"lifted", DiscreteSolver::Lifted}};
-  return kArms[static_cast<int>(method.arm)];
+  constexpr auto kArms = table_by<DiscreteArm>(
+      Arm{"rest", DiscreteSolver::Hybrid, Datum::Rest},
+      Arm{"release", DiscreteSolver::Hybrid, Datum::Release},
+      Arm{"newton", DiscreteSolver::Newton},
+      Arm{"lifted", DiscreteSolver::Lifted});
+  return kArms[method.arm];
 }
 
 /// \param degree  between the name of collocation and its degree

@@ -13,6 +13,7 @@
 
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
+#include "math/enum_table.hpp"
 #include "report/chart.hpp"
 #include "report/track_kind.hpp"
 
@@ -60,11 +61,11 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
              std::size_t index) {
   constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
                               Mark::Diamond, Mark::Triangle};
-  const Look arms[] = {// by DiscreteArm
-                       {"#a50026", Stroke::DashDotted, Mark::Triangle},
-                       {"#d95f02", Stroke::DashDotted, Mark::Circle},
-                       {"#8c510a", Stroke::Dotted, Mark::Diamond},
-                       {"#666666", Stroke::Dashed, Mark::Disc}};
+  const auto arms =
+      table_by<DiscreteArm>(Look{"#a50026", Stroke::DashDotted, Mark::Triangle},
+                            Look{"#d95f02", Stroke::DashDotted, Mark::Circle},
+                            Look{"#8c510a", Stroke::Dotted, Mark::Diamond},
+                            Look{"#666666", Stroke::Dashed, Mark::Disc});
   switch (method.kind) {
     case Kind::RollingTime:
       return {report::family_colours(degrees)[index], Stroke::Solid,
@@ -74,7 +75,7 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
     case Kind::Extremal:
       return {"#000000", Stroke::Solid, Mark::Triangle};
     case Kind::DiscreteSystem:
-      return arms[static_cast<int>(method.arm)];
+      return arms[method.arm];
   }
   return {};
 }

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,15 +15,17 @@
 #include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
 #include "io/sweep_section.hpp"
+#include "math/enum_table.hpp"
 
 namespace brachisto::io {
 
 namespace {
 
 std::string_view type_name(KeyType type) {
-  constexpr std::array kNames{"map",  "number", "angle", "integer", "word",
-                              "text", "list",   "map",   "reserved"};
-  return kNames[static_cast<std::size_t>(type)];
+  constexpr auto kNames =
+      table_by<KeyType>("map", "number", "angle", "integer", "word", "text",
+                        "list", "map", "reserved");
+  return kNames[type];
 }
 
 std::string default_text(const KeySpec& spec) {

@@ -15,7 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/expression.hpp"
+#include "io/field_reader.hpp"
 #include "io/input_tree.hpp"
+#include "io/visible_text.hpp"
 
 namespace brachisto::io {
 
@@ -33,16 +35,28 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Two numbers with a comma between; nothing if the line is anything else.
-std::optional<Point> point_of_line(std::string_view line) {
+constexpr std::string_view kPointOfLine = "two numbers x,z in m";
+
+/// Two numbers with a comma between.
+/// \param number  of the line
+/// \throws PointsError
+Point point_of_line(std::string_view line, std::size_t number) {
   const std::size_t comma = line.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  try {
-    return Point{evaluate(line.substr(0, comma)),
-                 evaluate(line.substr(comma + 1))};
-  } catch (const ExpressionError&) {
-    return std::nullopt;
+  if (comma == std::string_view::npos) {
+    throw PointsError(fmt::format("{}:1: {} was read; expected {}", number,
+                                  in_quotes(line), kPointOfLine));
   }
+  const auto value = [&](std::size_t from, std::size_t length) {
+    const std::string_view text = line.substr(from, length);
+    try {
+      return evaluate(text);
+    } catch (const ExpressionError& error) {
+      throw PointsError(fmt::format("{}:{}: {}", number, from + 1,
+                                    not_a_number(text, error, kPointOfLine)));
+    }
+  };
+  const double x = value(0, comma);
+  return {x, value(comma + 1, std::string_view::npos)};
 }
 
 /// Why a point cannot follow others; "" if it can.
@@ -56,19 +70,31 @@ std::string objection(const std::vector<Point>& points, const Point& point) {
                            kMostPoints);
 }
 
-/// A point [x, z] of a problem file.
-std::optional<Point> point_of_item(const YamlValue& item) {
-  const auto is_scalar = [](const YamlValue& value) {
-    return value.kind == YamlValue::Kind::Scalar;
-  };
-  if (item.items.size() != 2 || !std::ranges::all_of(item.items, is_scalar)) {
+/// A point [x, z] of a problem file; otherwise nothing, and reported.
+std::optional<Point> point_of_item(const YamlValue& item,
+                                   const std::string& key, Findings& findings) {
+  constexpr std::string_view kExpected = "a point [x, z], two numbers in m";
+  if (item.kind != YamlValue::Kind::List) {
+    refuse_kind(item, key, kExpected, findings);
     return std::nullopt;
   }
-  try {
-    return Point{evaluate(item.items[0].text), evaluate(item.items[1].text)};
-  } catch (const ExpressionError&) {
+  if (item.items.size() != 2) {
+    findings.add(item.position, key,
+                 fmt::format("a list of {} was read; expected {}",
+                             item.items.size(), kExpected));
     return std::nullopt;
   }
+  std::vector<double> numbers;
+  for (const YamlValue& value : item.items) {
+    if (value.kind != YamlValue::Kind::Scalar) {
+      refuse_kind(value, key, kExpected, findings);
+    } else if (const auto number = read_number(value, key, KeyType::Number, {},
+                                               kExpected, findings)) {
+      numbers.push_back(*number);
+    }
+  }
+  if (numbers.size() != 2) return std::nullopt;
+  return Point{numbers[0], numbers[1]};
 }
 
 void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
@@ -83,11 +109,9 @@ void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
   }
   for (const YamlValue& item : list.items) {
     where = item.position;
-    const std::optional<Point> point = point_of_item(item);
-    if (!point) {
-      mistake = "a point is a list of two numbers";
-      break;
-    }
+    const std::optional<Point> point =
+        point_of_item(item, std::string(spec.path), findings);
+    if (!point) break;
     mistake = objection(points, *point);
     if (!mistake.empty()) {
       mistake = fmt::format("[{}, {}] {}", point->x, point->z, mistake);
@@ -128,27 +152,25 @@ std::vector<Point> points_of_file(const std::filesystem::path& path) {
 std::vector<Point> parse_points(std::string_view text) {
   if (text.size() > kMaxPointsSize) {
     throw PointsError(
-        fmt::format("1: longer than {} bytes, which no {} points "
+        fmt::format("1:1: longer than {} bytes, which no {} points "
                     "need",
                     kMaxPointsSize, kMostPoints));
   }
+  text = without_byte_order_mark(text);
   if (const std::string_view head = take_line(text); head != "x,z") {
-    throw PointsError(
-        fmt::format("1: {} was read; expected the line x,z", in_quotes(head)));
+    throw PointsError(fmt::format("1:1: {} was read; expected the line x,z",
+                                  in_quotes(head)));
   }
   std::vector<Point> points;
   for (std::size_t number = 2; !text.empty(); ++number) {
     const std::string_view line = take_line(text);
     if (line.empty()) continue;
-    const auto refuse = [&](const std::string& why) {
-      throw PointsError(fmt::format("{}: {} {}", number, in_quotes(line), why));
-    };
-    const std::optional<Point> point = point_of_line(line);
-    if (!point) refuse("was read; expected two numbers x,z in m");
-    if (const std::string why = objection(points, *point); !why.empty()) {
-      refuse(why);
+    const Point point = point_of_line(line, number);
+    if (const std::string why = objection(points, point); !why.empty()) {
+      throw PointsError(
+          fmt::format("{}:1: {} {}", number, in_quotes(line), why));
     }
-    points.push_back(*point);
+    points.push_back(point);
   }
   return points;
 }
@@ -203,7 +225,12 @@ void read_path_points(const InputTree& input, const std::vector<Point>* known,
   } catch (const PointsError& error) {
     refuse(error.what());
   } catch (const IoError& error) {
-    throw IoError(fmt::format("{}: {}: {}", name, kFileKey, error.what()));
+    const auto [source, line, column] = position_of(input.root, kFileKey);
+    throw IoError(
+        to_string({input.sources.at(static_cast<std::size_t>(source)),
+                   source == 0 ? line : 0, source == 0 ? column : 0, kFileKey,
+                   fmt::format("{}; the points may also stand in {}",
+                               error.what(), kPointsKey)}));
   }
 }
 

@@ -24,7 +24,7 @@ inline constexpr std::size_t kMostPoints = 100'000;
 /// Longest file of points that is read [bytes].
 inline constexpr std::size_t kMaxPointsSize = std::size_t{1} << 24U;
 
-/// A text does not hold points; what() begins with the number of the line.
+/// A text does not hold points; what() begins with line:column.
 class PointsError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

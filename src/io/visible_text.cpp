@@ -81,6 +81,11 @@ std::size_t character_length(std::string_view text) {
   return 0;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 std::string visible(std::string_view text, std::size_t most) {
   return shown(text, "", most);
 }

@@ -19,6 +19,9 @@ namespace brachisto::io {
 /// surrogates, nothing above U+10FFFF).
 [[nodiscard]] std::size_t character_length(std::string_view text);
 
+/// A text without the byte order mark that some editors put before it.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
+
 /// A name or a word of the input, safe to show: every byte of a control
 /// character (C0, DEL, C1), of a separator of lines or of a mark that turns the
 /// direction of text, and every byte that is not UTF-8, stands as "\x1b".

@@ -16,6 +16,7 @@
 #include "io/field_reader.hpp"
 #include "io/visible_text.hpp"
 #include "io/yaml_tree.hpp"
+#include "math/enum_table.hpp"
 
 namespace brachisto::io {
 
@@ -29,8 +30,9 @@ constexpr std::string_view kExpectedDegrees =
     "a list of degrees, integers from 1 to 8";
 constexpr Interval kMeshes{2, 1'000'000};
 
-constexpr std::array<std::string_view, 4> kNames{"rolling_time", "arc_length",
-                                                 "extremal", "fsolve"};
+constexpr EnumTable<Kind, std::string_view, 4> kNamed{
+    {"rolling_time", "arc_length", "extremal", "fsolve"}};
+constexpr const auto& kNames = kNamed.values;
 using Arm = std::pair<std::string_view, DiscreteArm>;
 constexpr std::array<Arm, 4> kArms{{{"rest", DiscreteArm::Rest},
                                     {"release", DiscreteArm::Release},
@@ -41,7 +43,7 @@ constexpr std::array<Arm, 4> kArms{{{"rest", DiscreteArm::Rest},
 Methods methods_of(std::string_view name) {
   Methods methods;
   for (const ComparedMethod& method : WorkPrecisionPlan{}.methods) {
-    if (kNames[static_cast<std::size_t>(method.kind)] == name) {
+    if (kNamed[method.kind] == name) {
       methods.push_back(method);
     }
   }
@@ -95,9 +97,7 @@ class MethodsReader {
       return refuse_kind(item, key_, expected_, findings_);
     }
     if (!is_name(item.text, item.position)) return;
-    for (const ComparedMethod& method : methods_of(item.text)) {
-      add(method, item);
-    }
+    add(methods_of(item.text), item, key_, expected_);
   }
 
   [[nodiscard]] bool is_name(const std::string& word, Position position) const {
@@ -110,12 +110,15 @@ class MethodsReader {
     if (!is_name(entry.key, entry.position)) return;
     const std::string key = fmt::format("{}.{}", key_, entry.key);
     if (entry.key == "rolling_time") {
-      for_each_item(entry.value, key, kExpectedDegrees, findings_,
-                    [&](const YamlValue& item) {
-                      const auto degree = integer(item, kDegrees, key,
-                                                  kExpectedDegrees, findings_);
-                      if (degree) add(rolling_time(*degree), item);
-                    });
+      for_each_item(
+          entry.value, key, kExpectedDegrees, findings_,
+          [&](const YamlValue& item) {
+            const auto degree =
+                integer(item, kDegrees, key, kExpectedDegrees, findings_);
+            if (degree) {
+              add({rolling_time(*degree)}, item, key, kExpectedDegrees);
+            }
+          });
     } else if (entry.key == "fsolve") {
       read_arms(entry.value, key);
     } else {
@@ -138,18 +141,23 @@ class MethodsReader {
         findings_.add(item.position, key,
                       unknown_word(item.text, expected, names));
       } else {
-        add(discrete_system(found->second), item);
+        add({discrete_system(found->second)}, item, key, expected);
       }
     });
   }
 
   /// A line would be drawn over itself.
-  void add(const ComparedMethod& method, const YamlValue& item) {
-    if (std::ranges::count(methods_, method) > 0) {
-      findings_.add(item.position, key_,
-                    fmt::format("{} is repeated", in_quotes(item.text)));
+  void add(const Methods& methods, const YamlValue& item,
+           const std::string& key, std::string_view expected) {
+    const bool repeated = std::ranges::any_of(methods, [&](const auto& method) {
+      return std::ranges::count(methods_, method) > 0;
+    });
+    if (repeated) {
+      findings_.add(item.position, key,
+                    fmt::format("{} is repeated; expected {}, each once",
+                                in_quotes(item.text), expected));
     } else {
-      methods_.push_back(method);
+      methods_.insert(methods_.end(), methods.begin(), methods.end());
     }
   }
 
@@ -171,7 +179,9 @@ void read_meshes(Draft& problem, const KeySpec& spec, const YamlValue& list,
   for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
     const auto mesh = integer(item, kMeshes, key, wanted, findings);
     if (mesh && std::ranges::count(meshes, *mesh) > 0) {
-      findings.add(item.position, key, fmt::format("{} is repeated", *mesh));
+      findings.add(
+          item.position, key,
+          fmt::format("{} is repeated; expected {}, each once", *mesh, wanted));
     } else if (mesh) {
       meshes.push_back(*mesh);
     }
@@ -189,7 +199,7 @@ Json methods_json(const Draft& problem) {
     list.back()[name].push_back(item);
   };
   for (const ComparedMethod& method : problem.work_precision.methods) {
-    const auto name = kNames[static_cast<std::size_t>(method.kind)];
+    const auto name = kNamed[method.kind];
     if (method.kind == Kind::RollingTime) {
       add("rolling_time", method.degree);
     } else if (method.kind == Kind::DiscreteSystem) {

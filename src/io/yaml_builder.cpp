@@ -39,7 +39,7 @@ std::string prepared_text(std::string_view text, int source) {
                                   "needs to be",
                                   kMaxFileSize));
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
 
   std::string prepared;
   prepared.reserve(text.size());

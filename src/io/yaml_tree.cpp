@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "math/enum_table.hpp"
 
 namespace brachisto::io {
 
@@ -29,9 +30,9 @@ const Entry* YamlValue::find(std::string_view key) const {
 }
 
 std::string_view kind_name(YamlValue::Kind kind) {
-  constexpr std::array kNames{"no value", "a single value", "a list", "a map",
-                              "a refused value"};
-  return kNames[static_cast<std::size_t>(kind)];
+  constexpr auto kNames = table_by<YamlValue::Kind>(
+      "no value", "a single value", "a list", "a map", "a refused value");
+  return kNames[kind];
 }
 
 void refuse_kind(const YamlValue& value, std::string key,

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
 #include <string_view>
 
+#include "math/enum_table.hpp"
 #include "report/chart.hpp"
 #include "report/csv.hpp"
 #include "report/letters.hpp"
@@ -32,18 +32,12 @@ std::string quoted_words(std::string_view source) {
   return "'" + gnuplot_words(source) + "'";
 }
 
-/// By Stroke, in units of the width of the line, for the terminals of a Figure.
-constexpr std::array kDashes{"solid", "(5,3)", "(1.2,2.2)",
-                             "(6.5,2.5,1.2,2.5)"};
-std::string_view dashes(Stroke stroke) {
-  return kDashes[static_cast<std::size_t>(stroke)];
-}
+/// In units of the width of the line, for the terminals of a Figure.
+constexpr auto kDashes =
+    table_by<Stroke>("solid", "(5,3)", "(1.2,2.2)", "(6.5,2.5,1.2,2.5)");
 
-/// Number of a Mark in the terminals.
-constexpr std::array kPointTypes{0, 7, 6, 5, 9, 12, 2};
-int point_type(Mark mark) {
-  return kPointTypes[static_cast<std::size_t>(mark)];
-}
+/// Of a Mark in the terminals.
+constexpr auto kPointTypes = table_by<Mark>(0, 7, 6, 5, 9, 12, 2);
 
 bool look_the_same(const Curve& a, const Curve& b) {
   return a.name == b.name && a.stroke == b.stroke && a.colour == b.colour &&
@@ -263,7 +257,7 @@ class Drawing {
           note.dx < 0.0 ? "right" : "left", note.dx / kWidth,
           (kHalfHeight - note.dy) / height_);
       if (note.mark != Mark::None) {
-        put(" point pt {} ps 0.8 lc rgb '#000000'", point_type(note.mark));
+        put(" point pt {} ps 0.8 lc rgb '#000000'", kPointTypes[note.mark]);
       }
       put("\n");
     }
@@ -292,13 +286,13 @@ class Drawing {
           line ? (marked ? "linespoints" : "lines") : "points", curve->colour);
       if (line) {
         style += fmt::format(" lw {:.3g} dt {}", curve->width,
-                             dashes(curve->stroke));
+                             kDashes[curve->stroke]);
       }
       if (marked) {
         // No line within open marks.
         const bool open =
             curve->mark == Mark::Circle || curve->mark == Mark::Diamond;
-        style += fmt::format(" pt {} ps {:g}{}", point_type(curve->mark),
+        style += fmt::format(" pt {} ps {:g}{}", kPointTypes[curve->mark],
                              curve->mark_size, open && line ? " pi -1" : "");
       }
       const bool known = std::any_of(

@@ -5,9 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "brachisto/math/stop_condition.hpp"
+#include "math/enum_table.hpp"
 #include "process/child_process.hpp"
 #include "report/rich_text.hpp"
 
@@ -72,8 +71,8 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 std::string_view ending(Format format) {
-  constexpr std::array kEndings{".svg", ".pdf", ".png"};
-  return kEndings[static_cast<std::size_t>(format)];
+  constexpr auto kEndings = table_by<Format>(".svg", ".pdf", ".png");
+  return kEndings[format];
 }
 
 std::string figure_script(const Figure& figure, Format format) {

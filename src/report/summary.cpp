@@ -51,11 +51,12 @@ std::string asked(const Solution& solution) {
   return text + " (docs/theory.md, section 3)";
 }
 
-/// "90° down", "6.1801° up".
-std::string slope(double radians) {
-  const double angle = degrees(radians);
-  return fmt::format("{:.4f}° {}", std::abs(angle),
-                     angle < 0.0 ? "up" : "down");
+/// "90.0000° down", "6.1801° up".
+/// \param error  [rad]
+std::string slope(double radians, double error = 2e-6) {
+  return fmt::format("{}° {}",
+                     within_error(std::abs(degrees(radians)), degrees(error)),
+                     radians < 0.0 ? "up" : "down");
 }
 
 std::string contact_force(const PathDiagnostics& diagnostics) {
@@ -158,10 +159,18 @@ void add_discrete_system(std::string& out, const Solution& solution) {
                    answer.nodes, answer.unknowns, answer.residual,
                    answer.evaluations, answer.cpu_seconds));
   if (!answer.solved()) return;
+  // What its distance from the extremal in τ leaves of its numbers.
+  constexpr double kNotCompared = 1e-6;
+  const double error = solution.extremal && solution.extremal->solved
+                           ? std::abs(answer.tau / solution.extremal->tau - 1.0)
+                           : kNotCompared;
   line(out, "",
-       fmt::format("its τ = {:.6f}, S = {:.6f} m, start {:.4f}°, end {:.4f}°",
-                   answer.tau, answer.centre_path_length,
-                   degrees(answer.start_angle), degrees(answer.end_angle)));
+       fmt::format("its τ = {}, S = {} m, {} at the first node, {} at the last",
+                   within_error(answer.tau, error * answer.tau),
+                   within_error(answer.centre_path_length,
+                                error * answer.centre_path_length),
+                   slope(answer.start_angle, error),
+                   slope(answer.end_angle, error)));
 }
 
 void add_branches(std::string& out, const Solution& solution) {

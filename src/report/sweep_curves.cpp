@@ -12,6 +12,7 @@
 #include "report/key_label.hpp"
 #include "report/letters.hpp"
 #include "report/sweep_plots.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::report {
 
@@ -203,6 +204,7 @@ class Plot {
 std::vector<MarkedScene> marked_scenes(const SweepTable& table,
                                        const Scenes& scenes) {
   constexpr std::size_t kLetters = 88;  // that fit beside a mark
+  constexpr double kFinest = 1e-7;      // error that is told, relative
   const SweepDigest found = digest(table, scenes);
   const bool sample = std::ranges::any_of(
       table.axes, [](const SweepAxis& axis) { return !axis.ordered; });
@@ -214,12 +216,15 @@ std::vector<MarkedScene> marked_scenes(const SweepTable& table,
     if (!scene) return;
     const std::string where =
         place(table, columns_that_vary(table, scenes), *scene, Markup::Rich);
-    out.push_back({*scene,
-                   shortened(fmt::format("{}: τ = {}{}{}", what,
-                                         printed(table.outcomes[*scene].tau, 8),
-                                         where.empty() ? "" : " at ", where),
-                             kLetters),
-                   feasible});
+    const double tau = table.outcomes[*scene].tau;
+    const double error =
+        std::max(table.outcomes[*scene].estimated_error, kFinest) * tau;
+    out.push_back(
+        {*scene,
+         shortened(fmt::format("{}: τ = {}{}{}", what, within_error(tau, error),
+                               where.empty() ? "" : " at ", where),
+                   kLetters),
+         feasible});
   };
   mark(found.fastest_feasible, true,
        least + (found.infeasible > 0 ? ", feasible" : ""));

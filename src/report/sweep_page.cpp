@@ -16,6 +16,7 @@
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
 #include "report/sweep_figures.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::report {
 
@@ -26,9 +27,9 @@ constexpr std::size_t kMostRows = 3000;
 
 using State = SweepOutcome::State;
 
-/// A number of few digits, or a dash.
-std::string brief(double value, int digits) {
-  return std::isfinite(value) ? printed(value, digits) : "–";
+/// With the digits that a relative error leaves; a dash if there is no number.
+std::string known(double value, double error) {
+  return std::isfinite(value) ? within_error(value, error * value) : "–";
 }
 
 std::string column_heads(const SweepTable& table) {
@@ -131,7 +132,8 @@ std::string digest_table(const SweepTable& table, const Scenes& scenes) {
     return value + (where.empty() ? "" : "<br/><small>" + where + "</small>");
   };
   const auto tau = [&](std::optional<std::size_t> scene) {
-    return at(scene, printed(table.outcomes[*scene].tau, 10));
+    const SweepOutcome& outcome = table.outcomes[*scene];
+    return at(scene, known(outcome.tau, outcome.estimated_error));
   };
   row("scenes", fmt::format("{}", scenes.size()));
   row("verified", fmt::format("{}", found.verified));
@@ -199,8 +201,12 @@ std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
     out += fmt::format(
         "<tr><td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
-        scene, column_cells(table, scene), brief(outcome.tau, 10),
-        brief(outcome.transit_time, 6), brief(outcome.estimated_error, 2),
+        scene, column_cells(table, scene),
+        known(outcome.tau, outcome.estimated_error),
+        known(outcome.transit_time, outcome.estimated_error),
+        std::isfinite(outcome.estimated_error)
+            ? printed(outcome.estimated_error, 2)
+            : "–",
         !verified          ? "–"
         : outcome.feasible ? "yes"
                            : "no",

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "report/sweep_scenes.hpp"
+#include "math/enum_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -141,8 +141,9 @@ std::vector<std::string> distinct_words(const SweepColumn& column,
 }
 
 const char* name(SweepOutcome::State state) {
-  constexpr std::array kNames{"missing", "failed", "verified"};
-  return kNames[static_cast<std::size_t>(state)];
+  constexpr auto kNames =
+      table_by<SweepOutcome::State>("missing", "failed", "verified");
+  return kNames[state];
 }
 
 }  // namespace brachisto::report

@@ -176,7 +176,7 @@ struct SampledPath {
   const Motion& motion;
   std::vector<TrajectoryPoint> points = motion.fine_sample(kSamples);
   /// Where R_n is largest.
-  const TrajectoryPoint& most = *std::ranges::max_element(
+  TrajectoryPoint most = *std::ranges::max_element(
       points, {}, [](const TrajectoryPoint& at) { return at.motion.R_n; });
 };
 

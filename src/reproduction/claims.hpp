@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "math/enum_table.hpp"
 #include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
@@ -16,8 +17,9 @@ namespace brachisto::reproduction {
 enum class Verdict { Holds, HoldsInPart, Fails };
 
 [[nodiscard]] inline const char* name(Verdict verdict) {
-  constexpr const char* kNames[] = {"holds", "holds in part", "does not hold"};
-  return kNames[static_cast<int>(verdict)];
+  constexpr auto kNames =
+      table_by<Verdict>("holds", "holds in part", "does not hold");
+  return kNames[verdict];
 }
 
 /// A statement of the paper in words, and what is found.

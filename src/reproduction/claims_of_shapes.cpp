@@ -28,7 +28,7 @@ struct FamilyPeaks {
   std::vector<double> places;  ///< of the first one, where there is any [m]
 };
 
-FamilyPeaks peaks_of(const Results& found, const Members& family) {
+FamilyPeaks peaks_of(const Results& found, Members family) {
   FamilyPeaks out;
   for (const Member& member : family) {
     const PeaksAndValleys track =
@@ -58,7 +58,7 @@ std::string in_degrees(const std::vector<double>& radians) {
   });
 }
 
-std::string names_of(const Members& family) {
+std::string names_of(Members family) {
   return list_of(family, &Member::name);
 }
 

@@ -195,6 +195,7 @@ Figure slope_at_b(const Results& found) {
   const std::vector<Datum> kinked = points_of(found.kinked, place);
   const Datum smooth = kinked.front();
   const Datum least = *std::ranges::min_element(kinked, {}, &Datum::y);
+  const bool feasible = std::ranges::all_of(found.arched, &BentTrack::feasible);
   Chart chart =
       chart_of("slope_at_b",
                "The third trap: bending the track next to B makes it faster",
@@ -211,8 +212,9 @@ Figure slope_at_b(const Results& found) {
        .stroke = Dashed,
        .colour = kBlue,
        .id = "kink"},
-      {.name = fmt::format("bent on an arc of radius {:g} H: a track, feasible",
-                           found.arched.front().radius),
+      {.name = fmt::format("bent on an arc of radius {:g} H: a track{}",
+                           found.arched.front().radius,
+                           feasible ? ", feasible" : ""),
        .points = points_of(found.arched, place),
        .colour = kBrown,
        .width = 0.0,
@@ -229,9 +231,12 @@ Figure slope_at_b(const Results& found) {
           "own ends of the centre's path, but not when the slope at B may "
           "vary. "
           "The sharper the track bends next to B, the faster it is, down to "
-          "τ = {:.4f}; the dots are tracks that the body can follow "
+          "τ = {:.4f}; {} "
           "(docs/theory.md, section 3, third trap).",
-          least.y));
+          least.y,
+          feasible
+              ? "the dots are tracks that the body can follow"
+              : "not all of the dots are tracks that the body can follow"));
 }
 
 }  // namespace

@@ -62,8 +62,7 @@ void add_scene(Chart& chart, const Motion& motion) {
 /// Tracks, told apart by their dashes in grey, and thin the paths of the centre
 /// of mass in the same colour.
 Figure family(const Cases& cases, const char* name, const char* title,
-              const Members& members, std::string heading,
-              std::string caption) {
+              Members members, std::string heading, std::string caption) {
   Chart chart = path_chart(name, title);
   const std::vector<std::string> colours =
       report::family_colours(members.size());
@@ -72,10 +71,10 @@ Figure family(const Cases& cases, const char* name, const char* title,
     const Case& one = cases[file];
     add_path(chart, one, &Kinematics::contact,
              fmt::format("{}: τ = {:.4f}", label, one.tau().value),
-             file + " track", {report::stroke_of(i), colours[i]});
+             fmt::format("{} track", file), {report::stroke_of(i), colours[i]});
     if (!one.scene().body.rolls()) continue;
-    add_path(chart, one, &Kinematics::mass_centre, "", file + " centre of mass",
-             {Solid, colours[i], 0.8});
+    add_path(chart, one, &Kinematics::mass_centre, "",
+             fmt::format("{} centre of mass", file), {Solid, colours[i], 0.8});
   }
   return figure(chart, std::move(heading), std::move(caption));
 }
@@ -123,10 +122,11 @@ Figure three_bodies(const Cases& cases) {
     add_path(chart, one, &Kinematics::contact,
              fmt::format("{}: τ = {:.4f}, track {:.4f}", member.name,
                          one.tau().value, one.motion().rail_length()),
-             member.name + " track", look);
+             fmt::format("{} track", member.name), look);
     if (!one.scene().body.rolls()) continue;
     add_path(chart, one, &Kinematics::mass_centre, "",
-             member.name + " centre of mass", {Dashed, look.colour, 1.2});
+             fmt::format("{} centre of mass", member.name),
+             {Dashed, look.colour, 1.2});
   }
   add_scene(chart, cases["fig04_reference_case"].motion());
   return figure(
@@ -139,14 +139,14 @@ Figure three_bodies(const Cases& cases) {
           printed::kBead, printed::kUniform, printed::kOffCentred));
 }
 
-Figure radii(const Cases& cases, const std::string& offset,
-             const Members& members, const char* name) {
+Figure radii(const Cases& cases, const std::string& offset, Members members,
+             const char* name) {
   return family(
       cases, name, "Tracks by radius", members,
       "Fig. 11. Radius of the cylinder, η_m = " + offset,
       "η_m = " + offset +
           ", θ_m = 0, k = 1/2, L = 3. The text of the paper has η_m = 1/3, the "
-          "caption 2/3: both are shown. Dashed: centre of mass.");
+          "caption 2/3: both are shown. Thin: centre of mass.");
 }
 
 }  // namespace
@@ -157,21 +157,21 @@ std::vector<Figure> path_figures(const Cases& cases) {
       three_bodies(cases),
       family(cases, "fig08_eta_m", "Tracks by offset", kByOffset,
              "Fig. 8. Offset of the centre of mass",
-             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass."),
+             "θ_m = 0, k = 1/2, r = 1/3, L = 3. Thin: centre of mass."),
       family(cases, "fig09_theta_m", "Tracks by initial orientation",
              kByOrientation, "Fig. 9. Initial orientation",
-             "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Dashed: centre of mass. For "
+             "η_m = 2/3, k = 1/2, r = 1/3, L = 3. Thin: centre of mass. For "
              "θ_m < 0 the track starts backwards."),
       family(cases, "fig10_k", "Tracks by moment of inertia", kByInertia,
              "Fig. 10. Moment of inertia",
              "η_m = 2/3, θ_m = 0, r = 1/3, L = 3; k up to 1 − η_m^2 = 5/9. "
-             "Dashed: centre of mass."),
+             "Thin: centre of mass."),
       radii(cases, "2/3", kByRadius, "fig11_r_eta_2_3"),
       radii(cases, "1/3", kByRadiusOfTheText, "fig11_r_eta_1_3"),
       family(
           cases, "fig12_L", "Tracks by length of the domain", kByLength,
           "Fig. 12. Length of the domain",
-          fmt::format("η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Dashed: centre "
+          fmt::format("η_m = 2/3, θ_m = 0, k = 1/2, r = 1/3. Thin: centre "
                       "of mass. Paper: τ = {}, {}, {}.",
                       printed::kShort, printed::kOffCentred, printed::kLong))};
 }

@@ -183,9 +183,10 @@ std::vector<std::string> needed_cases() {
                                  "fig06_bead",
                                  "fig06_uniform_cylinder",
                                  "fig13_faster_than_bead"};
-  for (const Members& family : {kByOffset, kByOrientation, kByInertia,
-                                kByRadius, kByRadiusOfTheText, kByLength}) {
-    for (const Member& member : family) names.push_back(member.file);
+  for (const Members family : std::initializer_list<Members>{
+           kByOffset, kByOrientation, kByInertia, kByRadius, kByRadiusOfTheText,
+           kByLength}) {
+    for (const Member& member : family) names.emplace_back(member.file);
   }
   return names;
 }

@@ -33,9 +33,8 @@ std::string describe(const Damage& damage, const std::filesystem::path& store) {
                     damage.structure, store.parent_path().string()));
   }
   if (!damage.info.empty()) {
-    add(fmt::format("damaged: its {} {} not match the checksum",
-                    fmt::join(damage.info, " and its "),
-                    damage.info.size() == 1 ? "does" : "do"));
+    add(fmt::format("damaged: what it has as {} does not match its checksum",
+                    fmt::join(damage.info, " and as ")));
   }
   if (!damage.scenes.empty()) {
     add(fmt::format(

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace brachisto::sweep {
@@ -64,7 +65,13 @@ std::vector<Store> open_parts(const std::vector<std::filesystem::path>& parts,
                               const StoreInfo& target) {
   std::vector<Store> stores;
   stores.reserve(parts.size());
-  for (const auto& part : parts) stores.push_back(open_part(part, target));
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    const bool again = std::any_of(parts.begin(), part, [&](const auto& other) {
+      std::error_code unknown;
+      return std::filesystem::equivalent(other, *part, unknown);
+    });
+    if (!again) stores.push_back(open_part(*part, target));
+  }
   return stores;
 }
 
@@ -72,6 +79,7 @@ MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
   const ChainPlan plan(job.file);
   MergeReport report;
   std::map<std::size_t, std::string> known;
+  std::set<std::size_t> in_parts;
   std::vector<Answer> added;
   target.for_each_result([&](std::size_t scene, const std::string& document) {
     known.emplace(scene, document);
@@ -84,8 +92,13 @@ MergeReport merge(std::vector<Store>& parts, Store& target, const Job& job) {
         added.push_back({scene, document, std::nullopt});
       } else {
         const bool alike = essence(place->second) == essence(document);
-        (alike ? report.overlaps : report.conflicts).push_back(scene);
+        if (!alike) {
+          report.conflicts.push_back(scene);
+        } else if (in_parts.contains(scene)) {
+          report.overlaps.push_back(scene);
+        }
       }
+      in_parts.insert(scene);
     });
     add_states(std::span(added).subspan(before), part, plan);
   }

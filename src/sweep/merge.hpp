@@ -18,14 +18,14 @@ namespace brachisto::sweep {
 /// What merge() found.
 struct MergeReport {
   std::size_t added = 0;
-  std::vector<std::size_t> overlaps;   ///< scenes in several parts, all alike
+  std::vector<std::size_t> overlaps;   ///< scenes in several parts, alike
   std::vector<std::size_t> conflicts;  ///< scenes with different results; the
                                        ///< one that came first is kept
   std::vector<std::size_t> gaps;       ///< scenes without a result
   bool damaged = false;  ///< and some of the gaps may come from damage
 };
 
-/// Opens parts of the sweep that `target` describes.
+/// Opens parts of the sweep that `target` describes, each once.
 /// \throws StoreError  if one is of another sweep or program
 [[nodiscard]] std::vector<Store> open_parts(
     const std::vector<std::filesystem::path>& parts, const StoreInfo& target);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "sweep/sqlite.hpp"
+#include "math/enum_table.hpp"
 
 #include <sqlite3.h>
 #include <unistd.h>
@@ -16,9 +17,10 @@ namespace brachisto::sweep {
 namespace {
 
 int flags_of(Database::Access access) {
-  constexpr int kFlags[] = {SQLITE_OPEN_READONLY, SQLITE_OPEN_READWRITE,
-                            SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE};
-  return kFlags[static_cast<int>(access)];
+  constexpr auto kFlags =
+      table_by<Database::Access>(SQLITE_OPEN_READONLY, SQLITE_OPEN_READWRITE,
+                                 SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  return kFlags[access];
 }
 
 /// Beside the file, as long as it is in use.

@@ -114,5 +114,18 @@ TEST(Verdict, TellsFailuresWithTheirCause) {
   EXPECT_EQ(verdict(row), "verified");
 }
 
+TEST(MethodComparison, HasNoDigitBeyondTheErrorOfTheReference) {
+  MethodComparison found;
+  found.reference = Reference{5.0370514729, 3.4e-10, {}};  // 2e-9 in τ
+  Measurement run;
+  run.outcome = Measurement::Outcome::Solved;
+  run.tau = found.reference->tau;
+  found.rows = {{"extremal", false, run, 0.0}};
+
+  const std::string text = summary(found);
+
+  EXPECT_NE(text.find("  5.037051473  "), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace brachisto::comparison

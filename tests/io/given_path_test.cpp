@@ -107,7 +107,7 @@ TEST(GivenPath, RefusesPointsThatAreNone) {
   };
   EXPECT_EQ(refusal("x,z\n0,0\n1,0.7\n3,1\n"), "");
   EXPECT_NE(refusal("0,0\n3,1\n").find("track.csv:1:"), std::string::npos);
-  EXPECT_NE(refusal("x,z\n0,0\n1;2\n3,1\n").find("track.csv:3: \"1;2\""),
+  EXPECT_NE(refusal("x,z\n0,0\n1;2\n3,1\n").find("track.csv:3:1: \"1;2\""),
             std::string::npos);
   EXPECT_NE(refusal("x,z\n0,0\nnan,1\n3,1\n").find("track.csv:3:"),
             std::string::npos);
@@ -139,8 +139,9 @@ std::string failure(const std::string& name) {
 
 TEST(GivenPath, OfPointsThatCannotBeReadIsNoMistakeOfTheFile) {
   EXPECT_EQ(failure("none.csv"),
-            "p.yaml: scene.path.file: none.csv: cannot be opened: No such file "
-            "or directory");
+            "p.yaml:4:45: scene.path.file: none.csv: cannot be opened: No such "
+            "file or directory; the points may also stand in "
+            "scene.path.points");
   const ScratchDirectory scratch;
   EXPECT_NE(failure(scratch.path().string()).find("is a directory"),
             std::string::npos);
@@ -159,6 +160,30 @@ std::string refusal(const std::string& points) {
   return "";
 }
 
+TEST(Points, ThatAreNoNumbersAreToldWhereAndWhy) {
+  EXPECT_EQ(refusal("x,z\n0,0\n1,a\n"),
+            "3:3: \"a\" is not a number: \"a\" has no meaning here; expected "
+            "two numbers x,z in m");
+  const std::string expected = "expected a point [x, z], two numbers in m";
+  EXPECT_EQ(
+      errors(problem(
+          "{curve: track, shape: points, points: [[0, 0], [1, a], [3, 1]]}")),
+      "p.yaml:4:60: scene.path.points: \"a\" is not a number: \"a\" has "
+      "no meaning here; " +
+          expected);
+  EXPECT_EQ(
+      errors(problem(
+          "{curve: track, shape: points, points: [[0, 0], [1, 2, 3]]}")),
+      "p.yaml:4:56: scene.path.points: a list of 3 was read; " + expected);
+  EXPECT_EQ(
+      errors(problem("{curve: track, shape: points, points: [[0, 0], 7]}")),
+      "p.yaml:4:56: scene.path.points: a single value was read; " + expected);
+}
+
+TEST(Points, MayFollowAByteOrderMark) {
+  EXPECT_EQ(parse_points("\xEF\xBB\xBFx,z\n0,0\n3,1\n").size(), 2U);
+}
+
 TEST(Points, AreBounded) {
   std::string most = "x,z\n";
   for (std::size_t i = 0; i < kMostPoints; ++i) {
@@ -166,9 +191,9 @@ TEST(Points, AreBounded) {
   }
   EXPECT_EQ(parse_points(most).size(), 100'000U);
   EXPECT_EQ(refusal(most + "-1,0\n"),
-            "100002: \"-1,0\" is one point too many; 100000 are allowed");
+            "100002:1: \"-1,0\" is one point too many; 100000 are allowed");
   EXPECT_EQ(refusal("x,z\n" + std::string(kMaxPointsSize, '\n')),
-            "1: longer than 16777216 bytes, which no 100000 points need");
+            "1:1: longer than 16777216 bytes, which no 100000 points need");
 }
 
 TEST(GivenPath, HoldsTheEndsAgainstLAndHSeparately) {

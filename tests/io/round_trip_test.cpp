@@ -145,7 +145,7 @@ TEST(Points, OfAListAreCheckedLikeThoseOfAFile) {
   };
 
   EXPECT_EQ(with("[[0, 0], [1, 0.7], [3, 1]]"), "");
-  EXPECT_NE(with("[[0, 0], [1], [3, 1]]").find("a list of two numbers"),
+  EXPECT_NE(with("[[0, 0], [1], [3, 1]]").find("a list of 1 was read"),
             std::string::npos);
   EXPECT_NE(with("[[0, 0], [0, 0], [3, 1]]").find("repeats the point"),
             std::string::npos);

@@ -128,11 +128,19 @@ TEST(WorkPrecisionSection, DegreesAndArmsAreThoseThereAre) {
 
 TEST(WorkPrecisionSection, NothingIsRunTwice) {
   EXPECT_EQ(errors(with("{methods: [extremal, extremal]}")),
-            "p.yaml:2:38: work_precision.methods: \"extremal\" is repeated");
-  EXPECT_EQ(errors(with("{methods: [{rolling_time: [2, 3, 2]}]}")),
-            "p.yaml:2:50: work_precision.methods: \"2\" is repeated");
+            "p.yaml:2:38: work_precision.methods: \"extremal\" is repeated; " +
+                kExpectedMethods + ", each once");
+  EXPECT_EQ(
+      errors(with("{methods: [rolling_time, rolling_time]}")),
+      "p.yaml:2:42: work_precision.methods: \"rolling_time\" is repeated; " +
+          kExpectedMethods + ", each once");
+  EXPECT_EQ(
+      errors(with("{methods: [{rolling_time: [2, 3, 2]}]}")),
+      "p.yaml:2:50: work_precision.methods.rolling_time: \"2\" is repeated; " +
+          kExpectedDegrees + ", each once");
   EXPECT_EQ(errors(with("{meshes: [10, 20, 10]}")),
-            "p.yaml:2:35: work_precision.meshes: 10 is repeated");
+            "p.yaml:2:35: work_precision.meshes: 10 is repeated; " +
+                kExpectedMeshes + ", each once");
 }
 
 TEST(WorkPrecisionSection, MeshesAreIntegersWithinBounds) {

@@ -4,6 +4,7 @@
 #include "brachisto/report/result.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -87,6 +88,19 @@ TEST(Summary, OfTheDiscreteSystemHasItsErrorAndNoAnswer) {
   EXPECT_TRUE(says(text, "discrete system")) << text;
   EXPECT_TRUE(says(text, "discretisation is 0.0066")) << text;
   EXPECT_FALSE(says(text, "τ = T √(2g/H)")) << text;
+}
+
+TEST(Summary, OfTheDiscreteSystemHasNoDigitBeyondItsError) {
+  Solution solution = testing::discrete_solution();
+  ASSERT_TRUE(solution.extremal && solution.extremal->solved);
+  // An error of 0.0066 leaves two places behind the point, and of an angle of
+  // as many radians, 0.4°, one.
+  const std::string text = summary(solution);
+
+  EXPECT_THAT(text, ::testing::ContainsRegex("its τ = [0-9]\\.[0-9]{2}, "
+                                             "S = [0-9]\\.[0-9]{2} m, "
+                                             "[0-9]+\\.[0-9]° down at the "))
+      << text;
 }
 
 TEST(Summary, TellsOfFolds) {

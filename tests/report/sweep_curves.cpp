@@ -70,7 +70,7 @@ TEST(XyFigure, IsACurveWithARowPerScene) {
   EXPECT_EQ(lines(figure), 1u);
   EXPECT_EQ(rows(figure, "curve"), 11u);
   EXPECT_NE(figure.table.find("curve,0.3,5.3\n"), std::string::npos);
-  EXPECT_NE(svg_of(figure).find("minimum of the grid: τ = 5 at k = 0"),
+  EXPECT_NE(svg_of(figure).find("minimum of the grid: τ = 5.0000000 at k = 0"),
             std::string::npos);
 }
 
@@ -172,7 +172,7 @@ TEST(XyFigure, MarksTheFastestFeasibleSceneAndAFasterInfeasibleOne) {
   EXPECT_NE(figure.table.find("\nminimum,0.1,5.1\n"), std::string::npos);
   EXPECT_NE(figure.table.find("\ninfeasible minimum,0,5\n"), std::string::npos);
   EXPECT_NE(figure.table.find("\ninfeasible,0,5\n"), std::string::npos);
-  EXPECT_NE(svg_of(figure).find("less, but infeasible: τ = 5 at"),
+  EXPECT_NE(svg_of(figure).find("less, but infeasible: τ = 5.0000000 at"),
             std::string::npos);
 }
 

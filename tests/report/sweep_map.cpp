@@ -108,7 +108,7 @@ TEST(MapFigure, MarksTheMinimumOfTheGridWhereItIs) {
   const Figure figure = map_figure(table, whole(table), kRange);
 
   EXPECT_TRUE(says(figure.commands, "$minimum << END\n45,0.35\nEND\n"));
-  EXPECT_TRUE(says(svg_of(figure), "minimum of the grid: τ = 5 at η"));
+  EXPECT_TRUE(says(svg_of(figure), "minimum of the grid: τ = 5.0000000 at η"));
 }
 
 TEST(MapFigure, MarksTheFastestFeasibleSceneAndAFasterInfeasibleOne) {

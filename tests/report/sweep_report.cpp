@@ -157,6 +157,20 @@ TEST(SweepReport, OfASampleOfTwoNumbersHasTheirPlane) {
               ElementsAre("sample-1", "sample-1-1", "sample-1-2"));
 }
 
+TEST(SweepReport, HasNoDigitBeyondTheError) {
+  SweepTable table = sweep_over({{"scene.body.k", 0.0, 0.5, 3}},
+                                [](const auto&) { return 5.115296057123; });
+  for (SweepOutcome& outcome : table.outcomes) {
+    outcome.estimated_error = 7.6e-5;  // × 5.1 = 3.9e-4
+    outcome.transit_time = 5.115296057123;
+  }
+  for (const OutputFile& file : sweep_report(table)) {
+    if (file.name.ends_with(".csv")) continue;
+    EXPECT_FALSE(says(file.content, "5.11529")) << file.name;
+  }
+  EXPECT_TRUE(says(page(table), "<td>5.1153</td><td>5.1153</td><td>7.6e−5"));
+}
+
 TEST(SweepReport, WithoutGnuplotSaysSoAndHasTablesAndScripts) {
   const std::string before = std::getenv("PATH");
   ::setenv("PATH", "/no/such/directory", 1);
@@ -199,7 +213,7 @@ TEST(SweepReport, TellsTheExtremesAndTheCounts) {
        {"scenes</th><td>132<", "verified</th><td>130<",
         "of them feasible</th><td>129<", "failed</th><td>1<",
         "not run yet</th><td>1<", "largest estimated error</th><td>3e−9<",
-        "maximum of <i>τ</i></th><td>6<"}) {
+        "maximum of <i>τ</i></th><td>6.00000000000<"}) {
     EXPECT_TRUE(says(html, row)) << row;
   }
 }
@@ -307,7 +321,7 @@ TEST(SweepReport, OfOneSceneIsATable) {
                  [](const std::vector<double>&) { return 4.510563136747; });
 
   EXPECT_THAT(names(sweep_report(table)), ElementsAre());
-  EXPECT_TRUE(says(page(table), "4.510563137"));
+  EXPECT_TRUE(says(page(table), "4.51056313675<"));
 }
 
 TEST(SweepReport, OfFailuresOnlyIsStillAPage) {

@@ -71,6 +71,7 @@ TEST_F(MergeTest, IsIdempotent) {
   const MergeReport again = merge_parts({a, b}, whole);
 
   EXPECT_EQ(again.added, 0U);
+  EXPECT_TRUE(again.overlaps.empty()) << "the target is no part";
   EXPECT_EQ(content(whole).size(), 40U);
   EXPECT_TRUE(again.conflicts.empty());
 }
@@ -83,6 +84,16 @@ TEST_F(MergeTest, ListsOverlapsThatDifferInTimesAtMost) {
 
   EXPECT_EQ(report.overlaps, (std::vector<std::size_t>{4, 5}));
   EXPECT_TRUE(report.conflicts.empty());
+}
+
+TEST_F(MergeTest, APartNamedTwiceIsOne) {
+  const fs::path a = part("a", 0, 6);
+  Store whole = target();
+
+  const MergeReport report = merge_parts({a, a / ".." / "a"}, whole);
+
+  EXPECT_EQ(report.added, 6U);
+  EXPECT_TRUE(report.overlaps.empty());
 }
 
 TEST_F(MergeTest, ListsConflictsAndKeepsTheFirst) {

@@ -99,7 +99,8 @@ inline constexpr double kLargestAngle = 1e6;
 ///   the track.
 ///
 /// \return all violations, empty if the scene is well formed. A well-formed
-///         scene may still have no admissible path; see inadmissibility().
+///         scene may still have no admissible path; see
+///         Status::NoAdmissiblePath.
 [[nodiscard]] std::vector<SceneError> validate(const Scene& scene);
 
 }  // namespace brachisto

@@ -9,6 +9,7 @@
 #include "math/wall_clock.hpp"
 #include "model/cycloid.hpp"
 #include "study/answer_kinds.hpp"
+#include "support/csv.hpp"
 
 namespace brachisto::benchmarks {
 

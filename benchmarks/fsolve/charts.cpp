@@ -116,6 +116,16 @@ Chart growth(const FsolveFindings& found, const std::string& name) {
           .points.push_back({static_cast<double>(task.nodes), run.cpu_seconds});
     }
     any_crosses = any_crosses || !crosses.points.empty();
+    // In grey a cross alone does not tell whose it is.
+    if (!curve.points.empty() && !crosses.points.empty()) {
+      chart.curves.push_back(
+          {.name = {},
+           .points = {curve.points.back(), crosses.points.front()},
+           .stroke = Stroke::Dotted,
+           .colour = look.colour,
+           .width = kThin,
+           .id = curve.id + "_to_no_answer"});
+    }
     for (Curve* one : {&curve, &crosses}) {
       if (!one->points.empty()) chart.curves.push_back(std::move(*one));
     }
@@ -185,14 +195,17 @@ Chart speed(const FsolveFindings& found, const std::string& name) {
 Chart floor(const FsolveFindings& found, const std::string& name) {
   Chart chart = logarithmic(name, "Error against the number of nodes", "nodes",
                             "relative error of τ");
+  // Points that coincide are seen one within the other: the open ones first,
+  // and larger.
   const auto add = [&](Arm arm, Datum datum, const char* words,
-                       const char* colour, Mark mark) {
+                       const char* colour, Mark mark, double size) {
     const bool exact = arm == Arm::Lifted;
     Curve curve{.name = fmt::format("{}, {}", benchmarks::name(datum), words),
                 .points = {},
                 .stroke = exact ? Stroke::Dashed : Stroke::Solid,
                 .colour = colour,
                 .mark = mark,
+                .mark_size = size,
                 .id = fmt::format("{}_{}", benchmarks::name(datum),
                                   benchmarks::name(arm))};
     for (const auto& [task, run] : points_of(found, arm, datum)) {
@@ -202,12 +215,13 @@ Chart floor(const FsolveFindings& found, const std::string& name) {
     }
     if (!curve.points.empty()) chart.curves.push_back(std::move(curve));
   };
-  add(Arm::Hybrid, Datum::Rest, "ε = 1e-3", "#d95f02", Mark::Triangle);
+  add(Arm::Lifted, Datum::Rest, "exact gradient", "#d95f02", Mark::Circle, 1.2);
   add(Arm::Simplified, Datum::Rest, "ε = 1e-3, simplified Newton", "#7b3294",
-      Mark::Disc);
-  add(Arm::Lifted, Datum::Rest, "exact gradient", "#d95f02", Mark::Circle);
-  add(Arm::Hybrid, Datum::Release, "ε = 1e-3", "#08519c", Mark::Square);
-  add(Arm::Lifted, Datum::Release, "exact gradient", "#08519c", Mark::Diamond);
+      Mark::Cross, 1.0);
+  add(Arm::Hybrid, Datum::Rest, "ε = 1e-3", "#d95f02", Mark::Triangle, 0.6);
+  add(Arm::Lifted, Datum::Release, "exact gradient", "#08519c", Mark::Diamond,
+      1.25);
+  add(Arm::Hybrid, Datum::Release, "ε = 1e-3", "#08519c", Mark::Square, 0.6);
   return chart;
 }
 

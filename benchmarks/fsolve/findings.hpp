@@ -44,6 +44,11 @@ struct FsolveFindings {
 /// One row per run.
 [[nodiscard]] std::string csv(const FsolveFindings& found);
 
+/// The findings of NAME.csv and NAME.json, to the digits that are written
+/// there; without tolerances and versions, which the figures do not show.
+/// \throws std::exception if they cannot be read
+[[nodiscard]] FsolveFindings read_findings(const std::string& name);
+
 /// Versions, options and machine, beside the figures.
 [[nodiscard]] std::string origin_json(const FsolveFindings& found);
 

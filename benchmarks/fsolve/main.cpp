@@ -33,6 +33,7 @@ struct Flags {
   int largest_dense = 1'600;
   std::vector<int> rolling{100, 1'000, 10'000, 100'000};
   unsigned cap = 60;
+  std::string from;
   std::string out = "fsolve";
 };
 
@@ -195,6 +196,15 @@ int run(const Flags& flags) {
   return 0;
 }
 
+/// The CSV file is written too: it is the one that was read if nothing was
+/// lost.
+int draw_again(const Flags& flags) {
+  const FsolveFindings found = read_findings(flags.from);
+  write_file(flags.out + ".csv", csv(found));
+  write_charts(found, flags.out);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -216,6 +226,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--out", flags.out, "OUT.md, OUT.csv, OUT.json and figures")
       ->capture_default_str();
+  app.add_option("--from", flags.from,
+                 "Measure nothing: draw the run of FROM.csv and FROM.json");
   CLI11_PARSE(app, argc, argv);
-  return run(flags);
+  return flags.from.empty() ? run(flags) : draw_again(flags);
 }

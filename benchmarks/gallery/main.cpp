@@ -15,6 +15,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "study/answer_kinds.hpp"
 #include "support/criterion.hpp"
+#include "support/csv.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 #include "support/text.hpp"

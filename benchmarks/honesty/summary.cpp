@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "support/csv.hpp"
 #include "support/table.hpp"
 
 namespace brachisto::benchmarks {

@@ -55,16 +55,4 @@ std::string why_not_verified(const Solution& solution) {
   return "failed checks: " + failed_checks(solution.certificate);
 }
 
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\n") == std::string_view::npos) {
-    return std::string(text);
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c == '\n' ? ' ' : c;
-  }
-  return quoted + '"';
-}
-
 }  // namespace brachisto::benchmarks

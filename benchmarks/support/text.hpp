@@ -48,7 +48,4 @@ class FixedText {
 /// it is verified.
 [[nodiscard]] std::string why_not_verified(const Solution& solution);
 
-/// A field of a CSV file, in quotes where it has to be.
-[[nodiscard]] std::string csv_field(std::string_view text);
-
 }  // namespace brachisto::benchmarks

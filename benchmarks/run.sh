@@ -79,6 +79,7 @@ usual() {
 }
 
 long() {
+  step limits "${program}limits" --jobs 2 --out "$results/limits.csv"
   step feasibility "${program}feasibility" --jobs 2 \
     --out "$results/feasibility.csv"
   step scaling_million "${program}scaling" --sizes 1000000 --mumps-up-to 0 \

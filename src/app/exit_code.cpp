@@ -28,6 +28,8 @@ int exit_code(const Solution& solution, int signal) {
     case Status::NotConverged:
     case Status::NotEvaluable:
     case Status::NoAdmissiblePath:
+    case Status::NoSmoothContact:
+    case Status::Infeasible:
     case Status::Stalled:
       return kNotSolved;
   }

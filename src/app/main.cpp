@@ -59,7 +59,9 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
 CommandLine command_line() {
   return {
       "Computes brachistochrones of a bead or a rolling, possibly off-centred "
-      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3).",
+      "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3), or "
+      "a track "
+      "under limits (section 11).",
       "Examples:\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto validate problems/case.yaml\n"

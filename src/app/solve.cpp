@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto solve FILE: the smooth-contact extremal of one scene.
+// brachisto solve FILE: the track of one scene.
 
 #include <fmt/format.h>
 #include <memory>
@@ -54,15 +54,13 @@ std::vector<std::string> file_names() {
 std::vector<report::OutputFile> path_files(Solution& solution,
                                            const std::atomic<int>& signal) {
   if (!solution.verified()) return {};
-  const Motion& motion = *solution.motion();
   report::DrawnFigure picture =
-      report::draw(report::path_figure(motion, *solution.diagnostics),
-                   report::Format::Svg, &signal);
+      report::draw(report::path_figure(solution), report::Format::Svg, &signal);
   if (!picture.missing.empty()) {
     warn(picture.missing);
     solution.warnings.push_back(picture.missing);
   }
-  picture.files.push_back({kTrajectoryFile, report::trajectory_csv(motion)});
+  picture.files.push_back({kTrajectoryFile, report::trajectory_csv(solution)});
   return std::move(picture.files);
 }
 
@@ -162,7 +160,9 @@ Verb solve_verb() {
   const auto flags = std::make_shared<SolveFlags>();
   return {
       .name = "solve",
-      .text = "Compute the track of one scene, its smooth-contact extremal",
+      .text =
+          "Compute the track of one scene, by default its smooth-contact "
+          "extremal",
       .flags = flags->with(
           {directory_flag("--out", flags->out,
                           "Write result.json, trajectory.csv and the picture "

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -107,6 +108,49 @@ void check_solver(const YamlValue& root, const Draft& problem,
   }
 }
 
+/// What knows the free motion between smooth contacts or fixed ends alone.
+struct OfFreeMotion {
+  std::string_view key, word, reason;
+};
+constexpr std::string_view kShootingIsFree =
+    "shooting follows the free motion, whose slope minimises 𝓗";
+constexpr std::string_view kOtherStarts =
+    "starts elsewhere are tried for the free motion alone";
+constexpr std::array<OfFreeMotion, 7> kOfFreeMotion{
+    {{"discretisation.formulation", "arc_length",
+      "straight pieces have neither forces nor curvatures to bound"},
+     {"solver.method", "extremal", kShootingIsFree},
+     {"solver.method", "fsolve",
+      "the paper's discrete system consists of equations alone"},
+     {"solver.certify", "extremal", kShootingIsFree},
+     {"solver.search", "global",
+      "the search is for smooth contacts of the free motion"},
+     {"solver.guess", "straight", kOtherStarts},
+     {"solver.guess", "random", kOtherStarts}}};
+
+/// Limits, and the contacts that need them, have a method of their own.
+void check_limited(const YamlValue& root, const Draft& problem,
+                   Findings& findings) {
+  const Contact contact = problem.scene.contact;
+  const bool other_contact =
+      contact == Contact::Optimal || contact == Contact::EndSlope;
+  if (!problem.scene.limits.any() && !other_contact) return;
+  const std::string_view with = problem.scene.limits.any() ? "scene.limits"
+                                : contact == Contact::Optimal
+                                    ? "contact: optimal"
+                                    : "a given slope at B";
+  for (const auto& [key, word, reason] : kOfFreeMotion) {
+    const KeySpec& spec = *find_key(key);
+    if (findings.concern(key) || !spec.used(problem) ||
+        spec.value.get(problem) != word) {
+      continue;
+    }
+    findings.add(
+        position_of(root, key), std::string(key),
+        fmt::format("{} is not allowed with {}: {}", word, with, reason));
+  }
+}
+
 void check_arc_length(const YamlValue& root, const Draft& problem,
                       Findings& findings) {
   const Discretisation& mesh = problem.program.discretisation;
@@ -183,6 +227,12 @@ void check_mesh(const YamlValue& root, const Draft& problem,
                                      : fmt::format("{}", below + p)));
 }
 
+/// Whether every problem needs a key, not only those with the map it is in.
+bool is_required(const KeySpec& spec) {
+  const KeySpec* map = find_key(spec.parent());
+  return spec.is_required() && (map == nullptr || map->is_required());
+}
+
 void check_scene(const YamlValue& root, const Draft& problem,
                  Findings& findings) {
   // NaN stands for every number that should be there and could not be read, so
@@ -191,9 +241,11 @@ void check_scene(const YamlValue& root, const Draft& problem,
   std::vector<std::string_view> unread;
   for (const KeySpec& spec : key_table()) {
     const bool of_scene = spec.path.starts_with("scene.");
-    const bool absent = find_entry(root, spec.path) == nullptr;
-    if (of_scene &&
-        (findings.concern(spec.path) || (spec.is_required() && absent))) {
+    const bool of_other_body = spec.presence == Presence::RequiredOfCylinder &&
+                               !problem.scene.body.rolls();
+    const bool absent = is_required(spec) && !of_other_body &&
+                        find_entry(root, spec.path) == nullptr;
+    if (of_scene && (findings.concern(spec.path) || absent)) {
       if (spec.type() == KeyType::Number || spec.type() == KeyType::Angle) {
         spec.value.set(marked, std::numeric_limits<double>::quiet_NaN());
       }
@@ -218,6 +270,7 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_body(root, problem, findings);
   check_mesh(root, problem, findings);
   check_solver(root, problem, findings);
+  check_limited(root, problem, findings);
   check_scene(root, problem, findings);
 }
 

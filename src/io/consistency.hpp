@@ -14,8 +14,9 @@ namespace brachisto::io {
 
 /// Checks that the body has the keys of its shape and no others; that elements,
 /// nodes and degree describe one mesh; that the method has a use for the keys
-/// that are given, and that there is something to search for; and the bounds of
-/// physics, as far as the numbers they are about could be read.
+/// that are given, that there is something to search for, and that the method
+/// knows limits if there are any; and the bounds of physics, as far as the
+/// numbers they are about could be read.
 void check_all(const YamlValue& root, const Draft& problem, Findings& findings);
 
 }  // namespace brachisto::io

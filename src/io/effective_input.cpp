@@ -16,7 +16,7 @@ namespace {
 /// Adds the keys of a section to a document.
 void add_section(Json& document, const Draft& problem,
                  std::string_view section) {
-  std::string absent = "\n";  // the map that the problem does not have
+  std::string absent = "\n";  // what begins so, the problem does not have
   for (const KeySpec& spec : key_table()) {
     const bool inside = spec.path == section ||
                         spec.path.starts_with(fmt::format("{}.", section));
@@ -27,11 +27,9 @@ void add_section(Json& document, const Draft& problem,
       continue;
     }
     Json value = spec.used(problem) ? spec.value.get(problem) : Json();
-    if (spec.type() == KeyType::Map) {
-      if (!value.is_null()) continue;
-      absent = fmt::format("{}.", spec.path);
-    }
-    if (spec.type() == KeyType::List && value.is_null()) continue;
+    if (value.is_object()) continue;  // its keys follow
+    absent = fmt::format("{}.", spec.path);
+    if (spec.value.silent && value.is_null()) continue;
     Json* place = &document;
     for (const std::string& part : parts_of(spec.path)) {
       place = &(*place)[part];

@@ -87,6 +87,16 @@ std::optional<Expression> FieldReader::number(std::string_view name,
   }
 }
 
+std::optional<double> FieldReader::constant(const KeySpec& spec) const {
+  const std::string expected = io::expected(spec);
+  const YamlValue* value = scalar(spec.name(), expected, false);
+  if (value == nullptr) return std::nullopt;
+  return read_number(
+      *value, fmt::format("{}.{}", key_, spec.name()), spec.type(),
+      spec.interval, expected, findings_,
+      [&](const std::string& text) { return evaluate(text, unit_of(spec)); });
+}
+
 std::optional<double> FieldReader::integer(std::string_view name,
                                            Interval interval,
                                            std::string_view expected,

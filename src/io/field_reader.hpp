@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,6 +36,19 @@ namespace brachisto::io {
     const std::function<double(const std::string&)>& evaluated =
         [](const std::string& text) { return evaluate(text); });
 
+/// Calls `read` for each item of a list, which has to have one.
+template <class Read>
+void for_each_item(const YamlValue& list, const std::string& key,
+                   std::string_view expected, Findings& findings, Read read) {
+  if (list.kind != YamlValue::Kind::List) {
+    refuse_kind(list, key, expected, findings);
+  } else if (list.items.empty()) {
+    findings.add(list.position, key,
+                 fmt::format("an empty list was read; expected {}", expected));
+  }
+  for (const YamlValue& item : list.items) read(item);
+}
+
 /// Reads the fields of a map and reports those that it must not have, those
 /// that are missing, and those that are not what they have to be.
 class FieldReader {
@@ -53,6 +68,10 @@ class FieldReader {
   /// mistake.
   [[nodiscard]] std::optional<Expression> number(std::string_view name,
                                                  const KeySpec& spec) const;
+
+  /// A number as the key that is named like the field has it; nothing if there
+  /// is none, which is a mistake.
+  [[nodiscard]] std::optional<double> constant(const KeySpec& spec) const;
 
   /// An integer within an interval. If it is absent: nothing, and a mistake
   /// unless it is optional.

@@ -74,6 +74,10 @@ void join_swept_keys(std::vector<std::string>& parts) {
     for (std::size_t j = i + 1; j < parts.size(); ++j) {
       key += '.' + parts[j];
       if (!is_value_key(key)) continue;
+      // Of a key and one below it, the longer one.
+      const bool longer =
+          j + 1 < parts.size() && is_value_key(key + '.' + parts[j + 1]);
+      if (longer) continue;
       const auto first = parts.begin() + static_cast<std::ptrdiff_t>(i);
       *first = key;
       parts.erase(first + 1,
@@ -91,6 +95,19 @@ YamlValue read_value(const std::string& text, const std::string& key,
   } catch (const SyntaxError& error) {
     findings.add(error.position, printable(key), error.what());
     return YamlValue::of(YamlValue::Kind::Refused, error.position);
+  }
+}
+
+/// Takes the word away that stands where a map of keys may stand.
+void make_room(YamlValue& root, std::string_view key, Position position) {
+  for (const KeySpec& spec : key_table()) {
+    if (!is_choice_or_map(spec) || spec.path != key.substr(0, key.rfind('.'))) {
+      continue;
+    }
+    Entry* entry = make_entry(root, parts_of(spec.path), position);
+    if (entry != nullptr && entry->value.kind == YamlValue::Kind::Scalar) {
+      entry->value = YamlValue::of(YamlValue::Kind::Null, position);
+    }
   }
 }
 
@@ -120,6 +137,7 @@ void apply_override(YamlValue& root, const std::string& text, int source,
   }
   if (parts.front() == "sweep") join_swept_keys(parts);
 
+  make_room(root, key, position);
   Entry* entry = make_entry(root, parts, position);
   if (entry == nullptr) {
     // Of a text where a map is expected, reading tells.

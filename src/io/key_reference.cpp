@@ -44,7 +44,8 @@ std::string default_text(const KeySpec& spec) {
 
 std::string allowed_text(const KeySpec& spec) {
   if (spec.type() == KeyType::Choice) {
-    return fmt::format("`{}`", fmt::join(spec.value.words, "`, `"));
+    return fmt::format("`{}`{}", fmt::join(spec.value.words, "`, `"),
+                       is_choice_or_map(spec) ? ", or a map" : "");
   }
   return std::string(spec.bounds);
 }
@@ -100,9 +101,10 @@ void add_bounds(Json& schema, const Interval& interval) {
   }
 }
 
-/// A number that may also be an expression. Bounds are for literals alone, a
-/// pattern for texts alone.
-Json number_schema(const KeySpec& spec, Names names = Names::None) {
+}  // namespace
+
+// Bounds are for literals alone, a pattern for texts alone.
+Json number_schema(const KeySpec& spec, Names names) {
   Json schema = {
       {"type",
        {spec.type() == KeyType::Integer ? "integer" : "number", "string"}},
@@ -112,6 +114,8 @@ Json number_schema(const KeySpec& spec, Names names = Names::None) {
   add_bounds(schema, spec.physical);
   return schema;
 }
+
+namespace {
 
 Json choice_schema(const KeySpec& spec) {
   const bool truth = spec.value.words.front() == "true";
@@ -181,6 +185,14 @@ Json sweep_schema() {
   return map_of(std::move(swept));
 }
 
+/// Keywords about properties mean nothing to a word.
+Json choice_or_map_schema(const KeySpec& spec) {
+  Json schema = map_of(Json::object());
+  schema.erase("type");
+  schema["oneOf"] = {choice_schema(spec), {{"type", "object"}}};
+  return schema;
+}
+
 Json value_schema(const KeySpec& spec) {
   switch (spec.type()) {
     case KeyType::Number:
@@ -188,6 +200,7 @@ Json value_schema(const KeySpec& spec) {
     case KeyType::Integer:
       return number_schema(spec);
     case KeyType::Choice:
+      if (is_choice_or_map(spec)) return choice_or_map_schema(spec);
       return choice_schema(spec);
     case KeyType::Text:
       return {{"type", "string"}};
@@ -207,6 +220,8 @@ Json value_schema(const KeySpec& spec) {
 void allow_null(Json& schema) {
   if (schema.contains("enum")) {
     schema["enum"].push_back(nullptr);
+  } else if (schema.contains("oneOf")) {
+    allow_null(schema["oneOf"].front());
   } else if (Json& type = schema["type"]; type.is_array()) {
     type.push_back("null");
   } else {

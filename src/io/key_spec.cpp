@@ -95,6 +95,10 @@ std::vector<std::string_view> keys_of(std::string_view map) {
   return names;
 }
 
+bool is_choice_or_map(const KeySpec& spec) {
+  return spec.type() == KeyType::Choice && !keys_of(spec.path).empty();
+}
+
 Unit unit_of(const KeySpec& spec) {
   return spec.type() == KeyType::Angle ? Unit::Angle : Unit::None;
 }
@@ -124,7 +128,10 @@ std::string expected(const KeySpec& spec) {
       return fmt::format("a map with the keys {}",
                          fmt::join(keys_of(spec.path), ", "));
     case KeyType::Choice:
-      return fmt::format("{}", fmt::join(spec.value.words, " or "));
+      return fmt::format(
+          "{}{}{}", fmt::join(spec.value.words, " or "),
+          is_choice_or_map(spec) ? " or a map with the key " : "",
+          fmt::join(keys_of(spec.path), ", "));
     case KeyType::Text:
     case KeyType::List:
       return spec.bounds;

@@ -30,7 +30,7 @@ enum class KeyType {
   Number,    ///< literal or expression
   Angle,     ///< the same with a suffix
   Integer,   ///< number with an integral value
-  Choice,    ///< one of some words
+  Choice,    ///< one of some words, or a map if there are keys below it
   Text,      ///< any text
   List,      ///< of what its reader accepts
   Sweep,     ///< map of swept keys
@@ -68,11 +68,14 @@ using ListReading = void(Draft&, const KeySpec&, const YamlValue&, Findings&);
 /// io/binding.hpp.
 struct Binding {
   KeyType type = KeyType::Reserved;
-  /// The value, of use or not; null if there is none. Empty: it is not echoed.
+  /// The value, of use or not; null if there is none; an empty map if its keys
+  /// say it. Empty: it is not echoed.
   std::function<Json(const Draft&)> get = {};
   /// Stores a number, a text, or one of the words.
   std::function<void(Draft&, const Json&)> set = {};
   std::vector<std::string_view> words = {};  ///< of a Choice
+  /// If there is none, the echo leaves the key out instead of saying null.
+  bool silent = false;
   /// Whether the value means something to the problem. Empty: always.
   std::function<bool(const Draft&)> used = {};
   ListReading* read_list = nullptr;
@@ -136,6 +139,9 @@ struct KeySpec : KeyRules {
 /// Names of the keys that a map may contain, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
 
+/// Whether a key may have, in place of a word, a map of keys below it.
+[[nodiscard]] bool is_choice_or_map(const KeySpec& spec);
+
 /// Whether a number of this key may carry the suffix of an angle.
 [[nodiscard]] Unit unit_of(const KeySpec& spec);
 
@@ -160,6 +166,10 @@ struct KeyWord {
 /// that the reader of problem files works with. docs/problem-files.md quotes
 /// it.
 [[nodiscard]] std::string key_reference_markdown();
+
+/// A number that may also be an expression, as a JSON Schema.
+[[nodiscard]] Json number_schema(const KeySpec& spec,
+                                 Names names = Names::None);
 
 /// A JSON Schema of problem files, made from the same table. It knows keys,
 /// types, words and the bounds of single values; what keys demand of each other

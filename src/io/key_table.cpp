@@ -8,10 +8,12 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "io/binding.hpp"
+#include "io/clear_of_list.hpp"
 #include "io/path_points.hpp"
 #include "io/work_precision_lists.hpp"
 
@@ -123,6 +125,109 @@ Binding points_file() {
           }};
 }
 
+/// A word, or in its place a map with the slope at B.
+Binding contact() {
+  Binding binding = choice(kScene, &Scene::contact,
+                           {{"smooth", Contact::Smooth},
+                            {"centre", Contact::Centre},
+                            {"optimal", Contact::Optimal}});
+  binding.get = [word = binding.get](const Draft& p) {
+    return p.scene.contact == Contact::EndSlope ? Json::object() : word(p);
+  };
+  binding.set = [word = binding.set](Draft& p, const Json& chosen) {
+    p.scene.end_slope.reset();
+    word(p, chosen);
+  };
+  return binding;
+}
+
+Binding end_slope() {
+  Binding binding = angle(kScene, &Scene::end_slope);
+  binding.set = [slope = binding.set](Draft& p, const Json& value) {
+    p.scene.contact = Contact::EndSlope;
+    slope(p, value);
+  };
+  return binding;
+}
+
+/// A part of the limits, which is there if something of it is stated.
+template <bool (*stated)(const PathLimits&)>
+constexpr Place<PathLimits> limits_if() {
+  return {[](const Draft& p) {
+            return stated(p.scene.limits) ? &p.scene.limits : nullptr;
+          },
+          [](Draft& p) -> PathLimits& { return p.scene.limits; }};
+}
+
+constexpr bool has_force(const PathLimits& limits) {
+  return limits.normal_min || limits.normal_max;
+}
+constexpr bool has_curvature(const PathLimits& limits) {
+  const CurvatureLimit& curvature = limits.curvature;
+  return curvature.hump || curvature.valley ||
+         curvature.of != CurvatureLimit::Of::Track;
+}
+bool has_limits(const PathLimits& limits) {
+  return limits.any() || has_curvature(limits);
+}
+
+constexpr auto kPathLimits = limits_if<has_limits>();
+constexpr auto kForce = limits_if<has_force>();
+constexpr auto kHasCurvature = limits_if<has_curvature>();
+constexpr auto kCurvature =
+    place([](auto& p) -> auto& { return p.scene.limits.curvature; });
+
+Binding limits() {
+  Binding binding = map(kPathLimits);
+  binding.silent = true;
+  return binding;
+}
+
+Keys limit_keys() {
+  using Of = CurvatureLimit::Of;
+  return {
+      {"scene.limits", limits(),
+       "what the motion has to keep to; see [Limits](#limits)"},
+      {"scene.limits.friction", number(kPathLimits, &PathLimits::friction),
+       "μ, coefficient of friction: R_t from −μ R_n to μ R_n", positive({})},
+      {"scene.limits.normal_force", map(kForce),
+       "R_n, force of the track on the body across it"},
+      {"scene.limits.normal_force.min",
+       number(kForce, &PathLimits::normal_min),
+       "R_n ≥ this",
+       {.unit = "m g"}},
+      {"scene.limits.normal_force.max", number(kForce, &PathLimits::normal_max),
+       "R_n ≤ this", positive("m g")},
+      {"scene.limits.curvature", map(kHasCurvature),
+       "how sharply the track, or the path of the centre, may turn"},
+      {"scene.limits.curvature.hump", number(kCurvature, &CurvatureLimit::hump),
+       "downwards: κ ≤ this", positive("1/m")},
+      {"scene.limits.curvature.valley",
+       number(kCurvature, &CurvatureLimit::valley), "upwards: −κ ≤ this",
+       positive("1/m")},
+      {"scene.limits.curvature.of",
+       choice(kCurvature, &CurvatureLimit::of,
+              {{"track", Of::Track}, {"centre", Of::Centre}}),
+       "whose curvature: of the track, or of the path of the centre"},
+      {"scene.limits.fold_margin",
+       number(kPathLimits, &PathLimits::fold_margin),
+       "1 − r κ_c ≥ this, which is 0 where the track folds",
+       {.bounds = "0 ≤ m < 1",
+        .physical = {.lower = 0.0, .upper = 1.0, .upper_allowed = false}}},
+      {"scene.limits.floor",
+       number(kPathLimits, &PathLimits::floor),
+       "D: no part of the body below z = D",
+       {.unit = "m"}},
+      {"scene.limits.clear_of",
+       clear_of_list(),
+       "what the body must not touch: discs, and all that lies behind the line "
+       "through a point, whose normal, from +x towards +z, points to where the "
+       "body may be",
+       {.bounds = "a list of {disc: {x, z, radius}} and {half_plane: {x, z, "
+                  "normal}}"}},
+  };
+}
+
 Keys scene_keys() {
   using Curve = GivenPath::Curve;
   using Form = GivenPath::Shape;
@@ -167,11 +272,18 @@ Keys scene_keys() {
        required_length()},
       {"scene.gravity", number(kScene, &Scene::gravity),
        "g, acceleration of gravity", positive("m/s²")},
-      {"scene.contact",
-       choice(kScene, &Scene::contact,
-              {{"smooth", Contact::Smooth}, {"centre", Contact::Centre}}),
-       "whether A and B are points of the track (smooth) or of the path of the "
-       "centre"},
+      {"scene.contact", contact(),
+       "whether A and B are points of the track, whose slopes there are the "
+       "extremal's own (smooth), the best (optimal), or given at B (a map); or "
+       "of the path of the centre"},
+      {"scene.contact.end_slope",
+       end_slope(),
+       "slope angle of the track at B, downwards positive, in place of a word "
+       "for contact",
+       {.presence = Presence::Required,
+        .unit = "rad",
+        .bounds = "from −π to π",
+        .physical = {-std::numbers::pi, std::numbers::pi}}},
       {"scene.path", map(kPath),
        "a given path, which is evaluated; without it the extremal is found"},
       {"scene.path.curve",
@@ -383,6 +495,7 @@ Keys all_keys() {
     std::ranges::move(part, std::back_inserter(keys));
   };
   add(scene_keys());
+  add(limit_keys());
   add(discretisation_keys());
   add(solver_keys());
   add(fsolve_keys());

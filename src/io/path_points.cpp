@@ -178,6 +178,7 @@ std::vector<Point> parse_points(std::string_view text) {
 Binding points_list() {
   return {.type = KeyType::List,
           .get = points_json,
+          .silent = true,
           .read_list = read_points,
           .items = [] {
             const Json number = {{"type", {"number", "string"}}};

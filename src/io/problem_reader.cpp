@@ -115,7 +115,9 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   if (spec.type() == KeyType::List) {
     return spec.value.read_list(problem_, spec, node, findings_);
   }
-  const bool is_map = spec.type() == KeyType::Map;
+  const bool is_map =
+      spec.type() == KeyType::Map ||
+      (node.kind == YamlValue::Kind::Map && is_choice_or_map(spec));
   if (is_map && (node.kind == YamlValue::Kind::Map ||
                  node.kind == YamlValue::Kind::Null)) {
     read_map(node, spec.path, entry.position);

@@ -273,9 +273,26 @@ class SectionReader {
       findings_.add(
           entry.position, std::move(key),
           fmt::format("repeated key; {} varies it already", first->key));
+    } else if (const SweepEntry* other = one_above_or_below(spec->path)) {
+      findings_.add(entry.position, std::move(key),
+                    fmt::format("not allowed beside {}: a scene has one of "
+                                "them",
+                                other->key));
     } else {
       section_.entries.push_back(read(*spec, std::move(key)));
     }
+  }
+
+  /// The word that a map of keys would replace, or a key of that map.
+  [[nodiscard]] const SweepEntry* one_above_or_below(std::string_view path) {
+    const auto above = [](std::string_view map, std::string_view key) {
+      return key.starts_with(fmt::format("{}.", map));
+    };
+    const auto found =
+        std::ranges::find_if(section_.entries, [&](const SweepEntry& entry) {
+          return above(entry.spec->path, path) || above(path, entry.spec->path);
+        });
+    return found == section_.entries.end() ? nullptr : &*found;
   }
 
   void read_random(const Entry& random) {

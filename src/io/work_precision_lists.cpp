@@ -50,19 +50,6 @@ Methods methods_of(std::string_view name) {
   return methods;
 }
 
-/// Calls `read` for each item of a list, which has to have one.
-template <class Read>
-void for_each_item(const YamlValue& list, const std::string& key,
-                   std::string_view expected, Findings& findings, Read read) {
-  if (list.kind != YamlValue::Kind::List) {
-    refuse_kind(list, key, expected, findings);
-  } else if (list.items.empty()) {
-    findings.add(list.position, key,
-                 fmt::format("an empty list was read; expected {}", expected));
-  }
-  for (const YamlValue& item : list.items) read(item);
-}
-
 /// An item that is an integer within an interval; otherwise nothing, and
 /// reported.
 std::optional<int> integer(const YamlValue& item, const Interval& interval,

@@ -56,6 +56,29 @@ QuadratureRule gauss_legendre(int count) {
   return rule;
 }
 
+QuadratureRule radau_right(int count) {
+  assert(count >= 1);
+  const auto size = static_cast<std::size_t>(count);
+  QuadratureRule rule{std::vector<double>(size, 1.0),
+                      std::vector<double>(size, 1.0 / (1.0 * count * count))};
+  // The zeros of P_n − P_{n−1}, 1 among them.
+  for (int i = 1; i < count; ++i) {
+    long double x = std::cos(2.0L * std::numbers::pi_v<long double> * i /
+                             (2.0L * count - 1.0L));
+    for (int step = 0; step < 20; ++step) {
+      const Legendre p = legendre(count, x);
+      const Legendre q = legendre(count - 1, x);
+      x -= (p.value - q.value) / (p.slope - q.slope);
+    }
+    const long double below = count > 1 ? legendre(count - 1, x).value : 1.0L;
+    const std::size_t index = size - 1 - static_cast<std::size_t>(i);
+    rule.points[index] = static_cast<double>(0.5L * (1.0L + x));
+    rule.weights[index] = static_cast<double>(
+        0.5L * (1.0L + x) / (1.0L * count * count * below * below));
+  }
+  return rule;
+}
+
 std::vector<double> gauss_lobatto_points(int count) {
   assert(count >= 2);
   // The inner points are the extrema of P_{count−1}.

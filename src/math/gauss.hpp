@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Gauss–Legendre and Gauss–Lobatto rules on [0, 1].
+/// Gauss–Legendre, Gauss–Lobatto and Radau rules on [0, 1].
 
 #pragma once
 
@@ -24,5 +24,9 @@ struct QuadratureRule {
 /// The `count` ≥ 2 Gauss–Lobatto points on [0, 1], both ends among them: well
 /// conditioned nodes for interpolation that neighbouring elements can share.
 [[nodiscard]] std::vector<double> gauss_lobatto_points(int count);
+
+/// Radau's rule with `count` ≥ 1 points, the last of them 1, exact for degree
+/// 2·count − 2.
+[[nodiscard]] QuadratureRule radau_right(int count);
 
 }  // namespace brachisto::math

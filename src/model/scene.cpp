@@ -10,59 +10,14 @@
 
 #include "brachisto/model/mass_distribution.hpp"
 #include "math/angle.hpp"
+#include "model/limits_check.hpp"
+#include "model/scene_checker.hpp"
 
 namespace brachisto {
 
 namespace {
 
-/// Collects violations; each check says the value, the bound and the reason.
-class Checker {
- public:
-  bool finite(const char* key, double value) {
-    if (std::isfinite(value)) return true;
-    add(key, fmt::format("{} is not a finite number", value));
-    return false;
-  }
-  void positive(const char* key, double value, const char* unit,
-                const char* reason) {
-    if (!finite(key, value)) return;
-    if (value > 0.0) return representable(key, value, unit);
-    add(key, fmt::format("{}{} is not allowed: it must be > 0, {}", value, unit,
-                         reason));
-  }
-  void representable(const char* key, double value, const char* unit) {
-    if (value >= kSmallestQuantity && value <= kLargestQuantity) return;
-    add(key, fmt::format("{}{} is not allowed: from {:g} to {:g}, for products "
-                         "of several such numbers have to be normal numbers of "
-                         "64 bits",
-                         value, unit, kSmallestQuantity, kLargestQuantity));
-  }
-  /// \param last  of the enumerators, which count from 0
-  template <class Enum>
-  void known(const char* key, Enum value, Enum last) {
-    const auto number = static_cast<int>(value);
-    if (number >= 0 && number <= static_cast<int>(last)) return;
-    add(key, fmt::format("there is no value {}", number));
-  }
-  void angle(const char* key, double value) {
-    if (!finite(key, value) || std::abs(value) <= kLargestAngle) return;
-    add(key,
-        fmt::format("{} rad is not allowed: at most {:g} rad, beyond which the "
-                    "rounding of the number alone turns it by more than "
-                    "6e-11 rad; leave out whole turns, or give degrees, of "
-                    "which they are taken off exactly",
-                    value, kLargestAngle));
-  }
-  void add(std::string key, std::string message) {
-    errors_.push_back({std::move(key), std::move(message)});
-  }
-  [[nodiscard]] std::vector<SceneError> take() { return std::move(errors_); }
-
- private:
-  std::vector<SceneError> errors_;
-};
-
-void check_bead(const Body& body, Checker& check) {
+void check_bead(const Body& body, SceneChecker& check) {
   const auto absent = [&](const char* key, double value) {
     if (value == 0.0) return;
     check.add(key, "a bead is a point mass and has no such property");
@@ -73,7 +28,7 @@ void check_bead(const Body& body, Checker& check) {
   absent("scene.body.k", body.k);
 }
 
-void check_cylinder(const Body& body, Checker& check) {
+void check_cylinder(const Body& body, SceneChecker& check) {
   check.positive("scene.body.radius", body.radius, " m",
                  "for the radius of a cylinder is a length");
   check.angle("scene.body.theta_m", body.theta_m);
@@ -113,7 +68,7 @@ void check_cylinder(const Body& body, Checker& check) {
   }
 }
 
-void check_path(const Scene& scene, Checker& check) {
+void check_path(const Scene& scene, SceneChecker& check) {
   const GivenPath& path = *scene.path;
   using Shape = GivenPath::Shape;
   check.known("scene.path.curve", path.curve, GivenPath::Curve::Track);
@@ -187,9 +142,9 @@ Scene without_whole_turns(const Scene& scene) {
 }
 
 std::vector<SceneError> validate(const Scene& scene) {
-  Checker check;
+  SceneChecker check;
   check.known("scene.body.shape", scene.body.shape, Shape::Cylinder);
-  check.known("scene.contact", scene.contact, Contact::Centre);
+  check.known("scene.contact", scene.contact, Contact::EndSlope);
   if (scene.body.rolls()) {
     check_cylinder(scene.body, check);
   } else {
@@ -206,6 +161,7 @@ std::vector<SceneError> validate(const Scene& scene) {
   check.positive("scene.gravity", scene.gravity, " m/s²",
                  "for it is what moves the body");
   if (scene.path) check_path(scene, check);
+  check_limits(scene, check);
   return check.take();
 }
 

@@ -19,6 +19,18 @@ Scene in_units_of(double length, const Scene& scene) {
   scaled.L /= length;
   scaled.H /= length;
   scaled.gravity = 0.5;
+  PathLimits& limits = scaled.limits;
+  for (auto* curvature : {&limits.curvature.hump, &limits.curvature.valley}) {
+    if (*curvature) **curvature *= length;
+  }
+  if (limits.floor) *limits.floor /= length;
+  for (Disc& disc : limits.discs) {
+    disc = {{disc.centre.x / length, disc.centre.z / length},
+            disc.radius / length};
+  }
+  for (HalfPlane& plane : limits.half_planes) {
+    plane.point = {plane.point.x / length, plane.point.z / length};
+  }
   return scaled;
 }
 

@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/result.hpp"
 #include "report/sweep_scenes.hpp"
+#include "trajectory/stated_limits.hpp"
 
 namespace brachisto::report {
 
@@ -32,27 +33,70 @@ std::string csv_field(std::string_view text) {
   return out + '"';
 }
 
-std::string trajectory_csv(const Motion& motion) {
-  std::string out =
-      "u,t,x_c,z_c,x_cm,z_cm,x_b,z_b,theta,beta,v_c,omega,R_n,R_t,kappa_b\n";
-  const bool rolls = motion.scene().body.rolls();
-  const auto number = [](double value) {
-    return fmt::format("{:.17g}", value);
-  };
+namespace {
+
+/// 17 digits.
+std::string in_full(double value) {
+  return fmt::format("{:.17g}", value);
+}
+
+constexpr std::string_view kColumns =
+    "u,t,x_c,z_c,x_cm,z_cm,x_b,z_b,theta,beta,v_c,omega,R_n,R_t,kappa_b";
+
+/// The cells of `kColumns`.
+std::string cells(const TrajectoryPoint& row, bool rolls) {
   const auto rolling = [&](double value) {
-    return rolls ? number(value) : std::string{};
+    return rolls ? in_full(value) : std::string{};
   };
+  const Kinematics& at = row.motion;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                     in_full(row.u), in_full(row.t), in_full(row.centre.x),
+                     in_full(row.centre.z), in_full(at.mass_centre.x),
+                     in_full(at.mass_centre.z), in_full(at.contact.x),
+                     in_full(at.contact.z), rolling(row.theta),
+                     in_full(row.beta), in_full(at.v_c), rolling(at.omega),
+                     in_full(at.R_n), rolling(at.R_t), in_full(at.kappa_b));
+}
+
+/// Names of the limits that hold as equations at a place, joined by +.
+std::string active_at(double sigma, const std::vector<LimitOnPath>& limits) {
+  std::string names;
+  for (const LimitOnPath& limit : limits) {
+    const bool active =
+        std::ranges::any_of(limit.active, [&](const ActiveArc& arc) {
+          return arc.sigma.from <= sigma && sigma <= arc.sigma.to;
+        });
+    if (active) names += (names.empty() ? "" : "+") + limit.name;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string trajectory_csv(const Motion& motion) {
+  std::string out = std::string(kColumns) + '\n';
   for (const TrajectoryPoint& row : motion.at_nodes()) {
     check_stop();
-    const Kinematics& at = row.motion;
-    fmt::format_to(std::back_inserter(out),
-                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                   number(row.u), number(row.t), number(row.centre.x),
-                   number(row.centre.z), number(at.mass_centre.x),
-                   number(at.mass_centre.z), number(at.contact.x),
-                   number(at.contact.z), rolling(row.theta), number(row.beta),
-                   number(at.v_c), rolling(at.omega), number(at.R_n),
-                   rolling(at.R_t), number(at.kappa_b));
+    out += cells(row, motion.scene().body.rolls()) + '\n';
+  }
+  return out;
+}
+
+std::string trajectory_csv(const Solution& solution) {
+  const Motion& motion = *solution.motion();
+  if (!solution.scene.limits.any()) return trajectory_csv(motion);
+  const std::vector<StatedLimit> limits = stated_limits(solution.scene);
+  std::string out = std::string(kColumns) + ",active";
+  for (const StatedLimit& limit : limits) out += ",slack_" + limit.name;
+  out += '\n';
+  for (const TrajectoryPoint& row : motion.at_nodes()) {
+    check_stop();
+    out += cells(row, motion.scene().body.rolls()) + ',' +
+           active_at(row.sigma, solution.limits);
+    for (const StatedLimit& limit : limits) {
+      out += ',' + in_full(limit.slack(row));
+    }
+    out += '\n';
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <iterator>
@@ -15,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "report/obstacles.hpp"
+#include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
 #include "report/track_kind.hpp"
 #include "trajectory/feasibility.hpp"
@@ -24,51 +27,13 @@ namespace brachisto::report {
 namespace {
 
 // Lengths on the picture [px].
-constexpr double kPictureWidth = 860.0, kLeastWidth = 400.0;
-constexpr double kPlotHeight = 800.0, kLeastHeight = 150.0;
 constexpr double kLeftMargin = 80.0, kRightMargin = 30.0;
 constexpr double kTitleHeight = 74.0, kTitleLine = 18.0, kBottomMargin = 120.0;
 constexpr double kEnlargedAbove = 34.0, kEnlargedBelow = 74.0;
-/// Bodies smaller than this are enlarged to that, and those as small as a dot
-/// are drawn as one.
-constexpr double kSmallRadius = 8.0, kEnlargedRadius = 45.0, kDot = 3.0;
+/// Bodies as small as a dot are drawn as one.
+constexpr double kDot = 3.0;
 
 constexpr int kTimeSteps = 10;
-
-/// Axis-aligned, in metres.
-struct Box {
-  Point low, high;
-
-  void include(Point p, double radius) {
-    low = {std::min(low.x, p.x - radius), std::min(low.z, p.z - radius)};
-    high = {std::max(high.x, p.x + radius), std::max(high.z, p.z + radius)};
-  }
-  /// The same middle, with that width and height.
-  [[nodiscard]] Box resized(double width, double height) const {
-    const Point middle{0.5 * (low.x + high.x), 0.5 * (low.z + high.z)};
-    return {{middle.x - 0.5 * width, middle.z - 0.5 * height},
-            {middle.x + 0.5 * width, middle.z + 0.5 * height}};
-  }
-  [[nodiscard]] double width() const { return high.x - low.x; }
-  [[nodiscard]] double height() const { return high.z - low.z; }
-};
-
-/// A box with room at the frame, and its size on the picture, of equal scales.
-struct Frame {
-  Box box;
-  double scale;  ///< [px/m]
-
-  Frame(const Box& content, double largest_scale) : box(content) {
-    constexpr double kRoom = 1.06;
-    const double wide = kRoom * content.width();
-    const double high = kRoom * content.height();
-    scale = std::min({kPictureWidth / wide, kPlotHeight / high, largest_scale});
-    box = content.resized(std::max(wide, kLeastWidth / scale),
-                          std::max(high, kLeastHeight / scale));
-  }
-  [[nodiscard]] double width() const { return scale * box.width(); }
-  [[nodiscard]] double height() const { return scale * box.height(); }
-};
 
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.z - b.z);
@@ -119,65 +84,64 @@ std::vector<TrajectoryPoint> equal_times(
   return out;
 }
 
-/// The piece of the track about its lowest place that is shown enlarged.
-struct Enlarged {
-  std::vector<TrajectoryPoint> rows;
-  TrajectoryPoint body;
-  Frame frame;
+/// Of the band beneath an active arc: colours that differ for all kinds of
+/// sight, widths and dashes that differ in grey.
+struct Band {
+  std::string_view colour;
+  double width;  ///< [px]
+  std::string_view dash;
 };
+constexpr std::array kBands{Band{"#e69f00", 10.0, "solid"},
+                            Band{"#0072b2", 7.0, "solid"},
+                            Band{"#cc79a7", 13.0, "(0.8,0.4)"},
+                            Band{"#009e73", 8.0, "(0.4,0.4)"},
+                            Band{"#56b4e9", 14.0, "solid"},
+                            Band{"#d55e00", 6.0, "(1.2,0.4,0.4,0.4)"}};
 
-std::optional<Enlarged> enlarged(const Motion& motion,
-                                 const std::vector<TrajectoryPoint>& rows,
-                                 double scale) {
-  const Body& body = motion.scene().body;
-  if (!body.off_centred() || body.radius * scale >= kSmallRadius) return {};
-  const double half = 0.5 * kPictureWidth * body.radius / kEnlargedRadius;
-  const auto lowest = std::ranges::max_element(
-      rows, {}, [](const TrajectoryPoint& p) { return p.centre.z; });
-  const double middle =
-      std::clamp(lowest->s, half, std::max(half, rows.back().s - half));
-  const TrajectoryPoint& at =
-      *std::ranges::lower_bound(rows, middle, {}, &TrajectoryPoint::s);
-  // A little more than the frame shows.
-  constexpr double kMore = 1.3;
-  Box box{at.centre, at.centre};
-  box.include(at.centre, body.radius);
-  std::vector<TrajectoryPoint> piece;
-  for (const TrajectoryPoint& p : rows) {
-    if (std::abs(p.s - middle) > kMore * half) continue;
-    piece.push_back(p);
-    if (std::abs(p.centre.x - at.centre.x) > half) continue;
-    box.include(p.motion.contact, 0.0);
-    box.include(p.centre, 0.0);
-    box.include(p.motion.mass_centre, 0.0);
+/// Names of keys have underscores that lower nothing.
+std::string keys_as_they_are(const std::string& reason) {
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto letters = [&](std::size_t first) {
+    return first + 1 < reason.size() && is_letter(reason[first]) &&
+           is_letter(reason[first + 1]);
+  };
+  std::string out;
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    if (reason[i] == '_' && i >= 2 && letters(i - 2) && letters(i + 1)) {
+      out += '\\';
+    }
+    out += reason[i];
   }
-  Frame frame(box, kEnlargedRadius / body.radius);
-  frame.box =
-      frame.box.resized(kPictureWidth / frame.scale, frame.box.height());
-  return Enlarged{std::move(piece), at, frame};
+  return out;
 }
 
 /// The picture being put together.
 class Picture {
  public:
-  Picture(const Motion& motion, const PathDiagnostics& diagnostics)
-      : motion_(motion),
-        body_(motion.scene().body),
-        reasons_(infeasible_because(motion.scene(), diagnostics)),
-        lifts_off_(diagnostics.min_normal_force.value < 0.0),
-        folds_(diagnostics.min_fold_margin.value < 0.0),
-        rows_(motion.fine_sample(600)),
+  explicit Picture(const Solution& solution)
+      : solution_(solution),
+        motion_(*solution.motion()),
+        scene_(solution.scene),
+        body_(scene_.body),
+        reasons_(solution.infeasible_because()),
+        lifts_off_(solution.diagnostics->min_normal_force.value < 0.0 &&
+                   !forbid_lift_off(scene_.limits)),
+        folds_(solution.diagnostics->min_fold_margin.value < 0.0),
+        rows_(motion_.fine_sample(600)),
         frame_(content(), std::numeric_limits<double>::infinity()),
-        enlarged_(enlarged(motion, rows_, frame_.scale)) {}
+        enlarged_(enlarged(motion_, rows_, frame_.scale)) {}
 
   [[nodiscard]] Figure figure() {
     Figure figure;
     figure.name = "path";
     width_ = kLeftMargin + kPictureWidth + kRightMargin;
+    const std::size_t more_lines =
+        reasons_.size() + (scene_.limits.any() ? 1 : 0);
     const double above =
-        kTitleHeight + kTitleLine * static_cast<double>(reasons_.size());
-    constexpr double kKey = 66.0;  // below the plot
-    const double bottom = above + frame_.height() + kBottomMargin;
+        kTitleHeight + kTitleLine * static_cast<double>(more_lines);
+    constexpr double kKey = 66.0, kKeyLine = 18.0;  // below the plot
+    const double bottom = above + frame_.height() + kBottomMargin +
+                          kKeyLine * static_cast<double>(key_rows() - 2);
     height_ = bottom;
     if (enlarged_) {
       height_ += kEnlargedAbove + enlarged_->frame.height() + kEnlargedBelow;
@@ -187,6 +151,7 @@ class Picture {
     for (const TrajectoryPoint& p : equal_times(motion_, rows_)) {
       add_row(table_, "step", p);
     }
+    add_arcs();
     style();
     title();
     put("set key at screen {:.5f}, screen {:.5f}\n",
@@ -195,7 +160,7 @@ class Picture {
     ends();
     if (enlarged_) window();
     place(frame_, above);
-    draw("track", "step", true);
+    draw(frame_, "track", "step", true);
     if (enlarged_) {
       add_rows(table_, "piece", enlarged_->rows, enlarged_->frame.scale);
       add_row(table_, "body", enlarged_->body);
@@ -203,7 +168,7 @@ class Picture {
       put("set title 'the piece in the small frame, {:.0f} times as large'\n",
           enlarged_->frame.scale / frame_.scale);
       place(enlarged_->frame, bottom + kEnlargedAbove);
-      draw("piece", "body", false);
+      draw(enlarged_->frame, "piece", "body", false);
       put("unset multiplot\n");
     }
     figure.table = std::move(table_);
@@ -227,7 +192,62 @@ class Picture {
       box.include(row.motion.contact, 0.0);
       box.include(row.centre, body_.radius);
     }
+    // Of what is in the way so much that one sees it.
+    const double more = 0.16 * std::max(box.width(), box.height());
+    const Box reach = box.resized(box.width() + more, box.height() + more);
+    for (const Outline& area :
+         obstacles(scene_.limits, reach.low, reach.high)) {
+      for (const Point corner : area) box.include(corner, 0.0);
+    }
     return box;
+  }
+
+  /// Limits that hold somewhere as equations.
+  [[nodiscard]] std::vector<const LimitOnPath*> active() const {
+    std::vector<const LimitOnPath*> out;
+    for (const LimitOnPath& limit : solution_.limits) {
+      if (!limit.active.empty()) out.push_back(&limit);
+    }
+    return out;
+  }
+
+  static std::string arc_name(const LimitOnPath& limit, std::size_t arc) {
+    return fmt::format("{} {}", limit.name, arc + 1);
+  }
+
+  /// The track along the arcs on which a limit holds.
+  void add_arcs() {
+    const double scale = enlarged_ ? enlarged_->frame.scale : frame_.scale;
+    for (const LimitOnPath* limit : active()) {
+      for (std::size_t i = 0; i < limit->active.size(); ++i) {
+        const Interval& sigma = limit->active[i].sigma;
+        std::vector<TrajectoryPoint> arc{motion_.at(sigma.from)};
+        for (const TrajectoryPoint& row : rows_) {
+          if (sigma.from < row.sigma && row.sigma < sigma.to) {
+            arc.push_back(row);
+          }
+        }
+        arc.push_back(motion_.at(sigma.to));
+        add_rows(table_, arc_name(*limit, i), arc, scale);
+      }
+    }
+  }
+
+  /// What is forbidden within a frame; the parts of the table that tell it.
+  std::vector<std::string> add_obstacles(const Frame& frame,
+                                         std::string_view rows) {
+    std::vector<std::string> parts;
+    for (const Outline& area :
+         obstacles(scene_.limits, frame.box.low, frame.box.high)) {
+      parts.push_back(fmt::format("obstacle {} of {}", parts.size() + 1, rows));
+      const auto add = [&](Point corner) {
+        fmt::format_to(std::back_inserter(table_), "{},,{:.9g},{:.9g},,,,,,\n",
+                       parts.back(), corner.x, corner.z);
+      };
+      std::ranges::for_each(area, add);
+      add(area.front());
+    }
+    return parts;
   }
 
   void style() {
@@ -236,27 +256,43 @@ class Picture {
         "set tics out nomirror format '%g'\n"
         "set xlabel 'x [m]' offset 0,0.2\n"
         "set ylabel 'z [m], down'\n"
-        "set key center top vertical Left reverse samplen 3 maxrows 2\n");
+        "set key center top vertical Left reverse samplen 3 maxrows {}\n",
+        key_rows());
+  }
+
+  /// The path alone needs two; beside the names of limits there is room for
+  /// three columns.
+  [[nodiscard]] std::size_t key_rows() const {
+    constexpr std::size_t kPath = 6, kColumns = 3, kLeast = 2;
+    const std::size_t entries = kPath + active().size() + 1;
+    return active().empty() ? kLeast : (entries + kColumns - 1) / kColumns;
   }
 
   void title() {
-    std::string kind(track_kind(motion_.scene()));
+    std::string kind(track_kind(scene_));
     kind[0] = static_cast<char>(std::toupper(kind[0]));
     const std::string head = fmt::format("{}: τ = {:.8f}, T = {:.6g} s", kind,
                                          motion_.tau(), motion_.transit_time());
-    title_ = plain_words(head + ", " + in_words(motion_.scene()));
+    title_ = plain_words(head + ", " + in_words(scene_));
     const auto line = [&](int index, double y, std::string_view style,
                           const std::string& text) {
       put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n", index,
           gnuplot_words(text), kLeftMargin / width_, 1.0 - y / height_, style);
     };
     line(1, 22.0, "font ',16'", head);
-    line(2, 46.0, "textcolor rgb '#444444'", in_words(motion_.scene()));
     double y = 46.0;
+    line(2, y, "textcolor rgb '#444444'", in_words(scene_));
+    if (scene_.limits.any()) {
+      y += kTitleLine;
+      const std::string limits = "Limits: " + in_words(scene_.limits);
+      title_ += ". " + plain_words(limits);
+      line(7, y, "textcolor rgb '#444444'", limits);
+    }
     int index = 3;
     for (const std::string& reason : reasons_) {
       y += kTitleLine;
-      line(index++, y, "textcolor rgb '#b00000'", "Infeasible: " + reason);
+      line(index++, y, "textcolor rgb '#b00000'",
+           "Infeasible: " + keys_as_they_are(reason));
     }
   }
 
@@ -284,7 +320,8 @@ class Picture {
   }
 
   /// Curves of the rows of one part, bodies of those of another one.
-  void draw(std::string_view curves, std::string_view bodies, bool marks) {
+  void draw(const Frame& frame, std::string_view curves,
+            std::string_view bodies, bool marks) {
     std::string_view before = "plot ";
     const auto item = [&](std::string_view rows, std::string_view at,
                           std::string_view style, std::string_view name) {
@@ -292,6 +329,15 @@ class Picture {
           before, rows, at, at, style, name);
       before = ", \\\n  ";
     };
+    std::string_view forbidden = "out of bounds";
+    for (const std::string& area : add_obstacles(frame, curves)) {
+      item(
+          area, "b",
+          " with filledcurves closed fc rgb '#a08050' fs transparent pattern 4 "
+          "border lc rgb '#604820' lw 1.5",
+          forbidden);
+      forbidden = "";
+    }
     const bool dots = marks && body_.radius * frame_.scale < kDot;
     const std::string times = fmt::format("every T/{}", kTimeSteps);
     if (!dots) {
@@ -301,6 +347,7 @@ class Picture {
                        body_.radius),
            "body, " + times);
     }
+    bands(item);
     if (body_.rolls()) {
       item(curves, "c", " with lines lw 1.4 dt (5,3) lc rgb '#777777'",
            "its centre");
@@ -323,6 +370,23 @@ class Picture {
     }
     impossible(curves);
     put("\n");
+  }
+
+  /// Beneath the track, where limits hold.
+  template <class Item>
+  void bands(const Item& item) {
+    const Band* band = kBands.begin();
+    for (const LimitOnPath* limit : active()) {
+      std::string name = gnuplot_words(as_rich_text(limit->name)) + " active";
+      for (std::size_t i = 0; i < limit->active.size(); ++i) {
+        item(arc_name(*limit, i), "b",
+             fmt::format(" with lines lw {} dt {} lc rgb '{}'", band->width,
+                         band->dash, band->colour),
+             name);
+        name.clear();
+      }
+      if (++band == kBands.end()) band = kBands.begin();
+    }
   }
 
   /// Where the track could not be run on.
@@ -355,7 +419,9 @@ class Picture {
     letter(9, "B", rows_.back().motion.contact, "left offset 0.7,-0.7");
   }
 
+  const Solution& solution_;
   const Motion& motion_;
+  const Scene& scene_;
   const Body& body_;
   std::vector<std::string> reasons_;
   bool lifts_off_, folds_;
@@ -368,8 +434,8 @@ class Picture {
 
 }  // namespace
 
-Figure path_figure(const Motion& motion, const PathDiagnostics& diagnostics) {
-  return Picture(motion, diagnostics).figure();
+Figure path_figure(const Solution& solution) {
+  return Picture(solution).figure();
 }
 
 }  // namespace brachisto::report

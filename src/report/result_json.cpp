@@ -142,23 +142,46 @@ Fields<Solution> diagnostics_fields() {
       {"estimated_error", "", "relative, of T", &Solution::estimated_error}};
 }
 
+/// Of the answer, as are its numbers; no key of a scene without limits.
+Field<Solution> limits_field() {
+  const auto interval = [](std::string_view name, std::string_view unit,
+                           std::string_view meaning,
+                           Interval ActiveArc::*member) {
+    return object<ActiveArc>(name, unit, meaning, member,
+                             {{"from", unit, "begins", &Interval::from},
+                              {"to", unit, "ends", &Interval::to}});
+  };
+  using L = LimitOnPath;
+  const Field<Solution> all = list(
+      "limits", "bounds of scene.limits on the path; no key without any",
+      &Solution::limits,
+      {{"name", "", "key below scene.limits", &L::name},
+       {"bound", "", "as the scene states it; null: has none", &L::bound},
+       list("active", "arcs on which it holds as an equation", &L::active,
+            {interval("u", "s", "rolling time", &ActiveArc::u),
+             interval("t", "s", "time", &ActiveArc::t),
+             interval("x", "m", "x of the track", &ActiveArc::x)}),
+       {"least_slack", "", "distance from the bound, in its unit",
+        &L::least_slack},
+       {"share_of_time", "", "of T, on these arcs", &L::share_of_time},
+       {"price", "", "dτ/d(bound): the slope of τ over the bound", &L::price},
+       {"price_at_fixed_contacts", "",
+        "the same with the contacts held: its multiplier",
+        &L::price_at_fixed_contacts}});
+  return {all.text,
+          [all](const Solution& s) {
+            if (!s.scene.limits.any()) return Json();
+            return s.verified() ? all.write(s) : Json::array();
+          },
+          true};
+}
+
 /// On which the answer was computed.
 Field<Solution> mesh_field() {
-  using S = const Solution&;
   return object<Solution>(
-      "mesh", "", "on which the answer was computed",
-      [](S s) { return s.program() ? &s : nullptr; },
-      {{"degree", "", "p; null for straight pieces",
-        [](S s) {
-          return trajectory_of(s)
-                     ? std::optional(trajectory_of(s)->curve().mesh().degree)
-                     : std::nullopt;
-        }},
-       {"elements", "", "N, or pieces", [](S s) {
-          return trajectory_of(s)
-                     ? trajectory_of(s)->curve().mesh().num_elements()
-                     : s.program()->nodes - 1;
-        }}});
+      "mesh", "", "on which the answer was computed", &Solution::program,
+      {{"degree", "", "p; null for straight pieces", &ProgramSize::degree},
+       {"elements", "", "N, or pieces", &ProgramSize::elements}});
 }
 
 Fields<Effort> effort_fields() {
@@ -402,6 +425,7 @@ const Fields<Solution>& result_fields() {
       {verdict_fields(),
        of_part<Solution>(answer_of, motion_fields()),
        diagnostics_fields(),
+       {limits_field()},
        of_part<Solution>(
            &Solution::program,
            Fields<ProgramSize>{

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,14 @@ void line(std::string& out, std::string_view label, const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
 }
 
+/// "90.0000° down", "6.1801° up".
+/// \param error  [rad]
+std::string slope(double radians, double error = 2e-6) {
+  return fmt::format("{}° {}",
+                     within_error(std::abs(degrees(radians)), degrees(error)),
+                     radians < 0.0 ? "up" : "down");
+}
+
 /// The condition at A and B, and where it says what the answer is.
 std::string asked(const Solution& solution) {
   const Scene& scene = solution.scene;
@@ -37,7 +47,20 @@ std::string asked(const Solution& solution) {
   if (scene.contact == Contact::Centre) {
     return fmt::format("the {}", track_kind(scene));
   }
-  if (!scene.body.rolls()) return "the fastest wire from A to B";
+  const bool limited = scene.limits.any();
+  if (scene.contact == Contact::Optimal) {
+    return fmt::format(
+        "the {}, its slopes at A and B free (docs/theory.md, section 11)",
+        track_kind(scene));
+  }
+  if (scene.contact == Contact::EndSlope) {
+    return fmt::format("the {}, {} at B (docs/theory.md, section 11)",
+                       track_kind(scene), slope(scene.end_slope.value_or(0.0)));
+  }
+  if (!scene.body.rolls()) {
+    return limited ? "the fastest wire from A to B under limits"
+                   : "the fastest wire from A to B";
+  }
   std::string text = "a track from A to B without a kink at either end: ";
   if (solution.options.searches()) {
     text += fmt::format("the {} of the {} smooth contact{} found",
@@ -48,15 +71,9 @@ std::string asked(const Solution& solution) {
   } else {
     text += fmt::format("the {}", track_kind(scene));
   }
-  return text + " (docs/theory.md, section 3)";
-}
-
-/// "90.0000° down", "6.1801° up".
-/// \param error  [rad]
-std::string slope(double radians, double error = 2e-6) {
-  return fmt::format("{}° {}",
-                     within_error(std::abs(degrees(radians)), degrees(error)),
-                     radians < 0.0 ? "up" : "down");
+  return text + (limited ? ", a root and no minimum over the slopes there "
+                           "(docs/theory.md, section 11)"
+                         : " (docs/theory.md, section 3)");
 }
 
 std::string contact_force(const PathDiagnostics& diagnostics) {
@@ -99,6 +116,33 @@ void add_answer(std::string& out, const Solution& solution) {
            100.0 * diagnostics.friction_above_0_3,
            100.0 * diagnostics.friction_above_0_5,
            100.0 * diagnostics.friction_above_1));
+}
+
+/// What each bound of the scene means for the path.
+void add_limits(std::string& out, const Solution& solution) {
+  if (solution.limits.empty()) return;
+  const auto number = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.4g}", *value) : "—";
+  };
+  Rows rows{{"limit", "bound", "of the time", "least slack", "dτ/d(bound)",
+             "contacts held", "active at x_b [m]"}};
+  for (const LimitOnPath& limit : solution.limits) {
+    std::vector<std::string> arcs;
+    for (const ActiveArc& arc : limit.active) {
+      arcs.push_back(fmt::format("{:.4g} to {:.4g}", arc.x.from, arc.x.to));
+    }
+    rows.push_back(
+        {limit.name, number(limit.bound),
+         fmt::format("{:.0f} %", 100.0 * limit.share_of_time),
+         number(limit.least_slack), number(limit.price),
+         number(limit.price_at_fixed_contacts),
+         arcs.empty() ? "nowhere" : fmt::format("{}", fmt::join(arcs, ", "))});
+  }
+  std::istringstream table(text_table(rows));
+  std::string_view label = "limits";
+  for (std::string row; std::getline(table, row); label = "") {
+    line(out, label, row);
+  }
 }
 
 /// "verified: 16 of 16 checks, degree 6 against 7 on 9 elements agree to 9e-12;
@@ -242,14 +286,17 @@ std::string next(const Solution& solution) {
   const std::string advice = solution.advice();
   if (!advice.empty()) return advice;
   if (!solution.verified() || solution.scene.path) return {};
+  // Other contacts and another method are sought without limits alone.
+  const bool limited = solution.scene.limits.any();
   if (!solution.feasible()) {
-    return solution.options.searches() ||
+    return solution.options.searches() || limited ||
                    solution.scene.contact == Contact::Centre
                ? "a smaller eta_m, or a nearer point B"
                : "solver.search: global, for another contact may be feasible; "
                  "a smaller eta_m, or a nearer point B";
   }
-  return solution.options.of<Shooting>() != nullptr || solution.extremal
+  return solution.options.of<Shooting>() != nullptr || solution.extremal ||
+                 limited
              ? ""
              : "--certify extremal checks it by another method";
 }
@@ -259,7 +306,10 @@ std::string next(const Solution& solution) {
 std::string summary(const Solution& solution) {
   std::string out = in_words(solution.scene) + "\n";
   line(out, "asked", asked(solution));
-  if (solution.verified()) add_answer(out, solution);
+  if (solution.verified()) {
+    add_answer(out, solution);
+    add_limits(out, solution);
+  }
   add_verdict(out, solution);
   add_cross_check(out, solution);
   add_discrete_system(out, solution);

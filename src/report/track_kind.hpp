@@ -14,12 +14,16 @@
 namespace brachisto::report {
 
 /// "smooth-contact extremal", "given path", …: how titles and summaries call
-/// the track of a scene. It is the fastest one for a bead only: where the body
-/// rolls, bending the track next to B makes it faster still (docs/theory.md,
-/// section 3).
+/// the track of a scene. A smooth contact is a root and no minimum: where the
+/// body rolls, bending the track next to B makes it faster still
+/// (docs/theory.md, section 3), as far as limits let it. The fastest one is
+/// that of a bead, or what the contact of the scene asks for (section 11).
 [[nodiscard]] std::string_view track_kind(const Scene& scene);
 
 /// Body and scene in one line: "cylinder r = 0.5 m, η_m = …; L = 3 m, …".
 [[nodiscard]] std::string in_words(const Scene& scene);
+
+/// "|R_t| ≤ 0.5 R_n, R_n ≥ 0.1 m g, floor at z = 1.2 m"; empty without limits.
+[[nodiscard]] std::string in_words(const PathLimits& limits);
 
 }  // namespace brachisto::report

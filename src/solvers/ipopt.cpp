@@ -54,14 +54,24 @@ void set_barrier_options(Ipopt::OptionsList& list, const IpoptOptions& options,
                          nlp::Problem& problem, const PrimalDual& start) {
   // Bounds hold as they are given, and complementarity like all conditions.
   list.SetNumericValue("bound_relax_factor", 0.0);
-  list.SetNumericValue("compl_inf_tol", options.tolerance);
+  list.SetNumericValue("compl_inf_tol",
+                       options.complementarity.value_or(options.tolerance));
+  // Where complementarity is wanted smaller than residuals, these are not asked
+  // to follow the barrier parameter below what they have to be.
+  if (options.complementarity) {
+    list.SetNumericValue(
+        "barrier_tol_factor",
+        std::max(10.0, options.tolerance / *options.complementarity));
+  }
   // Where a cold start begins, and a warm one at most.
   constexpr double kLargestBarrier = 0.1;
   double barrier = kLargestBarrier;
   if (!start.lambda.empty() && problem.set_point(start.x)) {
     const double there = nlp::kkt_residual(problem, start).barrier_parameter;
-    barrier =
-        std::min(std::max(0.1 * options.tolerance, there), kLargestBarrier);
+    barrier = std::min(
+        std::max(0.1 * options.complementarity.value_or(options.tolerance),
+                 there),
+        kLargestBarrier);
     // So far may the start be moved away from its bounds; multipliers and
     // distances of order one have this as their partners.
     for (const char* push :
@@ -129,7 +139,7 @@ const Outcome& outcome_of(Ipopt::ApplicationReturnStatus code) {
       Outcome{Invalid_Number_Detected, Status::NotEvaluable,
               "a function value or derivative is not finite"},
       Outcome{Solved_To_Acceptable_Level, kFailed, "acceptable level only"},
-      Outcome{Infeasible_Problem_Detected, kFailed,
+      Outcome{Infeasible_Problem_Detected, Status::Infeasible,
               "converged to a point of local infeasibility"},
       Outcome{Search_Direction_Becomes_Too_Small, kFailed,
               "search direction becomes too small"},
@@ -302,6 +312,10 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   result.status =
       status_of(outcome, options.stop, adapter->refused_points() > 0);
   if (memory_failure(result.log)) result.status = Status::OutOfMemory;
+  if (result.status == Status::Infeasible && !problem.has_inequalities()) {
+    // There is a path; it was not found.
+    result.status = Status::NotConverged;
+  }
   result.message = fmt::format("Ipopt: {} after {} iterations", outcome.words,
                                result.iterations);
   if (result.status == Status::NotEvaluable) {

@@ -38,8 +38,10 @@ struct Iterate {
 /// Steps of Newton's method: by the chain where it serves, else by sparse LU.
 class StepSolver {
  public:
-  StepSolver(KktSystem& system, LinearSolver solver)
-      : system_(system), step_(static_cast<std::size_t>(system.size())) {
+  StepSolver(KktSystem& system, LinearSolver solver, bool chain_alone)
+      : system_(system),
+        chain_alone_(chain_alone),
+        step_(static_cast<std::size_t>(system.size())) {
     if (solver != LinearSolver::Mumps) chain_ = BorderedChain::make(system);
   }
 
@@ -54,6 +56,7 @@ class StepSolver {
       by_chain_ = true;
       return true;
     }
+    if (chain_ && chain_alone_) return false;
     // What the chain cannot do may still be regular: the block of the problem
     // may be singular where the system with its tangency condition is not.
     if (!lu_) {
@@ -81,6 +84,7 @@ class StepSolver {
 
  private:
   KktSystem& system_;
+  bool chain_alone_;
   std::unique_ptr<BorderedChain> chain_;
   std::unique_ptr<SparseLu> lu_;
   std::vector<double> step_, jacobian_;
@@ -120,7 +124,7 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
   }
   double residual = system.max_residual();
   result.first_residual = result.residual = residual;
-  StepSolver solver(system, options.linear_solver);
+  StepSolver solver(system, options.linear_solver, options.chain_alone);
 
   while (result.iterations < options.max_iterations) {
     if (residual <= options.tolerance &&

@@ -29,6 +29,12 @@ constexpr std::array kWords{
     Words{"out_of_memory", "There is not enough memory."},
     Words{"no_admissible_path",
           "No path satisfies the conditions of the scene."},
+    Words{"no_smooth_contact",
+          "Under the limits no track that reaches B goes on there as its end "
+          "was built."},
+    Words{"infeasible",
+          "No path next to where the solver ended keeps the "
+          "limits."},
     Words{"stalled", "The body does not reach the end of the given path."},
     Words{"internal_error", "The solver reported an internal error."}};
 static_assert(kWords.size() ==

@@ -10,6 +10,7 @@
 
 #include "model/centre_curve.hpp"
 #include "study/certification.hpp"
+#include "study/limits_on_path.hpp"
 #include "trajectory/certify.hpp"
 
 namespace brachisto {
@@ -43,7 +44,8 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
   return {std::make_shared<const Answer>(CollocationAnswer{
               std::move(trajectory),
               {found.problem.mesh().num_nodes(), found.problem.num_variables(),
-               found.problem.num_constraints()},
+               found.problem.num_constraints(), found.problem.mesh().degree,
+               found.problem.mesh().num_elements()},
               found.solution.point,
               found.solution.tangency.phi}),
           found.estimated_error, std::move(diagnostics)};
@@ -57,12 +59,26 @@ Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
                          posed.asked, posed.units);
   std::optional<PathDiagnostics> diagnostics;
   if (!motion.on_curve().stall()) diagnostics = motion.diagnose();
-  return {
-      std::make_shared<const Answer>(PiecewiseAnswer{
-          std::move(motion),
-          {found.problem.layout().num_nodes(), found.problem.num_variables(),
-           found.problem.num_constraints()}}),
-      found.estimated_error, std::move(diagnostics)};
+  return {std::make_shared<const Answer>(PiecewiseAnswer{
+              std::move(motion),
+              {found.problem.layout().num_nodes(),
+               found.problem.num_variables(), found.problem.num_constraints(),
+               std::nullopt, found.problem.layout().num_nodes() - 1}}),
+          found.estimated_error, std::move(diagnostics)};
+}
+
+Answered answer_of(const PosedProblem& posed, const LimitedAnswer& found) {
+  const PhaseTimer timer(Phase::Diagnosis);
+  const LimitedTime& problem = found.path.curve.problem();
+  LimitedMotion motion(found.path.curve, posed.asked, posed.units);
+  PathDiagnostics diagnostics = motion.diagnose();
+  std::vector<LimitOnPath> limits = limits_on_path(posed, found.path, motion);
+  return {std::make_shared<const Answer>(LimitedPathAnswer{
+              std::move(motion),
+              {problem.mesh().num_nodes(), problem.num_variables(),
+               problem.num_constraints(), problem.mesh().degree,
+               problem.mesh().num_elements()}}),
+          found.estimated_error, std::move(diagnostics), std::move(limits)};
 }
 
 Answered answer_on_given_path(const PosedProblem& posed) {
@@ -91,6 +107,11 @@ Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
   return cross_checked(
       posed, certify_answer(found, motion, posed.program.discretisation),
       nearby, phi, motion.transit_time(), found.estimated_error);
+}
+
+Certified certify(const PosedProblem& posed, const LimitedAnswer& found) {
+  tell_of_certificate(posed, found.path.curve.problem().mesh().num_nodes());
+  return {certify_answer(found, posed.program.discretisation), std::nullopt};
 }
 
 Certified certify_given_path(const PosedProblem& posed,

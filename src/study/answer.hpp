@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "refinement/limited_refinement.hpp"
 #include "refinement/refinement.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/pose.hpp"
@@ -22,6 +23,7 @@ struct Answered {
   std::shared_ptr<const Answer> answer;
   std::optional<double> estimated_error;       ///< relative, of T
   std::optional<PathDiagnostics> diagnostics;  ///< unless the motion stalls
+  std::vector<LimitOnPath> limits = {};        ///< see Solution::limits
 };
 
 /// \param transit_time  T [s], if it is known better than from the mesh
@@ -30,6 +32,8 @@ struct Answered {
     std::optional<double> transit_time = std::nullopt);
 [[nodiscard]] Answered answer_of(const PosedProblem& posed,
                                  ArcLengthAnswer& found);
+[[nodiscard]] Answered answer_of(const PosedProblem& posed,
+                                 const LimitedAnswer& found);
 /// \throws std::invalid_argument  if the path that the scene states cannot be
 [[nodiscard]] Answered answer_on_given_path(const PosedProblem& posed);
 
@@ -40,6 +44,8 @@ struct Certified {
 };
 
 [[nodiscard]] Certified certify(const PosedProblem& posed, MeshAnswer& found);
+[[nodiscard]] Certified certify(const PosedProblem& posed,
+                                const LimitedAnswer& found);
 /// \param motion  of `found`
 /// \param nearby  an extremal of the scene, with the end angle φ
 [[nodiscard]] Certified certify(const PosedProblem& posed,

@@ -12,6 +12,7 @@
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/study/solution.hpp"
 #include "trajectory/arc_length_motion.hpp"
+#include "trajectory/limited_motion.hpp"
 #include "trajectory/prescribed_motion.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -32,11 +33,19 @@ struct PiecewiseAnswer {
   ProgramSize program;
 };
 
-/// The answers there are: found by collocation, found on straight pieces, the
-/// motion on the path that a scene states, and a solution of the paper's
-/// discrete system, which is not what is asked for.
-struct Answer : std::variant<CollocationAnswer, PiecewiseAnswer,
-                             PrescribedMotion, DiscreteAnswer> {
+/// Under limits, or with slopes at the contacts that are not the extremal's
+/// own.
+struct LimitedPathAnswer {
+  LimitedMotion motion;
+  ProgramSize program;
+};
+
+/// The answers there are: found by collocation, found on straight pieces, found
+/// under limits, the motion on the path that a scene states, and a solution of
+/// the paper's discrete system, which is not what is asked for.
+struct Answer
+    : std::variant<CollocationAnswer, PiecewiseAnswer, LimitedPathAnswer,
+                   PrescribedMotion, DiscreteAnswer> {
   using variant::variant;
 };
 

@@ -89,6 +89,19 @@ Certificate certify_answer(ArcLengthAnswer& answer,
   return certificate;
 }
 
+Certificate certify_answer(const LimitedAnswer& answer,
+                           const Discretisation& wanted) {
+  const double estimated = answer.estimated_error.value_or(kUnknown);
+  const Mesh& mesh = answer.path.curve.problem().mesh();
+  Certificate certificate =
+      certify(answer.path.curve, answer.path.mismatch.largest(), estimated);
+  add_agreement(estimated, wanted,
+                fmt::format("degree {} against {} on {} elements", mesh.degree,
+                            mesh.degree + 1, mesh.num_elements()),
+                certificate);
+  return certificate;
+}
+
 CrossCheck compare_with(const ExtremalSolution& extremal, double ratio) {
   CrossCheck check;
   check.solved = extremal.usable();

@@ -11,6 +11,7 @@
 #include "brachisto/trajectory/certificate.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
+#include "refinement/limited_refinement.hpp"
 #include "refinement/refinement.hpp"
 #include "trajectory/arc_length_motion.hpp"
 
@@ -28,6 +29,10 @@ inline constexpr double kCoarsestAgreement = 1e-2;
 /// certify(), and the check "agreement" as in certify_answer().
 [[nodiscard]] Certificate certify_answer(ArcLengthAnswer& answer,
                                          const ArcLengthMotion& motion,
+                                         const Discretisation& wanted);
+
+/// certify(), and the check "agreement" as in certify_answer().
+[[nodiscard]] Certificate certify_answer(const LimitedAnswer& answer,
                                          const Discretisation& wanted);
 
 /// True if checks failed, and all that did are of the kind that a finer mesh

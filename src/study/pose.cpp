@@ -164,6 +164,21 @@ Collocation program_of(const SolveOptions& options) {
   return program;
 }
 
+/// A bead touches A and B whatever its slopes there.
+bool is_limited(const Scene& scene) {
+  const bool own_slopes =
+      scene.contact == Contact::Smooth || scene.contact == Contact::Centre;
+  return scene.limits.any() || (!own_slopes && scene.body.rolls());
+}
+
+/// The scene whose extremal the limits are relaxed to.
+Scene without_limits(Scene scene) {
+  if (scene.contact != Contact::Centre) scene.contact = Contact::Smooth;
+  scene.limits = {};
+  scene.end_slope.reset();
+  return scene;
+}
+
 }  // namespace
 
 MeshOptions PosedProblem::mesh_options_after(const Work& done) const {
@@ -177,7 +192,7 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
                   const SolveHooks& hooks) {
   refuse("the scene is not valid", errors_of(scene));
   refuse("the options are not valid", option_errors(options));
-  PosedProblem out{PosedScene(scene), options, program_of(options), {}, {},
+  PosedProblem out{PosedScene(scene), options, program_of(options), {}, {}, {},
                    warnings_of(scene)};
   MeshOptions& mesh = out.mesh_options;
   mesh.ipopt.tolerance = out.program.tolerance;
@@ -187,6 +202,8 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
   mesh.polish = out.program.polish;
   mesh.progress = hooks.progress;
   mesh.newton_alone = out.program.solver == ProgramSolver::NewtonKkt;
+  if (is_limited(scene)) out.limited = out.natural;
+  out.natural = without_limits(out.natural);
   if (!scene.path) out.cycloid = axisymmetric_optimum(out.natural);
   return out;
 }

@@ -24,6 +24,10 @@ struct PosedProblem : PosedScene {
   /// poses no program the defaults at its tolerance.
   Collocation program;
   MeshOptions mesh_options;  ///< as if nothing had been done
+  /// What is asked for, in natural units, if there are limits or the slopes at
+  /// the contacts are not the extremal's own. Then `natural`, where it starts
+  /// from, is without limits and its contact smooth or the centre's.
+  std::optional<Scene> limited;
   /// Of the uniform cylinder, in natural units; nothing if there is none.
   std::optional<CycloidArc> cycloid;
   std::vector<std::string> warnings;  ///< see Solution::warnings

@@ -68,6 +68,7 @@ void record(Answered answered, Solution& out) {
   out.answer = std::move(answered.answer);
   out.estimated_error = answered.estimated_error;
   out.diagnostics = std::move(answered.diagnostics);
+  out.limits = std::move(answered.limits);
 }
 
 void record(Certified certified, Solution& out) {

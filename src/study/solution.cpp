@@ -25,12 +25,18 @@ const Motion* Solution::motion() const {
   if (const auto* pieces = answer_as<PiecewiseAnswer>(answer)) {
     return &pieces->motion;
   }
+  if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
+    return &limited->motion;
+  }
   return answer_as<PrescribedMotion>(answer);
 }
 
 const ProgramSize* Solution::program() const {
   if (const auto* found = answer_as<CollocationAnswer>(answer)) {
     return &found->program;
+  }
+  if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
+    return &limited->program;
   }
   const auto* pieces = answer_as<PiecewiseAnswer>(answer);
   return pieces == nullptr ? nullptr : &pieces->program;
@@ -68,7 +74,7 @@ std::vector<std::string> Solution::not_verified_because() const {
 std::string Solution::advice() const {
   const Check* second_order = certificate.find("second_order");
   if (second_order == nullptr || !(second_order->value > 0.0)) return {};
-  const std::string search = wider_search(scene.contact, options);
+  const std::string search = wider_search(scene, options);
   if (search.empty()) return {};
   return "the extremal is no minimum between its fixed ends; " + search +
          " looks for those that are";
@@ -78,6 +84,7 @@ void Solution::discard_answer() {
   answer.reset();
   diagnostics.reset();
   estimated_error.reset();
+  limits.clear();
   extremal.reset();
   certificate = {};
 }

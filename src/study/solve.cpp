@@ -44,6 +44,8 @@ void refine_elements(const PosedProblem& posed, const Start& start,
                      Solution& out);
 void refine_pieces(const PosedProblem& posed, const Start& start,
                    Solution& out);
+void refine_under_limits(const PosedProblem& posed, const Start& start,
+                         Solution& out);
 void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
               std::optional<double> transit_time = std::nullopt);
 void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
@@ -86,6 +88,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
   if (posed.stop().met() || !posed.cycloid) return;
   if (posed.searches()) return search_contacts(posed, start, out);
   if (!start.curve) return;
+  if (posed.limited) return refine_under_limits(posed, start, out);
   if (posed.program.guess != Guess::Cycloid) {
     record(start_elsewhere(posed, start, out.effort), out);
   }
@@ -225,6 +228,23 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   record(refinement, out);
   if (!refinement.answer || posed.stop().met()) return;
   conclude(posed, *refinement.answer, start, out);
+}
+
+/// The same under limits, which are tightened from what the extremal keeps.
+void refine_under_limits(const PosedProblem& posed, const Start& start,
+                         Solution& out) {
+  LimitedRefinement refinement =
+      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
+                     start.phi, posed.mesh_options_after(out.effort));
+  record(refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
+  const LimitedAnswer& found = *refinement.answer;
+  record(answer_of(posed, found), out);
+  {
+    const CertificateTimer timer(out.effort);
+    record(certify(posed, found), out);
+  }
+  record(verdict(out, refinement.message), out);
 }
 
 // ---- Answer, certify, verdict.

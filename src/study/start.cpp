@@ -74,7 +74,7 @@ Start start_from_cycloid(const PosedProblem& posed) {
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
   if (start.curve) return start;
   const std::string slow = slow_at_end(arc);
-  const std::string search = wider_search(posed.scene.contact, posed.options);
+  const std::string search = wider_search(posed.scene, posed.options);
   if (!slow.empty()) {
     start.message += slow;
   } else if (!search.empty()) {
@@ -84,7 +84,8 @@ Start start_from_cycloid(const PosedProblem& posed) {
 }
 
 bool can_start_beside(const PosedProblem& posed, const Neighbour& neighbour) {
-  return !posed.scene.path && posed.options.follows_the_branch() &&
+  return !posed.scene.path && !posed.limited &&
+         posed.options.follows_the_branch() &&
          can_continue(neighbour, posed.asked);
 }
 
@@ -118,8 +119,11 @@ OtherStart start_elsewhere(const PosedProblem& posed, const Start& principal,
   return out;
 }
 
-std::string wider_search(Contact contact, const SolveOptions& options) {
-  if (options.searches() || contact == Contact::Centre) return {};
+std::string wider_search(const Scene& scene, const SolveOptions& options) {
+  if (options.searches() || scene.contact != Contact::Smooth ||
+      scene.limits.any()) {
+    return {};
+  }
   const std::string search = "search: global";
   const auto* program = options.of<Collocation>();
   if (program == nullptr) return search + " with method: ipopt";

@@ -50,8 +50,8 @@ struct OtherStart {
 
 /// What to ask for where the principal extremal is no answer: "search: global",
 /// with the key that has to change for it to be allowed; empty if that search
-/// was made, or there is none with Contact::Centre.
-[[nodiscard]] std::string wider_search(Contact contact,
+/// was made, or there is none, as with Contact::Centre or under limits.
+[[nodiscard]] std::string wider_search(const Scene& scene,
                                        const SolveOptions& options);
 
 }  // namespace brachisto

@@ -18,6 +18,7 @@
 #include "solvers/inertia.hpp"
 #include "trajectory/arc_length_motion.hpp"
 #include "trajectory/certify.hpp"
+#include "trajectory/contact_error.hpp"
 #include "trajectory/extended_residual.hpp"
 #include "trajectory/reintegration.hpp"
 
@@ -66,10 +67,6 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr CertificateThresholds kThresholds;
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
-}
-
 /// Moves to the solution; the certificate of one that is refused says the
 /// reason instead of measuring what has no meaning.
 bool evaluable(Transcription& problem, const PrimalDual& point, double phi,
@@ -101,10 +98,8 @@ void check_ends(const Scene& scene, Point start, Point end, double beta_end,
     start = track_below(start, r, start_angle(scene.body));
     end = track_below(end, r, beta_end);
   }
-  certificate.add(
-      "contact_error",
-      std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H})),
-      std::max(kThresholds.contact_error, rounding));
+  certificate.add("contact_error", contact_error(scene, start, end),
+                  std::max(kThresholds.contact_error, rounding));
   if (smooth) {
     certificate.add("closure", std::abs(beta_end - phi), kThresholds.tangency);
   }

@@ -108,4 +108,26 @@ class PrescribedMotion;
 [[nodiscard]] Certificate certify_path(const PrescribedMotion& motion,
                                        double tolerance);
 
+class LimitedCurve;
+
+/// Tests a solution under limits.
+///
+/// Optimality:
+///   kkt_residual, complementarity, multiplier_signs  of the finite problem
+///   second_order     eigenvalues of the KKT matrix with the wrong sign or
+///                    none, limits that hold being equations
+/// Integrity:
+///   defects          equality constraints and bounds
+///   limits           by how much a limit is exceeded between nodes
+///   contact_error    distance of the track's ends from A and B
+///   closure          of the slopes that the ends were built from
+///   slope_angle      continuous slope angle within [−π, π]: no loop
+///   reintegration_error  the equation of motion along the path
+///   reintegrated_limits  by how much that motion exceeds a limit
+///
+/// \param mismatch  of the slopes at the contacts, the larger one [rad]
+/// \param error     relative error of T that the solution has or may have
+[[nodiscard]] Certificate certify(const LimitedCurve& curve, double mismatch,
+                                  double error);
+
 }  // namespace brachisto

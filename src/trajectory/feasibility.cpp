@@ -11,6 +11,10 @@
 
 namespace brachisto {
 
+bool forbid_lift_off(const PathLimits& limits) {
+  return limits.friction || limits.normal_min.value_or(-1.0) >= 0.0;
+}
+
 std::vector<std::string> infeasible_because(const Scene& scene,
                                             const PathDiagnostics& path) {
   std::vector<std::string> reasons;
@@ -21,16 +25,21 @@ std::vector<std::string> infeasible_because(const Scene& scene,
       reasons.emplace_back("B lies inside the body at its start");
     }
   }
-  // Written so that a NaN counts as infeasible.
-  const Extreme& force = path.min_normal_force;
-  // 0 is not taken where it is the limit at the start.
-  const bool presses =
-      force.value > 0.0 || (force.value == 0.0 && force.at_start);
-  if (path.at_start.lifts_off() || !presses) {
-    reasons.push_back(fmt::format(
-        "the body would lift off{} = {:.4g} m g at x_b = {:.4g}",
-        path.at_start.lifts_off() ? " at the start, least R_n" : ": R_n",
-        force.value, force.x));
+  if (!forbid_lift_off(scene.limits)) {
+    // Written so that a NaN counts as infeasible.
+    const Extreme& force = path.min_normal_force;
+    // 0 is not taken where it is the limit at the start.
+    const bool presses =
+        force.value > 0.0 || (force.value == 0.0 && force.at_start);
+    if (path.at_start.lifts_off() || !presses) {
+      reasons.push_back(fmt::format(
+          "the body would lift off{} = {:.4g} m g at x_b = {:.4g}{}",
+          path.at_start.lifts_off() ? " at the start, least R_n" : ": R_n",
+          force.value, force.x,
+          scene.limits.any()
+              ? "; normal_force: {min: 0} under scene.limits would forbid it"
+              : ""));
+    }
   }
   const Extreme& margin = path.min_fold_margin;
   if (!(margin.value > 0.0)) {

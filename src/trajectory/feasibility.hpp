@@ -14,11 +14,15 @@
 
 namespace brachisto {
 
+/// Whether R_n cannot be negative under limits: |R_t| ≤ μ R_n or a least R_n of
+/// 0 or more. How well they are kept is for the certificate to judge.
+[[nodiscard]] bool forbid_lift_off(const PathLimits& limits);
+
 /// Why not: B lies inside the body at its start, the body would lift off
-/// (R_n ≤ 0 for a u > 0), the track folds (1 − r κ_c ≤ 0) or crosses itself;
-/// each with the place. Empty if none of that happens. A bead on a wire may do
-/// all of it. Next to the start, where R_n is as small as one likes, the signs
-/// of the limits decide.
+/// (R_n ≤ 0 for a u > 0, unless limits forbid it), the track folds (1 − r κ_c ≤
+/// 0) or crosses itself; each with the place. Empty if none of that happens. A
+/// bead on a wire may do all of it. Next to the start, where R_n is as small as
+/// one likes, the signs of its limits there decide.
 ///
 /// That the body touches the track at a second place is not looked for.
 [[nodiscard]] std::vector<std::string> infeasible_because(

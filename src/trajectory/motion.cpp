@@ -17,8 +17,11 @@ namespace brachisto {
 
 namespace {
 
-double excess(const TrajectoryPoint& at, double mu) {
-  return std::abs(at.motion.R_t) - mu * at.motion.R_n;
+/// Friction needed beyond μ R_n. Where a limit holds it at just that it is not.
+double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
+  constexpr double kRounding = 1e-8;
+  const double beyond = std::abs(at.motion.R_t) - mu * at.motion.R_n;
+  return motion.scene().limits.friction ? beyond - kRounding : beyond;
 }
 
 /// The rows, and those between them where the excess changes its sign and back.
@@ -29,11 +32,11 @@ std::vector<TrajectoryPoint> with_hidden_extremes(
     std::vector<math::Sample> samples;
     samples.reserve(rows.size());
     for (const TrajectoryPoint& row : rows) {
-      samples.push_back({row.sigma, sign * excess(row, mu)});
+      samples.push_back({row.sigma, sign * excess(motion, row, mu)});
     }
     for (const math::Sample& found :
          math::minima_below(0.0, samples, [&](double sigma) {
-           return sign * excess(motion.at(sigma), mu);
+           return sign * excess(motion, motion.at(sigma), mu);
          })) {
       out.push_back(motion.at(found.at));
     }
@@ -55,9 +58,9 @@ double friction_share(const Motion& motion,
   const std::vector<TrajectoryPoint> rows =
       with_hidden_extremes(motion, samples, mu);
   // NaN counts as too much. At the start both forces may vanish: then the first
-  // step counts like its end.
+  // step counts like its end. Where they jump two rows may be of one place.
   const auto above = [&](const TrajectoryPoint& at) {
-    return !(excess(at, mu) <= 0.0);
+    return !(excess(motion, at, mu) <= 0.0);
   };
   double time = 0.0;
   bool before = above(rows.front());
@@ -65,15 +68,17 @@ double friction_share(const Motion& motion,
     check_stop(i);
     const double step = rows[i].t - rows[i - 1].t;
     const bool after = above(rows[i]);
-    const double ends[] = {excess(rows[i - 1], mu), excess(rows[i], mu)};
+    const double ends[] = {excess(motion, rows[i - 1], mu),
+                           excess(motion, rows[i], mu)};
     if (before == after) {
       if (after) time += step;
     } else if (ends[0] == 0.0 || ends[1] == 0.0 ||
+               !(rows[i - 1].sigma < rows[i].sigma) ||
                std::isnan(ends[0] + ends[1])) {
       if (after) time += step;
     } else {
       const double change = math::find_root(
-          [&](double sigma) { return excess(motion.at(sigma), mu); },
+          [&](double sigma) { return excess(motion, motion.at(sigma), mu); },
           rows[i - 1].sigma, rows[i].sigma, ends[0], ends[1]);
       const double t = motion.at(change).t;
       time += after ? rows[i].t - t : t - rows[i - 1].t;

@@ -7,8 +7,10 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
 
@@ -396,6 +398,85 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
   const double v = motion.at(1.0).motion.v_c;
   const double late = std::abs(y[0] - motion.centre_path_length()) / (v * T);
   return std::max(late, std::abs(y[1] - v) / v);
+}
+
+LimitedReintegration reintegrate(const LimitedCurve& curve) {
+  // t, ṡ, s, x, z along the place in an element.
+  using Along = std::array<double, 5>;
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  const RadauScheme& scheme = problem.scheme();
+  const double begin = scheme.rule.points.front();
+  const TurningPoint<double> first = curve.at(0, begin).state;
+  const TurningPoint<double> rest = curve.at(0, 0.0).state;
+  const double A = inertia_factor(scene.body, first.theta, first.beta);
+  const double w = fall_speed(
+      scene.gravity, energy_height(scene.body, first.z - rest.z, first.theta));
+  const double length =
+      scene.body.off_centred()
+          ? (first.theta - scene.body.theta_m) * scene.body.radius
+          : 0.0;
+  Along y{0.0, w / std::sqrt(A), length, first.x, first.z};
+  // The time up to there.
+  const math::QuadratureRule rule = math::gauss_legendre(scheme.degree + 1);
+  double h = problem.mesh().length(0) * curve.rolling_time();
+  for (std::size_t i = 0; i < rule.points.size(); ++i) {
+    const auto at = curve.at(0, begin * rule.points[i]).state;
+    y[0] += h * begin * rule.weights[i] *
+            std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+  }
+  LimitedReintegration out;
+  for (int e = 0; e < problem.mesh().num_elements(); ++e) {
+    check_stop(e);
+    h = problem.mesh().length(e) * curve.rolling_time();
+    const auto look_at_limits = [&](double t) {
+      TurningPoint<double> place = curve.at(e, t).state;
+      place.w =
+          y[1] * std::sqrt(inertia_factor(scene.body, place.theta, place.beta));
+      place.x = y[3];
+      place.z = y[4];
+      const Excess excess =
+          worst_excess(problem.limits(), scene.body, scene.gravity, place);
+      if (std::isnan(out.excess) || excess.value <= out.excess) return;
+      out.excess = excess.value;
+      out.excess_at =
+          problem.mesh().boundaries[at(e)] + t * problem.mesh().length(e);
+    };
+    const auto rates = [&](const Along& at, Along& rate, double t) {
+      const TurningPoint<double> path = curve.at(e, t).state;
+      const double v = at[1];
+      const double ds = h * path.w;
+      const double s_ddot =
+          acceleration(scene, at[2], v, path.beta, v * path.q / path.w);
+      rate = {ds / v, s_ddot * ds / v, ds, ds * std::cos(path.beta),
+              ds * std::sin(path.beta)};
+    };
+    double t = e == 0 ? begin : 0.0;
+    double dt = 0.25;
+    auto stepper = odeint::make_controlled(
+        kTolerance, kTolerance, odeint::runge_kutta_fehlberg78<Along>());
+    constexpr int kMostSteps = 10000;
+    for (int step = 0; t < 1.0; ++step) {
+      dt = std::min(dt, 1.0 - t);
+      const bool last = dt >= 1.0 - t;
+      const bool failed = stepper.try_step(rates, y, t, dt) == odeint::fail;
+      if (!(y[1] > 0.0) || step > kMostSteps) {
+        out.error = std::numeric_limits<double>::quiet_NaN();
+        return out;
+      }
+      if (!failed) look_at_limits(std::min(t, 1.0));
+      if (!failed && last) break;
+    }
+  }
+  const TurningPoint<double> last = curve.at(1.0).state;
+  const double speed =
+      last.w / std::sqrt(inertia_factor(scene.body, last.theta, last.beta));
+  const double late = std::abs(y[0] / curve.transit_time() - 1.0);
+  const double faster = std::abs(y[1] / speed - 1.0);
+  const double off = std::hypot(y[3] - last.x, y[4] - last.z);
+  const double sum = late + faster + off;
+  out.error = std::isnan(sum) ? sum : std::max({late, faster, off});
+  return out;
 }
 
 }  // namespace brachisto

@@ -10,6 +10,7 @@
 
 #include "trajectory/prescribed_motion.hpp"
 #include "transcription/extremal_curve.hpp"
+#include "transcription/limited_curve.hpp"
 
 namespace brachisto {
 
@@ -65,5 +66,21 @@ struct Reintegration {
 ///              right-hand side is not smooth next to it.
 [[nodiscard]] double reintegration_error(const PrescribedMotion& motion,
                                          double from = 0.0);
+
+/// The equation of motion on a path under limits, A s̈ = g (sin β + η cos θ) −
+/// ½ A_s ṡ², from the first collocation point on, where the speed is that of
+/// energy, along the places of the path: only β and κ_c = q/w as functions of
+/// σ, and ds/dσ = U w, are taken from the solution.
+///
+/// Limits are looked at on the way, with place and speed of that motion.
+struct LimitedReintegration {
+  /// The largest of the relative errors of the time and of the speed at the
+  /// end, and of the place there in natural units; NaN if the body comes to
+  /// rest.
+  double error = 0.0;
+  double excess = 0.0;     ///< over a limit, the largest
+  double excess_at = 0.0;  ///< σ
+};
+[[nodiscard]] LimitedReintegration reintegrate(const LimitedCurve& curve);
 
 }  // namespace brachisto

@@ -55,6 +55,11 @@ void Transcription::fix(int variable, double value) {
   upper_[at(variable)] = value;
 }
 
+void Transcription::release(int variable) {
+  lower_[at(variable)] = -std::numeric_limits<double>::infinity();
+  upper_[at(variable)] = std::numeric_limits<double>::infinity();
+}
+
 void Transcription::set_end_angle(double phi) {
   const Point end = end_of_centre(scene_, phi);
   const int last = layout_.num_points();

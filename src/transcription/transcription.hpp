@@ -134,6 +134,7 @@ class Transcription : public nlp::Problem {
                 Point origin, const char* place);
 
   void fix(int variable, double value);
+  void release(int variable);
   /// Once all that stencils need has its size.
   void build_patterns();
   /// \param place  negative: none

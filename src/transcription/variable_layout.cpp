@@ -5,24 +5,39 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace brachisto {
 
 const char* VariableLayout::state_name(int offset) const {
   if (offset == 0) return "x";
   if (offset == 1) return "z";
-  return has_slopes() && offset == num_states_ - 1 ? "w" : "theta";
+  if (offset == 2 && has_theta_) return "theta";
+  return offset == (has_theta_ ? 3 : 2) ? "w" : "beta";
 }
 
 std::string VariableLayout::variable_name(int index) const {
   if (index == last()) return has_slopes() ? "U" : "S";
   return fmt::format("{}[{}]",
-                     is_state(index) ? state_name(index % stride()) : "beta",
+                     is_state(index)    ? state_name(index % stride())
+                     : slope_is_state() ? "h q"
+                                        : "beta",
                      node_of(index));
 }
 
 std::string VariableLayout::constraint_name(int index) const {
   const int row = index % num_rows_;
   const int point = point_of(index);
+  if (index >= start_row(0)) {
+    return fmt::format("limit {} at rest", index - start_row(0));
+  }
+  if (point >= num_points_) {
+    constexpr std::array kNames{"x at A", "z at A", "x at B", "z at B"};
+    return kNames.at(static_cast<std::size_t>(index - contact_row(0)));
+  }
+  if (slope_is_state() && row >= num_states_) {
+    return fmt::format("limit {}[{}]", row - num_states_, point);
+  }
   if (has_slopes()) {
     return fmt::format("defect of {}[{}]", state_name(row), point);
   }

@@ -11,8 +11,9 @@
 namespace brachisto {
 
 /// Components of the state at a node, in the order in which they are stored. A
-/// body whose centre of mass lies on its axis has no θ.
-enum class StateComponent { X, Z, Theta, W };
+/// body whose centre of mass lies on its axis has no θ. β is a state of
+/// limited_time alone.
+enum class StateComponent { X, Z, Theta, W, Beta };
 
 /// Layout of unknowns and constraints: a group of unknowns for each node along
 /// the path, one global unknown last; a group of constraints for each point,
@@ -37,6 +38,11 @@ enum class StateComponent { X, Z, Theta, W };
 ///     no slip of 1  [place of 1]  no slip of 2  [place of 2]  …,
 ///
 /// place being θ_j − θ_m = (S/r) σ_j².
+///
+/// limited_time: like rolling_time with β among the states and the control
+/// h q = h dβ/du in its place; after the defects of a point stand its limits, and
+/// after all of them four rows for the two contacts where their slopes are
+/// free, and the limits on forces at rest where β(0) is.
 class VariableLayout {
  public:
   /// Of rolling_time.
@@ -49,6 +55,20 @@ class VariableLayout {
     return {num_pieces, has_theta, has_theta ? 3 : 2, 0, has_theta ? 2 : 1};
   }
 
+  /// Of limited_time.
+  [[nodiscard]] static VariableLayout with_limits(int num_points,
+                                                  bool has_theta,
+                                                  int num_limits,
+                                                  bool free_contacts,
+                                                  int num_start_rows) {
+    const int states = has_theta ? 5 : 4;
+    VariableLayout layout(num_points, has_theta, states, 1,
+                          states + num_limits);
+    layout.num_contact_rows_ = free_contacts ? 4 : 0;
+    layout.num_start_rows_ = num_start_rows;
+    return layout;
+  }
+
   [[nodiscard]] bool has_theta() const { return has_theta_; }
   [[nodiscard]] int num_states() const { return num_states_; }
   /// Collocation points or pieces.
@@ -58,7 +78,9 @@ class VariableLayout {
   [[nodiscard]] int num_variables() const {
     return num_points_ * stride() + (has_slopes() ? num_states_ : 0) + 1;
   }
-  [[nodiscard]] int num_constraints() const { return num_rows_ * num_points_; }
+  [[nodiscard]] int num_constraints() const {
+    return start_row(num_start_rows_);
+  }
 
   /// Index of a state component at node 0 … N p, of pieces 1 … N.
   /// \pre has_theta() for Theta, rolling_time for W
@@ -77,6 +99,23 @@ class VariableLayout {
   [[nodiscard]] int defect(int point, StateComponent component) const {
     return num_rows_ * point + offset(component);
   }
+  /// Index of limit 0 … at a collocation point, of limited_time.
+  [[nodiscard]] int limit(int point, int number) const {
+    return num_rows_ * point + num_states_ + number;
+  }
+  [[nodiscard]] int num_limits() const { return num_rows_ - num_states_; }
+  /// h dβ/du at collocation point 0 … N p − 1, of limited_time.
+  [[nodiscard]] int control(int point) const { return beta(point); }
+  /// x, z of the contact at A, then at B.
+  [[nodiscard]] int contact_row(int number) const {
+    return num_rows_ * num_points_ + number;
+  }
+  [[nodiscard]] int num_contact_rows() const { return num_contact_rows_; }
+  /// Of the limits on forces at rest.
+  [[nodiscard]] int start_row(int number) const {
+    return num_rows_ * num_points_ + num_contact_rows_ + number;
+  }
+  [[nodiscard]] int num_start_rows() const { return num_start_rows_; }
   /// Of the piece that leads to node 1 … N.
   [[nodiscard]] int no_slip(int node) const { return num_rows_ * (node - 1); }
   /// \pre has_theta()
@@ -110,17 +149,21 @@ class VariableLayout {
         num_rows_(num_rows) {}
 
   [[nodiscard]] bool has_slopes() const { return num_slopes_ > 0; }
+  [[nodiscard]] bool slope_is_state() const {
+    return has_slopes() && num_states_ == (has_theta_ ? 5 : 4);
+  }
   [[nodiscard]] int first_node() const { return has_slopes() ? 0 : 1; }
   [[nodiscard]] int stride() const { return num_states_ + num_slopes_; }
   [[nodiscard]] int offset(StateComponent component) const {
     const int full = static_cast<int>(component);
-    return component == StateComponent::W ? num_states_ - 1 : full;
+    return component >= StateComponent::W && !has_theta_ ? full - 1 : full;
   }
   [[nodiscard]] const char* state_name(int offset) const;
 
   int num_points_;
   bool has_theta_;
   int num_states_, num_slopes_, num_rows_;  ///< of a node, of a point
+  int num_contact_rows_ = 0, num_start_rows_ = 0;
 };
 
 }  // namespace brachisto

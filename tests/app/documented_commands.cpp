@@ -80,6 +80,8 @@ struct Slow {
 constexpr Slow kSlow[] = {
     {"sweeps/map_eta_theta.yaml", "count: 41", "count: 3"},
     {"sweeps/map_eta_theta.yaml", "count: 61", "count: 4"},
+    {"sweeps/grip.yaml", "count: 26", "count: 2"},
+    {"sweeps/sharper_valleys.yaml", "[4, 6, 8, 12, 16, 24, 32, 40]", "[4, 6]"},
     {"work_precision/base.yaml", ", 40, 64, 80, 160, 400]", "]"},
     {"work_precision/base.yaml", "repetitions: 5", "repetitions: 1"},
     {"large/million_nodes.yaml", "1000001", "1001"},

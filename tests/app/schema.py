@@ -31,6 +31,18 @@ discretisation: {tolerance: 1e-10}
 solver: {method: ipopt, polish: true, limits: {iterations: 500, seconds: 60}}
 """
 
+# What may stand in place of its line with the finish.
+LIMITED = """  finish: {L: 3, H: 1}
+  contact: {end_slope: -10 deg}
+  limits:
+    friction: 1/2
+    normal_force: {min: 0, max: 5}
+    curvature: {hump: 2, valley: 2, of: centre}
+    fold_margin: 0.1
+    floor: 1.5
+    clear_of: [{disc: {x: 1, z: 1.3, radius: 0.2}}, {half_plane: {x: 3.7, z: 0, normal: pi}}]
+"""
+
 # Each changes one thing of GOOD.
 BROKEN = [
     ("k: 1/2", "kk: 1/2"), (", k: 1/2", ""), ("k: 1/2", "k: [1]"), ("k: 1/2", "k: 1/2 m"),
@@ -55,6 +67,14 @@ BROKEN = [
     ("solver:", "sweep: {random: {ranges: {scene.body.k: {from: 0, to: 1}}}}\nsolver:"),
     ("  finish", "  path: {curve: track}\n  finish"),
     ("  finish", "  path: {shape: points, points: [[0, 0, 0]]}\n  finish"),
+    ("  finish", "  contact: best\n  finish"), ("  finish", "  contact: {}\n  finish"),
+    ("  finish", "  contact: {slope: 1}\n  finish"),
+]
+BROKEN_LIMITS = [
+    ("-10 deg", "4"), ("-10 deg", "down"), ("friction", "frction"), ("friction: 1/2", "friction: 0"),
+    ("friction: 1/2", "friction: [1]"), ("max: 5", "max: 0"), ("hump: 2", "hump: -1"),
+    ("centre}", "body}"), ("0.1", "1"), ("1.5", "low"), ("0.2", "0"),
+    ("radius: 0.2", "r: 0.2"), (", radius: 0.2", ""), ("disc", "disk"), ("pi}", "up}"), ("[{disc: {x: 1, z: 1.3, radius: 0.2}}, ", "[3, "),
 ]
 
 
@@ -94,12 +114,20 @@ def main():
             echo.pop(bookkeeping, None)
         expect(True, problem, echo, f"echo of {path}")
     expect(True, problem, yaml.safe_load(GOOD), "the good one")
-    for old, new in BROKEN:
-        text = GOOD.replace(old, new, 1)
-        assert text != GOOD, old
-        expect(False, problem, yaml.safe_load(text), new)
-        if run("validate", "-", text=text).returncode != 3:
-            failures.append(f"{new}: brachisto reads it")
+    limited = GOOD.replace("  finish: {L: 3, H: 1}\n", LIMITED)
+    expect(True, problem, yaml.safe_load(limited), "the good one with limits")
+    echo = run("validate", "-", "--json", text=limited).stdout
+    expect(True, problem, {key: value for key, value in json.loads(echo).items()
+                           if key not in ("schema_version", "valid")}, "echo of limits")
+    if run("validate", "-", "--json", text=echo).stdout != echo:
+        failures.append("echo of limits: read again it is another one")
+    for good, changes in ((GOOD, BROKEN), (limited, BROKEN_LIMITS)):
+        for old, new in changes:
+            text = good.replace(old, new, 1)
+            assert text != good, old
+            expect(False, problem, yaml.safe_load(text), new)
+            if run("validate", "-", text=text).returncode != 3:
+                failures.append(f"{new}: brachisto reads it")
     for case in ("paper/fig04_reference_case", "paper/fig06_bead"):
         answer = run("solve", f"{problems}/{case}.yaml", "--json", "--set",
                      "solver.search=global").stdout
@@ -112,7 +140,7 @@ def main():
         again = json.loads(run("validate", "-", "--json", text=answer).stdout)
         if {key: again.get(key) for key in given} != given:
             failures.append(f"result of {case}: read again it is another problem")
-    print("\n".join(failures) or f"{len(files)} problems conform, {len(BROKEN)} broken ones do not")
+    print("\n".join(failures) or f"{len(files)} problems conform, {len(BROKEN + BROKEN_LIMITS)} broken ones do not")
     return 1 if failures else 0
 
 

@@ -109,7 +109,7 @@ TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
     // order that the coarsest mesh still has move the slope by less than half.
     EXPECT_NEAR(line["observed_order"]["order"], 2.0 * p, 0.5);
     EXPECT_EQ(line["observed_order"]["points"], 4);
-    // The path between nodes has order p + 1 (docs/theory.md, section 8); on
+    // The path between nodes has order p + 1 (docs/theory.md, section 12); on
     // four times as many elements its error is less by 2^(p + 1) at least.
     const json &coarse = line["points"][0], fine = line["points"][3];
     EXPECT_LT(fine["path_error"].get<double>(),

@@ -26,8 +26,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAULTS = [
     # columns and keys
     ("x and z of the centre of mass swapped in the CSV",
-     "number(at.mass_centre.x), number(at.mass_centre.z)",
-     "number(at.mass_centre.z), number(at.mass_centre.x)"),
+     "in_full(at.mass_centre.x),\n                     in_full(at.mass_centre.z)",
+     "in_full(at.mass_centre.z),\n                     in_full(at.mass_centre.x)"),
     ("R_n and R_t swapped in the head of the CSV", "omega,R_n,R_t,kappa_b", "omega,R_t,R_n,kappa_b"),
     ("rail and centre length swapped in JSON",
      "&Motion::rail_length}", "&Motion::centre_path_length}"),

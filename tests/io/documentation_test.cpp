@@ -61,16 +61,29 @@ TEST(Documentation, ExampleIsRead) {
 TEST(Documentation, ExampleHasEveryKey) {
   const std::string example = between(documentation(), "```yaml\n", "```");
   const std::string paths = between(documentation(), "## Given paths", "\n## ");
+  const std::string limits = between(documentation(), "## Limits", "\n## ");
 
   for (const KeySpec& spec : key_table()) {
     if (spec.type() == KeyType::Reserved) continue;
     if (spec.type() == KeyType::Sweep) continue;  // makes it another file
-    // A given path makes it another problem, which has an example of its own.
-    const bool of_path = spec.path.starts_with("scene.path");
-    EXPECT_NE((of_path ? paths : example).find(std::string(spec.name()) + ":"),
-              std::string::npos)
+    // A given path makes it another problem, and so do limits, each of which
+    // has an example of its own.
+    const std::string& place = spec.path.starts_with("scene.path") ? paths
+                               : spec.path.starts_with("scene.limits") ||
+                                       spec.path.starts_with("scene.contact.")
+                                   ? limits
+                                   : example;
+    EXPECT_NE(place.find(std::string(spec.name()) + ":"), std::string::npos)
         << spec.path;
   }
+}
+
+TEST(Documentation, LimitsAreRead) {
+  const std::string example = between(
+      between(documentation(), "## Limits", "\n## "), "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  EXPECT_EQ(errors(example), "");
 }
 
 TEST(Documentation, SweepsAreRead) {

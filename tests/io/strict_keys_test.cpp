@@ -17,8 +17,8 @@ TEST(StrictKeys, UnknownOnesAreRefusedWithTheNearestKnown) {
             "p.yaml:3:27: scene.body.raduis: unknown key; allowed in "
             "scene.body: shape, radius, eta_m, theta_m, k, mass; did you mean "
             "radius?");
-  EXPECT_EQ(errors(kBead + "friction: 0.3\n"),
-            "p.yaml:2:1: friction: unknown key; allowed at the top level: "
+  EXPECT_EQ(errors(kBead + "viscosity: 0.3\n"),
+            "p.yaml:2:1: viscosity: unknown key; allowed at the top level: "
             "version, scene, discretisation, solver, sweep, work_precision");
 }
 
@@ -30,7 +30,7 @@ TEST(StrictKeys, MisplacedOnesAreSentHome) {
   EXPECT_EQ(errors("scene: {eta_m: 0, body: {shape: bead}, "
                    "finish: {L: 3, H: 1}}\n"),
             "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body; "
-            "allowed in scene: body, finish, gravity, contact, path");
+            "allowed in scene: body, finish, gravity, contact, path, limits");
   EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
             "p.yaml:2:1: tolerance: misplaced key; it belongs in "
             "discretisation or solver; allowed at the top level: version, "
@@ -47,7 +47,7 @@ TEST(StrictKeys, DottedOnesAreForOverridesOnly) {
 TEST(StrictKeys, RequiredOnesAreMissed) {
   EXPECT_EQ(errors("version: 1\n"),
             "p.yaml:1:1: scene: missing; expected a map with the keys body, "
-            "finish, gravity, contact, path (what is to roll where)");
+            "finish, gravity, contact, path, limits (what is to roll where)");
   EXPECT_EQ(errors("scene:\n  finish:\n    L: 3\n  body: {}\n"),
             "p.yaml:2:3: scene.finish.H: missing; expected a number in m, > 0 "
             "(H, drop from A to B)\n"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Every hard problem ends the way its comments say.
+// Every hard problem, and every one with limits, ends the way its comments say.
 
 #include <gtest/gtest.h>
 
@@ -45,6 +45,12 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::ValuesIn(testing::problem_files(BRACHISTO_HARD_DIR)),
     testing::file_name);
 
+class LimitedProblem : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(
+    Files, LimitedProblem,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_LIMITS_DIR)),
+    testing::file_name);
+
 void expect_refused(const fs::path& file, const std::string& because) {
   std::string message;
   try {
@@ -69,8 +75,7 @@ void expect_tau(const Solution& solution, const std::string& digits) {
   EXPECT_NEAR(tau, expected, half_digit + *solution.estimated_error * tau);
 }
 
-TEST_P(HardProblem, EndsAsItsCommentSays) {
-  const fs::path file = fs::path(BRACHISTO_HARD_DIR) / (GetParam() + ".yaml");
+void expect_promise(const fs::path& file) {
   const std::string promise = promise_of(file);
   const std::string refused = "refused: ";
   if (promise.starts_with(refused)) {
@@ -97,6 +102,14 @@ TEST_P(HardProblem, EndsAsItsCommentSays) {
     EXPECT_TRUE(solution.cold_start->principal)
         << describe(solution.cold_start->status);
   }
+}
+
+TEST_P(HardProblem, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_HARD_DIR) / (GetParam() + ".yaml"));
+}
+
+TEST_P(LimitedProblem, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_LIMITS_DIR) / (GetParam() + ".yaml"));
 }
 
 }  // namespace

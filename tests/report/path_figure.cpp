@@ -3,8 +3,10 @@
 
 #include "report/path_figure.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -20,12 +22,13 @@ namespace {
 
 using report::Figure;
 using testing::bead_solution;
+using testing::limited_solution;
 using testing::off_centred_solution;
 using testing::uniform_solution;
 using testing::xml_flaw;
 
 Figure figure_of(const Solution& solution) {
-  return report::path_figure(*solution.motion(), *solution.diagnostics);
+  return report::path_figure(solution);
 }
 
 /// The numbers in the rows of one part.
@@ -132,6 +135,111 @@ TEST(PathFigure, MarksWhereTheBodyLiftsOffAndSaysSo) {
   EXPECT_TRUE(says(figure, "Infeasible: the body would lift off"));
   EXPECT_TRUE(says(figure, "lifts off'"));
   EXPECT_FALSE(says(figure_of(off_centred_solution()), "lifts off"));
+}
+
+/// The floor where the body just touches it.
+Solution above_a_floor() {
+  Solution solution = limited_solution();
+  double lowest = 0.0;
+  for (const TrajectoryPoint& p : solution.motion()->fine_sample(1000)) {
+    lowest = std::max(lowest, p.centre.z);
+  }
+  solution.scene.limits.floor = lowest + solution.scene.body.radius;
+  solution.scene.limits.discs = {{{1.5, 0.25}, 0.125}};
+  return solution;
+}
+
+TEST(PathFigure, OfLimitsIsDrawn) {
+  for (const Solution& solution : {limited_solution(), above_a_floor()}) {
+    const report::DrawnFigure drawn =
+        report::draw(figure_of(solution), report::Format::Svg, nullptr);
+
+    ASSERT_EQ(drawn.missing, "");
+    EXPECT_EQ(xml_flaw(drawn.files.back().content), "");
+  }
+}
+
+TEST(PathFigure, SaysWhichLimitsThereAreAndWhichHold) {
+  const Figure figure = figure_of(limited_solution());
+
+  EXPECT_TRUE(figure.title.starts_with("Smooth-contact extremal under limits"));
+  EXPECT_TRUE(figure.title.ends_with(
+      "Limits: |Rt| ≤ 0.5 Rn, Rn ≤ 5 m g, clear of 1 half-plane"))
+      << figure.title;
+  EXPECT_TRUE(says(figure, "title 'friction active'"));
+  EXPECT_TRUE(says(figure, "title 'normal\\_force.max active'"));
+  EXPECT_FALSE(says(figure, "half\\_plane active"));
+  EXPECT_FALSE(says(figure_of(off_centred_solution()), "active"));
+}
+
+TEST(PathFigure, HasABandForEachArcFromItsBeginToItsEnd) {
+  const Solution& solution = limited_solution();
+  const Figure figure = figure_of(solution);
+
+  for (const LimitOnPath& limit : solution.limits) {
+    for (std::size_t i = 0; i < limit.active.size(); ++i) {
+      const ActiveArc& arc = limit.active[i];
+      const auto band = rows(figure, limit.name + " " + std::to_string(i + 1));
+      ASSERT_GE(band.size(), 10u) << limit.name;
+      // Nine digits are written.
+      constexpr double kWritten = 1e-8;
+      EXPECT_NEAR(band.front()[kT], arc.t.from, kWritten);
+      EXPECT_NEAR(band.front()[kX], arc.x.from, kWritten);
+      EXPECT_NEAR(band.back()[kT], arc.t.to, kWritten);
+      EXPECT_NEAR(band.back()[kX], arc.x.to, kWritten);
+      EXPECT_TRUE(std::ranges::is_sorted(band));
+    }
+  }
+}
+
+TEST(PathFigure, ShowsWhereTheBodyMustNotBe) {
+  const Solution solution = above_a_floor();
+  const Figure figure = figure_of(solution);
+  const auto corners = [&](int number) {
+    std::vector<Point> out;
+    std::istringstream table(figure.table);
+    const std::string part = fmt::format("obstacle {} of track,,", number);
+    for (std::string line; std::getline(table, line);) {
+      if (!line.starts_with(part)) continue;
+      std::istringstream numbers(line.substr(part.size()));
+      Point p;
+      char comma = ' ';
+      numbers >> p.x >> comma >> p.z;
+      out.push_back(p);
+    }
+    return out;
+  };
+
+  const std::vector<Point> floor = corners(1);
+  const std::vector<Point> disc = corners(2);
+
+  ASSERT_GE(floor.size(), 4u);
+  const double D = *solution.scene.limits.floor;
+  double deepest = 0.0;
+  for (const Point p : floor) {
+    EXPECT_GE(p.z, D - 1e-8);
+    deepest = std::max(deepest, p.z);
+  }
+  EXPECT_GT(deepest, D + 0.1);  // seen, in a picture some 2 m high
+  ASSERT_GE(disc.size(), 100u);
+  for (const Point p : disc) {
+    EXPECT_NEAR(std::hypot(p.x - 1.5, p.z - 0.25), 0.125, 1e-8);
+  }
+  EXPECT_TRUE(says(figure, "title 'out of bounds'"));
+  EXPECT_TRUE(corners(3).empty());  // the wall is too far to the right
+  EXPECT_FALSE(says(figure_of(off_centred_solution()), "out of bounds"));
+}
+
+// A key in a reason has an underscore that is none of a formula.
+TEST(PathFigure, NamesTheRemedyForLiftOff) {
+  Solution solution = limited_solution();
+  solution.scene.limits.friction.reset();
+  solution.diagnostics->min_normal_force = {-0.5, 1.25};
+
+  const Figure figure = figure_of(solution);
+
+  EXPECT_TRUE(says(figure, "normal\\_force: \\{min: 0\\}")) << figure.commands;
+  EXPECT_TRUE(says(figure, "R_{n} = -0.5 m g")) << figure.commands;
 }
 
 TEST(PathFigure, EnlargesBumpsThatWouldVanish) {

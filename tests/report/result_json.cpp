@@ -21,6 +21,7 @@ using report::result_json;
 using testing::bead_solution;
 using testing::discrete_solution;
 using testing::impossible_solution;
+using testing::limited_solution;
 using testing::off_centred_solution;
 using testing::uniform_solution;
 using testing::unverified_solution;
@@ -217,6 +218,43 @@ TEST(ResultJson, TellsHowTheSolutionWasFound) {
   EXPECT_EQ(document["certificate"]["extremal_tau"], 5.125);
   EXPECT_EQ(document["certificate"]["tau"], document["tau"]);
   EXPECT_EQ(document["certificate"]["extremal_difference"], 0.5);
+}
+
+TEST(ResultJson, TellsWhatLimitsMeanForThePath) {
+  const Solution& solution = limited_solution();
+
+  const json document = json::parse(result_json(solution));
+
+  const json& limits = document["limits"];
+  ASSERT_EQ(limits.size(), 3u);
+  EXPECT_EQ(limits[0]["name"], "friction");
+  EXPECT_EQ(limits[0]["bound"], 0.5);
+  EXPECT_EQ(limits[0]["least_slack"], 0.0);
+  EXPECT_EQ(limits[0]["share_of_time"], 0.375);
+  EXPECT_EQ(limits[0]["price"], -0.0625);
+  EXPECT_EQ(limits[0]["price_at_fixed_contacts"], -0.15625);
+  ASSERT_EQ(limits[0]["active"].size(), 2u);
+  const TrajectoryPoint begin = solution.motion()->at(0.5);
+  const TrajectoryPoint end = solution.motion()->at(0.75);
+  const json expected = {
+      {"u", {{"from", begin.u}, {"to", end.u}}},
+      {"t", {{"from", begin.t}, {"to", end.t}}},
+      {"x", {{"from", begin.motion.contact.x}, {"to", end.motion.contact.x}}}};
+  EXPECT_EQ(limits[0]["active"][1], expected);
+  EXPECT_TRUE(limits[1]["price"].is_null());
+  EXPECT_TRUE(limits[2]["bound"].is_null());
+  EXPECT_EQ(limits[2]["active"], json::array());
+  EXPECT_EQ(document["constraints"], solution.program()->constraints);
+}
+
+TEST(ResultJson, TellsOfLimitsWhereThereAreAnyAndThePathIsVerified) {
+  Solution unverified = limited_solution();
+  unverified.certificate.add("broken", 1.0, 0.0);
+
+  for (const Solution* solution : all_kinds()) {
+    EXPECT_FALSE(json::parse(result_json(*solution)).contains("limits"));
+  }
+  EXPECT_EQ(json::parse(result_json(unverified))["limits"], json::array());
 }
 
 TEST(ResultJson, HasNothingOfWhatWasNotAskedFor) {

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <numbers>
+
 #include "brachisto/study/solve.hpp"
 #include "support/reference_values.hpp"
 
@@ -21,6 +23,53 @@ namespace brachisto::testing {
 }
 [[nodiscard]] inline const Solution& bead_solution() {
   static const Solution kSolution = solve(reference("bead_L3").scene());
+  return kSolution;
+}
+/// From place to place of a motion.
+[[nodiscard]] inline ActiveArc arc_between(const Motion& motion, double from,
+                                           double to) {
+  const TrajectoryPoint a = motion.at(from);
+  const TrajectoryPoint b = motion.at(to);
+  return {{a.sigma, b.sigma},
+          {a.u, b.u},
+          {a.t, b.t},
+          {a.motion.contact.x, b.motion.contact.x}};
+}
+/// What is told of limits, by hand: the free solution with two that are said to
+/// hold, one of them twice and once together with the other, and one that has
+/// no bound.
+[[nodiscard]] inline const Solution& limited_solution() {
+  static const Solution kSolution = [] {
+    Solution solution = off_centred_solution();
+    const Motion& motion = *solution.motion();
+    PathLimits& limits = solution.scene.limits;
+    limits.friction = 0.5;
+    limits.normal_max = 5.0;
+    limits.half_planes = {{{4.0, 0.0}, std::numbers::pi}};
+    solution.limits = {{.name = "friction",
+                        .bound = 0.5,
+                        .active = {arc_between(motion, 0.125, 0.25),
+                                   arc_between(motion, 0.5, 0.75)},
+                        .least_slack = 0.0,
+                        .share_of_time = 0.375,
+                        .price = -0.0625,
+                        .price_at_fixed_contacts = -0.15625},
+                       {.name = "normal_force.max",
+                        .bound = 5.0,
+                        .active = {arc_between(motion, 0.6875, 0.8125)},
+                        .least_slack = 0.0,
+                        .share_of_time = 0.0625,
+                        .price = {},
+                        .price_at_fixed_contacts = -0.03125},
+                       {.name = "clear_of.half_plane",
+                        .bound = {},
+                        .active = {},
+                        .least_slack = 0.71875,
+                        .share_of_time = 0.0,
+                        .price = 0.0,
+                        .price_at_fixed_contacts = 0.0}};
+    return solution;
+  }();
   return kSolution;
 }
 /// Solved, but not to the wanted tolerance.

@@ -66,6 +66,62 @@ TEST(Summary, SaysWhatTheTrackIs) {
       << summary(solution);
 }
 
+TEST(Summary, SaysWhatTheTrackIsUnderLimits) {
+  Solution solution = testing::limited_solution();
+  const auto asked = [&](Contact contact, const std::string& words) {
+    solution.scene.contact = contact;
+    EXPECT_TRUE(says(summary(solution), words)) << summary(solution);
+  };
+
+  asked(Contact::Smooth,
+        "the smooth-contact extremal under limits, a root and no minimum over "
+        "the slopes there (docs/theory.md, section 11)");
+  asked(Contact::Centre,
+        "the extremal between fixed ends of the centre's path, under limits");
+  asked(Contact::Optimal,
+        "the fastest track under these limits, its slopes at A and B free");
+  solution.scene.end_slope = -0.5;  // 28.6479 degrees
+  asked(Contact::EndSlope,
+        "the fastest track with the end slope given, 28.6479° up at B");
+  asked(Contact::EndSlope, "g = 9.81 m/s², end slope -28.6479°");
+  solution.scene.body = Body::bead();
+  asked(Contact::Smooth, "the fastest wire from A to B under limits");
+}
+
+TEST(Summary, HasATableOfLimits) {
+  const Solution& solution = testing::limited_solution();
+  const auto place = [&](double sigma) {
+    return fmt::format("{:.4g}", solution.motion()->at(sigma).motion.contact.x);
+  };
+
+  const std::string text = summary(solution);
+
+  EXPECT_THAT(text, ::testing::ContainsRegex(
+                        "limits +limit +bound +of the time +least slack "
+                        "+dτ/d\\(bound\\) +contacts held +active at x_b"));
+  EXPECT_THAT(text, ::testing::ContainsRegex(fmt::format(
+                        "friction +0.5 +38 % +0 +-0.0625 +-0.1562 +{} to {}, "
+                        "{} to {}\n",
+                        place(0.125), place(0.25), place(0.5), place(0.75))));
+  EXPECT_THAT(text, ::testing::ContainsRegex("normal_force.max +5 +6 % +0 +— +"
+                                             "-0.03125 +"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("clear_of.half_plane +— +0 % "
+                                             "+0.7188 +0 +0 +nowhere\n"));
+  EXPECT_FALSE(says(summary(testing::off_centred_solution()), "limits"));
+}
+
+// A cross-check and other contacts are refused with limits.
+TEST(Summary, AdvisesNothingThatIsRefusedWithLimits) {
+  Solution solution = testing::limited_solution();
+  EXPECT_FALSE(says(summary(solution), "--certify")) << summary(solution);
+  solution.diagnostics->min_fold_margin = {-0.5, 1.25};
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "INFEASIBLE")) << text;
+  EXPECT_FALSE(says(text, "search: global")) << text;
+}
+
 TEST(Summary, OfAnUnverifiedSolutionHasTheFailedCheckAndNoAnswer) {
   const std::string text = summary(testing::unverified_solution());
 

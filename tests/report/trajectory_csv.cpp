@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace {
 
 using report::trajectory_csv;
 using testing::bead_solution;
+using testing::limited_solution;
 using testing::off_centred_solution;
 
 /// Lines of cells; a missing newline at the end would lose the last line.
@@ -92,6 +94,56 @@ TEST(TrajectoryCsv, EveryNumberOfARollingBodyIsFinite) {
     for (const std::string& cell : row) {
       EXPECT_TRUE(std::isfinite(std::stod(cell))) << cell;
     }
+  }
+}
+
+std::size_t column(const std::vector<std::string>& head,
+                   const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(head, name) - head.begin());
+}
+
+TEST(TrajectoryCsv, OfASceneWithoutLimitsHasNoColumnsOfLimits) {
+  EXPECT_EQ(trajectory_csv(off_centred_solution()),
+            trajectory_csv(*off_centred_solution().motion()));
+}
+
+TEST(TrajectoryCsv, NamesTheLimitsThatAreActiveAtARow) {
+  const Solution& solution = limited_solution();
+  const std::vector<TrajectoryPoint> rows = solution.motion()->at_nodes();
+
+  const auto table = cells(trajectory_csv(solution));
+
+  ASSERT_EQ(table.size(), rows.size() + 1);
+  const std::size_t active = column(table[0], "active");
+  EXPECT_EQ(active, 15u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double sigma = rows[i].sigma;
+    const bool friction =
+        (0.125 <= sigma && sigma <= 0.25) || (0.5 <= sigma && sigma <= 0.75);
+    const bool load = 0.6875 <= sigma && sigma <= 0.8125;
+    const std::string expected = friction && load ? "friction+normal_force.max"
+                                 : friction       ? "friction"
+                                 : load           ? "normal_force.max"
+                                                  : "";
+    EXPECT_EQ(table[i + 1][active], expected) << "at " << sigma;
+  }
+}
+
+TEST(TrajectoryCsv, HasTheSlackOfEveryBound) {
+  const auto table = cells(trajectory_csv(limited_solution()));
+  const auto cell = [&](std::size_t row, const std::string& name) {
+    return std::stod(table[row].at(column(table[0], name)));
+  };
+  const double r = limited_solution().scene.body.radius;
+
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    EXPECT_EQ(table[i].size(), 19u);
+    EXPECT_DOUBLE_EQ(cell(i, "slack_friction"),
+                     0.5 * cell(i, "R_n") - std::abs(cell(i, "R_t")));
+    EXPECT_DOUBLE_EQ(cell(i, "slack_normal_force.max"), 5.0 - cell(i, "R_n"));
+    // The wall is at x = 4, the angle π of its normal rounded.
+    EXPECT_NEAR(cell(i, "slack_clear_of.half_plane"), 4.0 - r - cell(i, "x_c"),
+                1e-14);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
+#include "brachisto/model/path_limits.hpp"
 #include "brachisto/model/point.hpp"
 
 namespace brachisto {
@@ -49,8 +50,10 @@ struct GivenPath {
 
 /// What the points A = (0, 0) and B = (L, H) are points of.
 enum class Contact {
-  Smooth,  ///< of the track: the body touches it at A and at B
-  Centre,  ///< of the path of the centre, which starts at A and ends at B
+  Smooth,    ///< of the track: the body touches it at A and at B
+  Centre,    ///< of the path of the centre, which starts at A and ends at B
+  Optimal,   ///< of the track, whose slopes at A and B are free and optimal
+  EndSlope,  ///< of the track, whose slope at B is given
 };
 
 /// Everything that determines the track. z points down.
@@ -60,6 +63,8 @@ struct Scene {
   double H = 0.0;         ///< drop from A to B [m]
   double gravity = 9.81;  ///< g [m/s²]
   Contact contact = Contact::Smooth;
+  std::optional<double> end_slope;  ///< of Contact::EndSlope [rad]
+  PathLimits limits;                ///< what the motion has to keep to
   /// To be evaluated; none: the extremal is sought.
   std::shared_ptr<const GivenPath> path;
 };

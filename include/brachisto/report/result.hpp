@@ -42,4 +42,10 @@ inline constexpr int kSchemaVersion = 2;
 /// omega and R_t, which stay empty.
 [[nodiscard]] std::string trajectory_csv(const Motion& motion);
 
+/// The same of a solution's motion; of one under limits with the further
+/// columns `active`, names of the bounds that hold as equations there joined by
+/// +, and for each bound of the scene `slack_` and its name, the distance from
+/// it. \pre the solution has a motion
+[[nodiscard]] std::string trajectory_csv(const Solution& solution);
+
 }  // namespace brachisto::report

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,10 @@ struct SolverResult {
 
 /// Options of one run of Ipopt.
 struct IpoptOptions {
-  double tolerance = 1e-12;        ///< on the scaled KKT residual
+  double tolerance = 1e-12;  ///< on the scaled KKT residual
+  /// On multiplier times distance from the bound, each of which leaves as much
+  /// in f; nothing: `tolerance`.
+  std::optional<double> complementarity = {};
   int max_iterations = 500;        ///< ≥ 0
   bool check_derivatives = false;  ///< run Ipopt's own second-order checker at
                                    ///< the start; findings go to the log

@@ -32,6 +32,9 @@ struct NewtonOptions {
   /// Mumps stands for the solver of any problem, which is sparse LU here. Chain
   /// is what Auto is: a step the chain cannot make is made by sparse LU.
   LinearSolver linear_solver = LinearSolver::Auto;
+  /// A step that the chain cannot make is not made: where it cannot, the system
+  /// is next to singular, and sparse LU takes long to say so.
+  bool chain_alone = false;
   StopCondition stop;
 };
 

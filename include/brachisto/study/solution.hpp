@@ -16,6 +16,7 @@
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
+#include "brachisto/study/limit_on_path.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/motion.hpp"
@@ -31,6 +32,8 @@ struct Outcome {
 /// The finite problem that an answer solves.
 struct ProgramSize {
   int nodes = 0, variables = 0, constraints = 0;
+  std::optional<int> degree;  ///< p; nothing of straight pieces
+  int elements = 0;           ///< N, or pieces
 };
 
 /// What a Solution keeps of the problem it solves; the library alone knows it.
@@ -54,6 +57,7 @@ struct Solution {
   std::optional<double> estimated_error;       ///< relative, of T
   Certificate certificate;
   std::optional<CrossCheck> extremal;
+  std::vector<LimitOnPath> limits;  ///< one for each bound of the scene
 
   Effort effort;
   /// η_m at which the branch from the cycloid turned on its way to the scene's

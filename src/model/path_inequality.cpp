@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "model/path_inequality.hpp"
+
+#include <algorithm>
+
+namespace brachisto {
+
+namespace {
+
+constexpr double kFree = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+const char* name(PathInequality::Kind kind) {
+  using enum PathInequality::Kind;
+  switch (kind) {
+    case FrictionForward:
+    case FrictionBackward:
+      return "friction";
+    case NormalForce:
+      return "normal_force";
+    case Hump:
+      return "hump";
+    case Valley:
+      return "valley";
+    case Floor:
+      return "floor";
+    case Disc:
+      return "disc";
+    case HalfPlane:
+      return "half_plane";
+  }
+  return "";
+}
+
+double hump_of_centre(const Body& body, const PathLimits& limits) {
+  double bound = limits.curvature.hump.value_or(kFree);
+  if (limits.curvature.of == CurvatureLimit::Of::Track && bound < kFree) {
+    bound /= 1.0 + body.radius * bound;
+  }
+  if (limits.fold_margin && body.rolls()) {
+    bound = std::min(bound, (1.0 - *limits.fold_margin) / body.radius);
+  }
+  return bound;
+}
+
+double valley_of_centre(const Body& body, const PathLimits& limits) {
+  const double bound = limits.curvature.valley.value_or(kFree);
+  if (limits.curvature.of == CurvatureLimit::Of::Centre) return bound;
+  const double left = 1.0 - body.radius * bound;
+  return left > 0.0 ? bound / left : kFree;
+}
+
+std::vector<PathInequality> inequalities(const Body& body,
+                                         const PathLimits& limits) {
+  using Kind = PathInequality::Kind;
+  std::vector<PathInequality> all;
+  if (limits.friction) {
+    for (const Kind kind : {Kind::FrictionForward, Kind::FrictionBackward}) {
+      all.push_back({.kind = kind, .number = *limits.friction});
+    }
+  }
+  if (limits.normal_min || limits.normal_max) {
+    all.push_back({.kind = Kind::NormalForce,
+                   .lower = limits.normal_min.value_or(-kFree),
+                   .upper = limits.normal_max.value_or(kFree)});
+  }
+  const double hump = hump_of_centre(body, limits);
+  if (hump < kFree) all.push_back({.kind = Kind::Hump, .number = hump});
+  const double valley = valley_of_centre(body, limits);
+  if (valley < kFree) all.push_back({.kind = Kind::Valley, .number = valley});
+  if (limits.floor) {
+    all.push_back({.kind = Kind::Floor, .number = *limits.floor - body.radius});
+  }
+  for (const Disc& disc : limits.discs) {
+    all.push_back({.kind = Kind::Disc,
+                   .number = disc.radius + body.radius,
+                   .place = disc.centre});
+  }
+  for (const HalfPlane& plane : limits.half_planes) {
+    all.push_back({.kind = Kind::HalfPlane,
+                   .number = body.radius,
+                   .place = plane.point,
+                   .normal = {std::cos(plane.normal), std::sin(plane.normal)}});
+  }
+  return all;
+}
+
+double next_to(Point a, Point b, Point c) {
+  const Point along{b.x - a.x, b.z - a.z};
+  const double length2 = along.x * along.x + along.z * along.z;
+  if (!(length2 > 0.0)) return 0.0;
+  return std::clamp(((c.x - a.x) * along.x + (c.z - a.z) * along.z) / length2,
+                    0.0, 1.0);
+}
+
+Excess worst_excess(const std::vector<PathInequality>& limits, const Body& body,
+                    double gravity, const TurningPoint<double>& place) {
+  Excess worst;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double value = value_of(limits[i], body, gravity, place);
+    const double below = limits[i].lower - value;
+    const double above = value - limits[i].upper;
+    if (std::isnan(value)) {
+      return {std::numeric_limits<double>::quiet_NaN(), static_cast<int>(i),
+              false};
+    }
+    if (std::max(below, above) <= worst.value) continue;
+    worst = {std::max(below, above), static_cast<int>(i), above > below};
+  }
+  return worst;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Limits along the path as inequalities at a point of it, for numbers and
+/// jets: one formula for values, derivatives and checks.
+
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "brachisto/model/body.hpp"
+#include "brachisto/model/path_limits.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
+
+namespace brachisto {
+
+/// A point of the path and how fast its slope turns.
+template <class Scalar>
+struct TurningPoint {
+  Scalar x, z;   ///< of the centre
+  Scalar theta;  ///< [rad]
+  Scalar w;      ///< √(2 g E)
+  Scalar beta;   ///< slope angle [rad]
+  Scalar q;      ///< dβ/du = w κ_c
+};
+
+/// Force of the track on the body, per m g.
+template <class Scalar>
+struct ContactForce {
+  Scalar normal, tangential;
+};
+
+/// Newton's law for the centre of mass, along the track and across it. With
+/// δ = θ − β and q̂ = 1 − η sin δ,
+///
+///     v̇ = g a/A + w η cos δ (w/r − q)/A²,
+///     R_t = (q̂ v̇ − η v_c ω cos δ)/g − sin β,
+///     R_n = cos β − (w q/A + η v̇ cos δ − η v_c ω sin δ)/g,
+///
+/// v_c ω = w²/(A r): affine in q, and regular at rest.
+template <class Scalar>
+[[nodiscard]] ContactForce<Scalar> contact_force(
+    const Body& body, double gravity, const TurningPoint<Scalar>& at) {
+  using std::cos;
+  using std::sin;
+  const double g = gravity;
+  if (!body.off_centred()) {
+    const double A = axisymmetric_inertia_factor(body);
+    return {cos(at.beta) - at.w * at.q * (1.0 / (A * g)),
+            sin(at.beta) * (1.0 / A - 1.0)};
+  }
+  const double eta = body.eta_m;
+  const Scalar delta = at.theta - at.beta;
+  const Scalar eta_sin = sin(delta) * eta;
+  const Scalar eta_cos = cos(delta) * eta;
+  const Scalar A = inertia_factor(body, at.theta, at.beta);
+  const Scalar a = energy_slope(body, at.theta, at.beta);
+  const Scalar per_A = Scalar(1.0) / A;
+  const Scalar spin = at.w * (1.0 / body.radius);
+  const Scalar v_dot = (a * g + at.w * eta_cos * (spin - at.q) * per_A) * per_A;
+  const Scalar centripetal = at.w * spin * per_A;
+  return {
+      cos(at.beta) -
+          (at.w * at.q * per_A + eta_cos * v_dot - eta_sin * centripetal) *
+              (1.0 / g),
+      ((Scalar(1.0) - eta_sin) * v_dot - eta_cos * centripetal) * (1.0 / g) -
+          sin(at.beta)};
+}
+
+/// One inequality lower ≤ value ≤ upper along the path.
+struct PathInequality {
+  enum class Kind {
+    FrictionForward,   ///< μ R_n − R_t ≥ 0
+    FrictionBackward,  ///< μ R_n + R_t ≥ 0
+    NormalForce,       ///< R_n
+    Hump,              ///< K w − q ≥ 0
+    Valley,            ///< K w + q ≥ 0
+    Floor,             ///< D − r − z ≥ 0
+    Disc,              ///< distance from it
+    HalfPlane,         ///< distance from it
+  };
+  Kind kind;
+  double lower = 0.0;
+  double upper = std::numeric_limits<double>::infinity();
+  double number = 0.0;  ///< μ, K, D − r, or R + r, or r
+  Point place = {};     ///< of a disc or a half-plane
+  Point normal = {};    ///< of a half-plane
+
+  /// Whether it depends on q; if not, on the place alone.
+  [[nodiscard]] bool bounds_control() const { return kind <= Kind::Valley; }
+};
+
+/// "friction", "hump", …
+[[nodiscard]] const char* name(PathInequality::Kind kind);
+
+/// All of a scene's, with bounds on the track's curvature converted to the
+/// centre's: K_v = K/(1 − r K), none if r K ≥ 1, K_h = K/(1 + r K); a fold
+/// margin m is K_h = (1 − m)/r.
+[[nodiscard]] std::vector<PathInequality> inequalities(
+    const Body& body, const PathLimits& limits);
+
+/// Greatest curvature of the centre's path downwards and upwards, ∞ if free.
+[[nodiscard]] double hump_of_centre(const Body& body, const PathLimits& limits);
+[[nodiscard]] double valley_of_centre(const Body& body,
+                                      const PathLimits& limits);
+
+/// The value of a limit, to be kept between its bounds.
+template <class Scalar>
+[[nodiscard]] Scalar value_of(const PathInequality& limit, const Body& body,
+                              double gravity, const TurningPoint<Scalar>& at) {
+  using std::sqrt;
+  using Kind = PathInequality::Kind;
+  switch (limit.kind) {
+    case Kind::FrictionForward:
+    case Kind::FrictionBackward: {
+      const auto force = contact_force(body, gravity, at);
+      const double sign = limit.kind == Kind::FrictionForward ? -1.0 : 1.0;
+      return force.normal * limit.number + force.tangential * sign;
+    }
+    case Kind::NormalForce:
+      return contact_force(body, gravity, at).normal;
+    case Kind::Hump:
+      return at.w * limit.number - at.q;
+    case Kind::Valley:
+      return at.w * limit.number + at.q;
+    case Kind::Floor:
+      return Scalar(limit.number) - at.z;
+    case Kind::Disc: {
+      const Scalar dx = at.x - Scalar(limit.place.x);
+      const Scalar dz = at.z - Scalar(limit.place.z);
+      return sqrt(dx * dx + dz * dz) - Scalar(limit.number);
+    }
+    case Kind::HalfPlane:
+      return (at.x - Scalar(limit.place.x)) * limit.normal.x +
+             (at.z - Scalar(limit.place.z)) * limit.normal.z -
+             Scalar(limit.number);
+  }
+  return Scalar(0.0);
+}
+
+/// Where on the segment from a to b, from 0 to 1, it is next to c.
+[[nodiscard]] double next_to(Point a, Point b, Point c);
+
+/// By how much a place exceeds the limit that it exceeds most; ≤ 0: it keeps
+/// all, and the next one is so far. What is not a number exceeds everything.
+struct Excess {
+  double value = -std::numeric_limits<double>::infinity();
+  int limit = -1;
+  bool above = false;  ///< the upper bound
+};
+[[nodiscard]] Excess worst_excess(const std::vector<PathInequality>& limits,
+                                  const Body& body, double gravity,
+                                  const TurningPoint<double>& place);
+
+}  // namespace brachisto

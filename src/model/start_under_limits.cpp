@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "model/start_under_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/start_angle.hpp"
+
+namespace brachisto {
+
+std::optional<double> start_angle_under(
+    const Body& body, const std::vector<PathInequality>& limits) {
+  const auto allowed = [&](double beta) {
+    const TurningPoint<double> rest{0.0, 0.0, body.theta_m, 0.0, beta, 0.0};
+    double least = energy_slope(body, body.theta_m, beta);
+    for (const PathInequality& limit : limits) {
+      if (limit.kind > PathInequality::Kind::NormalForce) continue;
+      const double value = value_of(limit, body, 1.0, rest);
+      least = std::min({least, value - limit.lower, limit.upper - value});
+    }
+    return least;
+  };
+  const double free = start_angle(body);
+  const auto growth = [&](double beta) {
+    const double a = energy_slope(body, body.theta_m, beta);
+    return a * a / inertia_factor(body, body.theta_m, beta);
+  };
+  constexpr double kRounding = 1e-12;
+  if (allowed(free) >= -kRounding) return free;
+  std::optional<double> best;
+  for (const double direction : {-1.0, 1.0}) {
+    constexpr int kSteps = 720;
+    double outside = free;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double inside = free + direction * std::numbers::pi * i / kSteps;
+      if (allowed(inside) >= 0.0) {
+        double in = inside;
+        for (int k = 0; k < 60; ++k) {
+          const double middle = 0.5 * (in + outside);
+          (allowed(middle) >= 0.0 ? in : outside) = middle;
+        }
+        if (!best || growth(in) > growth(*best)) best = in;
+        break;
+      }
+      outside = inside;
+    }
+  }
+  return best;
+}
+
+}  // namespace brachisto

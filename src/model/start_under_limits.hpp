@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The direction of the start under limits.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/path_inequality.hpp"
+
+namespace brachisto {
+
+/// The slope angle at rest of the largest growth of speed, a²/A, among those
+/// with a > 0 at which friction and normal force keep their limits: at rest
+/// both are independent of the curvature, and the directions that are left are
+/// the static cone. Nothing if it is empty.
+[[nodiscard]] std::optional<double> start_angle_under(
+    const Body& body, const std::vector<PathInequality>& limits);
+
+}  // namespace brachisto

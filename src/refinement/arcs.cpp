@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "math/index.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using nlp::Held;
+
+/// Which limits hold at a place.
+struct Sighting {
+  double sigma;
+  std::vector<Held> held;
+};
+
+/// Arcs from what holds at places in order; junctions lie half-way between two.
+std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
+                           int elements) {
+  constexpr int kFewest = 2;
+  std::vector<Arc> arcs;
+  double begin = 0.0;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const bool last = i + 1 == sightings.size();
+    if (!last && sightings[i + 1].held == sightings[i].held) continue;
+    const double end =
+        last ? 1.0 : 0.5 * (sightings[i].sigma + sightings[i + 1].sigma);
+    const auto share = std::lround((end - begin) * elements);
+    arcs.push_back({sightings[i].held, end,
+                    equal_cuts(std::max(kFewest, static_cast<int>(share)))});
+    begin = end;
+  }
+  return arcs;
+}
+
+/// What holds at a collocation point, as inequalities have it; empty if more
+/// than one limit of the control does, which cannot be.
+std::vector<Held> held_at(const LimitedCurve& curve, int point) {
+  const LimitedTime& problem = curve.problem();
+  std::vector<Held> held(problem.limits().size(), Held::No);
+  int of_control = 0;
+  for (int i = 0; i < static_cast<int>(held.size()); ++i) {
+    if (!curve.active(point, i)) continue;
+    const auto row = at(problem.layout().limit(point, i));
+    held[at(i)] =
+        curve.point().lambda[row] > 0.0 ? Held::AtUpper : Held::AtLower;
+    if (problem.limits()[at(i)].bounds_control()) ++of_control;
+  }
+  return of_control > 1 ? std::vector<Held>() : held;
+}
+
+/// The limits of one sort that hold on an arc.
+int held_of_control(const Arc& arc, const LimitedTime& problem) {
+  for (std::size_t i = 0; i < arc.held.size(); ++i) {
+    if (arc.held[i] != Held::No && problem.limits()[i].bounds_control()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Whether a limit that is held keeps the control from growing.
+bool holds_from_above(const LimitedTime& problem, const Arc& arc, int limit,
+                      TurningPoint<double> place) {
+  const auto value = [&](double q) {
+    place.q = q;
+    return value_of(problem.limits()[at(limit)], problem.scene().body,
+                    problem.scene().gravity, place);
+  };
+  const bool grows = value(1.0) > value(0.0);
+  return grows == (arc.held[at(limit)] == Held::AtUpper);
+}
+
+/// The angle between the path and the tangent of a limit of the place.
+double angle_to(const PathInequality& limit, const TurningPoint<double>& at) {
+  const double h = 1e-6;
+  const auto value = [&](double dx, double dz) {
+    TurningPoint<double> there = at;
+    there.x += dx;
+    there.z += dz;
+    return value_of(limit, {}, 1.0, there);
+  };
+  const double by_x = (value(h, 0.0) - value(-h, 0.0)) / (2.0 * h);
+  const double by_z = (value(0.0, h) - value(0.0, -h)) / (2.0 * h);
+  return std::asin(std::clamp(
+      by_x * std::cos(at.beta) + by_z * std::sin(at.beta), -1.0, 1.0));
+}
+
+/// An arc that is missing is longer than the stretch where its limit is
+/// exceeded without it: β has to be back on the free arc behind it, so that the
+/// excess of q over the one that the limit allows has no integral. Of a
+/// parabola the part above zero is 1/√3 of that.
+void widen_new(const std::vector<std::vector<Held>>& before,
+               std::vector<Sighting>& seen) {
+  const std::size_t n = seen.size();
+  const auto is_free = [](const std::vector<Held>& held) {
+    return std::all_of(held.begin(), held.end(),
+                       [](Held h) { return h == Held::No; });
+  };
+  std::vector<Sighting> wider = seen;
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first + 1;
+    while (end < n && seen[end].held == seen[first].held) ++end;
+    if (is_free(before[first]) && !is_free(seen[first].held)) {
+      const auto more = static_cast<std::size_t>(
+          std::ceil(0.37 * static_cast<double>(end - first)));
+      for (std::size_t k = 1; k <= more; ++k) {
+        if (first >= k && is_free(seen[first - k].held)) {
+          wider[first - k].held = seen[first].held;
+        }
+        if (end + k <= n && is_free(seen[end + k - 1].held)) {
+          wider[end + k - 1].held = seen[first].held;
+        }
+      }
+    }
+    first = end;
+  }
+  seen = std::move(wider);
+}
+
+}  // namespace
+
+std::vector<Arc> arcs_of(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  const Mesh& mesh = problem.mesh();
+  std::vector<Sighting> seen;
+  for (int c = 0; c < problem.layout().num_points(); ++c) {
+    const int e = c / mesh.degree;
+    const double t = problem.scheme().rule.points[at(c % mesh.degree)];
+    std::vector<Held> held = held_at(curve, c);
+    if (held.empty()) {
+      held = seen.empty() ? std::vector<Held>(problem.limits().size(), Held::No)
+                          : seen.back().held;
+    }
+    seen.push_back({mesh.boundaries[at(e)] + mesh.length(e) * t, held});
+  }
+  for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
+    if (seen[i - 1].held == seen[i + 1].held) seen[i].held = seen[i - 1].held;
+  }
+  return arcs_from(seen, mesh.num_elements());
+}
+
+/// On each arc, at the collocation points.
+std::vector<double> largest_multipliers(const LimitedCurve& curve,
+                                        const std::vector<Arc>& arcs) {
+  const std::vector<double>& points = curve.problem().scheme().rule.points;
+  std::vector<double> largest;
+  int e = 0;
+  for (const Arc& arc : arcs) {
+    largest.push_back(0.0);
+    for (const int end = e + arc.elements(); e < end; ++e) {
+      for (const double t : points) {
+        for (const double multiplier : curve.at(e, t).multipliers) {
+          largest.back() = std::max(largest.back(), std::abs(multiplier));
+        }
+      }
+    }
+  }
+  return largest;
+}
+
+std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
+                                          const std::vector<Arc>& arcs) {
+  constexpr double kExceeded = 1e-7;
+  constexpr double kWrongSign = 1e-3;  // of the arc's largest
+  constexpr int kPlaces = 16;
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  const Mesh& mesh = problem.mesh();
+  std::vector<Sighting> seen;
+  std::vector<std::vector<Held>> before;
+  const std::vector<double> largest = largest_multipliers(curve, arcs);
+  bool changed = false;
+  std::size_t arc = 0;
+  for (int e = 0, in_arc = 0; e < mesh.num_elements(); ++e, ++in_arc) {
+    if (in_arc == arcs[arc].elements()) {
+      ++arc;
+      in_arc = 0;
+    }
+    for (const double t : curve.places(e, kPlaces)) {
+      if (t == 0.0 || t == 1.0) continue;  // junctions belong to two arcs
+      const LimitedPoint place = curve.at(e, t);
+      std::vector<Held> held = arcs[arc].held;
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        const double multiplier = place.multipliers[i];
+        const double wrong =
+            held[i] == Held::AtLower ? multiplier : -multiplier;
+        if (held[i] != Held::No && wrong > kWrongSign * largest[arc]) {
+          held[i] = Held::No;
+          changed = true;
+        }
+      }
+      // Of the limits that are exceeded the one that is so most.
+      double worst = kExceeded;
+      std::size_t which = held.size();
+      Held where = Held::No;
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        if (arcs[arc].held[i] != Held::No) continue;
+        const PathInequality& limit = problem.limits()[i];
+        const double value =
+            value_of(limit, scene.body, scene.gravity, place.state);
+        const double below = limit.lower - value;
+        const double above = value - limit.upper;
+        if (std::max(below, above) <= worst) continue;
+        worst = std::max(below, above);
+        which = i;
+        where = below > above ? Held::AtLower : Held::AtUpper;
+      }
+      if (which < held.size()) {
+        changed = true;
+        for (std::size_t i = 0; i < held.size(); ++i) {
+          if (problem.limits()[i].bounds_control() ==
+              problem.limits()[which].bounds_control()) {
+            held[i] = Held::No;
+          }
+        }
+        held[which] = where;
+      }
+      seen.push_back({mesh.boundaries[at(e)] + mesh.length(e) * t, held});
+      before.push_back(arcs[arc].held);
+    }
+  }
+  if (!changed) return std::nullopt;
+  widen_new(before, seen);
+  return arcs_from(seen, mesh.num_elements());
+}
+
+std::vector<double> equal_cuts(int elements) {
+  std::vector<double> cuts;
+  for (int e = 0; e <= elements; ++e) {
+    cuts.push_back(static_cast<double>(e) / elements);
+  }
+  return cuts;
+}
+
+Mesh mesh_of(const std::vector<Arc>& arcs, int degree) {
+  Mesh mesh{degree, {0.0}};
+  for (const Arc& arc : arcs) {
+    const double begin = mesh.boundaries.back();
+    for (int e = 1; e < arc.elements(); ++e) {
+      mesh.boundaries.push_back(begin + (arc.end - begin) * arc.cuts[at(e)]);
+    }
+    mesh.boundaries.push_back(arc.end);
+  }
+  return mesh;
+}
+
+HeldLimits held_limits(const std::vector<Arc>& arcs) {
+  HeldLimits held;
+  for (const Arc& arc : arcs) {
+    held.in_element.insert(held.in_element.end(), at(arc.elements()), arc.held);
+  }
+  held.at_rest = arcs.front().held;
+  return held;
+}
+
+double junction_residual(const LimitedCurve& curve,
+                         const std::vector<Arc>& arcs, std::size_t arc) {
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  const Arc& before = arcs[arc];
+  const Arc& after = arcs[arc + 1];
+  int element = -1;
+  for (std::size_t i = 0; i <= arc; ++i) element += arcs[i].elements();
+  const LimitedPoint left = curve.at(element, 1.0);
+  const auto off_singular = [&](const Costates& p) {
+    return left.state.beta - minimising_slope(scene.body, scene.gravity,
+                                              {left.state.theta, left.state.w},
+                                              p, left.state.beta);
+  };
+  for (std::size_t i = 0; i < before.held.size(); ++i) {
+    if (problem.limits()[i].bounds_control()) continue;
+    if (before.held[i] == after.held[i]) continue;
+    return after.held[i] != Held::No
+               ? angle_to(problem.limits()[i], left.state)
+               : off_singular(curve.at(element + 1, 0.0).p);
+  }
+  const int l = held_of_control(before, problem);
+  const int r = held_of_control(after, problem);
+  if (l < 0 || r < 0) return off_singular(left.p);
+  const bool same_side = holds_from_above(problem, before, l, left.state) ==
+                         holds_from_above(problem, after, r, left.state);
+  if (!same_side) return left.p_beta;
+  const PathInequality& limit = problem.limits()[at(r)];
+  const double bound =
+      after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower;
+  return value_of(limit, scene.body, scene.gravity, left.state) - bound;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The arcs of a path under limits, and the junctions between them.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "transcription/limited_curve.hpp"
+
+namespace brachisto {
+
+/// A stretch of the path along which the same limits hold.
+struct Arc {
+  std::vector<nlp::Held> held;  ///< of each limit; all No on a free arc
+  double end = 1.0;             ///< σ
+  /// Where its elements meet, as shares of its length, from 0 to 1.
+  std::vector<double> cuts{0.0, 1.0};
+
+  [[nodiscard]] int elements() const {
+    return static_cast<int>(cuts.size()) - 1;
+  }
+};
+
+/// So many elements of equal length.
+[[nodiscard]] std::vector<double> equal_cuts(int elements);
+
+/// From the collocation points of a solution whose limits are inequalities:
+/// junctions lie half-way between two points. A single point between two parts
+/// of one arc belongs to it, one where more than one limit on the control
+/// holds to the arc before.
+[[nodiscard]] std::vector<Arc> arcs_of(const LimitedCurve& curve);
+
+/// Other arcs, if a solution with these is none of the inequalities: where a
+/// limit is exceeded it is held, where a multiplier has the wrong sign it is
+/// not.
+[[nodiscard]] std::optional<std::vector<Arc>> corrected(
+    const LimitedCurve& curve, const std::vector<Arc>& arcs);
+
+[[nodiscard]] Mesh mesh_of(const std::vector<Arc>& arcs, int degree);
+/// With the limits on forces that hold on the first arc held at rest too.
+[[nodiscard]] HeldLimits held_limits(const std::vector<Arc>& arcs);
+
+/// By how much a condition of optimality fails at the junction behind an arc:
+///
+/// - between a free arc and one on a limit of the control the slope β less the
+///   one that makes 𝓗 minimal: the free arc is singular, with p_β = 0 and
+///   ∂𝓗/∂β = 0, and β is continuous. If the junction is misplaced by δ, the
+///   rest of the path errs by δ² alone;
+/// - between two limits that bound the control from the same side the other
+///   limit's distance from its bound, from opposite sides p_β;
+/// - where a limit of the place begins to hold, the angle under which the path
+///   reaches it; where it ceases to, what a free arc asks for behind it.
+[[nodiscard]] double junction_residual(const LimitedCurve& curve,
+                                       const std::vector<Arc>& arcs,
+                                       std::size_t arc);
+
+}  // namespace brachisto

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// From the free extremal to the fastest track under limits.
+
+#pragma once
+
+#include <optional>
+
+#include "refinement/arc_fit.hpp"
+#include "refinement/refinement.hpp"
+
+namespace brachisto {
+
+/// A path under limits and what is known of its error.
+struct LimitedAnswer {
+  FittedPath path;
+  std::optional<double> estimated_error;  ///< relative, of T
+};
+
+/// Outcome of refine_limited().
+struct LimitedRefinement : RefinementProtocol {
+  std::optional<LimitedAnswer> answer;
+};
+
+/// In three stages.
+///
+/// - Tightening: on a coarse mesh of equal elements an interior-point method
+///   solves a row of programs, from limits that the free extremal keeps to
+///   those of the scene, each from the solution before; the contact follows.
+/// - Arcs: where limits hold and where not is read off, elements end at the
+///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
+///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
+///   are corrected; if no arcs fit, the coarse mesh is made finer and they are
+///   read off again.
+/// - Accuracy: with the arcs known the path is as smooth on each as that of a
+///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
+///   by which the error is estimated, changes T by no more than is wanted.
+///
+/// \param scene  in natural units, with limits
+/// \param free   the extremal without them, with the end angle φ
+[[nodiscard]] LimitedRefinement refine_limited(const Scene& scene,
+                                               const Discretisation& wanted,
+                                               const ExtremalCurve& free,
+                                               double phi, MeshOptions options);
+
+}  // namespace brachisto

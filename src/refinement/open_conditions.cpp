@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/open_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/index.hpp"
+
+namespace brachisto {
+
+double ContactMismatch::largest() const {
+  return std::isnan(at_A + at_B) ? at_A + at_B
+                                 : std::max(std::abs(at_A), std::abs(at_B));
+}
+
+bool end_is_sought(const Scene& scene) {
+  return scene.contact == Contact::Smooth;
+}
+
+bool start_is_sought(const Scene& scene,
+                     const std::vector<PathInequality>& limits) {
+  return (scene.contact == Contact::Smooth ||
+          scene.contact == Contact::EndSlope) &&
+         std::any_of(limits.begin(), limits.end(),
+                     [](const PathInequality& limit) {
+                       return limit.kind == PathInequality::Kind::Valley;
+                     });
+}
+
+double end_slope(LimitedCurve& curve) {
+  const VariableLayout& layout = curve.problem().layout();
+  const int last = layout.num_points() - 1;
+  const double slope =
+      curve.point().x[at(layout.state(last + 1, StateComponent::Beta))];
+  for (int i = 0; i < layout.num_limits(); ++i) {
+    if (curve.problem().limits()[at(i)].bounds_control() &&
+        curve.active(last, i)) {
+      return slope;
+    }
+  }
+  return curve.transverse_slope();
+}
+
+ContactMismatch mismatch_of(LimitedCurve& curve, const LimitedEnds& ends) {
+  const Scene& scene = curve.problem().scene();
+  ContactMismatch out;
+  if (end_is_sought(scene)) out.at_B = end_slope(curve) - ends.phi;
+  if (start_is_sought(scene, curve.problem().limits())) {
+    out.at_A = curve.at(0.0).state.beta - *ends.start;
+  }
+  return out;
+}
+
+Eigen::VectorXd open_conditions(LimitedCurve& curve,
+                                const std::vector<Arc>& arcs,
+                                const LimitedEnds& ends) {
+  const Scene& scene = curve.problem().scene();
+  const bool end = end_is_sought(scene);
+  const bool start = start_is_sought(scene, curve.problem().limits());
+  const auto m = static_cast<Eigen::Index>(arcs.size()) - 1;
+  const Eigen::Index size = m + (end ? 1 : 0) + (start ? 1 : 0);
+  Eigen::VectorXd out(size);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    out[i] = junction_residual(curve, arcs, static_cast<std::size_t>(i));
+  }
+  const ContactMismatch open = mismatch_of(curve, ends);
+  if (end) out[m] = open.at_B;
+  if (start) out[size - 1] = open.at_A;
+  return out;
+}
+
+}  // namespace brachisto

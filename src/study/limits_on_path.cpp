@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/limits_on_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "refinement/prices.hpp"
+#include "trajectory/stated_limits.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// Whether a stated limit is held on an arc.
+bool holds_on(const Arc& arc, const std::vector<PathInequality>& limits,
+              const StatedLimit& stated) {
+  int index = 0;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    index = i > 0 && limits[i].kind == limits[i - 1].kind ? index + 1 : 0;
+    if (arc.held[i] != nlp::Held::No &&
+        stated.is(limits[i].kind, index, arc.held[i] == nlp::Held::AtLower)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// x of the track, which starts at 0 but for rounding.
+double place_of(const TrajectoryPoint& at, double L) {
+  constexpr double kRounding = 1e-14;
+  const double x = at.motion.contact.x;
+  return std::abs(x) < kRounding * L ? 0.0 : x;
+}
+
+/// Arcs of one limit that follow each other are one, as where a body needs all
+/// friction first forwards and then backwards.
+std::vector<ActiveArc> active_arcs(const FittedPath& path,
+                                   const StatedLimit& stated,
+                                   const LimitedMotion& motion) {
+  const double L = motion.scene().L;
+  std::vector<ActiveArc> active;
+  double begin = 0.0;
+  for (const Arc& arc : path.arcs) {
+    if (holds_on(arc, path.curve.problem().limits(), stated)) {
+      const TrajectoryPoint from = motion.at(begin);
+      const TrajectoryPoint to = motion.at(arc.end);
+      if (!active.empty() && active.back().sigma.to == begin) {
+        active.back().sigma.to = arc.end;
+        active.back().u.to = to.u;
+        active.back().t.to = to.t;
+        active.back().x.to = place_of(to, L);
+      } else {
+        active.push_back({{begin, arc.end},
+                          {from.u, to.u},
+                          {from.t, to.t},
+                          {place_of(from, L), place_of(to, L)}});
+      }
+    }
+    begin = arc.end;
+  }
+  return active;
+}
+
+}  // namespace
+
+std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
+                                        const FittedPath& path,
+                                        const LimitedMotion& motion) {
+  // Half of what a bound is moved by, in natural units.
+  constexpr double kStep = 1e-6;
+  const Scene& natural = *posed.limited;
+  // τ = T √(2 g/H), times in natural units being those of 2 g = 1.
+  const double tau = 1.0 / std::sqrt(natural.H);
+  const std::vector<StatedLimit> asked = stated_limits(posed.asked);
+  const std::vector<StatedLimit> scaled = stated_limits(natural);
+  std::vector<TrajectoryPoint> rows;
+  std::unique_ptr<Sensitivity> sensitivity;
+  if (!asked.empty()) {
+    rows = motion.fine_sample(0);
+    sensitivity = std::make_unique<Sensitivity>(path);
+  }
+  std::vector<LimitOnPath> out;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    LimitOnPath limit{asked[i].name, asked[i].bound, {}, 0.0, 0.0, {}, {}};
+    limit.active = active_arcs(path, asked[i], motion);
+    for (const ActiveArc& arc : limit.active) {
+      limit.share_of_time += (arc.t.to - arc.t.from) / motion.transit_time();
+    }
+    if (limit.active.empty()) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t row = 1; row < rows.size(); ++row) {
+        const double slack = asked[i].slack(rows[row]);
+        if (!(slack >= least)) least = slack;  // a NaN stays
+      }
+      limit.least_slack = least;
+      limit.price = limit.price_at_fixed_contacts = 0.0;
+    } else if (sensitivity->regular()) {
+      PathLimits less = natural.limits, more = natural.limits;
+      scaled[i].move(less, -kStep);
+      scaled[i].move(more, kStep);
+      const Price price =
+          sensitivity->price(inequalities(natural.body, less),
+                             inequalities(natural.body, more), 2.0 * kStep);
+      const double scale =
+          tau * std::pow(posed.units.length, -asked[i].power_of_length);
+      if (std::isfinite(price.total) &&
+          std::isfinite(price.at_fixed_contacts)) {
+        limit.price = price.total * scale;
+        limit.price_at_fixed_contacts = price.at_fixed_contacts * scale;
+      }
+    }
+    out.push_back(std::move(limit));
+  }
+  return out;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The checks of a solution under limits.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/nlp/kkt_residual.hpp"
+#include "math/index.hpp"
+#include "model/contact.hpp"
+#include "nlp/active_set.hpp"
+#include "solvers/inertia.hpp"
+#include "trajectory/certify.hpp"
+#include "trajectory/contact_error.hpp"
+#include "trajectory/reintegration.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+void check_ends(const LimitedCurve& curve, Certificate& certificate) {
+  constexpr double kContact = 1e-9;
+  const Scene& scene = curve.problem().scene();
+  const auto first = curve.at(0.0).state;
+  const auto last = curve.at(1.0).state;
+  Point start{first.x, first.z}, end{last.x, last.z};
+  if (scene.contact != Contact::Centre) {
+    start = track_below(start, scene.body.radius, first.beta);
+    end = track_below(end, scene.body.radius, last.beta);
+  }
+  certificate.add("contact_error", contact_error(scene, start, end), kContact);
+}
+
+void check_limits(const LimitedCurve& curve, Certificate& certificate) {
+  constexpr double kAllowed = 1e-8;
+  double worst = 0.0;
+  std::string where;
+  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
+    check_stop(e);
+    double sigma = 0.0;
+    const Excess excess = curve.excess_on(e, sigma);
+    if (std::isnan(worst) || excess.value <= worst) continue;
+    worst = excess.value;
+    where = fmt::format("{} at u/U = {:.6g}",
+                        name(curve.problem().limits()[at(excess.limit)].kind),
+                        sigma);
+  }
+  certificate.add("limits", worst, kAllowed, where);
+}
+
+/// Per unit of u, or 1.
+double largest_multiplier(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  double largest = 1.0;
+  for (int e = 0; e < problem.mesh().num_elements(); ++e) {
+    for (const double t : problem.scheme().rule.points) {
+      for (const double multiplier : curve.at(e, t).multipliers) {
+        largest = std::max(largest, std::abs(multiplier));
+      }
+    }
+  }
+  return largest;
+}
+
+/// On the critical cone: limits that hold are equations, the others are absent.
+void check_second_order(LimitedTime problem, const PrimalDual& point,
+                        Certificate& certificate) {
+  const nlp::ActiveSet active = nlp::active_set(problem, point);
+  const Inertia inertia = kkt_inertia(problem, point);
+  certificate.add(
+      "second_order",
+      inertia.known
+          ? std::abs(inertia.positive - active.num_free()) + inertia.zero
+          : kUnknown,
+      0.0,
+      fmt::format("inertia ({}, {}, {}), wanted ({}, {}, 0)", inertia.positive,
+                  inertia.negative, inertia.zero, active.num_free(),
+                  active.num_equations()));
+}
+
+}  // namespace
+
+Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
+  constexpr double kResidual = 1e-9;
+  constexpr double kComplementarity = 1e-9;
+  // What an element errs by may turn the sign where a multiplier vanishes, as
+  // it does quadratically at junctions. One of −ε, even along the whole path,
+  // is worth ε² in T, for the control that gives way changes by as much.
+  constexpr double kSign = 1e-6;
+  constexpr double kTangency = 1e-8;
+  constexpr double kAllowed = 1e-8;
+  Certificate certificate;
+  LimitedTime problem = curve.problem().as_inequalities();
+  const nlp::KktResidual residual = nlp::kkt_residual(problem, curve.point());
+  // Over the weight of a short element rounding alone may be more.
+  const std::span<const double> weights = problem.weights();
+  const double rounding = problem.rounding(curve.point().x) /
+                          *std::min_element(weights.begin(), weights.end());
+  certificate.add("kkt_residual", residual.stationarity,
+                  std::max(kResidual, rounding), residual.worst_variable);
+  certificate.add("defects", residual.infeasibility + residual.bound_violation,
+                  kResidual, residual.worst_constraint);
+  certificate.add("complementarity", residual.complementarity, kComplementarity,
+                  residual.worst_multiplier);
+  certificate.add(
+      "multiplier_signs",
+      residual.sign / (largest_multiplier(curve) * curve.rolling_time()),
+      kSign);
+  check_limits(curve, certificate);
+  check_second_order(curve.problem(), curve.point(), certificate);
+  check_ends(curve, certificate);
+  certificate.add("closure", std::abs(mismatch), kTangency);
+  double steepest = 0.0;
+  for (int node = 0; node < problem.layout().num_nodes(); ++node) {
+    const double slope = std::abs(
+        curve.point()
+            .x[at(problem.layout().state(node, StateComponent::Beta))]);
+    // Written so that a NaN stays.
+    if (!(slope <= steepest)) steepest = slope;
+  }
+  certificate.add("slope_angle", steepest, std::numbers::pi);
+  constexpr double kInterior = 100.0;
+  constexpr double kRounding = 1e-12;
+  const LimitedReintegration motion = reintegrate(curve);
+  certificate.add("reintegration_error", motion.error,
+                  kInterior * std::max(error, kRounding));
+  certificate.add("reintegrated_limits", motion.excess, kAllowed,
+                  fmt::format("at u/U = {:.6g}", motion.excess_at));
+  return certificate;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "transcription/limited_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "math/index.hpp"
+#include "model/inertia.hpp"
+#include "nlp/active_set.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using enum StateComponent;
+
+}  // namespace
+
+LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
+    : problem_(problem), point_(std::move(point)) {
+  if (!problem_.set_point(point_.x)) {
+    throw std::domain_error("solution under limits: " + problem_.refusal());
+  }
+  const nlp::ActiveSet set = nlp::active_set(problem_, point_);
+  transit_time_ = problem_.eval_f();
+  const VariableLayout& layout = problem_.layout();
+  for (int c = 0; c < layout.num_points(); ++c) {
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      active_.push_back(set.constraints[brachisto::at(layout.limit(c, i))] !=
+                        nlp::Held::No);
+    }
+  }
+  for (int i = 0; i < layout.num_start_rows(); ++i) {
+    active_at_rest_.push_back(
+        set.constraints[brachisto::at(layout.start_row(i))] != nlp::Held::No);
+  }
+  if (problem_.held()) return;
+  // At the end multipliers vanish with p_β, whether a limit is active or not.
+  const int limits = layout.num_limits();
+  for (int i = 0; i < limits; ++i) {
+    const auto last = static_cast<int>(active_.size()) - limits + i;
+    active_[brachisto::at(last)] = active_[brachisto::at(last - limits)];
+  }
+}
+
+bool LimitedCurve::active(int point, int limit) const {
+  return active_[brachisto::at(point * problem_.layout().num_limits() + limit)];
+}
+
+double LimitedCurve::time_on(int element) const {
+  const VariableLayout& layout = problem_.layout();
+  const RadauScheme& scheme = problem_.scheme();
+  const Body& body = problem_.scene().body;
+  double sum = 0.0;
+  for (int j = 0; j < scheme.degree; ++j) {
+    const int node = element * scheme.degree + j + 1;
+    const double beta = point_.x[brachisto::at(layout.state(node, Beta))];
+    const double theta =
+        layout.has_theta() ? point_.x[brachisto::at(layout.state(node, Theta))]
+                           : 0.0;
+    sum += scheme.rule.weights[brachisto::at(j)] *
+           std::sqrt(inertia_factor(body, theta, beta));
+  }
+  return problem_.mesh().length(element) * rolling_time() * sum;
+}
+
+std::vector<double> LimitedCurve::places(int element, int count) const {
+  std::vector<double> out = problem_.scheme().rule.points;
+  for (int i = 0; i <= count; ++i) {
+    out.push_back(static_cast<double>(i) / count);
+  }
+  for (const PathInequality& limit : problem_.limits()) {
+    if (limit.kind != PathInequality::Kind::Disc) continue;
+    Point before{};
+    for (int i = 0; i <= count; ++i) {
+      const double t = static_cast<double>(i) / count;
+      const TurningPoint<double> here = at(element, t).state;
+      const Point centre{here.x, here.z};
+      if (i > 0) {
+        const double share = next_to(before, centre, limit.place);
+        if (share > 0.0 && share < 1.0)
+          out.push_back(t - (1.0 - share) / count);
+      }
+      before = centre;
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+Excess LimitedCurve::excess_on(int element, double& sigma) const {
+  constexpr int kPlaces = 20;
+  Excess worst;
+  for (const double t : places(element, kPlaces)) {
+    if (element == 0 && t == 0.0) continue;
+    const Excess here =
+        worst_excess(problem_.limits(), problem_.scene().body,
+                     problem_.scene().gravity, at(element, t).state);
+    if (here.value <= worst.value) continue;
+    worst = here;
+    sigma = problem_.mesh().boundaries[brachisto::at(element)] +
+            t * problem_.mesh().length(element);
+    if (std::isnan(here.value)) break;
+  }
+  return worst;
+}
+
+LimitedPoint LimitedCurve::at(int element, double t) const {
+  const VariableLayout& layout = problem_.layout();
+  const RadauScheme& scheme = problem_.scheme();
+  const int p = scheme.degree;
+  const int first = element * p;
+  std::array<double, 16> of_nodes;
+  std::array<double, 16> of_points;
+  const std::span<double> node_values(of_nodes.data(), brachisto::at(p + 1));
+  const std::span<double> point_values(of_points.data(), brachisto::at(p));
+  scheme.nodes.evaluate(t, node_values);
+  scheme.points.evaluate(t, point_values);
+  const auto state = [&](StateComponent component) {
+    double sum = 0.0;
+    for (int n = 0; n <= p; ++n) {
+      sum += node_values[brachisto::at(n)] *
+             point_.x[brachisto::at(layout.state(first + n, component))];
+    }
+    return sum;
+  };
+  const auto costate = [&](StateComponent component) {
+    double sum = 0.0;
+    for (int j = 0; j < p; ++j) {
+      sum -= point_values[brachisto::at(j)] *
+             point_.lambda[brachisto::at(layout.defect(first + j, component))] /
+             scheme.rule.weights[brachisto::at(j)];
+    }
+    return sum;
+  };
+  LimitedPoint out;
+  out.state = {state(X), state(Z), 0.0, state(W), state(Beta), 0.0};
+  out.p = {costate(X), costate(Z), 0.0, costate(W)};
+  if (layout.has_theta()) {
+    out.state.theta = state(Theta);
+    out.p.p_theta = costate(Theta);
+  }
+  out.p_beta = costate(Beta);
+  const double hU = problem_.mesh().length(element) * rolling_time();
+  out.multipliers.assign(brachisto::at(layout.num_limits()), 0.0);
+  for (int j = 0; j < p; ++j) {
+    const double weight = point_values[brachisto::at(j)];
+    out.state.q += weight * point_.x[brachisto::at(layout.control(first + j))] /
+                   problem_.mesh().length(element);
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      out.multipliers[brachisto::at(i)] +=
+          weight * point_.lambda[brachisto::at(layout.limit(first + j, i))] /
+          (hU * scheme.rule.weights[brachisto::at(j)]);
+    }
+  }
+  return out;
+}
+
+LimitedPoint LimitedCurve::at(double sigma) const {
+  const auto& ends = problem_.mesh().boundaries;
+  const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, sigma);
+  const auto e = static_cast<int>(after - ends.begin()) - 1;
+  return at(e, (sigma - ends[brachisto::at(e)]) / problem_.mesh().length(e));
+}
+
+PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
+  const VariableLayout& layout = problem.layout();
+  const RadauScheme& scheme = problem.scheme();
+  PrimalDual out;
+  out.x.assign(at(problem.num_variables()), 0.0);
+  out.lambda.assign(at(problem.num_constraints()), 0.0);
+  out.z_lower.assign(out.x.size(), 0.0);
+  out.z_upper.assign(out.x.size(), 0.0);
+  const auto put = [&](int node, const TurningPoint<double>& state) {
+    out.x[at(layout.state(node, X))] = state.x;
+    out.x[at(layout.state(node, Z))] = state.z;
+    if (layout.has_theta()) out.x[at(layout.state(node, Theta))] = state.theta;
+    out.x[at(layout.state(node, W))] = state.w;
+    out.x[at(layout.state(node, Beta))] = state.beta;
+  };
+  const double U = curve.rolling_time();
+  put(0, curve.at(0.0).state);
+  for (int c = 0; c < layout.num_points(); ++c) {
+    const int e = c / scheme.degree;
+    const auto j = at(c % scheme.degree);
+    const double h = problem.mesh().length(e);
+    const double b = scheme.rule.weights[j];
+    const LimitedPoint point =
+        curve.at(problem.mesh().boundaries[at(e)] + h * scheme.rule.points[j]);
+    put(c + 1, point.state);
+    out.x[at(layout.control(c))] = h * point.state.q;
+    out.lambda[at(layout.defect(c, X))] = -b * point.p.p_x;
+    out.lambda[at(layout.defect(c, Z))] = -b * point.p.p_z;
+    if (layout.has_theta()) {
+      out.lambda[at(layout.defect(c, Theta))] = -b * point.p.p_theta;
+    }
+    out.lambda[at(layout.defect(c, W))] = -b * point.p.p_w;
+    out.lambda[at(layout.defect(c, Beta))] = -b * point.p_beta;
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      const double mu = h * U * b * point.multipliers[at(i)];
+      const auto row = at(layout.limit(c, i));
+      const bool above = std::isfinite(problem.constraint_upper()[row]);
+      const bool below = std::isfinite(problem.constraint_lower()[row]);
+      out.lambda[row] = (mu < 0.0 ? below : above) ? mu : 0.0;
+    }
+  }
+  const VariableLayout& old = curve.problem().layout();
+  const auto keep = [&](int row, int old_row) {
+    out.lambda[at(row)] = curve.point().lambda[at(old_row)];
+  };
+  if (problem.free_contacts() && curve.problem().free_contacts()) {
+    for (int i = 0; i < layout.num_contact_rows(); ++i) {
+      keep(layout.contact_row(i), old.contact_row(i));
+    }
+  }
+  if (layout.num_start_rows() == old.num_start_rows()) {
+    for (int i = 0; i < layout.num_start_rows(); ++i) {
+      keep(layout.start_row(i), old.start_row(i));
+    }
+  }
+  out.x[at(layout.last())] = U;
+  return out;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A solution of a limited_time problem as functions of σ.
+
+#pragma once
+
+#include <vector>
+
+#include "brachisto/nlp/problem.hpp"
+#include "math/index.hpp"
+#include "model/hamiltonian.hpp"
+#include "transcription/limited_time.hpp"
+
+namespace brachisto {
+
+/// What is known at one σ, in the units of the problem's scene.
+struct LimitedPoint {
+  TurningPoint<double> state;
+  Costates p;
+  double p_beta = 0.0;
+  /// Of each limit per unit of u, minus dT by its bound: ≥ 0 where a value is
+  /// at its upper bound, ≤ 0 at its lower one.
+  std::vector<double> multipliers;
+};
+
+/// The collocation polynomials of a solution: states of degree p through the
+/// left end and the Radau points of an element, control, costates and
+/// multipliers of degree p − 1 through the points alone.
+class LimitedCurve {
+ public:
+  LimitedCurve(const LimitedTime& problem, PrimalDual point);
+
+  [[nodiscard]] const LimitedTime& problem() const { return problem_; }
+  [[nodiscard]] const PrimalDual& point() const { return point_; }
+  [[nodiscard]] double rolling_time() const {
+    return point_.x[static_cast<std::size_t>(problem_.layout().last())];
+  }
+  [[nodiscard]] double transit_time() const { return transit_time_; }
+  /// On an element.
+  [[nodiscard]] double time_on(int element) const;
+  /// Places of an element at which to look at limits: its points, so many more
+  /// at equal distances, and where it is next to each disc, which may be smaller
+  /// than these distances are.
+  [[nodiscard]] std::vector<double> places(int element, int count) const;
+  /// Of the limits between the points of an element, the start itself left out,
+  /// which forces alone depend on. The control there is the slope of β: both
+  /// polynomials agree.
+  [[nodiscard]] Excess excess_on(int element, double& sigma) const;
+  /// The slope at the end by transversality with the costates there [rad]; see
+  /// Transcription::end_slope().
+  [[nodiscard]] double transverse_slope() {
+    return problem_.end_slope(point_.x, point_.lambda);
+  }
+  /// At the place t ∈ [0, 1] of an element.
+  [[nodiscard]] LimitedPoint at(int element, double t) const;
+  [[nodiscard]] LimitedPoint at(double sigma) const;
+
+  /// Whether a limit is held as an equation at a collocation point.
+  [[nodiscard]] bool active(int point, int limit) const;
+  /// The same of a limit on forces at rest; false if β(0) is fixed.
+  [[nodiscard]] bool active_at_rest(int limit) const {
+    return brachisto::at(limit) < active_at_rest_.size() &&
+           active_at_rest_[brachisto::at(limit)];
+  }
+
+ private:
+  LimitedTime problem_;
+  PrimalDual point_;
+  double transit_time_;
+  std::vector<bool> active_, active_at_rest_;
+};
+
+/// The same states, controls and multipliers on another mesh, or under other
+/// bounds of the same limits.
+[[nodiscard]] PrimalDual prolong(const LimitedCurve& curve,
+                                 const LimitedTime& problem);
+
+}  // namespace brachisto

@@ -1,0 +1,541 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "transcription/limited_time.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using enum StateComponent;
+
+constexpr std::array kStates{X, Z, Theta, W, Beta};
+constexpr int kControl = 5;
+
+std::vector<double> with_start(const std::vector<double>& points) {
+  std::vector<double> nodes{0.0};
+  nodes.insert(nodes.end(), points.begin(), points.end());
+  return nodes;
+}
+
+/// On which of x, z, θ, w, β, q a limit depends.
+std::array<bool, 6> locals_of(const PathInequality& limit) {
+  using Kind = PathInequality::Kind;
+  switch (limit.kind) {
+    case Kind::FrictionForward:
+    case Kind::FrictionBackward:
+    case Kind::NormalForce:
+      return {false, false, true, true, true, true};
+    case Kind::Hump:
+    case Kind::Valley:
+      return {false, false, false, true, false, true};
+    case Kind::Floor:
+      return {false, true, false, false, false, false};
+    case Kind::Disc:
+    case Kind::HalfPlane:
+      break;
+  }
+  return {true, true, false, false, false, false};
+}
+
+/// Of limits on forces, which come first.
+int num_of_forces(const std::vector<PathInequality>& limits) {
+  return static_cast<int>(std::count_if(
+      limits.begin(), limits.end(), [](const PathInequality& limit) {
+        return limit.kind <= PathInequality::Kind::NormalForce;
+      }));
+}
+
+bool is_curved_in_place(const PathInequality& limit) {
+  return limit.kind == PathInequality::Kind::Disc;
+}
+
+}  // namespace
+
+RadauScheme::RadauScheme(int p)
+    : degree(p),
+      rule(math::radau_right(p)),
+      nodes(with_start(rule.points)),
+      points(rule.points),
+      derivative(nodes.slopes_at(rule.points)) {}
+
+const RadauScheme& radau_scheme(int degree) {
+  constexpr int kLargest = 12;
+  static std::array<std::unique_ptr<const RadauScheme>, kLargest + 1> schemes;
+  static std::mutex mutex;
+  const std::scoped_lock lock(mutex);
+  auto& scheme = schemes.at(at(degree));
+  if (!scheme) scheme = std::make_unique<const RadauScheme>(degree);
+  return *scheme;
+}
+
+LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
+                         Mesh mesh, const LimitedEnds& ends,
+                         std::optional<HeldLimits> held)
+    : Transcription(scene, mesh,
+                    VariableLayout::with_limits(
+                        mesh.num_points(), scene.body.off_centred(),
+                        static_cast<int>(limits.size()), ends.free_contacts,
+                        ends.start_slope_fixed ? 0 : num_of_forces(limits)),
+                    {}, "collocation point"),
+      scheme_(&radau_scheme(mesh.degree)),
+      limits_(std::move(limits)),
+      ends_(ends),
+      held_(std::move(held)),
+      places_matter_(
+          std::any_of(limits_.begin(), limits_.end(), is_curved_in_place)),
+      row_lower_(at(num_constraints())),
+      row_upper_(at(num_constraints())),
+      points_(at(layout().num_points())),
+      limit_values_(points_.size() * limits_.size()) {
+  if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
+  fix(layout().state(0, W), 0.0);
+  if (!free_contacts()) fix_ends();
+  weights_.assign(at(num_variables() + num_constraints()), 1.0);
+  for (int c = 0; c < layout().num_points(); ++c) {
+    const double b = scheme_->rule.weights[at(c % scheme_->degree)];
+    const double share = b * this->mesh().length(c / scheme_->degree);
+    for (int i = 0; i < layout().num_states(); ++i) {
+      weights_[at(layout().state(c + 1, X) + i)] = share;
+      if (c == 0) weights_[at(i)] = share;
+      weights_[at(num_variables() + layout().defect(c, X) + i)] = b;
+    }
+    weights_[at(layout().control(c))] = b;
+    for (int i = 0; i < layout().num_limits(); ++i) {
+      weights_[at(num_variables() + layout().limit(c, i))] = share;
+    }
+  }
+  bound_limits();
+  build_patterns();
+}
+
+void LimitedTime::bound_limits() {
+  const auto bound = [&](int row, const PathInequality& limit,
+                         nlp::Held where) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double lower = limit.lower;
+    double upper = limit.upper;
+    if (held_) {
+      const double value = where == nlp::Held::AtLower ? lower : upper;
+      lower = where == nlp::Held::No ? -kInfinity : value;
+      upper = where == nlp::Held::No ? kInfinity : value;
+    }
+    row_lower_[at(row)] = lower;
+    row_upper_[at(row)] = upper;
+  };
+  for (int i = 0; i < layout().num_limits(); ++i) {
+    for (int c = 0; c < layout().num_points(); ++c) {
+      bound(layout().limit(c, i), limits_[at(i)],
+            held_ ? held_at(c, i) : nlp::Held::No);
+    }
+    // The place of the last point is given: its limit would say so again.
+    if (!free_contacts() && !limits_[at(i)].bounds_control()) {
+      constexpr double kInfinity = std::numeric_limits<double>::infinity();
+      const auto row = at(layout().limit(layout().num_points() - 1, i));
+      row_lower_[row] = -kInfinity;
+      row_upper_[row] = kInfinity;
+    }
+    if (i < layout().num_start_rows()) {
+      bound(layout().start_row(i), limits_[at(i)],
+            held_ ? held_->at_rest[at(i)] : nlp::Held::No);
+    }
+  }
+}
+
+math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
+  using Start = math::Jet2<double, 1>;
+  return value_of(
+      limits_[at(limit)], scene().body, scene().gravity,
+      TurningPoint<Start>{Start(0.0), Start(0.0), Start(scene().body.theta_m),
+                          Start(0.0), Start::variable(beta, 0), Start(0.0)});
+}
+
+void LimitedTime::fix_ends() {
+  const double start = ends_.start.value_or(start_angle(scene().body));
+  const brachisto::Point centre =
+      scene().contact == Contact::Centre
+          ? start_of_centre(scene())
+          : centre_above({0.0, 0.0}, scene().body.radius, start);
+  fix(layout().state(0, X), centre.x);
+  fix(layout().state(0, Z), centre.z);
+  if (ends_.start_slope_fixed) {
+    fix(layout().state(0, Beta), start);
+  } else {
+    release(layout().state(0, Beta));
+  }
+  set_end_angle(ends_.phi);
+  if (scene().contact == Contact::EndSlope) {
+    fix(layout().state(layout().num_points(), Beta), ends_.phi);
+  }
+}
+
+nlp::Held LimitedTime::held_at(int point, int limit) const {
+  const int element = point / mesh().degree;
+  const auto& held = held_->in_element;
+  const nlp::Held here = held[at(element)][at(limit)];
+  const bool last = point % mesh().degree == mesh().degree - 1;
+  if (here != nlp::Held::No || !last || limits_[at(limit)].bounds_control() ||
+      element + 1 == mesh().num_elements()) {
+    return here;
+  }
+  return held[at(element + 1)][at(limit)];
+}
+
+int LimitedTime::local(int point, int number) const {
+  return number == kControl ? layout().control(point)
+                            : layout().state(point + 1, kStates.at(at(number)));
+}
+
+const LimitedTime::Jet& LimitedTime::limit_at(int point, int number) const {
+  return limit_values_[at(point) * limits_.size() + at(number)];
+}
+
+nlp::ChainStructure LimitedTime::chain_structure() const {
+  nlp::ChainStructure chain = Transcription::chain_structure();
+  const int p = mesh().degree;
+  for (int c = 0; c < layout().num_points(); ++c) {
+    const int element = c / p;
+    const bool last = c % p == p - 1;
+    const int block = last ? 2 * (element + 1) : 2 * element + 1;
+    if (last) chain.block[at(layout().control(c))] = block;
+    for (int i = 0; i < layout().num_limits(); ++i) {
+      chain.block[at(num_variables() + layout().limit(c, i))] = block;
+    }
+  }
+  for (int i = 0; i < layout().num_contact_rows(); ++i) {
+    chain.block[at(num_variables() + layout().contact_row(i))] =
+        i < 2 ? 0 : 2 * mesh().num_elements();
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    chain.block[at(num_variables() + layout().start_row(i))] = 0;
+  }
+  return chain;
+}
+
+std::optional<Transcription::End> LimitedTime::end(
+    std::span<const double> x, std::span<const double> lambda) {
+  const int last = layout().num_points();
+  End out;
+  out.state.w = x[at(layout().state(last, W))];
+  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
+  if (layout().has_theta()) {
+    out.state.theta = x[at(layout().state(last, Theta))];
+    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
+  }
+  out.p = end_costates(lambda);
+  const int p = mesh().degree;
+  for (int j = 0; j < p; ++j) {
+    const double D = scheme_->derivative(j, p);
+    out.by_lambda.push_back(
+        {layout().defect(last - p + j, X), 0.0, 0.0, -D, 0.0});
+    out.by_lambda.push_back(
+        {layout().defect(last - p + j, Z), 0.0, 0.0, 0.0, -D});
+  }
+  out.last_slope = x[at(layout().state(last, Beta))];
+  return out;
+}
+
+Costates LimitedTime::end_costates(std::span<const double> lambda) const {
+  const int last = layout().num_points();
+  const int p = mesh().degree;
+  Costates out;
+  for (int j = 0; j < p; ++j) {
+    const double D = scheme_->derivative(j, p);
+    out.p_x -= D * lambda[at(layout().defect(last - p + j, X))];
+    out.p_z -= D * lambda[at(layout().defect(last - p + j, Z))];
+  }
+  return out;
+}
+
+double LimitedTime::rounding(std::span<const double> x) const {
+  constexpr double kTerms = 64.0;
+  double largest = 1.0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  return kTerms * std::numeric_limits<double>::epsilon() * largest;
+}
+
+bool LimitedTime::evaluate() {
+  const Body& body = scene().body;
+  if (!(x(layout().rolling_time()) > 0.0)) {
+    return refuse(-1, "the rolling time U is not positive");
+  }
+  for (int c = 0; c < layout().num_points(); ++c) {
+    check_stop(c);
+    TurningPoint<Jet> local_jets;
+    const std::array<Jet*, kLocals> jets{&local_jets.x,     &local_jets.z,
+                                         &local_jets.theta, &local_jets.w,
+                                         &local_jets.beta,  &local_jets.q};
+    for (int i = 0; i < kLocals; ++i) {
+      *jets[at(i)] = has_local(i) ? Jet::variable(x(local(c, i)), i) : Jet(0.0);
+    }
+    local_jets.q = local_jets.q * Jet(1.0 / mesh().length(c / mesh().degree));
+    Point& point = points_[at(c)];
+    point.w = local_jets.w.value;
+    point.cos_beta = std::cos(local_jets.beta.value);
+    point.sin_beta = std::sin(local_jets.beta.value);
+    point.cos_theta = std::cos(local_jets.theta.value);
+    point.sin_theta = std::sin(local_jets.theta.value);
+    if (!(point.w > 0.0)) return refuse(c, "the speed w is not positive");
+    if (!std::isfinite(point.cos_beta)) {
+      return refuse(c, "the slope angle is not finite");
+    }
+    if (layout().has_theta()) {
+      const Jet A = inertia_factor(body, local_jets.theta, local_jets.beta);
+      if (!(A.value > 0.0)) {
+        return refuse(c, "the inertia factor A is not positive");
+      }
+      point.root = sqrt(A);
+    } else {
+      point.root = Jet(std::sqrt(axisymmetric_inertia_factor(body)));
+    }
+    for (int i = 0; i < layout().num_limits(); ++i) {
+      // What is neither held nor an inequality is not asked for.
+      limit_values_[at(c) * limits_.size() + at(i)] =
+          held_ && held_at(c, i) == nlp::Held::No
+              ? Jet(0.0)
+              : value_of(limits_[at(i)], body, scene().gravity, local_jets);
+    }
+  }
+  return true;
+}
+
+double LimitedTime::do_eval_f() const {
+  double sum = 0.0;
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    double element = 0.0;
+    for (int j = 0; j < mesh().degree; ++j) {
+      element += scheme_->rule.weights[at(j)] *
+                 points_[at(e * mesh().degree + j)].root.value;
+    }
+    sum += mesh().length(e) * element;
+  }
+  return x(layout().rolling_time()) * sum;
+}
+
+void LimitedTime::do_eval_grad_f(std::span<double> grad_f) const {
+  std::fill(grad_f.begin(), grad_f.end(), 0.0);
+  const double U = x(layout().rolling_time());
+  double sum = 0.0;
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    for (int j = 0; j < mesh().degree; ++j) {
+      const int c = e * mesh().degree + j;
+      const double weight = mesh().length(e) * scheme_->rule.weights[at(j)];
+      const Jet& root = points_[at(c)].root;
+      sum += weight * root.value;
+      for (const int i : {2, 4}) {
+        if (has_local(i)) {
+          grad_f[at(local(c, i))] += U * weight * root.gradient[at(i)];
+        }
+      }
+    }
+  }
+  grad_f[at(layout().rolling_time())] = sum;
+}
+
+void LimitedTime::do_eval_g(std::span<double> g) const {
+  const int p = mesh().degree;
+  const Body& body = scene().body;
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    const double hU = mesh().length(e) * x(layout().rolling_time());
+    for (int j = 0; j < p; ++j) {
+      const int c = e * p + j;
+      const Point& at_c = points_[at(c)];
+      const auto put = [&](StateComponent component, double rate) {
+        double sum = 0.0;
+        for (int n = 0; n <= p; ++n) {
+          sum += scheme_->derivative(j, n) *
+                 x(layout().state(e * p + n, component));
+        }
+        g[at(layout().defect(c, component))] = sum - hU * rate;
+      };
+      put(X, at_c.w * at_c.cos_beta);
+      put(Z, at_c.w * at_c.sin_beta);
+      if (layout().has_theta()) put(Theta, at_c.w / body.radius);
+      const double eta = layout().has_theta() ? body.eta_m : 0.0;
+      put(W, scene().gravity * (at_c.sin_beta + eta * at_c.cos_theta));
+      put(Beta, x(layout().control(c)) / mesh().length(e));
+      for (int i = 0; i < layout().num_limits(); ++i) {
+        g[at(layout().limit(c, i))] = limit_at(c, i).value;
+      }
+    }
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    g[at(layout().start_row(i))] = at_rest(i, x(layout().state(0, Beta))).value;
+  }
+  if (!free_contacts()) return;
+  const double r = body.radius;
+  const int last = layout().num_points();
+  const double beta_A = x(layout().state(0, Beta));
+  const double beta_B = x(layout().state(last, Beta));
+  g[at(layout().contact_row(0))] =
+      x(layout().state(0, X)) - r * std::sin(beta_A);
+  g[at(layout().contact_row(1))] =
+      x(layout().state(0, Z)) + r * std::cos(beta_A);
+  g[at(layout().contact_row(2))] =
+      x(layout().state(last, X)) - scene().L - r * std::sin(beta_B);
+  g[at(layout().contact_row(3))] =
+      x(layout().state(last, Z)) - scene().H + r * std::cos(beta_B);
+}
+
+void LimitedTime::put_jac_g(Entries& put) const {
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const double r = scene().body.radius;
+  const int col_U = layout().rolling_time();
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    check_stop(e);
+    const double h = mesh().length(e);
+    for (int j = 0; j < p; ++j) {
+      const int c = e * p + j;
+      const Point& at_c = points_[at(c)];
+      const auto put_defect = [&](StateComponent component, double rate) {
+        const int row = layout().defect(c, component);
+        for (int n = 0; n <= p; ++n) {
+          put(row, layout().state(e * p + n, component),
+              scheme_->derivative(j, n));
+        }
+        put(row, col_U, -h * rate);
+      };
+      const auto put_rate = [&](StateComponent component, int number,
+                                double slope) {
+        put(layout().defect(c, component), local(c, number), -h * U * slope);
+      };
+      put_defect(X, at_c.w * at_c.cos_beta);
+      put_rate(X, 3, at_c.cos_beta);
+      put_rate(X, 4, -at_c.w * at_c.sin_beta);
+      put_defect(Z, at_c.w * at_c.sin_beta);
+      put_rate(Z, 3, at_c.sin_beta);
+      put_rate(Z, 4, at_c.w * at_c.cos_beta);
+      if (layout().has_theta()) {
+        put_defect(Theta, at_c.w / r);
+        put_rate(Theta, 3, 1.0 / r);
+      }
+      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
+      put_defect(W, g * (at_c.sin_beta + eta * at_c.cos_theta));
+      if (layout().has_theta()) put_rate(W, 2, -g * eta * at_c.sin_theta);
+      put_rate(W, 4, g * at_c.cos_beta);
+      put_defect(Beta, x(layout().control(c)) / h);
+      put_rate(Beta, kControl, 1.0 / h);
+      for (int i = 0; i < layout().num_limits(); ++i) {
+        const auto depends = locals_of(limits_[at(i)]);
+        for (int k = 0; k < kLocals; ++k) {
+          if (!depends[at(k)] || !has_local(k)) continue;
+          put(layout().limit(c, i), local(c, k),
+              limit_at(c, i).gradient[at(k)]);
+        }
+      }
+    }
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    put(layout().start_row(i), layout().state(0, Beta),
+        at_rest(i, x(layout().state(0, Beta))).gradient[0]);
+  }
+  if (!free_contacts()) return;
+  const int last = layout().num_points();
+  const int beta_A = layout().state(0, Beta);
+  const int beta_B = layout().state(last, Beta);
+  put(layout().contact_row(0), layout().state(0, X), 1.0);
+  put(layout().contact_row(0), beta_A, -r * std::cos(x(beta_A)));
+  put(layout().contact_row(1), layout().state(0, Z), 1.0);
+  put(layout().contact_row(1), beta_A, -r * std::sin(x(beta_A)));
+  put(layout().contact_row(2), layout().state(last, X), 1.0);
+  put(layout().contact_row(2), beta_B, -r * std::cos(x(beta_B)));
+  put(layout().contact_row(3), layout().state(last, Z), 1.0);
+  put(layout().contact_row(3), beta_B, -r * std::sin(x(beta_B)));
+}
+
+void LimitedTime::put_hess_lag(double objective_factor,
+                               std::span<const double> lambda,
+                               Entries& put) const {
+  // At each point the Lagrangian is
+  //   h U { s b √A − λ·f } + Σ_i μ_i c_i
+  // plus terms linear in the states.
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const int row_U = layout().rolling_time();
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    check_stop(e);
+    const double h = mesh().length(e);
+    for (int j = 0; j < p; ++j) {
+      const int c = e * p + j;
+      const Point& at_c = points_[at(c)];
+      const double weight = objective_factor * scheme_->rule.weights[at(j)];
+      const double l_x = lambda[at(layout().defect(c, X))];
+      const double l_z = lambda[at(layout().defect(c, Z))];
+      const double l_w = g * lambda[at(layout().defect(c, W))];
+      const double l_theta =
+          layout().has_theta() ? lambda[at(layout().defect(c, Theta))] : 0.0;
+      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
+      const double along = l_x * at_c.cos_beta + l_z * at_c.sin_beta;
+      const double across = l_z * at_c.cos_beta - l_x * at_c.sin_beta;
+
+      std::array<double, Jet::kPairs> M{};
+      std::array<double, kLocals> by_U{};
+      for (std::size_t k = 0; k < M.size(); ++k) {
+        M[k] = h * U * weight * at_c.root.hessian[k];
+      }
+      for (std::size_t k = 0; k < by_U.size(); ++k) {
+        by_U[k] = h * weight * at_c.root.gradient[k];
+      }
+      M[Jet::pair(4, 3)] -= h * U * across;
+      M[Jet::pair(4, 4)] += h * U * (at_c.w * along + l_w * at_c.sin_beta);
+      M[Jet::pair(2, 2)] += h * U * l_w * eta * at_c.cos_theta;
+      by_U[2] += h * l_w * eta * at_c.sin_theta;
+      by_U[3] -= h * along;
+      if (layout().has_theta()) by_U[3] -= h * l_theta / scene().body.radius;
+      by_U[4] -= h * (at_c.w * across + l_w * at_c.cos_beta);
+      by_U[5] -= lambda[at(layout().defect(c, Beta))];
+      for (int i = 0; i < layout().num_limits(); ++i) {
+        const double mu = lambda[at(layout().limit(c, i))];
+        for (std::size_t k = 0; k < M.size(); ++k) {
+          M[k] += mu * limit_at(c, i).hessian[k];
+        }
+      }
+      for (int a = places_matter_ ? 0 : 2; a < kLocals; ++a) {
+        if (!has_local(a)) continue;
+        for (int b = places_matter_ ? 0 : 2; b <= a; ++b) {
+          if (!has_local(b) || (a == kControl && b == kControl)) continue;
+          if ((a < 2) != (b < 2)) continue;
+          const int row = local(c, a);
+          const int col = local(c, b);
+          put(std::max(row, col), std::min(row, col), M[Jet::pair(a, b)]);
+        }
+      }
+      for (int a = 2; a < kLocals; ++a) {
+        if (has_local(a)) put(row_U, local(c, a), by_U[at(a)]);
+      }
+    }
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    const int beta = layout().state(0, Beta);
+    put(beta, beta,
+        lambda[at(layout().start_row(i))] * at_rest(i, x(beta)).hessian[0]);
+  }
+  if (!free_contacts()) return;
+  const double r = scene().body.radius;
+  const int last = layout().num_points();
+  for (const int end : {0, 1}) {
+    const int beta = layout().state(end == 0 ? 0 : last, Beta);
+    put(beta, beta,
+        r * (lambda[at(layout().contact_row(2 * end))] * std::sin(x(beta)) -
+             lambda[at(layout().contact_row(2 * end + 1))] *
+                 std::cos(x(beta))));
+  }
+}
+
+}  // namespace brachisto

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The least time under limits along the path as a nonlinear program in the
+/// rolling time.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "math/gauss.hpp"
+#include "math/jet2.hpp"
+#include "math/polynomial_basis.hpp"
+#include "model/path_inequality.hpp"
+#include "nlp/active_set.hpp"
+#include "transcription/transcription.hpp"
+
+namespace brachisto {
+
+/// Radau IIA collocation of degree p on [0, 1]: a polynomial of degree p is
+/// given by its values at 0 and at the p Radau points, where it satisfies the
+/// differential equation; the last of them is 1.
+struct RadauScheme {
+  explicit RadauScheme(int degree);
+
+  int degree;
+  math::QuadratureRule rule;     ///< the p Radau points and weights
+  math::LagrangeBasis nodes;     ///< through 0 and the points
+  math::LagrangeBasis points;    ///< through the points alone
+  math::SmallMatrix derivative;  ///< p × (p + 1): nodes → slopes at points
+};
+[[nodiscard]] const RadauScheme& radau_scheme(int degree);
+
+/// What is fixed at the two contacts.
+struct LimitedEnds {
+  /// Both slopes are unknowns, tied to the places of the centre above A and B.
+  bool free_contacts = false;
+  double phi = 0.0;  ///< slope at B that C_B is built from; else without effect
+  /// Slope at A that C_A is built from; nothing: the start angle of the body.
+  std::optional<double> start = {};
+  /// The path leaves with the slope `start`; otherwise β(0) is an unknown.
+  bool start_slope_fixed = false;
+};
+
+/// Which limits hold as equations, and at which of their bounds.
+struct HeldLimits {
+  std::vector<std::vector<nlp::Held>> in_element;  ///< by element, then limit
+  std::vector<nlp::Held> at_rest;                  ///< by limit
+};
+
+/// Radau IIA collocation of
+///
+///     minimise T = U ∫₀¹ √A dσ  subject to
+///     x' = U w cos β    z' = U w sin β    r θ' = U w
+///     w' = U g (sin β + η cos θ)    β' = U q,      ' = d/dσ,
+///     lower ≤ c(x, z, θ, w, β, q) ≤ upper for each limit,
+///
+/// the control being q = dβ/du = w κ_c: the force of the track and its
+/// curvature are affine in it. With Gauss's points β as a state would have a
+/// null mode; here β(0) enters nothing but the first element's defects.
+///
+/// The unknown of an element of length h is h q, so that entries of the KKT
+/// matrix do not fall with h.
+///
+/// Nodes and collocation points are the same but for the start, so that all
+/// second derivatives are those of one point function of (x, z, θ, w, β, q).
+class LimitedTime final : public Transcription {
+ public:
+  /// \param scene   valid, in units of the caller's choice
+  /// \param limits  in the same units
+  /// \param held    nothing: all limits are inequalities; otherwise those that
+  ///                are held are equations, and the others are not asked for
+  LimitedTime(const Scene& scene, std::vector<PathInequality> limits, Mesh mesh,
+              const LimitedEnds& ends, std::optional<HeldLimits> held = {});
+
+  [[nodiscard]] const RadauScheme& scheme() const { return *scheme_; }
+  [[nodiscard]] const std::vector<PathInequality>& limits() const {
+    return limits_;
+  }
+  [[nodiscard]] const LimitedEnds& ends() const { return ends_; }
+  [[nodiscard]] bool free_contacts() const { return ends_.free_contacts; }
+  /// The same with all limits as inequalities.
+  [[nodiscard]] LimitedTime as_inequalities() const {
+    return {scene(), limits_, mesh(), ends_};
+  }
+  [[nodiscard]] const std::optional<HeldLimits>& held() const { return held_; }
+  /// Whether and where a limit is an equation at a collocation point. A limit
+  /// of the place alone is one from the end of the element before on, since
+  /// between the points of an element it does not see its first node.
+  [[nodiscard]] nlp::Held held_at(int point, int limit) const;
+
+  /// h b of a point's states and limits, b of its control and its defects.
+  [[nodiscard]] std::span<const double> weights() const override {
+    return weights_;
+  }
+  [[nodiscard]] std::span<const double> constraint_lower() const override {
+    return row_lower_;
+  }
+  [[nodiscard]] std::span<const double> constraint_upper() const override {
+    return row_upper_;
+  }
+  /// Control and limits of the last point of an element stand with its right
+  /// end, contacts and limits at rest with their node: equations about the
+  /// state of a separator would leave the interior singular.
+  [[nodiscard]] nlp::ChainStructure chain_structure() const override;
+
+  /// Costates at the end node, p = −∂L/∂(x, z)_N.
+  [[nodiscard]] std::optional<End> end(std::span<const double> x,
+                                       std::span<const double> lambda) override;
+  [[nodiscard]] Costates end_costates(
+      std::span<const double> lambda) const override;
+  [[nodiscard]] double rounding(std::span<const double> x) const override;
+
+ private:
+  /// x, z, θ, w, β, h q.
+  static constexpr int kLocals = 6;
+  using Jet = math::Jet2<double, kLocals>;
+
+  struct Point {
+    Jet root;  ///< √A
+    double w, cos_beta, sin_beta, sin_theta, cos_theta;
+  };
+
+  void fix_ends();
+  void bound_limits();
+  /// Of a limit on forces at rest, by β(0).
+  [[nodiscard]] math::Jet2<double, 1> at_rest(int limit, double beta) const;
+  [[nodiscard]] int local(int point, int number) const;
+  [[nodiscard]] bool has_local(int number) const {
+    return number != 2 || layout().has_theta();
+  }
+  [[nodiscard]] const Jet& limit_at(int point, int number) const;
+
+  bool evaluate() override;
+  [[nodiscard]] double do_eval_f() const override;
+  void do_eval_grad_f(std::span<double> grad_f) const override;
+  void do_eval_g(std::span<double> g) const override;
+  void put_jac_g(Entries& put) const override;
+  void put_hess_lag(double objective_factor, std::span<const double> lambda,
+                    Entries& put) const override;
+
+  const RadauScheme* scheme_;
+  std::vector<PathInequality> limits_;
+  LimitedEnds ends_;
+  std::optional<HeldLimits> held_;
+  bool places_matter_;  ///< second derivatives by x and z
+  std::vector<double> row_lower_, row_upper_, weights_;
+  std::vector<Point> points_;
+  std::vector<Jet> limit_values_;  ///< of a point, one after the other
+};
+
+}  // namespace brachisto

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "transcription/limited_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "model/start_angle.hpp"
+#include "support/limited_problems.hpp"
+#include "support/rounding.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+using enum StateComponent;
+using nlp::Held;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+TEST(RadauScheme, EndsWithItsElementAndIntegratesExactly) {
+  for (int p = 1; p <= 9; ++p) {
+    const RadauScheme& scheme = radau_scheme(p);
+
+    EXPECT_EQ(scheme.rule.points.back(), 1.0) << p;
+    for (int power = 0; power <= 2 * p - 2; ++power) {
+      double sum = 0.0;
+      for (int j = 0; j < p; ++j) {
+        sum += scheme.rule.weights[at(j)] *
+               std::pow(scheme.rule.points[at(j)], power);
+      }
+      EXPECT_NEAR(sum, 1.0 / (power + 1), ulps(4.0 * p)) << p;
+    }
+  }
+}
+
+TEST(LimitedTimeSize, FollowsFromStatesLimitsAndContacts) {
+  for (const Scene& scene :
+       {bead_scene(), uniform_scene(), off_centred_scene()}) {
+    const auto limits = limits_of_all_kinds(scene.body);
+    const int states = scene.body.off_centred() ? 5 : 4;
+    const int forces = scene.body.rolls() ? 3 : 1;
+    for (const bool free : {false, true}) {
+      for (const bool slope_fixed : {false, true}) {
+        LimitedEnds ends;
+        ends.free_contacts = free;
+        ends.start_slope_fixed = slope_fixed;
+        const LimitedTime problem(scene, limits, uniform_mesh(3, 4), ends);
+
+        EXPECT_EQ(problem.num_variables(), 12 * (states + 1) + states + 1);
+        EXPECT_EQ(problem.num_constraints(),
+                  12 * (states + static_cast<int>(limits.size())) +
+                      (free ? 4 : 0) + (slope_fixed ? 0 : forces));
+      }
+    }
+  }
+}
+
+TEST(LimitedTimeBounds, FixTheStartAndWhatContactsAsk) {
+  const Scene scene = off_centred_scene(-0.5);
+  const double r = scene.body.radius, phi = -0.3, beta_0 = 1.2;
+  for (const bool free : {false, true}) {
+    LimitedEnds ends;
+    ends.free_contacts = free;
+    ends.phi = phi;
+    ends.start = beta_0;
+    ends.start_slope_fixed = !free;
+    const LimitedTime problem(scene, {}, uniform_mesh(2, 3), ends);
+    const VariableLayout& layout = problem.layout();
+    std::set<int> fixed;
+    const auto expect_fixed = [&](int index, double value) {
+      fixed.insert(index);
+      EXPECT_EQ(problem.lower()[at(index)], problem.upper()[at(index)]);
+      EXPECT_NEAR(problem.lower()[at(index)], value, ulps(2.0, 4.0))
+          << layout.variable_name(index);
+    };
+
+    expect_fixed(layout.state(0, Theta), scene.body.theta_m);
+    expect_fixed(layout.state(0, W), 0.0);
+    if (!free) {
+      expect_fixed(layout.state(0, X), r * std::sin(beta_0));
+      expect_fixed(layout.state(0, Z), -r * std::cos(beta_0));
+      expect_fixed(layout.state(0, Beta), beta_0);
+      expect_fixed(layout.state(6, X), scene.L + r * std::sin(phi));
+      expect_fixed(layout.state(6, Z), scene.H - r * std::cos(phi));
+    }
+    for (int i = 0; i < problem.num_variables(); ++i) {
+      if (fixed.contains(i)) continue;
+      EXPECT_EQ(problem.lower()[at(i)], -kInfinity);
+      EXPECT_EQ(problem.upper()[at(i)], kInfinity);
+    }
+  }
+}
+
+TEST(LimitedTimeHeld, AreEquationsAndTheOthersAreNotAskedFor) {
+  const Scene scene = off_centred_scene();
+  const auto limits = limits_of_all_kinds(scene.body);
+  const Mesh mesh = uniform_mesh(3, 8);
+  LimitedEnds ends;
+  ends.free_contacts = true;
+  const HeldLimits held = held_in_turn(mesh, limits);
+  const LimitedTime problem(scene, limits, mesh, ends, held);
+  const VariableLayout& layout = problem.layout();
+
+  for (int c = 0; c < layout.num_points(); ++c) {
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      const PathInequality& limit = limits[at(i)];
+      const int e = c / 3;
+      const bool last = c % 3 == 2;
+      // A limit of the place begins with the node that its element begins with.
+      const bool expected =
+          e == i || (!limit.bounds_control() && last && e + 1 == i);
+      const double bound =
+          std::isfinite(limit.upper) ? limit.upper : limit.lower;
+      const auto row = at(layout.limit(c, i));
+
+      EXPECT_EQ(problem.held_at(c, i) != Held::No, expected) << c << " " << i;
+      EXPECT_EQ(problem.constraint_lower()[row], expected ? bound : -kInfinity);
+      EXPECT_EQ(problem.constraint_upper()[row], expected ? bound : kInfinity);
+    }
+  }
+  ASSERT_EQ(layout.num_start_rows(), 3);
+  for (int i = 0; i < 3; ++i) {
+    const auto row = at(layout.start_row(i));
+    EXPECT_EQ(problem.constraint_lower()[row],
+              i == 0 ? limits[0].lower : -kInfinity);
+    EXPECT_EQ(problem.constraint_upper()[row],
+              i == 0 ? limits[0].lower : kInfinity);
+  }
+  const LimitedTime all = problem.as_inequalities();
+  EXPECT_FALSE(all.held());
+  EXPECT_EQ(all.constraint_lower()[at(layout.limit(0, 2))], limits[2].lower);
+  EXPECT_EQ(all.constraint_upper()[at(layout.limit(0, 2))], limits[2].upper);
+}
+
+/// A limit of a place that is given would say of constants what they are.
+TEST(LimitedTimeHeld, LeavesOutThePlaceOfAGivenEnd) {
+  const Scene scene = uniform_scene();
+  const auto limits = limits_of_all_kinds(scene.body);
+  const LimitedTime problem(scene, limits, uniform_mesh(3, 4), {});
+  const VariableLayout& layout = problem.layout();
+  const int last = layout.num_points() - 1;
+
+  for (int i = 0; i < layout.num_limits(); ++i) {
+    const bool bounded =
+        std::isfinite(problem.constraint_lower()[at(layout.limit(last, i))]);
+    EXPECT_EQ(bounded, limits[at(i)].bounds_control()) << i;
+  }
+}
+
+class RefusedLimitedPoint : public ::testing::Test {
+ protected:
+  LimitedTime problem{off_centred_scene(),
+                      limits_of_all_kinds(off_centred_scene().body),
+                      uniform_mesh(2, 3), LimitedEnds{}};
+
+  [[nodiscard]] std::vector<double> good() const {
+    Random random(1);
+    return random_point(problem, random);
+  }
+  void expect_refused(int index, double value, const std::string& because) {
+    std::vector<double> x = good();
+    x[at(index)] = value;
+    EXPECT_FALSE(problem.set_point(x));
+    EXPECT_EQ(problem.refusal(), because);
+    EXPECT_TRUE(problem.set_point(good())) << "no way back";
+  }
+};
+
+TEST_F(RefusedLimitedPoint, SaysWhatAndWhere) {
+  const VariableLayout& layout = problem.layout();
+  for (const double value : {0.0, -1.0, std::nan("")}) {
+    expect_refused(layout.rolling_time(), value,
+                   "the rolling time U is not positive");
+    expect_refused(layout.state(4, W), value,
+                   "the speed w is not positive at collocation point 3 of 6");
+  }
+  expect_refused(layout.state(2, Beta), std::nan(""),
+                 "the slope angle is not finite at collocation point 1 of 6");
+  expect_refused(
+      layout.state(2, Theta), std::nan(""),
+      "the inertia factor A is not positive at collocation point 1 of 6");
+}
+
+/// On an incline w = U g sin β σ and s = U² g sin β σ²/2: Radau's rules of
+/// degree 2 and more are exact, and q = 0.
+TEST(LimitedTimeDefects, VanishOnAnIncline) {
+  const double U = 1.7, beta = 0.4;
+  for (const Scene& scene : {bead_scene(), uniform_scene()}) {
+    for (int p = 2; p <= 8; ++p) {
+      LimitedTime problem(scene, {}, {p, {0.0, 0.1, 0.5, 1.0}}, {});
+      const VariableLayout& layout = problem.layout();
+      std::vector<double> x(at(problem.num_variables()), 0.0);
+      const auto put = [&](int node, double sigma) {
+        const double w = U * scene.gravity * std::sin(beta) * sigma;
+        const double s = 0.5 * U * sigma * w;
+        x[at(layout.state(node, X))] = s * std::cos(beta);
+        x[at(layout.state(node, Z))] = s * std::sin(beta);
+        x[at(layout.state(node, W))] = w;
+        x[at(layout.state(node, Beta))] = beta;
+      };
+      put(0, 0.0);
+      for (int c = 0; c < layout.num_points(); ++c) {
+        const int e = c / p;
+        put(c + 1, problem.mesh().boundaries[at(e)] +
+                       problem.mesh().length(e) *
+                           problem.scheme().rule.points[at(c % p)]);
+      }
+      x[at(layout.rolling_time())] = U;
+      std::vector<double> g(at(problem.num_constraints()));
+
+      ASSERT_TRUE(problem.set_point(x));
+      problem.eval_g(g);
+
+      for (const double defect : g) {
+        EXPECT_NEAR(defect, 0.0, ulps(p + 1.0, 8.0 * 6.0 * p * p));
+      }
+      const double T = U * std::sqrt(1.0 + scene.body.k);
+      EXPECT_NEAR(problem.eval_f(), T, ulps(8.0, T));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::testing

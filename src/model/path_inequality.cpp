@@ -88,6 +88,30 @@ std::vector<PathInequality> inequalities(const Body& body,
   return all;
 }
 
+PathLimits in_units_of(double length, PathLimits limits) {
+  for (auto* curvature : {&limits.curvature.hump, &limits.curvature.valley}) {
+    if (*curvature) **curvature *= length;
+  }
+  if (limits.floor) *limits.floor /= length;
+  for (Disc& disc : limits.discs) {
+    disc = {{disc.centre.x / length, disc.centre.z / length},
+            disc.radius / length};
+  }
+  for (HalfPlane& plane : limits.half_planes) {
+    plane.point = {plane.point.x / length, plane.point.z / length};
+  }
+  return limits;
+}
+
+math::Dependence<6> dependence_of(const PathInequality& limit,
+                                  const Body& body) {
+  using On = math::Dependence<6>;
+  return value_of(
+      limit, body, 1.0,
+      TurningPoint<On>{On::variable(0), On::variable(1), On::variable(2),
+                       On::variable(3), On::variable(4), On::variable(5)});
+}
+
 double next_to(Point a, Point b, Point c) {
   const Point along{b.x - a.x, b.z - a.z};
   const double length2 = along.x * along.x + along.z * along.z;

@@ -14,6 +14,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/model/path_limits.hpp"
+#include "math/dependence.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
 
@@ -93,6 +94,8 @@ struct PathInequality {
 
   /// Whether it depends on q; if not, on the place alone.
   [[nodiscard]] bool bounds_control() const { return kind <= Kind::Valley; }
+  /// Whether it is one of forces, which at rest β alone decides.
+  [[nodiscard]] bool bounds_force() const { return kind <= Kind::NormalForce; }
 };
 
 /// "friction", "hump", …
@@ -103,6 +106,10 @@ struct PathInequality {
 /// margin m is K_h = (1 − m)/r.
 [[nodiscard]] std::vector<PathInequality> inequalities(
     const Body& body, const PathLimits& limits);
+
+/// The same limits in another unit of length; forces are told per m g anyhow.
+/// \param length  the unit [m]
+[[nodiscard]] PathLimits in_units_of(double length, PathLimits limits);
 
 /// Greatest curvature of the centre's path downwards and upwards, ∞ if free.
 [[nodiscard]] double hump_of_centre(const Body& body, const PathLimits& limits);
@@ -142,6 +149,11 @@ template <class Scalar>
   }
   return Scalar(0.0);
 }
+
+/// On which of x, z, θ, w, β, q, in this order, a limit depends: read from its
+/// formula.
+[[nodiscard]] math::Dependence<6> dependence_of(const PathInequality& limit,
+                                                const Body& body);
 
 /// Where on the segment from a to b, from 0 to 1, it is next to c.
 [[nodiscard]] double next_to(Point a, Point b, Point c);

@@ -17,7 +17,7 @@ std::optional<double> start_angle_under(
     const TurningPoint<double> rest{0.0, 0.0, body.theta_m, 0.0, beta, 0.0};
     double least = energy_slope(body, body.theta_m, beta);
     for (const PathInequality& limit : limits) {
-      if (limit.kind > PathInequality::Kind::NormalForce) continue;
+      if (!limit.bounds_force()) continue;
       const double value = value_of(limit, body, 1.0, rest);
       least = std::min({least, value - limit.lower, limit.upper - value});
     }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/path_inequality.hpp"
+
 namespace brachisto {
 
 Units natural_units(const Scene& scene) {
@@ -19,18 +21,7 @@ Scene in_units_of(double length, const Scene& scene) {
   scaled.L /= length;
   scaled.H /= length;
   scaled.gravity = 0.5;
-  PathLimits& limits = scaled.limits;
-  for (auto* curvature : {&limits.curvature.hump, &limits.curvature.valley}) {
-    if (*curvature) **curvature *= length;
-  }
-  if (limits.floor) *limits.floor /= length;
-  for (Disc& disc : limits.discs) {
-    disc = {{disc.centre.x / length, disc.centre.z / length},
-            disc.radius / length};
-  }
-  for (HalfPlane& plane : limits.half_planes) {
-    plane.point = {plane.point.x / length, plane.point.z / length};
-  }
+  scaled.limits = in_units_of(length, scene.limits);
   return scaled;
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The matrices of Gauss–Legendre collocation on the unit element.
+/// The matrices of collocation on the unit element, at Gauss's points and at
+/// Radau's.
 
 #pragma once
 
@@ -29,10 +30,24 @@ struct CollocationScheme {
                                  ///< from 0 to each node
 };
 
+/// Radau IIA collocation of degree p on [0, 1]: a polynomial of degree p is
+/// given by its values at 0 and at the p Radau points, where it satisfies the
+/// differential equation; the last of them is 1.
+struct RadauScheme {
+  explicit RadauScheme(int degree);
+
+  int degree;
+  math::QuadratureRule rule;     ///< the p Radau points and weights
+  math::LagrangeBasis nodes;     ///< through 0 and the points
+  math::LagrangeBasis points;    ///< through the points alone
+  math::SmallMatrix derivative;  ///< p × (p + 1): nodes → slopes at points
+};
+
 /// The largest degree of a scheme: that of problems, and one more to check it.
 inline constexpr int kLargestDegree = 12;
 
 /// The scheme of a degree, 1 … kLargestDegree, built once per process.
 [[nodiscard]] const CollocationScheme& collocation_scheme(int degree);
+[[nodiscard]] const RadauScheme& radau_scheme(int degree);
 
 }  // namespace brachisto

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -23,64 +21,24 @@ namespace {
 using enum StateComponent;
 
 constexpr std::array kStates{X, Z, Theta, W, Beta};
-constexpr int kControl = 5;
 
-std::vector<double> with_start(const std::vector<double>& points) {
-  std::vector<double> nodes{0.0};
-  nodes.insert(nodes.end(), points.begin(), points.end());
-  return nodes;
-}
-
-/// On which of x, z, θ, w, β, q a limit depends.
-std::array<bool, 6> locals_of(const PathInequality& limit) {
-  using Kind = PathInequality::Kind;
-  switch (limit.kind) {
-    case Kind::FrictionForward:
-    case Kind::FrictionBackward:
-    case Kind::NormalForce:
-      return {false, false, true, true, true, true};
-    case Kind::Hump:
-    case Kind::Valley:
-      return {false, false, false, true, false, true};
-    case Kind::Floor:
-      return {false, true, false, false, false, false};
-    case Kind::Disc:
-    case Kind::HalfPlane:
-      break;
+std::vector<math::Dependence<6>> dependences(
+    const std::vector<PathInequality>& limits, const Body& body) {
+  std::vector<math::Dependence<6>> all;
+  for (const PathInequality& limit : limits) {
+    all.push_back(dependence_of(limit, body));
   }
-  return {true, true, false, false, false, false};
+  return all;
 }
 
 /// Of limits on forces, which come first.
 int num_of_forces(const std::vector<PathInequality>& limits) {
   return static_cast<int>(std::count_if(
-      limits.begin(), limits.end(), [](const PathInequality& limit) {
-        return limit.kind <= PathInequality::Kind::NormalForce;
-      }));
-}
-
-bool is_curved_in_place(const PathInequality& limit) {
-  return limit.kind == PathInequality::Kind::Disc;
+      limits.begin(), limits.end(),
+      [](const PathInequality& limit) { return limit.bounds_force(); }));
 }
 
 }  // namespace
-
-RadauScheme::RadauScheme(int p)
-    : degree(p),
-      rule(math::radau_right(p)),
-      nodes(with_start(rule.points)),
-      points(rule.points),
-      derivative(nodes.slopes_at(rule.points)) {}
-
-const RadauScheme& radau_scheme(int degree) {
-  constexpr int kLargest = 12;
-  static std::array<std::unique_ptr<const RadauScheme>, kLargest + 1> schemes;
-  static std::mutex mutex;
-  const std::scoped_lock lock(mutex);
-  auto& scheme = schemes.at(at(degree));
-  if (!scheme) scheme = std::make_unique<const RadauScheme>(degree);
-  return *scheme;
-}
 
 LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
                          Mesh mesh, const LimitedEnds& ends,
@@ -95,8 +53,10 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
       limits_(std::move(limits)),
       ends_(ends),
       held_(std::move(held)),
-      places_matter_(
-          std::any_of(limits_.begin(), limits_.end(), is_curved_in_place)),
+      depends_(dependences(limits_, scene.body)),
+      places_matter_(std::any_of(
+          depends_.begin(), depends_.end(),
+          [](const auto& on) { return on.curved[0] || on.curved[1]; })),
       row_lower_(at(num_constraints())),
       row_upper_(at(num_constraints())),
       points_(at(layout().num_points())),
@@ -260,13 +220,6 @@ Costates LimitedTime::end_costates(std::span<const double> lambda) const {
   return out;
 }
 
-double LimitedTime::rounding(std::span<const double> x) const {
-  constexpr double kTerms = 64.0;
-  double largest = 1.0;
-  for (const double value : x) largest = std::max(largest, std::abs(value));
-  return kTerms * std::numeric_limits<double>::epsilon() * largest;
-}
-
 bool LimitedTime::evaluate() {
   const Body& body = scene().body;
   if (!(x(layout().rolling_time()) > 0.0)) {
@@ -325,26 +278,6 @@ double LimitedTime::do_eval_f() const {
   return x(layout().rolling_time()) * sum;
 }
 
-void LimitedTime::do_eval_grad_f(std::span<double> grad_f) const {
-  std::fill(grad_f.begin(), grad_f.end(), 0.0);
-  const double U = x(layout().rolling_time());
-  double sum = 0.0;
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    for (int j = 0; j < mesh().degree; ++j) {
-      const int c = e * mesh().degree + j;
-      const double weight = mesh().length(e) * scheme_->rule.weights[at(j)];
-      const Jet& root = points_[at(c)].root;
-      sum += weight * root.value;
-      for (const int i : {2, 4}) {
-        if (has_local(i)) {
-          grad_f[at(local(c, i))] += U * weight * root.gradient[at(i)];
-        }
-      }
-    }
-  }
-  grad_f[at(layout().rolling_time())] = sum;
-}
-
 void LimitedTime::do_eval_g(std::span<double> g) const {
   const int p = mesh().degree;
   const Body& body = scene().body;
@@ -388,154 +321,6 @@ void LimitedTime::do_eval_g(std::span<double> g) const {
       x(layout().state(last, X)) - scene().L - r * std::sin(beta_B);
   g[at(layout().contact_row(3))] =
       x(layout().state(last, Z)) - scene().H + r * std::cos(beta_B);
-}
-
-void LimitedTime::put_jac_g(Entries& put) const {
-  const int p = mesh().degree;
-  const double U = x(layout().rolling_time());
-  const double g = scene().gravity;
-  const double r = scene().body.radius;
-  const int col_U = layout().rolling_time();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
-    const double h = mesh().length(e);
-    for (int j = 0; j < p; ++j) {
-      const int c = e * p + j;
-      const Point& at_c = points_[at(c)];
-      const auto put_defect = [&](StateComponent component, double rate) {
-        const int row = layout().defect(c, component);
-        for (int n = 0; n <= p; ++n) {
-          put(row, layout().state(e * p + n, component),
-              scheme_->derivative(j, n));
-        }
-        put(row, col_U, -h * rate);
-      };
-      const auto put_rate = [&](StateComponent component, int number,
-                                double slope) {
-        put(layout().defect(c, component), local(c, number), -h * U * slope);
-      };
-      put_defect(X, at_c.w * at_c.cos_beta);
-      put_rate(X, 3, at_c.cos_beta);
-      put_rate(X, 4, -at_c.w * at_c.sin_beta);
-      put_defect(Z, at_c.w * at_c.sin_beta);
-      put_rate(Z, 3, at_c.sin_beta);
-      put_rate(Z, 4, at_c.w * at_c.cos_beta);
-      if (layout().has_theta()) {
-        put_defect(Theta, at_c.w / r);
-        put_rate(Theta, 3, 1.0 / r);
-      }
-      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
-      put_defect(W, g * (at_c.sin_beta + eta * at_c.cos_theta));
-      if (layout().has_theta()) put_rate(W, 2, -g * eta * at_c.sin_theta);
-      put_rate(W, 4, g * at_c.cos_beta);
-      put_defect(Beta, x(layout().control(c)) / h);
-      put_rate(Beta, kControl, 1.0 / h);
-      for (int i = 0; i < layout().num_limits(); ++i) {
-        const auto depends = locals_of(limits_[at(i)]);
-        for (int k = 0; k < kLocals; ++k) {
-          if (!depends[at(k)] || !has_local(k)) continue;
-          put(layout().limit(c, i), local(c, k),
-              limit_at(c, i).gradient[at(k)]);
-        }
-      }
-    }
-  }
-  for (int i = 0; i < layout().num_start_rows(); ++i) {
-    put(layout().start_row(i), layout().state(0, Beta),
-        at_rest(i, x(layout().state(0, Beta))).gradient[0]);
-  }
-  if (!free_contacts()) return;
-  const int last = layout().num_points();
-  const int beta_A = layout().state(0, Beta);
-  const int beta_B = layout().state(last, Beta);
-  put(layout().contact_row(0), layout().state(0, X), 1.0);
-  put(layout().contact_row(0), beta_A, -r * std::cos(x(beta_A)));
-  put(layout().contact_row(1), layout().state(0, Z), 1.0);
-  put(layout().contact_row(1), beta_A, -r * std::sin(x(beta_A)));
-  put(layout().contact_row(2), layout().state(last, X), 1.0);
-  put(layout().contact_row(2), beta_B, -r * std::cos(x(beta_B)));
-  put(layout().contact_row(3), layout().state(last, Z), 1.0);
-  put(layout().contact_row(3), beta_B, -r * std::sin(x(beta_B)));
-}
-
-void LimitedTime::put_hess_lag(double objective_factor,
-                               std::span<const double> lambda,
-                               Entries& put) const {
-  // At each point the Lagrangian is
-  //   h U { s b √A − λ·f } + Σ_i μ_i c_i
-  // plus terms linear in the states.
-  const int p = mesh().degree;
-  const double U = x(layout().rolling_time());
-  const double g = scene().gravity;
-  const int row_U = layout().rolling_time();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
-    const double h = mesh().length(e);
-    for (int j = 0; j < p; ++j) {
-      const int c = e * p + j;
-      const Point& at_c = points_[at(c)];
-      const double weight = objective_factor * scheme_->rule.weights[at(j)];
-      const double l_x = lambda[at(layout().defect(c, X))];
-      const double l_z = lambda[at(layout().defect(c, Z))];
-      const double l_w = g * lambda[at(layout().defect(c, W))];
-      const double l_theta =
-          layout().has_theta() ? lambda[at(layout().defect(c, Theta))] : 0.0;
-      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
-      const double along = l_x * at_c.cos_beta + l_z * at_c.sin_beta;
-      const double across = l_z * at_c.cos_beta - l_x * at_c.sin_beta;
-
-      std::array<double, Jet::kPairs> M{};
-      std::array<double, kLocals> by_U{};
-      for (std::size_t k = 0; k < M.size(); ++k) {
-        M[k] = h * U * weight * at_c.root.hessian[k];
-      }
-      for (std::size_t k = 0; k < by_U.size(); ++k) {
-        by_U[k] = h * weight * at_c.root.gradient[k];
-      }
-      M[Jet::pair(4, 3)] -= h * U * across;
-      M[Jet::pair(4, 4)] += h * U * (at_c.w * along + l_w * at_c.sin_beta);
-      M[Jet::pair(2, 2)] += h * U * l_w * eta * at_c.cos_theta;
-      by_U[2] += h * l_w * eta * at_c.sin_theta;
-      by_U[3] -= h * along;
-      if (layout().has_theta()) by_U[3] -= h * l_theta / scene().body.radius;
-      by_U[4] -= h * (at_c.w * across + l_w * at_c.cos_beta);
-      by_U[5] -= lambda[at(layout().defect(c, Beta))];
-      for (int i = 0; i < layout().num_limits(); ++i) {
-        const double mu = lambda[at(layout().limit(c, i))];
-        for (std::size_t k = 0; k < M.size(); ++k) {
-          M[k] += mu * limit_at(c, i).hessian[k];
-        }
-      }
-      for (int a = places_matter_ ? 0 : 2; a < kLocals; ++a) {
-        if (!has_local(a)) continue;
-        for (int b = places_matter_ ? 0 : 2; b <= a; ++b) {
-          if (!has_local(b) || (a == kControl && b == kControl)) continue;
-          if ((a < 2) != (b < 2)) continue;
-          const int row = local(c, a);
-          const int col = local(c, b);
-          put(std::max(row, col), std::min(row, col), M[Jet::pair(a, b)]);
-        }
-      }
-      for (int a = 2; a < kLocals; ++a) {
-        if (has_local(a)) put(row_U, local(c, a), by_U[at(a)]);
-      }
-    }
-  }
-  for (int i = 0; i < layout().num_start_rows(); ++i) {
-    const int beta = layout().state(0, Beta);
-    put(beta, beta,
-        lambda[at(layout().start_row(i))] * at_rest(i, x(beta)).hessian[0]);
-  }
-  if (!free_contacts()) return;
-  const double r = scene().body.radius;
-  const int last = layout().num_points();
-  for (const int end : {0, 1}) {
-    const int beta = layout().state(end == 0 ? 0 : last, Beta);
-    put(beta, beta,
-        r * (lambda[at(layout().contact_row(2 * end))] * std::sin(x(beta)) -
-             lambda[at(layout().contact_row(2 * end + 1))] *
-                 std::cos(x(beta))));
-  }
 }
 
 }  // namespace brachisto

@@ -11,28 +11,14 @@
 #include <span>
 #include <vector>
 
-#include "math/gauss.hpp"
+#include "math/dependence.hpp"
 #include "math/jet2.hpp"
-#include "math/polynomial_basis.hpp"
 #include "model/path_inequality.hpp"
 #include "nlp/active_set.hpp"
+#include "transcription/collocation.hpp"
 #include "transcription/transcription.hpp"
 
 namespace brachisto {
-
-/// Radau IIA collocation of degree p on [0, 1]: a polynomial of degree p is
-/// given by its values at 0 and at the p Radau points, where it satisfies the
-/// differential equation; the last of them is 1.
-struct RadauScheme {
-  explicit RadauScheme(int degree);
-
-  int degree;
-  math::QuadratureRule rule;     ///< the p Radau points and weights
-  math::LagrangeBasis nodes;     ///< through 0 and the points
-  math::LagrangeBasis points;    ///< through the points alone
-  math::SmallMatrix derivative;  ///< p × (p + 1): nodes → slopes at points
-};
-[[nodiscard]] const RadauScheme& radau_scheme(int degree);
 
 /// What is fixed at the two contacts.
 struct LimitedEnds {
@@ -112,11 +98,11 @@ class LimitedTime final : public Transcription {
                                        std::span<const double> lambda) override;
   [[nodiscard]] Costates end_costates(
       std::span<const double> lambda) const override;
-  [[nodiscard]] double rounding(std::span<const double> x) const override;
 
  private:
   /// x, z, θ, w, β, h q.
   static constexpr int kLocals = 6;
+  static constexpr int kControl = 5;
   using Jet = math::Jet2<double, kLocals>;
 
   struct Point {
@@ -146,6 +132,7 @@ class LimitedTime final : public Transcription {
   std::vector<PathInequality> limits_;
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
+  std::vector<math::Dependence<kLocals>> depends_;  ///< of each limit
   bool places_matter_;  ///< second derivatives by x and z
   std::vector<double> row_lower_, row_upper_, weights_;
   std::vector<Point> points_;

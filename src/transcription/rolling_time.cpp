@@ -3,9 +3,7 @@
 
 #include "transcription/rolling_time.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -93,13 +91,6 @@ Costates RollingTime::end_costates(std::span<const double> lambda) const {
     p.p_z -= h * lambda[at(layout().defect(c, Z))];
   }
   return p;
-}
-
-double RollingTime::rounding(std::span<const double> x) const {
-  constexpr double kTerms = 64.0;
-  double largest = 1.0;
-  for (const double value : x) largest = std::max(largest, std::abs(value));
-  return kTerms * std::numeric_limits<double>::epsilon() * largest;
 }
 
 bool RollingTime::evaluate() {

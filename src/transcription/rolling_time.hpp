@@ -51,9 +51,6 @@ class RollingTime final : public Transcription {
   /// for the solver's residual.
   [[nodiscard]] Costates end_costates(
       std::span<const double> lambda) const override;
-  /// A defect is a sum of some p + 1 unknowns times matrix entries of order p,
-  /// and θ runs to thousands on the way of a small body.
-  [[nodiscard]] double rounding(std::span<const double> x) const override;
 
  private:
   /// What f, g and their derivatives share, one entry per collocation point.

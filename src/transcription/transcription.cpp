@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -109,6 +111,13 @@ double Transcription::end_slope(std::span<const double> x,
   if (!at_end) return std::numeric_limits<double>::quiet_NaN();
   return minimising_slope(scene_.body, scene_.gravity, at_end->state,
                           end_costates(lambda), at_end->last_slope);
+}
+
+double Transcription::rounding(std::span<const double> x) const {
+  constexpr double kTerms = 64.0;
+  double largest = 1.0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  return kTerms * std::numeric_limits<double>::epsilon() * largest;
 }
 
 void Transcription::build_patterns() {

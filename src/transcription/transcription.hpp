@@ -124,8 +124,10 @@ class Transcription : public nlp::Problem {
   [[nodiscard]] double end_slope(std::span<const double> x,
                                  std::span<const double> lambda);
 
-  /// What rounding leaves of residuals at x.
-  [[nodiscard]] virtual double rounding(std::span<const double> x) const = 0;
+  /// What rounding leaves of residuals at x. A defect of collocation is a sum
+  /// of some p + 1 unknowns times matrix entries of order p, and θ runs to
+  /// thousands on the way of a small body.
+  [[nodiscard]] virtual double rounding(std::span<const double> x) const;
 
  protected:
   /// \param origin  from which the centre's place is measured

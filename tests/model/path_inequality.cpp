@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -106,16 +107,22 @@ TEST(ContactForceOfATurningPoint, IsAffineInTheControl) {
   }
 }
 
-TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
-  const Body body = Body::cylinder(0.25, 0.5, 0.3, 0.4);
-  const double g = 2.0;
+const Body body = Body::cylinder(0.25, 0.5, 0.3, 0.4);
+
+/// One of each kind.
+PathLimits all_limits() {
   PathLimits limits;
   limits.friction = 0.5;
   limits.normal_min = 0.25;
   limits.curvature = {2.0, 3.0, CurvatureLimit::Of::Centre};
   limits.floor = 2.0;
   limits.discs = {{{4.0, 5.0}, 0.5}};
-  limits.half_planes = {{{4.0, 1.0}, kPi}};
+  limits.half_planes = {{{4.0, 1.0}, 2.0}};
+  return limits;
+}
+
+TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
+  const double g = 2.0;
   const TurningPoint<double> place{1.0, 1.0, 0.7, 1.5, -0.4, 0.8};
   const Kinematics motion = motion_at(body, g, place);
   const double expected[] = {
@@ -126,10 +133,10 @@ TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
       3.0 * 1.5 + 0.8,
       2.0 - 0.25 - 1.0,
       5.0 - 0.75,
-      3.0 - 0.25,
+      -3.0 * std::cos(2.0) - 0.25,
   };
 
-  const auto all = inequalities(body, limits);
+  const auto all = inequalities(body, all_limits());
 
   ASSERT_EQ(all.size(), std::size(expected));
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -138,25 +145,29 @@ TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
   }
 }
 
+using Jet = math::Jet2<double, 6>;
+
+/// x, z, θ, w, β, q.
+std::array<double, 6> random_values(Random& random) {
+  return {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+          random.uniform(-3.0, 3.0), random.uniform(0.5, 2.0),
+          random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)};
+}
+
+TurningPoint<Jet> variables_at(const std::array<double, 6>& x) {
+  return {Jet::variable(x[0], 0), Jet::variable(x[1], 1),
+          Jet::variable(x[2], 2), Jet::variable(x[3], 3),
+          Jet::variable(x[4], 4), Jet::variable(x[5], 5)};
+}
+
 /// What first and second derivatives by jets leave at a distance h falls as h³.
 TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
-  using Jet = math::Jet2<double, 6>;
-  const Body body = Body::cylinder(0.25, 0.5, 0.3, 0.4);
   const double g = 2.0;
-  PathLimits limits;
-  limits.friction = 0.5;
-  limits.normal_min = 0.25;
-  limits.curvature = {2.0, 3.0, CurvatureLimit::Of::Centre};
-  limits.floor = 2.0;
-  limits.discs = {{{4.0, 5.0}, 0.5}};
-  limits.half_planes = {{{4.0, 1.0}, 2.0}};
-  for (const PathInequality& limit : inequalities(body, limits)) {
+  for (const PathInequality& limit : inequalities(body, all_limits())) {
     Random random(4);
     double coarse = 0.0, fine = 0.0;
     for (int i = 0; i < 20; ++i) {
-      const double x[] = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
-                          random.uniform(-3.0, 3.0), random.uniform(0.5, 2.0),
-                          random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)};
+      const std::array<double, 6> x = random_values(random);
       const std::vector<double> d = random.vector(6, -1.0, 1.0);
       const auto at_distance = [&](double h) {
         return value_of(limit, body, g,
@@ -164,11 +175,7 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
                                              x[2] + h * d[2], x[3] + h * d[3],
                                              x[4] + h * d[4], x[5] + h * d[5]});
       };
-      const Jet jet = value_of(
-          limit, body, g,
-          TurningPoint<Jet>{Jet::variable(x[0], 0), Jet::variable(x[1], 1),
-                            Jet::variable(x[2], 2), Jet::variable(x[3], 3),
-                            Jet::variable(x[4], 4), Jet::variable(x[5], 5)});
+      const Jet jet = value_of(limit, body, g, variables_at(x));
       double first = 0.0, second = 0.0;
       for (int a = 0; a < 6; ++a) {
         const auto u = static_cast<std::size_t>(a);
@@ -191,8 +198,33 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
   }
 }
 
+/// A derivative that is not zero everywhere is not so at a random point.
+TEST(DependenceOfALimit, IsWhatItsJetsHaveDerivativesBy) {
+  const std::vector<PathInequality> all = inequalities(body, all_limits());
+  for (const Body& b : {body, Body::cylinder(0.25, 0.0, 0.0, 0.4)}) {
+    for (const PathInequality& limit : all) {
+      Random random(5);
+      const Jet jet =
+          value_of(limit, b, 2.0, variables_at(random_values(random)));
+      const math::Dependence<6> on = dependence_of(limit, b);
+      for (int k = 0; k < 6; ++k) {
+        const auto u = static_cast<std::size_t>(k);
+        bool curved = false;
+        for (int l = 0; l < 6; ++l) {
+          curved =
+              curved ||
+              jet.hessian[Jet::pair(std::max(k, l), std::min(k, l))] != 0.0;
+        }
+        EXPECT_EQ(on.any[u], jet.gradient[u] != 0.0)
+            << name(limit.kind) << " by " << k;
+        EXPECT_EQ(on.curved[u], curved) << name(limit.kind) << " by " << k;
+      }
+      EXPECT_EQ(limit.bounds_control(), on.any[5]) << name(limit.kind);
+    }
+  }
+}
+
 TEST(LimitsOfAScene, StateTheirKindsInOrderAndConvertCurvatures) {
-  const Body body = Body::cylinder(0.25, 0.5, 0.3, 0.4);
   PathLimits limits;
   limits.curvature = {2.0, 3.0, CurvatureLimit::Of::Track};
 

@@ -39,7 +39,7 @@ namespace brachisto::testing {
   const nlp::Held free = nlp::Held::No;
   HeldLimits held;
   held.at_rest.assign(limits.size(), free);
-  if (limits.front().kind <= PathInequality::Kind::NormalForce) {
+  if (limits.front().bounds_force()) {
     held.at_rest.front() = nlp::Held::AtLower;
   }
   for (int e = 0; e < mesh.num_elements(); ++e) {

@@ -137,5 +137,21 @@ TEST(CollocationSchemes, RefuseDegreesThatDoNotExist) {
                std::invalid_argument);
 }
 
+TEST(RadauScheme, EndsWithItsElementAndIntegratesExactly) {
+  for (int p = 1; p <= 9; ++p) {
+    const RadauScheme& scheme = radau_scheme(p);
+
+    EXPECT_EQ(scheme.rule.points.back(), 1.0) << p;
+    for (int power = 0; power <= 2 * p - 2; ++power) {
+      double sum = 0.0;
+      for (int j = 0; j < p; ++j) {
+        sum += scheme.rule.weights[static_cast<std::size_t>(j)] *
+               std::pow(scheme.rule.points[static_cast<std::size_t>(j)], power);
+      }
+      EXPECT_NEAR(sum, 1.0 / (power + 1), ulps(4.0 * p)) << p;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::testing

@@ -25,22 +25,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-TEST(RadauScheme, EndsWithItsElementAndIntegratesExactly) {
-  for (int p = 1; p <= 9; ++p) {
-    const RadauScheme& scheme = radau_scheme(p);
-
-    EXPECT_EQ(scheme.rule.points.back(), 1.0) << p;
-    for (int power = 0; power <= 2 * p - 2; ++power) {
-      double sum = 0.0;
-      for (int j = 0; j < p; ++j) {
-        sum += scheme.rule.weights[at(j)] *
-               std::pow(scheme.rule.points[at(j)], power);
-      }
-      EXPECT_NEAR(sum, 1.0 / (power + 1), ulps(4.0 * p)) << p;
-    }
-  }
-}
-
 TEST(LimitedTimeSize, FollowsFromStatesLimitsAndContacts) {
   for (const Scene& scene :
        {bead_scene(), uniform_scene(), off_centred_scene()}) {

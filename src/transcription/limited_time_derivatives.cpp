@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Derivatives of a limited_time problem: the stencils, and from them both the
+// sparsity patterns and the values.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
+#include "transcription/limited_time.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using enum StateComponent;
+
+}  // namespace
+
+void LimitedTime::put_jac_g(Entries& put) const {
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const double r = scene().body.radius;
+  const int col_U = layout().rolling_time();
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    check_stop(e);
+    const double h = mesh().length(e);
+    for (int j = 0; j < p; ++j) {
+      const int c = e * p + j;
+      const Point& at_c = points_[at(c)];
+      const auto put_defect = [&](StateComponent component, double rate) {
+        const int row = layout().defect(c, component);
+        for (int n = 0; n <= p; ++n) {
+          put(row, layout().state(e * p + n, component),
+              scheme_->derivative(j, n));
+        }
+        put(row, col_U, -h * rate);
+      };
+      const auto put_rate = [&](StateComponent component, int number,
+                                double slope) {
+        put(layout().defect(c, component), local(c, number), -h * U * slope);
+      };
+      put_defect(X, at_c.w * at_c.cos_beta);
+      put_rate(X, 3, at_c.cos_beta);
+      put_rate(X, 4, -at_c.w * at_c.sin_beta);
+      put_defect(Z, at_c.w * at_c.sin_beta);
+      put_rate(Z, 3, at_c.sin_beta);
+      put_rate(Z, 4, at_c.w * at_c.cos_beta);
+      if (layout().has_theta()) {
+        put_defect(Theta, at_c.w / r);
+        put_rate(Theta, 3, 1.0 / r);
+      }
+      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
+      put_defect(W, g * (at_c.sin_beta + eta * at_c.cos_theta));
+      if (layout().has_theta()) put_rate(W, 2, -g * eta * at_c.sin_theta);
+      put_rate(W, 4, g * at_c.cos_beta);
+      put_defect(Beta, x(layout().control(c)) / h);
+      put_rate(Beta, kControl, 1.0 / h);
+      for (int i = 0; i < layout().num_limits(); ++i) {
+        for (int k = 0; k < kLocals; ++k) {
+          if (!depends_[at(i)].any[at(k)] || !has_local(k)) continue;
+          put(layout().limit(c, i), local(c, k),
+              limit_at(c, i).gradient[at(k)]);
+        }
+      }
+    }
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    put(layout().start_row(i), layout().state(0, Beta),
+        at_rest(i, x(layout().state(0, Beta))).gradient[0]);
+  }
+  if (!free_contacts()) return;
+  const int last = layout().num_points();
+  const int beta_A = layout().state(0, Beta);
+  const int beta_B = layout().state(last, Beta);
+  put(layout().contact_row(0), layout().state(0, X), 1.0);
+  put(layout().contact_row(0), beta_A, -r * std::cos(x(beta_A)));
+  put(layout().contact_row(1), layout().state(0, Z), 1.0);
+  put(layout().contact_row(1), beta_A, -r * std::sin(x(beta_A)));
+  put(layout().contact_row(2), layout().state(last, X), 1.0);
+  put(layout().contact_row(2), beta_B, -r * std::cos(x(beta_B)));
+  put(layout().contact_row(3), layout().state(last, Z), 1.0);
+  put(layout().contact_row(3), beta_B, -r * std::sin(x(beta_B)));
+}
+
+void LimitedTime::put_hess_lag(double objective_factor,
+                               std::span<const double> lambda,
+                               Entries& put) const {
+  // At each point the Lagrangian is
+  //   h U { s b √A − λ·f } + Σ_i μ_i c_i
+  // plus terms linear in the states.
+  const int p = mesh().degree;
+  const double U = x(layout().rolling_time());
+  const double g = scene().gravity;
+  const int row_U = layout().rolling_time();
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    check_stop(e);
+    const double h = mesh().length(e);
+    for (int j = 0; j < p; ++j) {
+      const int c = e * p + j;
+      const Point& at_c = points_[at(c)];
+      const double weight = objective_factor * scheme_->rule.weights[at(j)];
+      const double l_x = lambda[at(layout().defect(c, X))];
+      const double l_z = lambda[at(layout().defect(c, Z))];
+      const double l_w = g * lambda[at(layout().defect(c, W))];
+      const double l_theta =
+          layout().has_theta() ? lambda[at(layout().defect(c, Theta))] : 0.0;
+      const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
+      const double along = l_x * at_c.cos_beta + l_z * at_c.sin_beta;
+      const double across = l_z * at_c.cos_beta - l_x * at_c.sin_beta;
+
+      std::array<double, Jet::kPairs> M{};
+      std::array<double, kLocals> by_U{};
+      for (std::size_t k = 0; k < M.size(); ++k) {
+        M[k] = h * U * weight * at_c.root.hessian[k];
+      }
+      for (std::size_t k = 0; k < by_U.size(); ++k) {
+        by_U[k] = h * weight * at_c.root.gradient[k];
+      }
+      M[Jet::pair(4, 3)] -= h * U * across;
+      M[Jet::pair(4, 4)] += h * U * (at_c.w * along + l_w * at_c.sin_beta);
+      M[Jet::pair(2, 2)] += h * U * l_w * eta * at_c.cos_theta;
+      by_U[2] += h * l_w * eta * at_c.sin_theta;
+      by_U[3] -= h * along;
+      if (layout().has_theta()) by_U[3] -= h * l_theta / scene().body.radius;
+      by_U[4] -= h * (at_c.w * across + l_w * at_c.cos_beta);
+      by_U[5] -= lambda[at(layout().defect(c, Beta))];
+      for (int i = 0; i < layout().num_limits(); ++i) {
+        const double mu = lambda[at(layout().limit(c, i))];
+        for (std::size_t k = 0; k < M.size(); ++k) {
+          M[k] += mu * limit_at(c, i).hessian[k];
+        }
+      }
+      for (int a = places_matter_ ? 0 : 2; a < kLocals; ++a) {
+        if (!has_local(a)) continue;
+        for (int b = places_matter_ ? 0 : 2; b <= a; ++b) {
+          if (!has_local(b) || (a == kControl && b == kControl)) continue;
+          if ((a < 2) != (b < 2)) continue;
+          const int row = local(c, a);
+          const int col = local(c, b);
+          put(std::max(row, col), std::min(row, col), M[Jet::pair(a, b)]);
+        }
+      }
+      for (int a = 2; a < kLocals; ++a) {
+        if (has_local(a)) put(row_U, local(c, a), by_U[at(a)]);
+      }
+    }
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    const int beta = layout().state(0, Beta);
+    put(beta, beta,
+        lambda[at(layout().start_row(i))] * at_rest(i, x(beta)).hessian[0]);
+  }
+  if (!free_contacts()) return;
+  const double r = scene().body.radius;
+  const int last = layout().num_points();
+  for (const int end : {0, 1}) {
+    const int beta = layout().state(end == 0 ? 0 : last, Beta);
+    put(beta, beta,
+        r * (lambda[at(layout().contact_row(2 * end))] * std::sin(x(beta)) -
+             lambda[at(layout().contact_row(2 * end + 1))] *
+                 std::cos(x(beta))));
+  }
+}
+
+void LimitedTime::do_eval_grad_f(std::span<double> grad_f) const {
+  std::fill(grad_f.begin(), grad_f.end(), 0.0);
+  const double U = x(layout().rolling_time());
+  double sum = 0.0;
+  for (int e = 0; e < mesh().num_elements(); ++e) {
+    for (int j = 0; j < mesh().degree; ++j) {
+      const int c = e * mesh().degree + j;
+      const double weight = mesh().length(e) * scheme_->rule.weights[at(j)];
+      const Jet& root = points_[at(c)].root;
+      sum += weight * root.value;
+      for (const int i : {2, 4}) {
+        if (has_local(i)) {
+          grad_f[at(local(c, i))] += U * weight * root.gradient[at(i)];
+        }
+      }
+    }
+  }
+  grad_f[at(layout().rolling_time())] = sum;
+}
+
+}  // namespace brachisto

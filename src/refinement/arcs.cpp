@@ -147,25 +147,6 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
   return arcs_from(seen, mesh.num_elements());
 }
 
-/// On each arc, at the collocation points.
-std::vector<double> largest_multipliers(const LimitedCurve& curve,
-                                        const std::vector<Arc>& arcs) {
-  const std::vector<double>& points = curve.problem().scheme().rule.points;
-  std::vector<double> largest;
-  int e = 0;
-  for (const Arc& arc : arcs) {
-    largest.push_back(0.0);
-    for (const int end = e + arc.elements(); e < end; ++e) {
-      for (const double t : points) {
-        for (const double multiplier : curve.at(e, t).multipliers) {
-          largest.back() = std::max(largest.back(), std::abs(multiplier));
-        }
-      }
-    }
-  }
-  return largest;
-}
-
 std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
                                           const std::vector<Arc>& arcs) {
   constexpr double kExceeded = 1e-7;
@@ -176,7 +157,11 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
   const Mesh& mesh = problem.mesh();
   std::vector<Sighting> seen;
   std::vector<std::vector<Held>> before;
-  const std::vector<double> largest = largest_multipliers(curve, arcs);
+  std::vector<double> largest;  // on each arc
+  for (int e = 0; const Arc& arc : arcs) {
+    largest.push_back(curve.largest_multiplier(e, e + arc.elements()));
+    e += arc.elements();
+  }
   bool changed = false;
   std::size_t arc = 0;
   for (int e = 0, in_arc = 0; e < mesh.num_elements(); ++e, ++in_arc) {

@@ -79,7 +79,7 @@ Mesh mesh_of_equal_turns(const RollingTime& problem,
     const double t =
         math::find_root(short_of_goal, 0.0, 1.0, theta(e * p) - goal,
                         theta((e + 1) * p) - goal);
-    out.boundaries.push_back(mesh.boundaries[at(e)] + t * mesh.length(e));
+    out.boundaries.push_back(mesh.sigma(e, t));
   }
   out.boundaries.push_back(1.0);
   return out;

@@ -169,8 +169,7 @@ void check_hamiltonian(const ExtremalCurve& curve, double interior,
     check_stop(e);
     for (int i = 0; i <= places; ++i) {
       const double t = static_cast<double>(i) / places;
-      const double sigma =
-          mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
+      const double sigma = mesh.sigma(e, t);
       const ExtremalPoint at = curve.at(e, t);
       const RollingState state{at.theta, at.w};
       const double root =
@@ -207,8 +206,7 @@ void check_weierstrass(const ExtremalCurve& curve, double threshold,
       // The end of the element before.
       if (e > 0 && t == 0.0) continue;
       const ExtremalPoint at = curve.at(e, t);
-      const double sigma =
-          mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
+      const double sigma = mesh.sigma(e, t);
       worst.see(gain_of_other_directions(scene.body, scene.gravity,
                                          {at.theta, at.w}, at.p, at.beta),
                 sigma);

@@ -46,8 +46,7 @@ StartLimits LimitedMotion::at_start() const {
       curve_.at(0, problem.scheme().rule.points.front()).state;
   const auto& limits = problem.limits();
   for (int i = 0; i < static_cast<int>(limits.size()); ++i) {
-    if (limits[brachisto::at(i)].kind <= PathInequality::Kind::Valley &&
-        curve_.active(0, i)) {
+    if (limits[brachisto::at(i)].bounds_control() && curve_.active(0, i)) {
       return start_limits_of_curvature(scene_.body, start_angle(),
                                        first.q / first.w / units_.length);
     }
@@ -58,12 +57,10 @@ StartLimits LimitedMotion::at_start() const {
 
 TrajectoryPoint LimitedMotion::convert(int element, double t) const {
   const Scene& natural = curve_.problem().scene();
-  const Mesh& mesh = curve_.problem().mesh();
   const TurningPoint<double> state = curve_.at(element, t).state;
   const Passed more = within(element, t);
   TrajectoryPoint out;
-  out.sigma =
-      mesh.boundaries[brachisto::at(element)] + t * mesh.length(element);
+  out.sigma = curve_.problem().mesh().sigma(element, t);
   // A body that the problem gives no θ turns all the same.
   const Passed& before = ends_[brachisto::at(element)];
   const double s = before.s + more.s;
@@ -99,11 +96,8 @@ TrajectoryPoint LimitedMotion::convert(int element, double t) const {
 }
 
 TrajectoryPoint LimitedMotion::at(double sigma) const {
-  const auto& ends = curve_.problem().mesh().boundaries;
-  const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, sigma);
-  const auto e = static_cast<int>(after - ends.begin()) - 1;
-  return convert(
-      e, (sigma - ends[brachisto::at(e)]) / curve_.problem().mesh().length(e));
+  const auto [element, t] = curve_.problem().mesh().locate(sigma);
+  return convert(element, t);
 }
 
 std::vector<TrajectoryPoint> LimitedMotion::at_nodes() const {

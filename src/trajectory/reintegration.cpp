@@ -439,8 +439,7 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
           worst_excess(problem.limits(), scene.body, scene.gravity, place);
       if (std::isnan(out.excess) || excess.value <= out.excess) return;
       out.excess = excess.value;
-      out.excess_at =
-          problem.mesh().boundaries[at(e)] + t * problem.mesh().length(e);
+      out.excess_at = problem.mesh().sigma(e, t);
     };
     const auto rates = [&](const Along& at, Along& rate, double t) {
       const TurningPoint<double> path = curve.at(e, t).state;

@@ -70,9 +70,7 @@ std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
     const int e = std::min(node / mesh.degree, mesh.num_elements() - 1);
     const double t =
         nodes.nodes()[static_cast<std::size_t>(node - e * mesh.degree)];
-    const double sigma =
-        mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
-    rows.push_back(convert(curve_.at(e, t), sigma));
+    rows.push_back(convert(curve_.at(e, t), mesh.sigma(e, t)));
   }
   return rows;
 }
@@ -84,9 +82,7 @@ std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
     check_stop(e);
     for (int i = 1; i <= per_element; ++i) {
       const double t = static_cast<double>(i) / per_element;
-      const double sigma =
-          mesh.boundaries[static_cast<std::size_t>(e)] + t * mesh.length(e);
-      rows.push_back(convert(curve_.at(e, t), sigma));
+      rows.push_back(convert(curve_.at(e, t), mesh.sigma(e, t)));
     }
   }
   return rows;

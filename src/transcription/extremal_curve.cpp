@@ -135,21 +135,14 @@ double ExtremalCurve::interpolated_slope(int element, double t) const {
   return slope;
 }
 
-ExtremalCurve::Place ExtremalCurve::place(double sigma) const {
-  const auto& ends = mesh_.boundaries;
-  const auto next = std::upper_bound(ends.begin() + 1, ends.end() - 1, sigma);
-  const auto e = static_cast<int>(next - ends.begin()) - 1;
-  return {e, (sigma - ends[at_index(e)]) / mesh_.length(e)};
-}
-
 ExtremalPoint ExtremalCurve::at(double sigma) const {
-  const Place where = place(sigma);
-  return at(where.element, where.t);
+  const auto [element, t] = mesh_.locate(sigma);
+  return at(element, t);
 }
 
 double ExtremalCurve::interpolated_slope(double sigma) const {
-  const Place where = place(sigma);
-  return interpolated_slope(where.element, where.t);
+  const auto [element, t] = mesh_.locate(sigma);
+  return interpolated_slope(element, t);
 }
 
 ExtremalPoint ExtremalCurve::at_node(int node) const {

@@ -64,12 +64,6 @@ class ExtremalCurve {
   }
 
  private:
-  struct Place {
-    int element;
-    double t;
-  };
-  [[nodiscard]] Place place(double sigma) const;
-
   struct Nodes {
     std::vector<double> x, z, theta, w, s, t;
   };

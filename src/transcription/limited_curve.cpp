@@ -70,6 +70,18 @@ double LimitedCurve::time_on(int element) const {
   return problem_.mesh().length(element) * rolling_time() * sum;
 }
 
+double LimitedCurve::largest_multiplier(int first, int end) const {
+  double largest = 0.0;
+  for (int e = first; e < end; ++e) {
+    for (const double t : problem_.scheme().rule.points) {
+      for (const double multiplier : at(e, t).multipliers) {
+        largest = std::max(largest, std::abs(multiplier));
+      }
+    }
+  }
+  return largest;
+}
+
 std::vector<double> LimitedCurve::places(int element, int count) const {
   std::vector<double> out = problem_.scheme().rule.points;
   for (int i = 0; i <= count; ++i) {
@@ -104,8 +116,7 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
                      problem_.scene().gravity, at(element, t).state);
     if (here.value <= worst.value) continue;
     worst = here;
-    sigma = problem_.mesh().boundaries[brachisto::at(element)] +
-            t * problem_.mesh().length(element);
+    sigma = problem_.mesh().sigma(element, t);
     if (std::isnan(here.value)) break;
   }
   return worst;
@@ -116,8 +127,8 @@ LimitedPoint LimitedCurve::at(int element, double t) const {
   const RadauScheme& scheme = problem_.scheme();
   const int p = scheme.degree;
   const int first = element * p;
-  std::array<double, 16> of_nodes;
-  std::array<double, 16> of_points;
+  std::array<double, kLargestDegree + 1> of_nodes;
+  std::array<double, kLargestDegree> of_points;
   const std::span<double> node_values(of_nodes.data(), brachisto::at(p + 1));
   const std::span<double> point_values(of_points.data(), brachisto::at(p));
   scheme.nodes.evaluate(t, node_values);
@@ -163,10 +174,8 @@ LimitedPoint LimitedCurve::at(int element, double t) const {
 }
 
 LimitedPoint LimitedCurve::at(double sigma) const {
-  const auto& ends = problem_.mesh().boundaries;
-  const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, sigma);
-  const auto e = static_cast<int>(after - ends.begin()) - 1;
-  return at(e, (sigma - ends[brachisto::at(e)]) / problem_.mesh().length(e));
+  const auto [element, t] = problem_.mesh().locate(sigma);
+  return at(element, t);
 }
 
 PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
@@ -192,7 +201,7 @@ PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
     const double h = problem.mesh().length(e);
     const double b = scheme.rule.weights[j];
     const LimitedPoint point =
-        curve.at(problem.mesh().boundaries[at(e)] + h * scheme.rule.points[j]);
+        curve.at(problem.mesh().sigma(e, scheme.rule.points[j]));
     put(c + 1, point.state);
     out.x[at(layout.control(c))] = h * point.state.q;
     out.lambda[at(layout.defect(c, X))] = -b * point.p.p_x;

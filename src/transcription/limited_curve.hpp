@@ -40,9 +40,12 @@ class LimitedCurve {
   [[nodiscard]] double transit_time() const { return transit_time_; }
   /// On an element.
   [[nodiscard]] double time_on(int element) const;
+  /// Of all limits' multipliers, without sign and per unit of u, at the
+  /// collocation points of the elements first … end − 1.
+  [[nodiscard]] double largest_multiplier(int first, int end) const;
   /// Places of an element at which to look at limits: its points, so many more
-  /// at equal distances, and where it is next to each disc, which may be smaller
-  /// than these distances are.
+  /// at equal distances, and where it is next to each disc, which may be
+  /// smaller than these distances are.
   [[nodiscard]] std::vector<double> places(int element, int count) const;
   /// Of the limits between the points of an element, the start itself left out,
   /// which forces alone depend on. The control there is the slope of β: both

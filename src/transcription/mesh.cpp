@@ -10,6 +10,14 @@
 
 namespace brachisto {
 
+Mesh::Place Mesh::locate(double sigma) const {
+  const auto after =
+      std::upper_bound(boundaries.begin() + 1, boundaries.end() - 1, sigma);
+  const auto element = static_cast<int>(after - boundaries.begin()) - 1;
+  return {element, (sigma - boundaries[static_cast<std::size_t>(element)]) /
+                       length(element)};
+}
+
 Mesh uniform_mesh(int degree, int num_elements) {
   Mesh mesh{degree, {}};
   mesh.boundaries.reserve(static_cast<std::size_t>(num_elements) + 1);

@@ -23,6 +23,18 @@ struct Mesh {
   [[nodiscard]] int num_points() const { return num_elements() * degree; }
   /// N p + 1, the number of nodes, element ends counted once.
   [[nodiscard]] int num_nodes() const { return num_points() + 1; }
+  /// A place t ∈ [0, 1] of an element.
+  struct Place {
+    int element;
+    double t;
+  };
+  /// Where σ lies: at the beginning of an element rather than at the end of the
+  /// one before; outside [0, 1] on the first or the last.
+  [[nodiscard]] Place locate(double sigma) const;
+  /// σ at a place.
+  [[nodiscard]] double sigma(int element, double t) const {
+    return boundaries[static_cast<std::size_t>(element)] + t * length(element);
+  }
   /// h_e, the length of element e.
   [[nodiscard]] double length(int element) const {
     const auto e = static_cast<std::size_t>(element);

@@ -73,8 +73,7 @@ PrimalDual sample_at_mesh(
     check_stop(n);
     const int e = std::min(n / mesh.degree, mesh.num_elements() - 1);
     const double t = scheme.nodes.nodes()[at(n - e * mesh.degree)];
-    const ExtremalPoint point =
-        extremal(mesh.boundaries[at(e)] + t * mesh.length(e));
+    const ExtremalPoint point = extremal(mesh.sigma(e, t));
     out.x[at(layout.state(n, X))] = point.centre.x;
     out.x[at(layout.state(n, Z))] = point.centre.z;
     out.x[at(layout.state(n, W))] = point.w;
@@ -84,8 +83,8 @@ PrimalDual sample_at_mesh(
     check_stop(c);
     const int e = c / mesh.degree;
     const int j = c % mesh.degree;
-    const ExtremalPoint point = extremal(
-        mesh.boundaries[at(e)] + scheme.rule.points[at(j)] * mesh.length(e));
+    const ExtremalPoint point =
+        extremal(mesh.sigma(e, scheme.rule.points[at(j)]));
     const double weight = scheme.rule.weights[at(j)];
     out.x[at(layout.beta(c))] = point.beta;
     out.lambda[at(layout.defect(c, X))] = -weight * point.p.p_x;

@@ -37,5 +37,26 @@ TEST(Mesh, CountsElementEndsOnce) {
   EXPECT_DOUBLE_EQ(mesh.length(1), 0.4);
 }
 
+TEST(Mesh, LocatesAPlaceOnTheElementThatItBelongsTo) {
+  const Mesh mesh{4, {0.0, 0.125, 0.5, 1.0}};
+  struct Row {
+    double sigma;
+    int element;
+    double t;
+  };
+  // An end belongs to the element that begins there, B to the last one; beyond
+  // A and B the first and the last go on.
+  for (const Row& row :
+       {Row{0.0, 0, 0.0}, Row{0.0625, 0, 0.5}, Row{0.125, 1, 0.0},
+        Row{0.40625, 1, 0.75}, Row{0.5, 2, 0.0}, Row{1.0, 2, 1.0},
+        Row{-0.125, 0, -1.0}, Row{1.25, 2, 1.5}}) {
+    const auto [element, t] = mesh.locate(row.sigma);
+
+    EXPECT_EQ(element, row.element) << row.sigma;
+    EXPECT_EQ(t, row.t) << row.sigma;
+    EXPECT_EQ(mesh.sigma(element, t), row.sigma);
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::testing

@@ -284,7 +284,7 @@ class Picture {
     line(2, y, "textcolor rgb '#444444'", in_words(scene_));
     if (scene_.limits.any()) {
       y += kTitleLine;
-      const std::string limits = "Limits: " + in_words(scene_.limits);
+      const std::string limits = "Limits: " + limits_in_words(scene_);
       title_ += ". " + plain_words(limits);
       line(7, y, "textcolor rgb '#444444'", limits);
     }

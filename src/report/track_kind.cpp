@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
+
+#include "trajectory/stated_limits.hpp"
 
 namespace brachisto::report {
 
@@ -65,46 +67,28 @@ std::string in_words(const Scene& scene) {
   return text;
 }
 
-namespace {
-
-/// "R_n from 0.1 to 5 m g", "R_n ≥ 0.1 m g", "R_n ≤ 5 m g".
-std::string range(std::string_view what, std::optional<double> least,
-                  std::optional<double> greatest, std::string_view unit) {
-  if (least && greatest) {
-    return fmt::format("{} from {:.6g} to {:.6g} {}", what, *least, *greatest,
-                       unit);
+std::string limits_in_words(const Scene& scene) {
+  std::vector<BoundInWords> bounds;
+  for (const StatedLimit& limit : stated_limits(scene)) {
+    if (limit.words) bounds.push_back(*limit.words);
   }
-  return fmt::format("{} {} {:.6g} {}", what, least ? "≥" : "≤",
-                     least ? *least : *greatest, unit);
-}
-
-}  // namespace
-
-std::string in_words(const PathLimits& limits) {
   std::vector<std::string> parts;
-  if (limits.friction) {
-    parts.push_back(fmt::format("|R_t| ≤ {:.6g} R_n", *limits.friction));
-  }
-  if (limits.normal_min || limits.normal_max) {
-    parts.push_back(range("R_n", limits.normal_min, limits.normal_max, "m g"));
-  }
-  const CurvatureLimit& curvature = limits.curvature;
-  if (curvature.hump || curvature.valley) {
-    const bool track = curvature.of == CurvatureLimit::Of::Track;
-    parts.push_back(range(
-        track ? "κ_b" : "κ_c",
-        curvature.valley ? std::optional(-*curvature.valley) : std::nullopt,
-        curvature.hump, "1/m"));
-  }
-  if (limits.fold_margin) {
-    parts.push_back(fmt::format("1 − r κ_c ≥ {:.6g}", *limits.fold_margin));
-  }
-  if (limits.floor) {
-    parts.push_back(fmt::format("floor at z = {:.6g} m", *limits.floor));
+  for (auto bound = bounds.begin(); bound != bounds.end(); ++bound) {
+    const auto next = bound + 1;
+    const bool range =
+        next != bounds.end() && next->quantity == bound->quantity;
+    parts.push_back(range ? fmt::format("{} from {:.6g} to {:.6g}",
+                                        bound->quantity,
+                                        std::min(bound->number, next->number),
+                                        std::max(bound->number, next->number))
+                          : fmt::format("{} {} {:.6g}", bound->quantity,
+                                        bound->relation, bound->number));
+    if (!bound->unit.empty()) parts.back() += fmt::format(" {}", bound->unit);
+    if (range) bound = next;
   }
   for (const auto& [count, what] :
-       {std::pair{limits.discs.size(), "disc"},
-        std::pair{limits.half_planes.size(), "half-plane"}}) {
+       {std::pair{scene.limits.discs.size(), "disc"},
+        std::pair{scene.limits.half_planes.size(), "half-plane"}}) {
     if (count == 0) continue;
     parts.push_back(
         fmt::format("clear of {} {}{}", count, what, count == 1 ? "" : "s"));

@@ -23,7 +23,8 @@ namespace brachisto::report {
 /// Body and scene in one line: "cylinder r = 0.5 m, η_m = …; L = 3 m, …".
 [[nodiscard]] std::string in_words(const Scene& scene);
 
-/// "|R_t| ≤ 0.5 R_n, R_n ≥ 0.1 m g, floor at z = 1.2 m"; empty without limits.
-[[nodiscard]] std::string in_words(const PathLimits& limits);
+/// "|R_t| ≤ 0.5 R_n, R_n from 0.1 to 5 m g, clear of 2 discs"; empty without
+/// limits.
+[[nodiscard]] std::string limits_in_words(const Scene& scene);
 
 }  // namespace brachisto::report

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "brachisto/trajectory/motion.hpp"
@@ -16,10 +17,19 @@
 
 namespace brachisto {
 
+/// A bound in words: "R_n ≥ 0.1 m g".
+struct BoundInWords {
+  std::string_view quantity;  ///< two of one quantity are a range of it
+  std::string_view relation;
+  double number = 0.0;
+  std::string_view unit;
+};
+
 /// One bound of a scene.
 struct StatedLimit {
   std::string name;  ///< as LimitOnPath has it
   std::optional<double> bound;
+  std::optional<BoundInWords> words;  ///< nothing of what the body keeps off
   /// Distance from the bound in its unit, negative beyond it:
   ///
   ///     μ R_n − |R_t|,  R_n − ρ_min,  ρ_max − R_n,  K − κ,  K + κ,

@@ -37,6 +37,28 @@ void PrintTo(const Asked& asked, std::ostream* out) {
   *out << asked.name;
 }
 
+std::string name_of(const ::testing::TestParamInfo<Asked>& row) {
+  return row.param.name;
+}
+
+void no_limit(Scene&) {}
+
+Scene optimal(Scene scene) {
+  scene.contact = Contact::Optimal;
+  return scene;
+}
+
+Scene with_end_slope(Scene scene, double slope) {
+  scene.contact = Contact::EndSlope;
+  scene.end_slope = slope;
+  return scene;
+}
+
+Scene between_centres(Scene scene) {
+  scene.contact = Contact::Centre;
+  return scene;
+}
+
 class AskedLimits : public ::testing::TestWithParam<Asked> {};
 
 TEST_P(AskedLimits, AreTakenOrRefusedWithTheReason) {
@@ -100,11 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.limits.half_planes = {{{0.0, -1e51}, 0.0}};
               },
               "scene.limits.clear_of", "at most 1e+50"},
-        Asked{"SlopeTooSteep", uniform_scene(),
-              [](Scene& s) {
-                s.contact = Contact::EndSlope;
-                s.end_slope = -3.2;
-              },
+        Asked{"SlopeTooSteep", with_end_slope(uniform_scene(), -3.2), no_limit,
               "scene.contact.end_slope", "-3.2 rad is not allowed: from −π"},
         Asked{"SlopeMissing", uniform_scene(),
               [](Scene& s) { s.contact = Contact::EndSlope; },
@@ -112,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"SlopeNotAskedFor", uniform_scene(),
               [](Scene& s) { s.end_slope = 0.1; }, "scene.contact.end_slope",
               "only a contact of a given slope"}),
-    [](const auto& row) { return std::string(row.param.name); });
+    name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, AskedLimits,
@@ -152,99 +170,65 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"OffCentredPressingHard", off_centred_scene(),
               [](Scene& s) { s.limits.normal_min = 3.0; },
               "scene.limits.normal_force.min", "would press less on it"}),
-    [](const auto& row) { return std::string(row.param.name); });
+    name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Contacts, AskedLimits,
     ::testing::Values(
-        Asked{"OptimalWithoutHump", uniform_scene(),
-              [](Scene& s) {
-                s.contact = Contact::Optimal;
-                s.limits.curvature.valley = 2.0;
-              },
+        Asked{"OptimalWithoutHump", optimal(uniform_scene()),
+              [](Scene& s) { s.limits.curvature.valley = 2.0; },
               "scene.contact", "fold into a kink"},
-        Asked{"OptimalWithAHumpThatFolds", uniform_scene(),
+        Asked{"OptimalWithAHumpThatFolds", optimal(uniform_scene()),
               [](Scene& s) {
-                s.contact = Contact::Optimal;
                 s.limits.curvature = {3.1, 2.0, CurvatureLimit::Of::Centre};
               },
               "scene.contact", "fold into a kink"},
-        Asked{"OptimalWithNoMargin", uniform_scene(),
+        Asked{"OptimalWithNoMargin", optimal(uniform_scene()),
               [](Scene& s) {
-                s.contact = Contact::Optimal;
                 s.limits.fold_margin = 0.0;
                 s.limits.normal_max = 5.0;
               },
               "scene.contact", "fold into a kink"},
-        Asked{"OptimalWithoutValley", uniform_scene(),
+        Asked{"OptimalWithoutValley", optimal(uniform_scene()),
+              [](Scene& s) { s.limits.fold_margin = 0.1; }, "scene.contact",
+              "turns upwards"},
+        Asked{"OptimalWithFrictionAlone", optimal(uniform_scene()),
               [](Scene& s) {
-                s.contact = Contact::Optimal;
-                s.limits.fold_margin = 0.1;
-              },
-              "scene.contact", "turns upwards"},
-        Asked{"OptimalWithFrictionAlone", uniform_scene(),
-              [](Scene& s) {
-                s.contact = Contact::Optimal;
                 s.limits.fold_margin = 0.1;
                 s.limits.friction = 0.5;
               },
               "scene.contact", "turns upwards"},
-        Asked{"OptimalWithALoad", uniform_scene(),
+        Asked{"OptimalWithALoad", optimal(uniform_scene()),
               [](Scene& s) {
-                s.contact = Contact::Optimal;
                 s.limits.fold_margin = 0.1;
                 s.limits.normal_max = 5.0;
               },
               "", ""},
-        Asked{"OptimalBetweenCurvatures", off_centred_scene(),
+        Asked{"OptimalBetweenCurvatures", optimal(off_centred_scene()),
               [](Scene& s) {
-                s.contact = Contact::Optimal;
                 s.limits.curvature = {2.0, 2.0};
               },
               "", ""},
-        Asked{"OptimalBead", bead_scene(),
-              [](Scene& s) { s.contact = Contact::Optimal; }, "", ""},
-        Asked{"SlopeWithoutLimits", uniform_scene(),
+        Asked{"OptimalBead", optimal(bead_scene()), no_limit, "", ""},
+        Asked{"SlopeWithoutLimits", with_end_slope(uniform_scene(), -0.1),
+              no_limit, "scene.contact.end_slope", "a kink at B"},
+        Asked{"SlopeWithALoad", with_end_slope(uniform_scene(), -0.1),
               [](Scene& s) {
-                s.contact = Contact::EndSlope;
-                s.end_slope = -0.1;
-              },
-              "scene.contact.end_slope", "a kink at B"},
-        Asked{"SlopeWithALoad", uniform_scene(),
-              [](Scene& s) {
-                s.contact = Contact::EndSlope;
-                s.end_slope = -0.1;
                 s.limits.curvature.hump = 2.0;
                 s.limits.normal_max = 5.0;
               },
               "scene.contact.end_slope", "a kink at B"},
-        Asked{"SlopeOfABead", bead_scene(),
-              [](Scene& s) {
-                s.contact = Contact::EndSlope;
-                s.end_slope = -0.1;
-                s.limits.curvature.valley = 2.0;
-              },
+        Asked{"SlopeOfABead", with_end_slope(bead_scene(), -0.1),
+              [](Scene& s) { s.limits.curvature.valley = 2.0; },
               "scene.contact.end_slope", "a kink at B"},
-        Asked{"SlopeBetweenCurvatures", uniform_scene(),
+        Asked{"SlopeBetweenCurvatures", with_end_slope(uniform_scene(), -0.1),
               [](Scene& s) {
-                s.contact = Contact::EndSlope;
-                s.end_slope = -0.1;
                 s.limits.curvature = {2.0, 2.0};
               },
               "", ""},
-        Asked{"CentreWithLimits", off_centred_scene(),
-              [](Scene& s) {
-                s.contact = Contact::Centre;
-                s.limits.friction = 1.0;
-              },
-              "", ""}),
-    [](const auto& row) { return std::string(row.param.name); });
-
-void slope_of(Scene& scene, double slope) {
-  scene.contact = Contact::EndSlope;
-  scene.end_slope = slope;
-  scene.limits.curvature = {2.0, 2.0};
-}
+        Asked{"CentreWithLimits", between_centres(off_centred_scene()),
+              [](Scene& s) { s.limits.friction = 1.0; }, "", ""}),
+    name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Places, AskedLimits,
@@ -260,28 +244,21 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"FloorAboveTheEndOfABead", bead_scene(),
               [](Scene& s) { s.limits.floor = 0.99; }, "scene.limits.floor",
               "0.99 m is not allowed: at least 1 m"},
-        Asked{"FloorOfTheCentre", uniform_scene(),
+        Asked{"FloorOfTheCentre", between_centres(uniform_scene()),
+              [](Scene& s) { s.limits.floor = 1.3; }, "scene.limits.floor",
+              "1.3 m is not allowed: at least 1.3333"},
+        Asked{"FloorUnderTheCentre", between_centres(uniform_scene()),
+              [](Scene& s) { s.limits.floor = 4.0 / 3.0; }, "", ""},
+        Asked{"FloorAtALevelEnd", with_end_slope(uniform_scene(), 0.0),
               [](Scene& s) {
-                s.contact = Contact::Centre;
-                s.limits.floor = 1.3;
-              },
-              "scene.limits.floor", "1.3 m is not allowed: at least 1.3333"},
-        Asked{"FloorUnderTheCentre", uniform_scene(),
-              [](Scene& s) {
-                s.contact = Contact::Centre;
-                s.limits.floor = 4.0 / 3.0;
-              },
-              "", ""},
-        Asked{"FloorAtALevelEnd", uniform_scene(),
-              [](Scene& s) {
-                slope_of(s, 0.0);
+                s.limits.curvature = {2.0, 2.0};
                 s.limits.floor = 1.0;
               },
               "", ""},
         // Lowest point H + r (1 − cos φ) = 1 + 1/6 at φ = 60°.
-        Asked{"FloorAtASteepEnd", uniform_scene(),
+        Asked{"FloorAtASteepEnd", with_end_slope(uniform_scene(), -kPi / 3.0),
               [](Scene& s) {
-                slope_of(s, -kPi / 3.0);
+                s.limits.curvature = {2.0, 2.0};
                 s.limits.floor = 1.166;
               },
               "scene.limits.floor", "1.166 m is not allowed: at least 1.1666"},
@@ -309,9 +286,8 @@ INSTANTIATE_TEST_SUITE_P(
                 s.limits.discs = {{{3.0, 1.5}, 0.4}};
               },
               "", ""},
-        Asked{"DiscWithinReachOfTheCentre", uniform_scene(),
+        Asked{"DiscWithinReachOfTheCentre", between_centres(uniform_scene()),
               [](Scene& s) {
-                s.contact = Contact::Centre;
                 s.limits.discs = {{{3.0, 1.5}, 0.4}};
               },
               "scene.limits.clear_of", "B = (3, 1) lies within r of it"},
@@ -326,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(
                 s.limits.half_planes = {{{3.1, 0.0}, kPi}};
               },
               "", ""}),
-    [](const auto& row) { return std::string(row.param.name); });
+    name_of);
 
 // On an incline of slope β a body of moment k needs the friction
 // k/(1 + k) tan β, the third of tan β for a solid cylinder.

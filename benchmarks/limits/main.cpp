@@ -143,8 +143,8 @@ std::string described(const Scene& scene) {
   return text;
 }
 
-/// By how much a bound is exceeded on a fine grid; one of curvature for u > 0.01
-/// U, since before κ = q/w has fewer digits than the bound of q.
+/// By how much a bound is exceeded on a fine grid; one of curvature for u >
+/// 0.01 U, since before κ = q/w has fewer digits than the bound of q.
 double worst_excess(const Solution& solution) {
   constexpr int kPlaces = 20000;
   const std::vector<StatedLimit> limits = stated_limits(solution.scene);

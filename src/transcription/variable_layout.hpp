@@ -40,8 +40,8 @@ enum class StateComponent { X, Z, Theta, W, Beta };
 /// place being θ_j − θ_m = (S/r) σ_j².
 ///
 /// limited_time: like rolling_time with β among the states and the control
-/// h q = h dβ/du in its place; after the defects of a point stand its limits, and
-/// after all of them four rows for the two contacts where their slopes are
+/// h q = h dβ/du in its place; after the defects of a point stand its limits,
+/// and after all of them four rows for the two contacts where their slopes are
 /// free, and the limits on forces at rest where β(0) is.
 class VariableLayout {
  public:

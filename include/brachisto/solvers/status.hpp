@@ -24,9 +24,9 @@ enum class Status {
   OutOfMemory,       ///< there is less memory than it takes
   NoAdmissiblePath,  ///< no path can exist; nothing was solved
   NoSmoothContact,   ///< under the limits no slope at B continues the path
-  Infeasible,        ///< next to where the solver ended no path keeps the limits
-  Stalled,           ///< on a given path the body does not arrive
-  InternalError,     ///< the solver reported a fault of the set-up
+  Infeasible,     ///< next to where the solver ended no path keeps the limits
+  Stalled,        ///< on a given path the body does not arrive
+  InternalError,  ///< the solver reported a fault of the set-up
 };
 
 /// One word, as in result files: "solved", "time_limit".

@@ -85,6 +85,7 @@ void check_values(const Scene& scene, SceneChecker& check) {
   }
 }
 
+/// What no body of this kind can keep to, or needs no limit for.
 void check_body(const Scene& scene, SceneChecker& check) {
   const PathLimits& limits = scene.limits;
   const double r = scene.body.radius;

@@ -17,14 +17,10 @@ namespace brachisto {
 ///                    units of the scene
 [[nodiscard]] inline double contact_error(const Scene& scene, Point start,
                                           Point end) {
-  const auto distance = [](Point a, Point b) {
-    return std::hypot(a.x - b.x, a.z - b.z);
-  };
-  const double sum =
-      distance(start, {0.0, 0.0}) + distance(end, {scene.L, scene.H});
-  if (std::isnan(sum)) return sum;  // which the larger one may not be
-  return std::max(distance(start, {0.0, 0.0}),
-                  distance(end, {scene.L, scene.H}));
+  const double at_A = std::hypot(start.x, start.z);
+  const double at_B = std::hypot(end.x - scene.L, end.z - scene.H);
+  // The larger of two may not be the one that is no number.
+  return std::isnan(at_A + at_B) ? at_A + at_B : std::max(at_A, at_B);
 }
 
 }  // namespace brachisto

@@ -66,8 +66,7 @@ FAULTS = [
      "return options.searches() && natural.contact == Contact::Smooth;",
      "return natural.contact == Contact::Smooth;"),
     ("ends of the centre judged by one of them",
-     "std::max(distance(start, {0.0, 0.0}), distance(end, {scene.L, scene.H}))",
-     "std::max(distance(end, {scene.L, scene.H}), distance(end, {scene.L, scene.H}))"),
+     "std::max(at_A, at_B)", "std::max(at_B, at_B)"),
     ("a message without its advice", 'outcome.message += ". To try: " + advice;', "{}"),
     ("nearest known key not told", '"; did you mean {}?", found', '"; is it {}?", found'),
     # thresholds

@@ -117,20 +117,20 @@ struct PathInequality {
                                       const PathLimits& limits);
 
 /// The value of a limit, to be kept between its bounds.
+/// \param force  of the track; without effect on limits that bound none
 template <class Scalar>
-[[nodiscard]] Scalar value_of(const PathInequality& limit, const Body& body,
-                              double gravity, const TurningPoint<Scalar>& at) {
+[[nodiscard]] Scalar value_of(const PathInequality& limit,
+                              const ContactForce<Scalar>& force,
+                              const TurningPoint<Scalar>& at) {
   using std::sqrt;
   using Kind = PathInequality::Kind;
   switch (limit.kind) {
     case Kind::FrictionForward:
-    case Kind::FrictionBackward: {
-      const auto force = contact_force(body, gravity, at);
-      const double sign = limit.kind == Kind::FrictionForward ? -1.0 : 1.0;
-      return force.normal * limit.number + force.tangential * sign;
-    }
+      return force.normal * limit.number - force.tangential;
+    case Kind::FrictionBackward:
+      return force.normal * limit.number + force.tangential;
     case Kind::NormalForce:
-      return contact_force(body, gravity, at).normal;
+      return force.normal;
     case Kind::Hump:
       return at.w * limit.number - at.q;
     case Kind::Valley:
@@ -148,6 +148,15 @@ template <class Scalar>
              Scalar(limit.number);
   }
   return Scalar(0.0);
+}
+
+template <class Scalar>
+[[nodiscard]] Scalar value_of(const PathInequality& limit, const Body& body,
+                              double gravity, const TurningPoint<Scalar>& at) {
+  return value_of(limit,
+                  limit.bounds_force() ? contact_force(body, gravity, at)
+                                       : ContactForce<Scalar>{},
+                  at);
 }
 
 /// On which of x, z, θ, w, β, q, in this order, a limit depends: read from its

@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 
 namespace brachisto {
@@ -23,39 +23,88 @@ double length_of(const std::vector<Arc>& arcs, std::size_t i) {
   return arcs[i].end - (i == 0 ? 0.0 : arcs[i - 1].end);
 }
 
-class Fit {
- public:
-  Fit(const LimitedCurve& nearby, PathSetting setting, int degree,
-      const MeshOptions& options, Eigen::MatrixXd inverse)
-      : scene_(nearby.problem().scene()),
-        limits_(std::move(setting.limits)),
-        degree_(degree),
-        options_(options),
-        seeks_end_(end_is_sought(scene_)),
-        seeks_start_(start_is_sought(scene_, limits_)),
-        arcs_(std::move(setting.arcs)),
-        ends_(setting.ends),
-        nearby_(&nearby),
-        inverse_(std::move(inverse)) {}
+using Vector = Eigen::VectorXd;
 
-  ArcFit run() {
-    while (true) {
-      const Outcome outcome = iterate();
-      if (outcome == Outcome::Vanished) continue;
-      if (outcome == Outcome::Found) {
-        out_.path.emplace(FittedPath{arcs_, ends_, *curve_,
-                                     mismatch_of(*curve_, ends_), inverse_});
+/// Steps of junctions and slopes, with the optimality conditions eliminated.
+/// Columns and Jacobian are kept while they foretell what a step gains.
+class Border {
+ public:
+  /// Where the open conditions ask to go; nothing if steps, the shorter they
+  /// are, gain no more of what they should, or are not determined.
+  ///
+  /// \param system  linearised
+  /// \param open    with the optimality conditions met, to first order
+  [[nodiscard]] std::optional<Vector> step(PathSystem& system,
+                                           const Vector& open) {
+    constexpr double kForeseen = 0.3, kPoor = 0.8, kLeastTrust = 1e-3;
+    if (last_step_.size() > 0) {
+      const Vector gained = jacobian_ * last_step_;
+      const Vector missed = open - last_open_ - gained;
+      const double share = missed.norm() / gained.norm();
+      if (share < kForeseen) {
+        trust_ = std::min(1.0, 3.0 * trust_);
+        // By Broyden's formula.
+        jacobian_ += missed * last_step_.transpose() / last_step_.squaredNorm();
+      } else {
+        columns_.clear();
+        if (share >= kPoor) trust_ *= 0.3;
+        if (trust_ < kLeastTrust) return std::nullopt;
       }
-      return std::move(out_);
+    }
+    if (columns_.empty()) {
+      columns_ = system.to_unknowns();
+      jacobian_ = jacobian_of(columns_);
+    }
+    last_open_ = open;
+    const Vector step = -trust_ * jacobian_.partialPivLu().solve(open);
+    if (!step.allFinite()) return std::nullopt;
+    return step;
+  }
+  /// What was done of it; nothing if no step was.
+  void went(const Vector& step) { last_step_ = step; }
+
+  /// Moves variables and multipliers as such a step asks them to.
+  void follow(const Vector& step, PrimalDual& point) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      move_along(point, columns_[i].point, step[static_cast<Eigen::Index>(i)]);
     }
   }
 
  private:
-  enum class Outcome { Found, Failed, Vanished };
-  using Vector = Eigen::VectorXd;
+  std::vector<PathRates> columns_;
+  Eigen::MatrixXd jacobian_;
+  Vector last_step_, last_open_;
+  double trust_ = 1.0;
+};
 
-  [[nodiscard]] Eigen::Index num_junctions() const {
-    return static_cast<Eigen::Index>(arcs_.size()) - 1;
+class Fit {
+ public:
+  Fit(const LimitedCurve& nearby, PathSetting setting, int degree,
+      const MeshOptions& options)
+      : scene_(nearby.problem().scene()),
+        degree_(degree),
+        options_(options),
+        now_(std::move(setting)),
+        nearby_(nearby) {}
+
+  ArcFit run() {
+    const StopScope scope(options_.ipopt.stop);
+    try {
+      while (iterate() == Outcome::Vanished) {
+      }
+    } catch (const Stopped&) {
+      if (!options_.ipopt.stop.met()) throw;
+      out_.path.reset();
+      out_.message = "stopped";
+    }
+    return std::move(out_);
+  }
+
+ private:
+  enum class Outcome { Found, Failed, Vanished };
+
+  [[nodiscard]] std::size_t num_junctions() const {
+    return now_.arcs.size() - 1;
   }
 
   Outcome fail(std::string message) {
@@ -63,166 +112,218 @@ class Fit {
     return Outcome::Failed;
   }
 
-  /// The optimality conditions of arcs and ends as they are.
-  bool solve(const std::vector<Arc>& arcs, const LimitedEnds& ends) {
-    LimitedTime problem(scene_, limits_, mesh_of(arcs, degree_), ends,
-                        held_limits(arcs));
-    const bool same =
-        curve_ && curve_->problem().num_variables() == problem.num_variables();
-    NewtonOptions newton;
-    newton.tolerance = kResidual;
-    newton.max_iterations = 25;
-    newton.max_halvings = 6;
-    // Short elements weigh a residual little, and certificates go by weights.
-    newton.to_rounding = true;
-    newton.chain_alone = true;
-    newton.stop = options_.ipopt.stop;
-    PrimalDual start = same ? curve_->point() : prolong(*nearby_, problem);
-    NewtonResult result =
-        solve_with_newton(problem, nullptr, start, 0.0, newton);
-    ++out_.passes;
-    out_.newton_steps += result.iterations;
-    if (result.status != Status::Solved) return false;
-    if (!problem.set_point(result.point.x)) return false;
-    curve_.emplace(problem, std::move(result.point));
-    return true;
-  }
-
-  /// Moves junctions and ends; by less where an arc would shrink too fast.
-  double move(const Vector& step, std::vector<Arc>& arcs,
-              LimitedEnds& ends) const {
+  /// Moves junctions and ends along a step, which becomes what was done: less
+  /// where an arc would shrink too fast.
+  void move(Vector& step, PathSetting& setting) const {
     constexpr double kShare = 0.6, kLongest = 0.1;
-    double by = 1.0;
-    const Eigen::Index m = num_junctions();
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      const double room =
-          step[i] > 0.0 ? length_of(arcs_, a + 1) : length_of(arcs_, a);
-      by = std::min(by, kShare * room / (std::abs(step[i]) + 1e-300));
+    const auto m = static_cast<Eigen::Index>(num_junctions());
+    const auto allowed = [&](std::size_t arc) {
+      return kShare * length_of(now_.arcs, arc) /
+             std::max(-growth(step, arc), 1e-300);
+    };
+    for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
+      const double by = allowed(i);
+      if (by >= 1.0) continue;
+      const auto end = static_cast<Eigen::Index>(i);
+      if (end < m) step[end] *= by;
+      if (i > 0) step[end - 1] *= by;
+    }
+    // What that has made of its neighbours.
+    double all = 1.0;
+    for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
+      all = std::min(all, 1.3 * allowed(i));
     }
     for (Eigen::Index i = m; i < step.size(); ++i) {
-      by = std::min(by, kLongest / (std::abs(step[i]) + 1e-300));
+      all = std::min(all, kLongest / (std::abs(step[i]) + 1e-300));
     }
+    step *= all;
     for (Eigen::Index i = 0; i < m; ++i) {
-      arcs[static_cast<std::size_t>(i)].end += by * step[i];
+      setting.arcs[static_cast<std::size_t>(i)].end += step[i];
     }
-    if (seeks_end_) ends.phi += by * step[m];
-    if (seeks_start_) *ends.start += by * step[step.size() - 1];
-    return by;
+    if (end_is_sought(scene_)) setting.ends.phi += step[m];
+    if (start_is_sought(setting.ends)) {
+      *setting.ends.start += step[step.size() - 1];
+    }
+  }
+  /// Of an arc.
+  [[nodiscard]] double growth(const Vector& step, std::size_t arc) const {
+    const auto i = static_cast<Eigen::Index>(arc);
+    return (arc < num_junctions() ? step[i] : 0.0) -
+           (arc > 0 ? step[i - 1] : 0.0);
   }
 
   Outcome iterate() {
-    constexpr int kMostSteps = 40, kFreshFor = 8;
-    constexpr double kShortest = 1e-3;
-    constexpr double kClosed = 1e-10, kRounding = 1e-13;
-    if (!solve(arcs_, ends_)) {
-      return fail("the optimality conditions of the arcs have no solution");
+    constexpr int kMostSteps = 60;
+    constexpr double kRounding = 1e-14;
+    ++out_.passes;
+    const auto ends = with_start(now_.ends, scene_, now_.limits,
+                                 holds_control(now_.arcs.front(), now_.limits));
+    if (!ends) return fail("at rest no direction keeps the limits");
+    now_.ends = *ends;
+    PathSystem system(scene_, now_, degree_);
+    if (!system.move_to(now_, prolong(nearby(), system.problem()))) {
+      return fail("the arcs have no start");
     }
-    Vector now = open_conditions(*curve_, arcs_, ends_);
-    int broyden = 0;  // steps since the Jacobian was computed
-    double shorten = 1.0;
-    double before = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kMostSteps && now.size() > 0; ++i) {
-      // The norm below would pass over what is not a number.
-      if (!now.allFinite()) return fail("a junction has no slope");
-      const double norm = now.lpNorm<Eigen::Infinity>();
-      if (norm <= kRounding || (norm <= kClosed && norm > 0.5 * before)) {
-        return Outcome::Found;
+    border_ = {};
+    double last_left = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double left = largest(system.open());
+      // A comparison would pass over what is not a number.
+      if (!std::isfinite(left)) return fail("a junction has no slope");
+      if (is_closed(system) && left > 0.5 * last_left) break;
+      last_left = left;
+      if (!system.linearise()) {
+        return fail("the optimality conditions of the arcs are singular");
       }
-      before = norm;
-      if (drop_vanishing()) return Outcome::Vanished;
-      if (inverse_.size() == 0 || broyden > kFreshFor) {
-        const PathResponse response(*curve_, {limits_, arcs_, ends_});
-        if (!response.regular()) return fail("the arcs are not determined");
-        inverse_ = jacobian_of(response.to_unknowns()).inverse();
-        if (!inverse_.allFinite())
-          return fail("the junctions are not determined");
-        broyden = 0;
+      ++out_.newton_steps;
+      const PathRates newton = system.newton();
+      if (!newton.open.allFinite()) {
+        return fail("the optimality conditions of the arcs have no solution");
       }
-      std::vector<Arc> arcs = arcs_;
-      LimitedEnds ends = ends_;
-      const Vector wanted = -shorten * (inverse_ * now);
-      const double by = move(wanted, arcs, ends);
-      if (!solve(arcs, ends)) {
-        shorten *= 0.3;
-        if (shorten < kShortest) return fail("junctions cannot be moved");
+      Vector step = Vector::Zero(newton.open.size());
+      // What is less than that follows from the residuals, or is rounding.
+      const bool together =
+          system.residual() <= kNear &&
+          left > std::max(kRounding, 1e-3 * system.residual());
+      if (together) {
+        const auto wanted = border_.step(system, system.open() + newton.open);
+        if (!wanted) break;
+        step = *wanted;
+        if (drop_vanishing(step, system)) return Outcome::Vanished;
+      }
+      if (advance(system, newton, step)) {
+        if (together) border_.went(step);
         continue;
       }
-      shorten = std::min(1.0, 3.0 * shorten);
-      arcs_ = std::move(arcs);
-      ends_ = ends;
-      const Vector next = open_conditions(*curve_, arcs_, ends_);
-      ++broyden;
-      if (next.norm() > 0.3 * now.norm()) broyden = kFreshFor + 1;
-      const Vector s = by * wanted;
-      const Vector y = next - now;
-      const Vector By = inverse_ * y;
-      const double scale = s.dot(By);
-      if (std::abs(scale) > 1e-3 * s.squaredNorm()) {
-        inverse_ += (s - By) * (s.transpose() * inverse_) / scale;
-      }
-      now = next;
+      // Next to the solution junctions may be right to rounding, and the rest
+      // not yet.
+      step.setZero();
+      if (!advance(system, newton, step)) break;
+      border_.went({});
     }
-    if (now.size() == 0) return Outcome::Found;
-    return fail(
-        fmt::format("junctions and contacts were not found: {:.1e} "
-                    "is left",
-                    now.lpNorm<Eigen::Infinity>()));
+    if (!is_closed(system)) {  // else what is left is rounding
+      return fail(
+          fmt::format("junctions and contacts were not found: {:.1e} is left",
+                      std::max(system.residual(), largest(system.open()))));
+    }
+    polish(system);
+    LimitedCurve curve = system.curve();
+    const ContactMismatch mismatch = mismatch_of(curve, now_.ends);
+    out_.path.emplace(
+        FittedPath{now_.arcs, now_.ends, std::move(curve), mismatch});
+    return Outcome::Found;
   }
 
-  /// Leaves out an arc of no length.
-  bool drop_vanishing() {
-    constexpr double kNone = 1e-6;
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      if (arcs_.size() == 1 || length_of(arcs_, i) > kNone) continue;
-      if (i > 0) arcs_[i - 1].end = arcs_[i].end;
-      arcs_.erase(arcs_.begin() + static_cast<std::ptrdiff_t>(i));
-      for (std::size_t k = 1; k < arcs_.size();) {
-        if (arcs_[k - 1].held == arcs_[k].held) {
-          arcs_[k - 1].end = arcs_[k].end;
-          arcs_[k - 1].cuts =
-              equal_cuts(arcs_[k - 1].elements() + arcs_[k].elements());
-          arcs_.erase(arcs_.begin() + static_cast<std::ptrdiff_t>(k));
+  /// Newton's step, with another of the junctions and slopes, which becomes
+  /// what was done of it; shorter until the optimality conditions come nearer,
+  /// or stay near enough for the next step to restore them.
+  bool advance(PathSystem& system, const PathRates& newton, Vector& step) {
+    constexpr int kHalvings = 6;
+    const PathSetting from = now_;
+    const PrimalDual start = system.point();
+    const double residual = system.residual();
+    const Vector wanted = step;
+    double length = 1.0;
+    for (int k = 0; k <= kHalvings; ++k, length *= 0.5) {
+      now_ = from;
+      step = length * wanted;
+      if (!wanted.isZero()) move(step, now_);
+      PrimalDual point = start;
+      move_along(point, newton.point, length);
+      border_.follow(step, point);
+      if (!system.move_to(now_, std::move(point))) continue;
+      const double next = system.residual();
+      if (next < residual || (residual > kNear && next < 2.0 * residual) ||
+          (!wanted.isZero() && next <= kRestorable)) {
+        return true;
+      }
+    }
+    now_ = from;
+    // Where it was before it is not refused.
+    static_cast<void>(system.move_to(from, start));
+    return false;
+  }
+  /// Residuals at which junctions are moved, and after which they are found to
+  /// fall again.
+  static constexpr double kNear = 1e-2, kRestorable = 0.5;
+
+  /// To rounding: certificates weigh residuals by the lengths of elements, and
+  /// junctions that move by rounding disturb them.
+  void polish(PathSystem& system) {
+    constexpr int kMostSteps = 5;
+    border_ = {};
+    for (int i = 0; i < kMostSteps && system.linearise(); ++i) {
+      const double before = system.residual();
+      Vector none = Vector::Zero(system.open().size());
+      ++out_.newton_steps;
+      if (!advance(system, system.newton(), none)) return;
+      if (system.residual() > 0.5 * before) return;
+    }
+  }
+
+  [[nodiscard]] static bool is_closed(const PathSystem& system) {
+    constexpr double kResidual = 1e-11, kClosed = 1e-10;
+    return system.residual() <= kResidual && largest(system.open()) <= kClosed;
+  }
+  /// Zero of nothing.
+  [[nodiscard]] static double largest(const Vector& open) {
+    return open.size() == 0 ? 0.0 : open.lpNorm<Eigen::Infinity>();
+  }
+  [[nodiscard]] const LimitedCurve& nearby() const {
+    return kept_ ? *kept_ : nearby_;
+  }
+
+  /// Leaves out a short arc whose ends want to pass each other again and again.
+  bool drop_vanishing(const Vector& step, const PathSystem& system) {
+    constexpr double kShort = 0.03, kNone = 1e-6;
+    constexpr int kPatience = 3;
+    std::vector<Arc>& arcs = now_.arcs;
+    crossings_.resize(arcs.size());
+    for (std::size_t i = 0; arcs.size() > 1 && i < arcs.size(); ++i) {
+      const double length = length_of(arcs, i);
+      const bool crosses = length < kShort && length + growth(step, i) <= 0.0;
+      crossings_[i] = crosses ? crossings_[i] + 1 : 0;
+      if (length > kNone && crossings_[i] < kPatience) continue;
+      crossings_.clear();
+      // What was touched between arcs of which one is gone is so no longer.
+      if (i > 0) {
+        arcs[i - 1].end = arcs[i].end;
+        arcs[i - 1].touch.reset();
+      }
+      arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(i));
+      for (std::size_t k = 1; k < arcs.size();) {
+        if (arcs[k - 1].held == arcs[k].held && !arcs[k - 1].touch) {
+          arcs[k - 1].end = arcs[k].end;
+          arcs[k - 1].touch = arcs[k].touch;
+          arcs[k - 1].cuts =
+              equal_cuts(arcs[k - 1].elements() + arcs[k].elements());
+          arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(k));
         } else {
           ++k;
         }
       }
-      kept_.emplace(*curve_);
-      nearby_ = &*kept_;
-      curve_.reset();
-      inverse_.resize(0, 0);
+      kept_.emplace(system.curve());
       return true;
     }
     return false;
   }
 
   const Scene& scene_;
-  std::vector<PathInequality> limits_;
   int degree_;
   const MeshOptions& options_;
-  bool seeks_end_, seeks_start_;
-  std::vector<Arc> arcs_;
-  LimitedEnds ends_;
-  const LimitedCurve* nearby_;
-  Eigen::MatrixXd inverse_;  ///< of the open conditions' Jacobian
-  std::optional<LimitedCurve> kept_, curve_;
+  PathSetting now_;
+  const LimitedCurve& nearby_;
+  std::optional<LimitedCurve> kept_;
+  Border border_;
+  std::vector<int> crossings_;  ///< of each arc's ends, one after the other
   ArcFit out_;
-
-  static constexpr double kResidual = 1e-11;
 };
 
 }  // namespace
 
 ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting, int degree,
-                const MeshOptions& options, const FittedPath* before) {
-  const auto same = [](const Arc& a, const Arc& b) { return a.held == b.held; };
-  Eigen::MatrixXd inverse;
-  if (before != nullptr &&
-      std::ranges::equal(before->arcs, setting.arcs, same)) {
-    inverse = before->inverse;
-  }
-  return Fit(nearby, std::move(setting), degree, options, std::move(inverse))
-      .run();
+                const MeshOptions& options) {
+  return Fit(nearby, std::move(setting), degree, options).run();
 }
 
 }  // namespace brachisto

@@ -12,7 +12,7 @@
 
 #include "refinement/mesh_solve.hpp"
 #include "refinement/open_conditions.hpp"
-#include "refinement/path_response.hpp"
+#include "refinement/path_system.hpp"
 
 namespace brachisto {
 
@@ -22,8 +22,6 @@ struct FittedPath {
   LimitedEnds ends;
   LimitedCurve curve;  ///< of a problem whose limits are equations or absent
   ContactMismatch mismatch;
-  /// Of the Jacobian of its open conditions, roughly; may be empty.
-  Eigen::MatrixXd inverse;
 };
 
 /// Outcome of fit_arcs().
@@ -33,16 +31,14 @@ struct ArcFit {
   int passes = 0, newton_steps = 0;
 };
 
-/// Finds the places of the junctions and the slopes that the contacts are built
-/// from, all together by Broyden's method around Newton's on the optimality
-/// conditions of fixed arcs. An arc that shrinks to nothing is left out.
+/// Finds variables, multipliers, the places of the junctions and the slopes
+/// that the contacts are built from, all together, by Newton's method; while
+/// steps are short the border of its matrix is followed by Broyden's formula.
+/// An arc that shrinks to nothing is left out.
 ///
 /// \param nearby   a solution to start from, perhaps under other bounds
 /// \param setting  where to begin, of the limits to keep
-/// \param before   the path fitted before, or null: its inverse serves again if
-///                 it had the same arcs
 [[nodiscard]] ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting,
-                              int degree, const MeshOptions& options,
-                              const FittedPath* before = nullptr);
+                              int degree, const MeshOptions& options);
 
 }  // namespace brachisto

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "math/index.hpp"
@@ -19,6 +20,8 @@ using nlp::Held;
 struct Sighting {
   double sigma;
   std::vector<Held> held;
+  std::optional<Touch> touch = {};  ///< ends the arc here
+  double excess = 0.0;              ///< of the limit that is touched
 };
 
 /// Arcs from what holds at places in order; junctions lie half-way between two.
@@ -29,37 +32,93 @@ std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
   double begin = 0.0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const bool last = i + 1 == sightings.size();
-    if (!last && sightings[i + 1].held == sightings[i].held) continue;
+    const std::optional<Touch>& touch = sightings[i].touch;
+    const bool same = !last && sightings[i + 1].held == sightings[i].held;
+    if (same && !touch) continue;
     const double end =
-        last ? 1.0 : 0.5 * (sightings[i].sigma + sightings[i + 1].sigma);
+        last   ? 1.0
+        : same ? sightings[i].sigma
+               : 0.5 * (sightings[i].sigma + sightings[i + 1].sigma);
     const auto share = std::lround((end - begin) * elements);
     arcs.push_back({sightings[i].held, end,
-                    equal_cuts(std::max(kFewest, static_cast<int>(share)))});
+                    equal_cuts(std::max(kFewest, static_cast<int>(share))),
+                    last || same ? touch : std::nullopt});
     begin = end;
   }
   return arcs;
 }
 
-/// What holds at a collocation point, as inequalities have it; empty if more
-/// than one limit of the control does, which cannot be.
-std::vector<Held> held_at(const LimitedCurve& curve, int point) {
+/// What holds at a collocation point, as inequalities have it. Of two limits of
+/// the control one is touched: the one that did not hold at the point before.
+Sighting sighting_at(const LimitedCurve& curve, int point,
+                     const std::vector<Held>& last) {
   const LimitedTime& problem = curve.problem();
-  std::vector<Held> held(problem.limits().size(), Held::No);
-  int of_control = 0;
-  for (int i = 0; i < static_cast<int>(held.size()); ++i) {
-    if (!curve.active(point, i)) continue;
-    const auto row = at(problem.layout().limit(point, i));
-    held[at(i)] =
-        curve.point().lambda[row] > 0.0 ? Held::AtUpper : Held::AtLower;
-    if (problem.limits()[at(i)].bounds_control()) ++of_control;
+  const Mesh& mesh = problem.mesh();
+  const int e = point / mesh.degree;
+  Sighting seen{
+      mesh.sigma(e, problem.scheme().rule.points[at(point % mesh.degree)]),
+      std::vector<Held>(problem.limits().size(), Held::No)};
+  std::size_t of_control = seen.held.size();  // none
+  for (std::size_t i = 0; i < seen.held.size(); ++i) {
+    const auto limit = static_cast<int>(i);
+    if (!curve.active(point, limit)) continue;
+    const double multiplier =
+        curve.point().lambda[at(problem.layout().limit(point, limit))];
+    seen.held[i] = multiplier > 0.0 ? Held::AtUpper : Held::AtLower;
+    if (!problem.limits()[i].bounds_control()) continue;
+    if (of_control < seen.held.size()) {
+      const bool other = !last.empty() && last[i] != Held::No;
+      const std::size_t touched = other ? of_control : i;
+      seen.touch = {touched, seen.held[touched]};
+      seen.excess = std::abs(multiplier);
+      seen.held[touched] = Held::No;
+      if (!other) continue;
+    }
+    of_control = i;
   }
-  return of_control > 1 ? std::vector<Held>() : held;
+  return seen;
+}
+
+/// A limit of the place holds along a run of points if at one of them none of
+/// the control does; it is touched if one of the control always does.
+void part_from_control(const std::vector<PathInequality>& limits,
+                       std::vector<Sighting>& seen) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (limits[i].bounds_control()) continue;
+    for (std::size_t first = 0; first < seen.size(); ++first) {
+      if (seen[first].held[i] == Held::No) continue;
+      std::size_t end = first;
+      bool alone = false;
+      const auto of_control = [&](std::size_t k) {
+        return limits[k].bounds_control();
+      };
+      for (; end < seen.size() && seen[end].held[i] != Held::No; ++end) {
+        bool any = false;
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+          any = any || (of_control(k) && seen[end].held[k] != Held::No);
+        }
+        alone = alone || !any;
+      }
+      for (std::size_t n = first; n < end; ++n) {
+        if (!alone) {
+          seen[n].touch = {i, seen[n].held[i]};
+          seen[n].held[i] = Held::No;
+          seen[n].excess = n == (first + end) / 2 ? 1.0 : 0.0;
+          continue;
+        }
+        for (std::size_t k = 0; k < limits.size(); ++k) {
+          if (of_control(k)) seen[n].held[k] = Held::No;
+        }
+      }
+      first = end;
+    }
+  }
 }
 
 /// The limits of one sort that hold on an arc.
-int held_of_control(const Arc& arc, const LimitedTime& problem) {
+int held_of_control(const Arc& arc, const std::vector<PathInequality>& limits) {
   for (std::size_t i = 0; i < arc.held.size(); ++i) {
-    if (arc.held[i] != Held::No && problem.limits()[i].bounds_control()) {
+    if (arc.held[i] != Held::No && limits[i].bounds_control()) {
       return static_cast<int>(i);
     }
   }
@@ -76,6 +135,42 @@ bool holds_from_above(const LimitedTime& problem, const Arc& arc, int limit,
   };
   const bool grows = value(1.0) > value(0.0);
   return grows == (arc.held[at(limit)] == Held::AtUpper);
+}
+
+/// Whether the limit that holds the control of an arc keeps it from what
+/// another one, which is exceeded there, asks for.
+bool gives_no_way(const LimitedTime& problem, const Arc& arc,
+                  std::size_t exceeded, Held where,
+                  const TurningPoint<double>& place) {
+  const int held = held_of_control(arc, problem.limits());
+  if (held < 0) return false;
+  if (!problem.limits()[exceeded].bounds_control()) return true;
+  Arc other = arc;
+  other.held.assign(arc.held.size(), Held::No);
+  other.held[exceeded] = where;
+  return holds_from_above(problem, arc, held, place) !=
+         holds_from_above(problem, other, static_cast<int>(exceeded), place);
+}
+
+/// Of a run of places at which a limit is exceeded it is touched where it is so
+/// most; at the end of the path, if that is next to it.
+void touch_once(std::vector<Sighting>& seen) {
+  for (std::size_t first = 0; first < seen.size();) {
+    if (!seen[first].touch) {
+      ++first;
+      continue;
+    }
+    std::size_t worst = first, end = first;
+    for (; end < seen.size() && seen[end].touch &&
+           seen[end].touch->limit == seen[first].touch->limit;
+         ++end) {
+      if (seen[end].excess > seen[worst].excess) worst = end;
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      if (i != worst) seen[i].touch.reset();
+    }
+    first = end;
+  }
 }
 
 /// The angle between the path and the tangent of a limit of the place.
@@ -132,16 +227,14 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
   const Mesh& mesh = problem.mesh();
   std::vector<Sighting> seen;
   for (int c = 0; c < problem.layout().num_points(); ++c) {
-    const int e = c / mesh.degree;
-    const double t = problem.scheme().rule.points[at(c % mesh.degree)];
-    std::vector<Held> held = held_at(curve, c);
-    if (held.empty()) {
-      held = seen.empty() ? std::vector<Held>(problem.limits().size(), Held::No)
-                          : seen.back().held;
-    }
-    seen.push_back({mesh.boundaries[at(e)] + mesh.length(e) * t, held});
+    seen.push_back(sighting_at(
+        curve, c, seen.empty() ? std::vector<Held>() : seen.back().held));
   }
+  part_from_control(problem.limits(), seen);
+  touch_once(seen);
   for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
+    // Between two limits there is a junction, and no more.
+    if (seen[i].held != seen[i + 1].held) seen[i].touch.reset();
     if (seen[i - 1].held == seen[i + 1].held) seen[i].held = seen[i - 1].held;
   }
   return arcs_from(seen, mesh.num_elements());
@@ -169,6 +262,10 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
       ++arc;
       in_arc = 0;
     }
+    // What is touched has its multiplier at a point, and the polynomial of the
+    // other one tells nothing there.
+    const std::optional<Touch>& touched = arcs[arc].touch;
+    const bool before_touch = touched && in_arc + 1 == arcs[arc].elements();
     for (const double t : curve.places(e, kPlaces)) {
       if (t == 0.0 || t == 1.0) continue;  // junctions belong to two arcs
       const LimitedPoint place = curve.at(e, t);
@@ -177,7 +274,8 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
         const double multiplier = place.multipliers[i];
         const double wrong =
             held[i] == Held::AtLower ? multiplier : -multiplier;
-        if (held[i] != Held::No && wrong > kWrongSign * largest[arc]) {
+        if (held[i] != Held::No && !before_touch &&
+            wrong > kWrongSign * largest[arc]) {
           held[i] = Held::No;
           changed = true;
         }
@@ -198,7 +296,12 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
         which = i;
         where = below > above ? Held::AtLower : Held::AtUpper;
       }
-      if (which < held.size()) {
+      std::optional<Touch> touch;
+      if (which < held.size() &&
+          gives_no_way(problem, arcs[arc], which, where, place.state)) {
+        touch = {which, where};
+        changed = true;
+      } else if (which < held.size()) {
         changed = true;
         for (std::size_t i = 0; i < held.size(); ++i) {
           if (problem.limits()[i].bounds_control() ==
@@ -208,13 +311,30 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
         }
         held[which] = where;
       }
-      seen.push_back({mesh.boundaries[at(e)] + mesh.length(e) * t, held});
+      seen.push_back({mesh.sigma(e, t), held, touch, touch ? worst : 0.0});
       before.push_back(arcs[arc].held);
+    }
+    if (!before_touch) continue;
+    const int last = (e + 1) * mesh.degree - 1;
+    const double multiplier = curve.point().lambda[at(
+        problem.layout().limit(last, static_cast<int>(touched->limit)))];
+    if ((multiplier > 0.0) == (touched->at == Held::AtUpper)) {
+      constexpr double kKept = std::numeric_limits<double>::infinity();
+      seen.push_back(
+          {mesh.boundaries[at(e + 1)], seen.back().held, touched, kKept});
+      before.push_back(before.back());
+    } else {
+      changed = true;
     }
   }
   if (!changed) return std::nullopt;
+  touch_once(seen);
   widen_new(before, seen);
   return arcs_from(seen, mesh.num_elements());
+}
+
+bool holds_control(const Arc& arc, const std::vector<PathInequality>& limits) {
+  return held_of_control(arc, limits) >= 0;
 }
 
 std::vector<double> equal_cuts(int elements) {
@@ -241,6 +361,11 @@ HeldLimits held_limits(const std::vector<Arc>& arcs) {
   HeldLimits held;
   for (const Arc& arc : arcs) {
     held.in_element.insert(held.in_element.end(), at(arc.elements()), arc.held);
+    held.at_end.resize(held.in_element.size());
+    if (arc.touch) {
+      held.at_end.back().resize(arc.held.size(), Held::No);
+      held.at_end.back()[arc.touch->limit] = arc.touch->at;
+    }
   }
   held.at_rest = arcs.front().held;
   return held;
@@ -255,6 +380,15 @@ double junction_residual(const LimitedCurve& curve,
   int element = -1;
   for (std::size_t i = 0; i <= arc; ++i) element += arcs[i].elements();
   const LimitedPoint left = curve.at(element, 1.0);
+  if (before.touch) {
+    // Misplaced by δ the limit is exceeded by δ² alone: differences serve.
+    constexpr double kStep = 1e-3;
+    const auto value = [&](double t) {
+      return value_of(problem.limits()[before.touch->limit], scene.body,
+                      scene.gravity, curve.at(element, t).state);
+    };
+    return (value(1.0 + kStep) - value(1.0 - kStep)) / (2.0 * kStep);
+  }
   const auto off_singular = [&](const Costates& p) {
     return left.state.beta - minimising_slope(scene.body, scene.gravity,
                                               {left.state.theta, left.state.w},
@@ -267,8 +401,8 @@ double junction_residual(const LimitedCurve& curve,
                ? angle_to(problem.limits()[i], left.state)
                : off_singular(curve.at(element + 1, 0.0).p);
   }
-  const int l = held_of_control(before, problem);
-  const int r = held_of_control(after, problem);
+  const int l = held_of_control(before, problem.limits());
+  const int r = held_of_control(after, problem.limits());
   if (l < 0 || r < 0) return off_singular(left.p);
   const bool same_side = holds_from_above(problem, before, l, left.state) ==
                          holds_from_above(problem, after, r, left.state);

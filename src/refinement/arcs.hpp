@@ -13,30 +13,45 @@
 
 namespace brachisto {
 
+/// A limit that is reached at one point alone.
+struct Touch {
+  std::size_t limit;
+  nlp::Held at;
+};
+
 /// A stretch of the path along which the same limits hold.
 struct Arc {
   std::vector<nlp::Held> held;  ///< of each limit; all No on a free arc
   double end = 1.0;             ///< σ
   /// Where its elements meet, as shares of its length, from 0 to 1.
   std::vector<double> cuts{0.0, 1.0};
+  /// At the end of an arc whose control another limit holds, which goes on
+  /// behind it: the only way to keep a limit that the control cannot.
+  std::optional<Touch> touch = {};
 
   [[nodiscard]] int elements() const {
     return static_cast<int>(cuts.size()) - 1;
   }
 };
 
+/// Whether a limit of the control holds on an arc.
+[[nodiscard]] bool holds_control(const Arc& arc,
+                                 const std::vector<PathInequality>& limits);
+
 /// So many elements of equal length.
 [[nodiscard]] std::vector<double> equal_cuts(int elements);
 
 /// From the collocation points of a solution whose limits are inequalities:
 /// junctions lie half-way between two points. A single point between two parts
-/// of one arc belongs to it, one where more than one limit on the control
-/// holds to the arc before.
+/// of one arc belongs to it. Where two limits of the control hold, the second
+/// is touched if the first one goes on; a limit of the place is touched if one
+/// of the control holds all along with it.
 [[nodiscard]] std::vector<Arc> arcs_of(const LimitedCurve& curve);
 
 /// Other arcs, if a solution with these is none of the inequalities: where a
 /// limit is exceeded it is held, where a multiplier has the wrong sign it is
-/// not.
+/// not. If another limit holds the control already, and cannot give way, the
+/// path touches the one that is exceeded where it is so most.
 [[nodiscard]] std::optional<std::vector<Arc>> corrected(
     const LimitedCurve& curve, const std::vector<Arc>& arcs);
 
@@ -53,7 +68,8 @@ struct Arc {
 /// - between two limits that bound the control from the same side the other
 ///   limit's distance from its bound, from opposite sides p_β;
 /// - where a limit of the place begins to hold, the angle under which the path
-///   reaches it; where it ceases to, what a free arc asks for behind it.
+///   reaches it; where it ceases to, what a free arc asks for behind it;
+/// - where the path touches a limit, by how much that changes along an element.
 [[nodiscard]] double junction_residual(const LimitedCurve& curve,
                                        const std::vector<Arc>& arcs,
                                        std::size_t arc);

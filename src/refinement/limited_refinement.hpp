@@ -33,7 +33,7 @@ struct LimitedRefinement : RefinementProtocol {
 ///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
 ///   are corrected; if no arcs fit, the coarse mesh is made finer and they are
-///   read off again.
+///   read off again, or followed from the loosest limits on.
 /// - Accuracy: with the arcs known the path is as smooth on each as that of a
 ///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
 ///   by which the error is estimated, changes T by no more than is wanted.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "math/index.hpp"
+#include "model/start_under_limits.hpp"
 
 namespace brachisto {
 
@@ -19,14 +20,27 @@ bool end_is_sought(const Scene& scene) {
   return scene.contact == Contact::Smooth;
 }
 
-bool start_is_sought(const Scene& scene,
-                     const std::vector<PathInequality>& limits) {
-  return (scene.contact == Contact::Smooth ||
-          scene.contact == Contact::EndSlope) &&
-         std::any_of(limits.begin(), limits.end(),
-                     [](const PathInequality& limit) {
-                       return limit.kind == PathInequality::Kind::Valley;
-                     });
+bool start_is_sought(const LimitedEnds& ends) {
+  return ends.start && !ends.start_slope_fixed;
+}
+
+std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
+                                      const std::vector<PathInequality>& limits,
+                                      bool held_at_A) {
+  if (ends.free_contacts) return ends;
+  const bool takes_time =
+      scene.contact != Contact::Centre &&
+      std::any_of(limits.begin(), limits.end(),
+                  [](const PathInequality& limit) {
+                    return limit.kind == PathInequality::Kind::Valley;
+                  });
+  ends.start_slope_fixed = !(takes_time && held_at_A);
+  if (ends.start_slope_fixed || !ends.start) {
+    // Where the centre starts does not depend on its direction there.
+    ends.start = start_angle_under(scene.body, limits);
+    if (!ends.start) return std::nullopt;
+  }
+  return ends;
 }
 
 double end_slope(LimitedCurve& curve) {
@@ -34,20 +48,14 @@ double end_slope(LimitedCurve& curve) {
   const int last = layout.num_points() - 1;
   const double slope =
       curve.point().x[at(layout.state(last + 1, StateComponent::Beta))];
-  for (int i = 0; i < layout.num_limits(); ++i) {
-    if (curve.problem().limits()[at(i)].bounds_control() &&
-        curve.active(last, i)) {
-      return slope;
-    }
-  }
-  return curve.transverse_slope();
+  return curve.holds_control(last) ? slope : curve.transverse_slope();
 }
 
 ContactMismatch mismatch_of(LimitedCurve& curve, const LimitedEnds& ends) {
   const Scene& scene = curve.problem().scene();
   ContactMismatch out;
   if (end_is_sought(scene)) out.at_B = end_slope(curve) - ends.phi;
-  if (start_is_sought(scene, curve.problem().limits())) {
+  if (start_is_sought(ends)) {
     out.at_A = curve.at(0.0).state.beta - *ends.start;
   }
   return out;
@@ -58,7 +66,7 @@ Eigen::VectorXd open_conditions(LimitedCurve& curve,
                                 const LimitedEnds& ends) {
   const Scene& scene = curve.problem().scene();
   const bool end = end_is_sought(scene);
-  const bool start = start_is_sought(scene, curve.problem().limits());
+  const bool start = start_is_sought(ends);
   const auto m = static_cast<Eigen::Index>(arcs.size()) - 1;
   const Eigen::Index size = m + (end ? 1 : 0) + (start ? 1 : 0);
   Eigen::VectorXd out(size);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "refinement/arcs.hpp"
@@ -31,8 +32,15 @@ struct ContactMismatch {
 
 /// Whether the slope at A is an unknown of its own: a bounded valley takes time
 /// to turn in.
-[[nodiscard]] bool start_is_sought(const Scene& scene,
-                                   const std::vector<PathInequality>& limits);
+[[nodiscard]] bool start_is_sought(const LimitedEnds& ends);
+
+/// The ends with the slope at A as it is to be: one that is sought if a valley
+/// is bounded and a limit holds the control from A on, else the one of
+/// start_angle_under(). On a free arc nothing else would determine β(0).
+/// Nothing if at rest no direction keeps the limits.
+[[nodiscard]] std::optional<LimitedEnds> with_start(
+    LimitedEnds ends, const Scene& scene,
+    const std::vector<PathInequality>& limits, bool held_at_A);
 
 /// What has to vanish besides the optimality conditions, one for each junction,
 /// then for B and for A, as far as they are sought.

@@ -11,21 +11,23 @@ namespace brachisto {
 
 Sensitivity::Sensitivity(const FittedPath& path)
     : scene_(path.curve.problem().scene()),
-      response_(path.curve,
-                {path.curve.problem().limits(), path.arcs, path.ends}) {
-  if (regular()) unknowns_ = response_.to_unknowns();
+      system_(scene_, {path.curve.problem().limits(), path.arcs, path.ends},
+              path.curve.problem().mesh().degree),
+      regular_(system_.move_to(system_.setting(), path.curve.point()) &&
+               system_.linearise()) {
+  if (regular()) unknowns_ = system_.to_unknowns();
 }
 
 Price Sensitivity::price(const std::vector<PathInequality>& less,
                          const std::vector<PathInequality>& more,
-                         double width) const {
-  PathSetting before = response_.setting(), after = response_.setting();
+                         double width) {
+  PathSetting before = system_.setting(), after = system_.setting();
   before.limits = less;
   after.limits = more;
   Price out;
   out.at_fixed_contacts =
-      (response_.lagrangian(after) - response_.lagrangian(before)) / width;
-  const LimitedEnds& ends = response_.setting().ends;
+      (system_.lagrangian(after) - system_.lagrangian(before)) / width;
+  const LimitedEnds& ends = system_.setting().ends;
   if (ends.start_slope_fixed && ends.start) {
     // The static cone turns with the bound.
     const auto first = start_angle_under(scene_.body, less);
@@ -35,7 +37,7 @@ Price Sensitivity::price(const std::vector<PathInequality>& less,
       after.ends.start = second;
     }
   }
-  const PathRates direct = response_.to(before, after, width);
+  const PathRates direct = system_.to(before, after, width);
   out.total = direct.time;
   if (unknowns_.empty()) return out;
   // The open conditions go on to hold.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "refinement/arc_fit.hpp"
-#include "refinement/path_response.hpp"
+#include "refinement/path_system.hpp"
 
 namespace brachisto {
 
@@ -28,17 +28,18 @@ class Sensitivity {
   explicit Sensitivity(const FittedPath& path);
 
   /// False if the optimality conditions are singular: then there are no prices.
-  [[nodiscard]] bool regular() const { return response_.regular(); }
+  [[nodiscard]] bool regular() const { return regular_; }
 
   /// \param less, more  the path's limits, one bound being smaller, greater
   /// \param width       by so much both together
   [[nodiscard]] Price price(const std::vector<PathInequality>& less,
                             const std::vector<PathInequality>& more,
-                            double width) const;
+                            double width);
 
  private:
   const Scene& scene_;
-  PathResponse response_;
+  PathSystem system_;
+  bool regular_;
   std::vector<PathRates> unknowns_;
 };
 

@@ -87,14 +87,16 @@ Matrix& matrix_of(void** akeep) {
   return *static_cast<Matrix*>(*akeep);
 }
 
-/// Runs `work`; what it throws goes through Ipopt, which forgets what it was.
+/// Runs `work`; false if it throws. What it threw is kept: through Ipopt it
+/// would leave behind the memory of its interface to linear solvers.
 template <class Work>
-void kept(Work&& work) {
+bool kept(Work&& work) {
   try {
     work();
+    return true;
   } catch (...) {
     if (current != nullptr) current->exception = std::current_exception();
-    throw;
+    return false;
   }
 }
 
@@ -165,7 +167,11 @@ static void chain_factor(int, const int[], const int[], const double val[],
   *info = {};
   const PhaseTimer timer(Phase::Factorisation);
   Matrix& matrix = matrix_of(akeep);
-  kept([&] {
+  const bool done = kept([&] {
+    // After what a solution threw there is nothing to go on with.
+    if (current != nullptr && current->exception) {
+      std::rethrow_exception(current->exception);
+    }
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
     scale_barrier(matrix, val);
@@ -176,12 +182,14 @@ static void chain_factor(int, const int[], const int[], const double val[],
     info->matrix_rank = matrix.size - inertia.zero;
     info->num_neg = inertia.negative;
   });
+  if (!done) info->flag = kGivenUp;
 }
 
 static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,
                         void**, const ma97_control_d*, ma97_info_d*) {
   const PhaseTimer timer(Phase::Solution);
-  // What Ipopt read from the info struct before must stay.
+  // What Ipopt read from the info struct before must stay. A solution has no
+  // other way to fail: the next evaluation or factorisation ends the run.
   Matrix& matrix = matrix_of(akeep);
   kept([&] {
     for (int k = 0; k < nrhs; ++k) {

@@ -82,6 +82,9 @@ void set_barrier_options(Ipopt::OptionsList& list, const IpoptOptions& options,
     }
   }
   list.SetNumericValue("mu_init", barrier);
+  // A start whose bounds have been tightened since is far from all barrier
+  // problems; one that goes down step by step creeps along its bounds.
+  list.SetStringValue("mu_strategy", "adaptive");
 }
 
 void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,

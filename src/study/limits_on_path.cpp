@@ -15,14 +15,15 @@ namespace brachisto {
 
 namespace {
 
-/// Whether a stated limit is held on an arc.
-bool holds_on(const Arc& arc, const std::vector<PathInequality>& limits,
+/// Whether a stated limit is one of those that are held.
+bool is_among(const std::vector<nlp::Held>& held,
+              const std::vector<PathInequality>& limits,
               const StatedLimit& stated) {
   int index = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     index = i > 0 && limits[i].kind == limits[i - 1].kind ? index + 1 : 0;
-    if (arc.held[i] != nlp::Held::No &&
-        stated.is(limits[i].kind, index, arc.held[i] == nlp::Held::AtLower)) {
+    if (held[i] != nlp::Held::No &&
+        stated.is(limits[i].kind, index, held[i] == nlp::Held::AtLower)) {
       return true;
     }
   }
@@ -42,10 +43,11 @@ std::vector<ActiveArc> active_arcs(const FittedPath& path,
                                    const StatedLimit& stated,
                                    const LimitedMotion& motion) {
   const double L = motion.scene().L;
+  const std::vector<PathInequality>& limits = path.curve.problem().limits();
   std::vector<ActiveArc> active;
   double begin = 0.0;
   for (const Arc& arc : path.arcs) {
-    if (holds_on(arc, path.curve.problem().limits(), stated)) {
+    if (is_among(arc.held, limits, stated)) {
       const TrajectoryPoint from = motion.at(begin);
       const TrajectoryPoint to = motion.at(arc.end);
       if (!active.empty() && active.back().sigma.to == begin) {
@@ -58,6 +60,16 @@ std::vector<ActiveArc> active_arcs(const FittedPath& path,
                           {from.u, to.u},
                           {from.t, to.t},
                           {place_of(from, L), place_of(to, L)}});
+      }
+    }
+    if (arc.touch) {
+      std::vector<nlp::Held> touched(limits.size(), nlp::Held::No);
+      touched[arc.touch->limit] = arc.touch->at;
+      if (is_among(touched, limits, stated)) {
+        const TrajectoryPoint here = motion.at(arc.end);
+        const double x = place_of(here, L);
+        active.push_back(
+            {{arc.end, arc.end}, {here.u, here.u}, {here.t, here.t}, {x, x}});
       }
     }
     begin = arc.end;

@@ -24,11 +24,11 @@ using enum StateComponent;
 
 LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
     : problem_(problem), point_(std::move(point)) {
-  if (!problem_.set_point(point_.x)) {
-    throw std::domain_error("solution under limits: " + problem_.refusal());
-  }
   const nlp::ActiveSet set = nlp::active_set(problem_, point_);
-  transit_time_ = problem_.eval_f();
+  transit_time_ = 0.0;
+  for (int e = 0; e < problem_.mesh().num_elements(); ++e) {
+    transit_time_ += time_on(e);
+  }
   const VariableLayout& layout = problem_.layout();
   for (int c = 0; c < layout.num_points(); ++c) {
     for (int i = 0; i < layout.num_limits(); ++i) {
@@ -51,6 +51,16 @@ LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
 
 bool LimitedCurve::active(int point, int limit) const {
   return active_[brachisto::at(point * problem_.layout().num_limits() + limit)];
+}
+
+bool LimitedCurve::holds_control(int point) const {
+  for (int i = 0; i < problem_.layout().num_limits(); ++i) {
+    if (problem_.limits()[brachisto::at(i)].bounds_control() &&
+        active(point, i)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 double LimitedCurve::time_on(int element) const {
@@ -178,7 +188,9 @@ LimitedPoint LimitedCurve::at(double sigma) const {
   return at(element, t);
 }
 
-PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
+PrimalDual sample_at_mesh(
+    const LimitedTime& problem, double rolling_time,
+    const std::function<LimitedPoint(double sigma)>& path) {
   const VariableLayout& layout = problem.layout();
   const RadauScheme& scheme = problem.scheme();
   PrimalDual out;
@@ -193,15 +205,14 @@ PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
     out.x[at(layout.state(node, W))] = state.w;
     out.x[at(layout.state(node, Beta))] = state.beta;
   };
-  const double U = curve.rolling_time();
-  put(0, curve.at(0.0).state);
+  put(0, path(0.0).state);
   for (int c = 0; c < layout.num_points(); ++c) {
     const int e = c / scheme.degree;
     const auto j = at(c % scheme.degree);
     const double h = problem.mesh().length(e);
     const double b = scheme.rule.weights[j];
     const LimitedPoint point =
-        curve.at(problem.mesh().sigma(e, scheme.rule.points[j]));
+        path(problem.mesh().sigma(e, scheme.rule.points[j]));
     put(c + 1, point.state);
     out.x[at(layout.control(c))] = h * point.state.q;
     out.lambda[at(layout.defect(c, X))] = -b * point.p.p_x;
@@ -212,13 +223,22 @@ PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
     out.lambda[at(layout.defect(c, W))] = -b * point.p.p_w;
     out.lambda[at(layout.defect(c, Beta))] = -b * point.p_beta;
     for (int i = 0; i < layout.num_limits(); ++i) {
-      const double mu = h * U * b * point.multipliers[at(i)];
+      const double mu = h * rolling_time * b * point.multipliers[at(i)];
       const auto row = at(layout.limit(c, i));
       const bool above = std::isfinite(problem.constraint_upper()[row]);
       const bool below = std::isfinite(problem.constraint_lower()[row]);
       out.lambda[row] = (mu < 0.0 ? below : above) ? mu : 0.0;
     }
   }
+  out.x[at(layout.last())] = rolling_time;
+  return out;
+}
+
+PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
+  PrimalDual out =
+      sample_at_mesh(problem, curve.rolling_time(),
+                     [&](double sigma) { return curve.at(sigma); });
+  const VariableLayout& layout = problem.layout();
   const VariableLayout& old = curve.problem().layout();
   const auto keep = [&](int row, int old_row) {
     out.lambda[at(row)] = curve.point().lambda[at(old_row)];
@@ -233,7 +253,6 @@ PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
       keep(layout.start_row(i), old.start_row(i));
     }
   }
-  out.x[at(layout.last())] = U;
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
@@ -62,6 +63,8 @@ class LimitedCurve {
 
   /// Whether a limit is held as an equation at a collocation point.
   [[nodiscard]] bool active(int point, int limit) const;
+  /// Whether a limit of the control is one there.
+  [[nodiscard]] bool holds_control(int point) const;
   /// The same of a limit on forces at rest; false if β(0) is fixed.
   [[nodiscard]] bool active_at_rest(int limit) const {
     return brachisto::at(limit) < active_at_rest_.size() &&
@@ -74,6 +77,13 @@ class LimitedCurve {
   double transit_time_;
   std::vector<bool> active_, active_at_rest_;
 };
+
+/// States, controls, costates and multipliers given as a function of σ ∈ [0, 1]
+/// as unknowns of a problem. A multiplier is left out where the problem has no
+/// bound on its side.
+[[nodiscard]] PrimalDual sample_at_mesh(
+    const LimitedTime& problem, double rolling_time,
+    const std::function<LimitedPoint(double sigma)>& path);
 
 /// The same states, controls and multipliers on another mesh, or under other
 /// bounds of the same limits.

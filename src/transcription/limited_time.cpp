@@ -64,10 +64,16 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
   if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
   fix(layout().state(0, W), 0.0);
   if (!free_contacts()) fix_ends();
+  weigh();
+  bound_limits();
+  build_patterns();
+}
+
+void LimitedTime::weigh() {
   weights_.assign(at(num_variables() + num_constraints()), 1.0);
   for (int c = 0; c < layout().num_points(); ++c) {
     const double b = scheme_->rule.weights[at(c % scheme_->degree)];
-    const double share = b * this->mesh().length(c / scheme_->degree);
+    const double share = b * mesh().length(c / scheme_->degree);
     for (int i = 0; i < layout().num_states(); ++i) {
       weights_[at(layout().state(c + 1, X) + i)] = share;
       if (c == 0) weights_[at(i)] = share;
@@ -78,8 +84,16 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
       weights_[at(num_variables() + layout().limit(c, i))] = share;
     }
   }
+}
+
+void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
+                         const LimitedEnds& ends) {
+  limits_ = std::move(limits);
+  ends_ = ends;
+  change_lengths(std::move(mesh));
+  if (!free_contacts()) fix_ends();
+  weigh();
   bound_limits();
-  build_patterns();
 }
 
 void LimitedTime::bound_limits() {
@@ -147,6 +161,11 @@ nlp::Held LimitedTime::held_at(int point, int limit) const {
   const auto& held = held_->in_element;
   const nlp::Held here = held[at(element)][at(limit)];
   const bool last = point % mesh().degree == mesh().degree - 1;
+  if (last && at(element) < held_->at_end.size() &&
+      !held_->at_end[at(element)].empty()) {
+    const nlp::Held touched = held_->at_end[at(element)][at(limit)];
+    if (touched != nlp::Held::No) return touched;
+  }
   if (here != nlp::Held::No || !last || limits_[at(limit)].bounds_control() ||
       element + 1 == mesh().num_elements()) {
     return here;
@@ -254,12 +273,20 @@ bool LimitedTime::evaluate() {
     } else {
       point.root = Jet(std::sqrt(axisymmetric_inertia_factor(body)));
     }
+    // What is neither held nor an inequality is not asked for.
+    const auto asked = [&](int limit) {
+      return !held_ || held_at(c, limit) != nlp::Held::No;
+    };
+    ContactForce<Jet> force;  // once for all limits that bound it
+    bool known = false;
     for (int i = 0; i < layout().num_limits(); ++i) {
-      // What is neither held nor an inequality is not asked for.
+      const PathInequality& limit = limits_[at(i)];
+      if (asked(i) && limit.bounds_force() && !known) {
+        force = contact_force(body, scene().gravity, local_jets);
+        known = true;
+      }
       limit_values_[at(c) * limits_.size() + at(i)] =
-          held_ && held_at(c, i) == nlp::Held::No
-              ? Jet(0.0)
-              : value_of(limits_[at(i)], body, scene().gravity, local_jets);
+          asked(i) ? value_of(limit, force, local_jets) : Jet(0.0);
     }
   }
   return true;

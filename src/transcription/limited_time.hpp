@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +36,8 @@ struct LimitedEnds {
 struct HeldLimits {
   std::vector<std::vector<nlp::Held>> in_element;  ///< by element, then limit
   std::vector<nlp::Held> at_rest;                  ///< by limit
+  /// By element, of its last point besides; nothing where empty or absent.
+  std::vector<std::vector<nlp::Held>> at_end;
 };
 
 /// Radau IIA collocation of
@@ -72,6 +75,15 @@ class LimitedTime final : public Transcription {
   [[nodiscard]] LimitedTime as_inequalities() const {
     return {scene(), limits_, mesh(), ends_};
   }
+  /// The same program with other bounds of its limits, lengths of its elements
+  /// and ends of the same kind.
+  void change(std::vector<PathInequality> limits, Mesh mesh,
+              const LimitedEnds& ends);
+  /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the
+  /// length of an element, at the current point.
+  void add_rates_by_length(int element, double rate,
+                           std::span<const double> lambda,
+                           std::span<double> out) const;
   [[nodiscard]] const std::optional<HeldLimits>& held() const { return held_; }
   /// Whether and where a limit is an equation at a collocation point. A limit
   /// of the place alone is one from the end of the element before on, since
@@ -112,6 +124,7 @@ class LimitedTime final : public Transcription {
 
   void fix_ends();
   void bound_limits();
+  void weigh();
   /// Of a limit on forces at rest, by β(0).
   [[nodiscard]] math::Jet2<double, 1> at_rest(int limit, double beta) const;
   [[nodiscard]] int local(int point, int number) const;
@@ -119,6 +132,14 @@ class LimitedTime final : public Transcription {
     return number != 2 || layout().has_theta();
   }
   [[nodiscard]] const Jet& limit_at(int point, int number) const;
+  /// weight √A − λ·f of a point, f being the rates of its states by U σ, and
+  /// its derivatives by its states.
+  struct Density {
+    double value;
+    std::array<double, kLocals> gradient{};
+  };
+  [[nodiscard]] Density density_at(int point, double weight,
+                                   std::span<const double> lambda) const;
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;

@@ -21,6 +21,71 @@ using enum StateComponent;
 
 }  // namespace
 
+LimitedTime::Density LimitedTime::density_at(
+    int c, double weight, std::span<const double> lambda) const {
+  const Point& at_c = points_[at(c)];
+  const double l_x = lambda[at(layout().defect(c, X))];
+  const double l_z = lambda[at(layout().defect(c, Z))];
+  const double l_w = scene().gravity * lambda[at(layout().defect(c, W))];
+  const double along = l_x * at_c.cos_beta + l_z * at_c.sin_beta;
+  const double across = l_z * at_c.cos_beta - l_x * at_c.sin_beta;
+  Density out{weight * at_c.root.value - at_c.w * along - l_w * at_c.sin_beta};
+  out.gradient[3] = -along;
+  out.gradient[4] =
+      weight * at_c.root.gradient[4] - at_c.w * across - l_w * at_c.cos_beta;
+  if (layout().has_theta()) {
+    const double l_theta =
+        lambda[at(layout().defect(c, Theta))] / scene().body.radius;
+    const double eta = scene().body.eta_m;
+    out.value -= l_theta * at_c.w + l_w * eta * at_c.cos_theta;
+    out.gradient[2] =
+        weight * at_c.root.gradient[2] + l_w * eta * at_c.sin_theta;
+    out.gradient[3] -= l_theta;
+  }
+  return out;
+}
+
+void LimitedTime::add_rates_by_length(int element, double rate,
+                                      std::span<const double> lambda,
+                                      std::span<double> out) const {
+  const double U = x(layout().rolling_time());
+  const double h = mesh().length(element);
+  const auto row = [&](int constraint) {
+    return at(num_variables() + constraint);
+  };
+  for (int j = 0; j < mesh().degree; ++j) {
+    const int c = element * mesh().degree + j;
+    const Point& at_c = points_[at(c)];
+    const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
+    const auto put = [&](StateComponent component, double f) {
+      out[row(layout().defect(c, component))] -= rate * U * f;
+    };
+    put(X, at_c.w * at_c.cos_beta);
+    put(Z, at_c.w * at_c.sin_beta);
+    if (layout().has_theta()) put(Theta, at_c.w / scene().body.radius);
+    put(W, scene().gravity * (at_c.sin_beta + eta * at_c.cos_theta));
+    // ∂L/∂h = U (b √A − λ·f) + Σ μ ∂c/∂h, and c depends on h by q = (h q)/h.
+    const Density density = density_at(c, scheme_->rule.weights[at(j)], lambda);
+    out[at(layout().rolling_time())] += rate * density.value;
+    for (int a = 2; a < kControl; ++a) {
+      if (has_local(a))
+        out[at(local(c, a))] += rate * U * density.gradient[at(a)];
+    }
+    const double slope = -x(layout().control(c)) / h;
+    for (int i = 0; i < layout().num_limits(); ++i) {
+      const Jet& value = limit_at(c, i);
+      const double mu = rate * lambda[at(layout().limit(c, i))];
+      out[row(layout().limit(c, i))] += rate * slope * value.gradient[kControl];
+      for (int a = 0; a < kLocals; ++a) {
+        if (!has_local(a)) continue;
+        out[at(local(c, a))] +=
+            mu * slope * value.hessian[Jet::pair(kControl, a)];
+      }
+      out[at(layout().control(c))] -= mu * value.gradient[kControl] / h;
+    }
+  }
+}
+
 void LimitedTime::put_jac_g(Entries& put) const {
   const int p = mesh().degree;
   const double U = x(layout().rolling_time());
@@ -108,28 +173,17 @@ void LimitedTime::put_hess_lag(double objective_factor,
       const double l_x = lambda[at(layout().defect(c, X))];
       const double l_z = lambda[at(layout().defect(c, Z))];
       const double l_w = g * lambda[at(layout().defect(c, W))];
-      const double l_theta =
-          layout().has_theta() ? lambda[at(layout().defect(c, Theta))] : 0.0;
       const double eta = layout().has_theta() ? scene().body.eta_m : 0.0;
       const double along = l_x * at_c.cos_beta + l_z * at_c.sin_beta;
       const double across = l_z * at_c.cos_beta - l_x * at_c.sin_beta;
 
       std::array<double, Jet::kPairs> M{};
-      std::array<double, kLocals> by_U{};
       for (std::size_t k = 0; k < M.size(); ++k) {
         M[k] = h * U * weight * at_c.root.hessian[k];
-      }
-      for (std::size_t k = 0; k < by_U.size(); ++k) {
-        by_U[k] = h * weight * at_c.root.gradient[k];
       }
       M[Jet::pair(4, 3)] -= h * U * across;
       M[Jet::pair(4, 4)] += h * U * (at_c.w * along + l_w * at_c.sin_beta);
       M[Jet::pair(2, 2)] += h * U * l_w * eta * at_c.cos_theta;
-      by_U[2] += h * l_w * eta * at_c.sin_theta;
-      by_U[3] -= h * along;
-      if (layout().has_theta()) by_U[3] -= h * l_theta / scene().body.radius;
-      by_U[4] -= h * (at_c.w * across + l_w * at_c.cos_beta);
-      by_U[5] -= lambda[at(layout().defect(c, Beta))];
       for (int i = 0; i < layout().num_limits(); ++i) {
         const double mu = lambda[at(layout().limit(c, i))];
         for (std::size_t k = 0; k < M.size(); ++k) {
@@ -146,9 +200,11 @@ void LimitedTime::put_hess_lag(double objective_factor,
           put(std::max(row, col), std::min(row, col), M[Jet::pair(a, b)]);
         }
       }
-      for (int a = 2; a < kLocals; ++a) {
-        if (has_local(a)) put(row_U, local(c, a), by_U[at(a)]);
+      const Density density = density_at(c, weight, lambda);
+      for (int a = 2; a < kControl; ++a) {
+        if (has_local(a)) put(row_U, local(c, a), h * density.gradient[at(a)]);
       }
+      put(row_U, local(c, kControl), -lambda[at(layout().defect(c, Beta))]);
     }
   }
   for (int i = 0; i < layout().num_start_rows(); ++i) {

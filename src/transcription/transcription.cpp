@@ -62,6 +62,12 @@ void Transcription::release(int variable) {
   upper_[at(variable)] = std::numeric_limits<double>::infinity();
 }
 
+void Transcription::change_lengths(Mesh mesh) {
+  mesh_ = std::move(mesh);
+  // No point is equal to this one.
+  x_.front() = std::numeric_limits<double>::quiet_NaN();
+}
+
 void Transcription::set_end_angle(double phi) {
   const Point end = end_of_centre(scene_, phi);
   const int last = layout_.num_points();

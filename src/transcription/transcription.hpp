@@ -137,6 +137,8 @@ class Transcription : public nlp::Problem {
 
   void fix(int variable, double value);
   void release(int variable);
+  /// As many elements of other lengths. The current point is forgotten.
+  void change_lengths(Mesh mesh);
   /// Once all that stencils need has its size.
   void build_patterns();
   /// \param place  negative: none

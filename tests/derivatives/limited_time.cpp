@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -105,6 +107,52 @@ TEST_P(LimitedDerivatives, LeaveSquareAndCube) {
   EXPECT_NEAR(observed_order(kSteps, remainder.lagrangian()), 3.0, kSlack)
       << "seeds from 1, remainders "
       << ::testing::PrintToString(remainder.lagrangian());
+}
+
+/// An end of two elements is moved: the one grows, the other shrinks. What is
+/// left of central differences falls as h².
+TEST_P(LimitedDerivatives, ByLengthsAreThoseOfWholeSystems) {
+  Random random(7);
+  LimitedTime problem = GetParam().problem();
+  const std::vector<double> x = random_point(problem, random);
+  const std::vector<double> lambda =
+      random.vector(problem.num_constraints(), -1.0, 1.0);
+  const auto system_at = [&](double move) {
+    LimitedTime moved = GetParam().problem();
+    Mesh mesh = moved.mesh();
+    mesh.boundaries[3] += move;
+    moved.change(moved.limits(), mesh, moved.ends());
+    EXPECT_TRUE(moved.set_point(x));
+    std::vector<double> out(at(moved.num_variables()));
+    moved.eval_grad_f(out);
+    std::vector<double> jacobian(moved.jac_g_pattern().num_entries());
+    moved.eval_jac_g(jacobian);
+    for (std::size_t e = 0; e < jacobian.size(); ++e) {
+      out[at(moved.jac_g_pattern().cols[e])] +=
+          jacobian[e] * lambda[at(moved.jac_g_pattern().rows[e])];
+    }
+    std::vector<double> g(at(moved.num_constraints()));
+    moved.eval_g(g);
+    out.insert(out.end(), g.begin(), g.end());
+    return out;
+  };
+  ASSERT_TRUE(problem.set_point(x));
+  std::vector<double> rates(
+      at(problem.num_variables() + problem.num_constraints()));
+  problem.add_rates_by_length(2, 1.0, lambda, rates);
+  problem.add_rates_by_length(3, -1.0, lambda, rates);
+
+  double largest = 0.0;
+  for (const double rate : rates) largest = std::max(largest, std::abs(rate));
+  ASSERT_GT(largest, 0.0);
+  // Elements of h ≥ 0.05 and powers of h down to h⁻²: the third derivative is
+  // at most 12/h² of the first, what is left of a difference (step/h)² · 2.
+  constexpr double kStep = 1e-4;
+  const std::vector<double> less = system_at(-kStep), more = system_at(kStep);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    EXPECT_NEAR((more[i] - less[i]) / (2.0 * kStep), rates[i], 1e-5 * largest)
+        << i;
+  }
 }
 
 /// A change of one unknown changes exactly the rows of its column, bit by bit:

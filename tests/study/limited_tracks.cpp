@@ -298,6 +298,36 @@ TEST(LimitedTracks, ThatLiftTheBodyOffAreVerifiedAndNotFeasible) {
   EXPECT_NE(reason.find("normal_force: {min: 0}"), std::string::npos) << reason;
 }
 
+/// While friction holds the control no arc can stay on the floor: the body
+/// reaches it at one point, where its centre moves along it.
+TEST(LimitedTracks, TouchAFloorThatFrictionKeepsThemFromFollowing) {
+  constexpr double kFloor = 1.59;
+  Scene scene = off_centred_scene();
+  scene.body = Body::cylinder(1.0 / 3.0, 0.8, -0.5, 0.3);
+  scene.L = 5.0;
+  scene.limits.friction = 0.9;
+  scene.limits.floor = kFloor;
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const LimitOnPath& floor = solution.limits.at(1);
+  ASSERT_EQ(floor.active.size(), 1u);
+  EXPECT_EQ(floor.active[0].sigma.from, floor.active[0].sigma.to);
+  const Motion& motion = *solution.motion();
+  const double touched = floor.active[0].sigma.from;
+  const double r = scene.body.radius;
+  EXPECT_NEAR(motion.at(touched).centre.z + r, kFloor, 1e-10);
+  // The place is found by differences over 1e-3 of an element, which leave 1e-6
+  // of the turn on it.
+  EXPECT_NEAR(motion.at(touched).beta, 0.0, 1e-6);
+  constexpr int kPlaces = 4000;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double sigma = static_cast<double>(i) / kPlaces;
+    EXPECT_LE(motion.at(sigma).centre.z + r, kFloor + 1e-8) << sigma;
+  }
+}
+
 TEST(LimitedRefusals, OfTooLittleFrictionNameNoTime) {
   // Where friction has to turn a body that rolls on a heavy side no track
   // grips.

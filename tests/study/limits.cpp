@@ -4,6 +4,7 @@
 // A solve ends when its budget does.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <atomic>
 #include <chrono>
@@ -98,7 +99,9 @@ TEST(Limits, TheClockEndsASolve) {
 TEST(Limits, TheClockEndsALargeSolveSoonAfter) {
   const Scene scene = reference("reference_case").scene();
   SolveOptions options = much_work();
-  const double needed = solve(scene, options).effort.seconds;
+  // The faster of two, for a machine that was busy during one of them.
+  const double needed = std::min(solve(scene, options).effort.seconds,
+                                 solve(scene, options).effort.seconds);
   options.limits.seconds = kShare * needed;
 
   const Solution solution = solve(scene, options);

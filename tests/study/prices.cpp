@@ -89,6 +89,17 @@ PathLimits hump_and_force(double K, double R_n) {
   return limits;
 }
 
+/// Friction holds the control along the arc on which the floor is reached.
+Scene touching_its_floor() {
+  Scene scene;
+  scene.body = Body::cylinder(1.0 / 3.0, 0.8, -0.5, 0.3);
+  scene.L = 5.0;
+  scene.H = 1.0;
+  PathLimits limits = friction(0.9);
+  limits.floor = 1.59;
+  return under(scene, limits);
+}
+
 /// The same scene, λ times as large, under another gravity; limits of forces
 /// have no unit.
 Scene enlarged(Scene scene, double length, double gravity) {
@@ -132,6 +143,8 @@ std::vector<Bound> bounds() {
       {"LargeFloor", "floor",
        enlarged(under(base, floor_at(0.9 + r)), kLength, kGravity), move_floor,
        1e-4 * kLength},
+      {"FrictionThatTouches", "friction", touching_its_floor(), move_friction},
+      {"FloorThatIsTouched", "floor", touching_its_floor(), move_floor},
       {"LargeDisc", "clear_of.disc",
        enlarged(under(base, stone()), kLength, kGravity), move_disc,
        1e-4 * kLength},

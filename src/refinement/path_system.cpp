@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/path_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "math/index.hpp"
+#include "refinement/open_conditions.hpp"
+
+namespace brachisto {
+
+namespace {
+
+LimitedTime problem_with(const Scene& scene, const PathSetting& setting,
+                         int degree) {
+  return {scene, setting.limits, mesh_of(setting.arcs, degree), setting.ends,
+          held_limits(setting.arcs)};
+}
+
+}  // namespace
+
+void move_along(PrimalDual& point, std::span<const double> direction,
+                double by) {
+  std::size_t i = 0;
+  for (double& x : point.x) x += by * direction[i++];
+  for (double& lambda : point.lambda) lambda += by * direction[i++];
+}
+
+PathSystem::PathSystem(const Scene& scene, PathSetting setting, int degree)
+    : scene_(scene),
+      setting_(std::move(setting)),
+      problem_(problem_with(scene, setting_, degree)),
+      system_(problem_, nullptr, nlp::equations_only(problem_)),
+      chain_(BorderedChain::make(system_)) {}
+
+bool PathSystem::move_to(PathSetting setting, PrimalDual point) {
+  setting_ = std::move(setting);
+  point_ = std::move(point);
+  problem_.change(setting_.limits,
+                  mesh_of(setting_.arcs, problem_.mesh().degree),
+                  setting_.ends);
+  if (!system_.evaluate(point_.x, point_.lambda, 0.0)) return false;
+  LimitedCurve here = curve();
+  open_ = open_conditions(here, setting_.arcs, setting_.ends);
+  return true;
+}
+
+bool PathSystem::linearise() {
+  system_.evaluate_jacobian();
+  return chain_ && chain_->factorise();
+}
+
+LimitedTime PathSystem::problem_of(const PathSetting& changed) const {
+  LimitedTime problem = problem_;
+  problem.change(changed.limits, mesh_of(changed.arcs, problem.mesh().degree),
+                 changed.ends);
+  return problem;
+}
+
+PathRates PathSystem::along(std::span<const double> rhs,
+                            const PathSetting& less, const PathSetting& more,
+                            double width) {
+  PathRates rates{std::vector<double>(rhs.size()), 0.0, open_};
+  const bool solved = chain_->solve(rhs, rates.point) &&
+                      std::ranges::all_of(rates.point, [](double value) {
+                        return std::isfinite(value);
+                      });
+  if (!solved) {
+    rates.time = std::nan("");
+    rates.open.setConstant(std::nan(""));
+    return rates;
+  }
+  const auto follow = [&](const PathSetting& changed, double by) {
+    PrimalDual point = point_;
+    move_along(point, rates.point, by);
+    LimitedCurve there(problem_of(changed), std::move(point));
+    return std::pair(there.transit_time(),
+                     open_conditions(there, changed.arcs, changed.ends));
+  };
+  const auto [low_time, low] = follow(less, -0.5 * width);
+  const auto [high_time, high] = follow(more, 0.5 * width);
+  rates.time = (high_time - low_time) / width;
+  rates.open = (high - low) / width;
+  return rates;
+}
+
+PathRates PathSystem::newton() {
+  constexpr double kStep = 1e-6;
+  std::vector<double> rhs(system_.residual().begin(), system_.residual().end());
+  double largest = kStep;
+  for (double& value : rhs) {
+    value = -value;
+    largest = std::max(largest, std::abs(value));
+  }
+  return along(rhs, setting_, setting_, 2.0 * kStep / largest);
+}
+
+std::vector<PathRates> PathSystem::to_unknowns() {
+  constexpr double kStep = 1e-6, kShare = 1e-3;
+  std::vector<PathRates> rates;
+  std::vector<double> rhs;
+  const auto add = [&](double step, auto&& move) {
+    PathSetting less = setting_, more = setting_;
+    move(less, -step);
+    move(more, step);
+    rates.push_back(along(rhs, less, more, 2.0 * step));
+  };
+  double begin = 0.0;
+  int element = 0;
+  for (std::size_t i = 0; i + 1 < setting_.arcs.size(); ++i) {
+    // All elements of the arc before a junction grow, those behind it shrink.
+    const double end = setting_.arcs[i].end;
+    const double before = end - begin;
+    const double after = setting_.arcs[i + 1].end - end;
+    rhs.assign(at(system_.size()), 0.0);
+    const auto stretch = [&](int first, int count, double by) {
+      for (int e = first; e < first + count; ++e) {
+        problem_.add_rates_by_length(e, -by * problem_.mesh().length(e),
+                                     point_.lambda, rhs);
+      }
+    };
+    stretch(element, setting_.arcs[i].elements(), 1.0 / before);
+    element += setting_.arcs[i].elements();
+    stretch(element, setting_.arcs[i + 1].elements(), -1.0 / after);
+    for (int k = 0; k < system_.size(); ++k) {
+      if (system_.given(k)) rhs[at(k)] = 0.0;
+    }
+    add(std::min(kStep, kShare * std::min(before, after)),
+        [i](PathSetting& moved, double by) { moved.arcs[i].end += by; });
+    begin = end;
+  }
+  // The centre turns about the contact.
+  const auto turn = [&](int node, double slope) {
+    rhs.assign(at(system_.size()), 0.0);
+    const VariableLayout& layout = problem_.layout();
+    const double r = scene_.body.radius;
+    rhs[at(layout.state(node, StateComponent::X))] = r * std::cos(slope);
+    rhs[at(layout.state(node, StateComponent::Z))] = r * std::sin(slope);
+  };
+  if (end_is_sought(scene_)) {
+    turn(problem_.layout().num_points(), setting_.ends.phi);
+    add(kStep, [](PathSetting& moved, double by) { moved.ends.phi += by; });
+  }
+  if (start_is_sought(setting_.ends)) {
+    turn(0, *setting_.ends.start);
+    add(kStep, [](PathSetting& moved, double by) { *moved.ends.start += by; });
+  }
+  return rates;
+}
+
+std::vector<double> PathSystem::residual_of(const PathSetting& changed) {
+  LimitedTime problem = problem_of(changed);
+  KktSystem other(problem, nullptr, system_.active());
+  if (!other.evaluate(point_.x, point_.lambda, 0.0)) {
+    return std::vector<double>(at(system_.size()), std::nan(""));
+  }
+  return {other.residual().begin(), other.residual().end()};
+}
+
+PathRates PathSystem::to(const PathSetting& less, const PathSetting& more,
+                         double width) {
+  std::vector<double> rhs = residual_of(less);
+  const std::vector<double> high = residual_of(more);
+  for (std::size_t i = 0; i < rhs.size(); ++i) {
+    rhs[i] = (rhs[i] - high[i]) / width;
+  }
+  return along(rhs, less, more, width);
+}
+
+double PathSystem::lagrangian(const PathSetting& changed) const {
+  LimitedTime problem = problem_of(changed);
+  if (!problem.set_point(point_.x)) return std::nan("");
+  std::vector<double> g(point_.lambda.size());
+  problem.eval_g(g);
+  long double sum = problem.eval_f();
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const nlp::Range range = problem.constraint_range(static_cast<int>(i));
+    if (!range.single()) continue;
+    sum += static_cast<long double>(point_.lambda[i]) * (g[i] - range.lower);
+  }
+  return static_cast<double>(sum);
+}
+
+Eigen::MatrixXd jacobian_of(const std::vector<PathRates>& rates) {
+  const auto n = static_cast<Eigen::Index>(rates.size());
+  Eigen::MatrixXd jacobian(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    jacobian.col(i) = rates[static_cast<std::size_t>(i)].open;
+  }
+  return jacobian;
+}
+
+}  // namespace brachisto

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 
 namespace brachisto {
 
@@ -168,7 +167,6 @@ class Fit {
     double last_left = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
       const double left = largest(system.open());
-      // A comparison would pass over what is not a number.
       if (!std::isfinite(left)) return fail("a junction has no slope");
       if (is_closed(system) && left > 0.5 * last_left) break;
       last_left = left;
@@ -231,7 +229,10 @@ class Fit {
       PrimalDual point = start;
       move_along(point, newton.point, length);
       border_.follow(step, point);
-      if (!system.move_to(now_, std::move(point))) continue;
+      if (!system.move_to(now_, std::move(point)) ||
+          !system.open().allFinite()) {
+        continue;
+      }
       const double next = system.residual();
       if (next < residual || (residual > kNear && next < 2.0 * residual) ||
           (!wanted.isZero() && next <= kRestorable)) {
@@ -265,8 +266,9 @@ class Fit {
     constexpr double kResidual = 1e-11, kClosed = 1e-10;
     return system.residual() <= kResidual && largest(system.open()) <= kClosed;
   }
-  /// Zero of nothing.
+  /// Zero of nothing; what is not a number stays, which the norm passes over.
   [[nodiscard]] static double largest(const Vector& open) {
+    if (!open.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     return open.size() == 0 ? 0.0 : open.lpNorm<Eigen::Infinity>();
   }
   [[nodiscard]] const LimitedCurve& nearby() const {

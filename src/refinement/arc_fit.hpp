@@ -33,8 +33,8 @@ struct ArcFit {
 
 /// Finds variables, multipliers, the places of the junctions and the slopes
 /// that the contacts are built from, all together, by Newton's method; while
-/// steps are short the border of its matrix is followed by Broyden's formula.
-/// An arc that shrinks to nothing is left out.
+/// the border of its matrix foretells what a step gains it is followed by
+/// Broyden's formula. An arc that shrinks to nothing is left out.
 ///
 /// \param nearby   a solution to start from, perhaps under other bounds
 /// \param setting  where to begin, of the limits to keep

@@ -115,7 +115,7 @@ void part_from_control(const std::vector<PathInequality>& limits,
   }
 }
 
-/// The limits of one sort that hold on an arc.
+/// The limit that holds the control on an arc; −1 if none does.
 int held_of_control(const Arc& arc, const std::vector<PathInequality>& limits) {
   for (std::size_t i = 0; i < arc.held.size(); ++i) {
     if (arc.held[i] != Held::No && limits[i].bounds_control()) {
@@ -153,7 +153,7 @@ bool gives_no_way(const LimitedTime& problem, const Arc& arc,
 }
 
 /// Of a run of places at which a limit is exceeded it is touched where it is so
-/// most; at the end of the path, if that is next to it.
+/// most.
 void touch_once(std::vector<Sighting>& seen) {
   for (std::size_t first = 0; first < seen.size();) {
     if (!seen[first].touch) {

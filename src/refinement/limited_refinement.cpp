@@ -38,7 +38,7 @@ class LimitedSolve {
     constexpr int kDegree = 7;
     std::optional<FittedPath> path;
     if (tightening_.tighten()) path = read_off(kDegree);
-    if (protocol_.status == Status::Infeasible) return;
+    if (!path && protocol_.status == Status::Infeasible) return;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     const bool begun = tightening_.loosest().has_value();
@@ -150,6 +150,7 @@ class LimitedSolve {
     constexpr int kMostMeshes = 8, kManyElements = 2000;
     for (int i = 0; path && i < kMostMeshes; ++i) {
       if (!wanted_.fixed() && i + 1 < kMostMeshes &&
+          path->curve.problem().mesh().num_elements() <= kManyElements &&
           !keeps_limits(path->curve)) {
         std::vector<Arc> arcs = path->arcs;
         divide(path->curve, path->curve, wanted_.wanted_tolerance(), arcs);

@@ -44,6 +44,8 @@ class PathSystem {
  public:
   /// \param scene  must outlive this
   PathSystem(const Scene& scene, PathSetting setting, int degree);
+  PathSystem(const PathSystem&) = delete;
+  PathSystem& operator=(const PathSystem&) = delete;
 
   [[nodiscard]] const LimitedTime& problem() const { return problem_; }
   [[nodiscard]] const PathSetting& setting() const { return setting_; }

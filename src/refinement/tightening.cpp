@@ -140,6 +140,12 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
   return with_start(ends, scene_, limits, last_ && last_->holds_control(0));
 }
 
+bool Tightening::none_at_rest() {
+  return protocol_.fail(Status::NoAdmissiblePath,
+                        "no admissible path: at rest no direction keeps the "
+                        "limits of friction and normal force");
+}
+
 bool Tightening::tighten() {
   constexpr int kDegree = 4;
   constexpr double kFirstStep = 0.125, kLargestStep = 0.25;
@@ -152,12 +158,7 @@ bool Tightening::tighten() {
   for (double share = 0.0;;) {
     const Inequalities limits = relaxation_.at(share);
     const auto ends = next_ends(limits);
-    if (!ends) {
-      return protocol_.fail(
-          Status::NoAdmissiblePath,
-          "no admissible path: at rest no direction keeps the "
-          "limits of friction and normal force");
-    }
+    if (!ends) return none_at_rest();
     const bool first = !last_;
     const bool solved = first ? solve_first(limits, mesh, *ends)
                               : solve_again(limits, mesh, *ends);
@@ -174,14 +175,17 @@ bool Tightening::tighten() {
     share = std::min(1.0, reached + step);
   }
   tightened_ = true;
+  // What failed on the way did so for its step alone.
+  protocol_.status = Status::NotConverged;
+  protocol_.message.clear();
   protocol_.keep_record("limits", last_->transit_time());
   return true;
 }
 
 bool Tightening::solve_finer() {
-  if (!solve_again(limits_, finer_at_changes(*last_), *next_ends(limits_))) {
-    return false;
-  }
+  const auto ends = next_ends(limits_);
+  if (!ends) return none_at_rest();
+  if (!solve_again(limits_, finer_at_changes(*last_), *ends)) return false;
   protocol_.keep_record("limits", last_->transit_time());
   return true;
 }
@@ -226,9 +230,10 @@ bool Tightening::bracket_contact() {
 
 bool Tightening::solve_held(double phi) {
   const Mesh mesh = last_->problem().mesh();
-  LimitedEnds ends = *next_ends(limits_);
-  ends.phi = phi;
-  return solve_again(limits_, mesh, ends);
+  auto ends = next_ends(limits_);
+  if (!ends) return none_at_rest();
+  ends->phi = phi;
+  return solve_again(limits_, mesh, *ends);
 }
 
 Tightening::Held Tightening::held() {

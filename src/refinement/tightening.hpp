@@ -84,6 +84,7 @@ class Tightening {
   struct Held {
     double phi, open;
   };
+  bool none_at_rest();
   bool solve_held(double phi);
   [[nodiscard]] Held held();
   /// By bisection, for slopes may jump where arcs are born.

@@ -81,11 +81,17 @@ double LimitedCurve::time_on(int element) const {
 }
 
 double LimitedCurve::largest_multiplier(int first, int end) const {
+  const std::optional<HeldLimits>& held = problem_.held();
   double largest = 0.0;
   for (int e = first; e < end; ++e) {
     for (const double t : problem_.scheme().rule.points) {
-      for (const double multiplier : at(e, t).multipliers) {
-        largest = std::max(largest, std::abs(multiplier));
+      const std::vector<double> multipliers = at(e, t).multipliers;
+      for (std::size_t i = 0; i < multipliers.size(); ++i) {
+        // What holds at the element's end alone is no function of the path.
+        if (held && held->in_element[brachisto::at(e)][i] == nlp::Held::No) {
+          continue;
+        }
+        largest = std::max(largest, std::abs(multipliers[i]));
       }
     }
   }

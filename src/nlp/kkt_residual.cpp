@@ -147,13 +147,15 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
     const bool below = worse(range.lower - value, residual.infeasibility);
     const bool above = worse(value - range.upper, residual.infeasibility);
     if (below || above) worst_constraint = n + i;
-    // A λ that is not a number is neither > 0 nor < 0 and counts for both.
+    // λ belongs to the nearer bound: with the wrong sign for that it is an
+    // error of the sign, not one of complementarity with the other.
+    const double to_lower = value - range.lower;
+    const double to_upper = range.upper - value;
     const double lambda = point.lambda[at(i)];
-    const bool at_lower = multipliers.see(
-        value - range.lower, lambda > 0.0 ? 0.0 : -lambda, weight(n + i));
-    const bool at_upper = multipliers.see(
-        range.upper - value, lambda < 0.0 ? 0.0 : lambda, weight(n + i));
-    if (at_lower || at_upper) worst_multiplier = n + i;
+    const bool is_worst =
+        to_lower <= to_upper ? multipliers.see(to_lower, -lambda, weight(n + i))
+                             : multipliers.see(to_upper, lambda, weight(n + i));
+    if (is_worst) worst_multiplier = n + i;
   }
   const auto name_of = [&](int i) {
     if (i < 0) return std::string();

@@ -59,6 +59,7 @@ class Border {
     if (!step.allFinite()) return std::nullopt;
     return step;
   }
+  [[nodiscard]] Eigen::Index size() const { return last_open_.size(); }
   /// What was done of it; nothing if no step was.
   void went(const Vector& step) { last_step_ = step; }
 
@@ -132,17 +133,17 @@ class Fit {
     for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
       all = std::min(all, 1.3 * allowed(i));
     }
-    for (Eigen::Index i = m; i < step.size(); ++i) {
+    const Eigen::Index end = m + (end_is_sought(scene_) ? 1 : 0);
+    const Eigen::Index slopes = end + (start_is_sought(setting.ends) ? 1 : 0);
+    for (Eigen::Index i = m; i < slopes; ++i) {
       all = std::min(all, kLongest / (std::abs(step[i]) + 1e-300));
     }
     step *= all;
     for (Eigen::Index i = 0; i < m; ++i) {
       setting.arcs[static_cast<std::size_t>(i)].end += step[i];
     }
-    if (end_is_sought(scene_)) setting.ends.phi += step[m];
-    if (start_is_sought(setting.ends)) {
-      *setting.ends.start += step[step.size() - 1];
-    }
+    if (end > m) setting.ends.phi += step[m];
+    if (slopes > end) *setting.ends.start += step[end];
   }
   /// Of an arc.
   [[nodiscard]] double growth(const Vector& step, std::size_t arc) const {
@@ -160,7 +161,11 @@ class Fit {
     if (!ends) return fail("at rest no direction keeps the limits");
     now_.ends = *ends;
     PathSystem system(scene_, now_, degree_);
-    if (!system.move_to(now_, prolong(nearby(), system.problem()))) {
+    PrimalDual start = prolong(nearby(), system.problem());
+    exchange_multipliers(system.problem(), [&](double& touch, int row) {
+      start.lambda[static_cast<std::size_t>(row)] = touch;
+    });
+    if (!system.move_to(now_, std::move(start))) {
       return fail("the arcs have no start");
     }
     border_ = {};
@@ -173,6 +178,8 @@ class Fit {
       if (!system.linearise()) {
         return fail("the optimality conditions of the arcs are singular");
       }
+      // If it released one more of them.
+      if (system.open().size() != border_.size()) border_ = {};
       ++out_.newton_steps;
       const PathRates newton = system.newton();
       if (!newton.open.allFinite()) {
@@ -206,10 +213,23 @@ class Fit {
     }
     polish(system);
     LimitedCurve curve = system.curve();
+    exchange_multipliers(curve.problem(), [&](double& touch, int row) {
+      touch = curve.point().lambda[static_cast<std::size_t>(row)];
+    });
     const ContactMismatch mismatch = mismatch_of(curve, now_.ends);
     out_.path.emplace(
         FittedPath{now_.arcs, now_.ends, std::move(curve), mismatch});
     return Outcome::Found;
+  }
+
+  /// exchange(multiplier of a touch, its constraint).
+  template <class Exchange>
+  void exchange_multipliers(const LimitedTime& problem, Exchange&& exchange) {
+    const std::vector<int> rows = touched_rows(now_.arcs, problem);
+    std::size_t next = 0;
+    for (Arc& arc : now_.arcs) {
+      if (arc.touch) exchange(arc.touch->multiplier, rows[next++]);
+    }
   }
 
   /// Newton's step, with another of the junctions and slopes, which becomes
@@ -287,6 +307,9 @@ class Fit {
       crossings_[i] = crosses ? crossings_[i] + 1 : 0;
       if (length > kNone && crossings_[i] < kPatience) continue;
       crossings_.clear();
+      exchange_multipliers(system.problem(), [&](double& touch, int row) {
+        touch = system.point().lambda[static_cast<std::size_t>(row)];
+      });
       // What was touched between arcs of which one is gone is so no longer.
       if (i > 0) {
         arcs[i - 1].end = arcs[i].end;

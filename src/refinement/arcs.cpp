@@ -24,6 +24,11 @@ struct Sighting {
   double excess = 0.0;              ///< of the limit that is touched
 };
 
+bool is_free(const std::vector<Held>& held) {
+  return std::all_of(held.begin(), held.end(),
+                     [](Held h) { return h == Held::No; });
+}
+
 /// Arcs from what holds at places in order; junctions lie half-way between two.
 std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
                            int elements) {
@@ -69,7 +74,9 @@ Sighting sighting_at(const LimitedCurve& curve, int point,
     if (of_control < seen.held.size()) {
       const bool other = !last.empty() && last[i] != Held::No;
       const std::size_t touched = other ? of_control : i;
-      seen.touch = {touched, seen.held[touched]};
+      const double impulse = curve.point().lambda[at(
+          problem.layout().limit(point, static_cast<int>(touched)))];
+      seen.touch = {touched, seen.held[touched], impulse};
       seen.excess = std::abs(multiplier);
       seen.held[touched] = Held::No;
       if (!other) continue;
@@ -81,8 +88,9 @@ Sighting sighting_at(const LimitedCurve& curve, int point,
 
 /// A limit of the place holds along a run of points if at one of them none of
 /// the control does; it is touched if one of the control always does.
-void part_from_control(const std::vector<PathInequality>& limits,
-                       std::vector<Sighting>& seen) {
+void part_from_control(const LimitedCurve& curve, std::vector<Sighting>& seen) {
+  const LimitedTime& problem = curve.problem();
+  const std::vector<PathInequality>& limits = problem.limits();
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if (limits[i].bounds_control()) continue;
     for (std::size_t first = 0; first < seen.size(); ++first) {
@@ -101,7 +109,9 @@ void part_from_control(const std::vector<PathInequality>& limits,
       }
       for (std::size_t n = first; n < end; ++n) {
         if (!alone) {
-          seen[n].touch = {i, seen[n].held[i]};
+          seen[n].touch = {i, seen[n].held[i],
+                           curve.point().lambda[at(problem.layout().limit(
+                               static_cast<int>(n), static_cast<int>(i)))]};
           seen[n].held[i] = Held::No;
           seen[n].excess = n == (first + end) / 2 ? 1.0 : 0.0;
           continue;
@@ -115,18 +125,19 @@ void part_from_control(const std::vector<PathInequality>& limits,
   }
 }
 
-/// The limit that holds the control on an arc; −1 if none does.
-int held_of_control(const Arc& arc, const std::vector<PathInequality>& limits) {
-  for (std::size_t i = 0; i < arc.held.size(); ++i) {
-    if (arc.held[i] != Held::No && limits[i].bounds_control()) {
+/// The limit that holds the control; −1 if none does.
+int held_of_control(const std::vector<Held>& held,
+                    const std::vector<PathInequality>& limits) {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i] != Held::No && limits[i].bounds_control()) {
       return static_cast<int>(i);
     }
   }
   return -1;
 }
 
-/// Whether a limit that is held keeps the control from growing.
-bool holds_from_above(const LimitedTime& problem, const Arc& arc, int limit,
+/// Whether a limit at a bound keeps the control from growing.
+bool holds_from_above(const LimitedTime& problem, int limit, Held where,
                       TurningPoint<double> place) {
   const auto value = [&](double q) {
     place.q = q;
@@ -134,7 +145,18 @@ bool holds_from_above(const LimitedTime& problem, const Arc& arc, int limit,
                     problem.scene().gravity, place);
   };
   const bool grows = value(1.0) > value(0.0);
-  return grows == (arc.held[at(limit)] == Held::AtUpper);
+  return grows == (where == Held::AtUpper);
+}
+
+/// Whether what holds the control at two places does so from opposite sides.
+bool opposite(const LimitedTime& problem, const std::vector<Held>& one,
+              const std::vector<Held>& other,
+              const TurningPoint<double>& place) {
+  const int l = held_of_control(one, problem.limits());
+  const int r = held_of_control(other, problem.limits());
+  return l >= 0 && r >= 0 &&
+         holds_from_above(problem, l, one[at(l)], place) !=
+             holds_from_above(problem, r, other[at(r)], place);
 }
 
 /// Whether the limit that holds the control of an arc keeps it from what
@@ -142,14 +164,12 @@ bool holds_from_above(const LimitedTime& problem, const Arc& arc, int limit,
 bool gives_no_way(const LimitedTime& problem, const Arc& arc,
                   std::size_t exceeded, Held where,
                   const TurningPoint<double>& place) {
-  const int held = held_of_control(arc, problem.limits());
+  const int held = held_of_control(arc.held, problem.limits());
   if (held < 0) return false;
-  if (!problem.limits()[exceeded].bounds_control()) return true;
-  Arc other = arc;
-  other.held.assign(arc.held.size(), Held::No);
-  other.held[exceeded] = where;
-  return holds_from_above(problem, arc, held, place) !=
-         holds_from_above(problem, other, static_cast<int>(exceeded), place);
+  return !problem.limits()[exceeded].bounds_control() ||
+         holds_from_above(problem, held, arc.held[at(held)], place) !=
+             holds_from_above(problem, static_cast<int>(exceeded), where,
+                              place);
 }
 
 /// Of a run of places at which a limit is exceeded it is touched where it is so
@@ -161,14 +181,17 @@ void touch_once(std::vector<Sighting>& seen) {
       continue;
     }
     std::size_t worst = first, end = first;
+    double multiplier = 0.0;
     for (; end < seen.size() && seen[end].touch &&
            seen[end].touch->limit == seen[first].touch->limit;
          ++end) {
       if (seen[end].excess > seen[worst].excess) worst = end;
+      multiplier += seen[end].touch->multiplier;
     }
     for (std::size_t i = first; i < end; ++i) {
       if (i != worst) seen[i].touch.reset();
     }
+    seen[worst].touch->multiplier = multiplier;
     first = end;
   }
 }
@@ -195,10 +218,6 @@ double angle_to(const PathInequality& limit, const TurningPoint<double>& at) {
 void widen_new(const std::vector<std::vector<Held>>& before,
                std::vector<Sighting>& seen) {
   const std::size_t n = seen.size();
-  const auto is_free = [](const std::vector<Held>& held) {
-    return std::all_of(held.begin(), held.end(),
-                       [](Held h) { return h == Held::No; });
-  };
   std::vector<Sighting> wider = seen;
   for (std::size_t first = 0; first < n;) {
     std::size_t end = first + 1;
@@ -220,6 +239,35 @@ void widen_new(const std::vector<std::vector<Held>>& before,
   seen = std::move(wider);
 }
 
+/// Between limits that bound the control from opposite sides it jumps, which a
+/// polynomial does not: few places without either are no free arc. What holds
+/// goes on half-way through them.
+void close_gaps(const LimitedCurve& curve, std::vector<Sighting>& seen) {
+  const LimitedTime& problem = curve.problem();
+  const std::size_t most = at(problem.mesh().degree) / 2;
+  for (std::size_t first = 1; first < seen.size(); ++first) {
+    std::size_t end = first;
+    while (end < seen.size() && is_free(seen[end].held)) ++end;
+    const bool few = end > first && end - first <= most && end < seen.size();
+    if (few && opposite(problem, seen[first - 1].held, seen[end].held,
+                        curve.at(seen[first].sigma).state)) {
+      for (std::size_t i = first; i < end; ++i) {
+        seen[i].held = seen[2 * i < first + end - 1 ? first - 1 : end].held;
+      }
+    }
+    first = end;
+  }
+}
+
+/// At B the place is given: a limit of it is not touched there.
+void leave_end(const LimitedTime& problem, std::vector<Sighting>& seen) {
+  std::optional<Touch>& touch = seen.back().touch;
+  if (touch && !problem.free_contacts() &&
+      !problem.limits()[touch->limit].bounds_control()) {
+    touch.reset();
+  }
+}
+
 }  // namespace
 
 std::vector<Arc> arcs_of(const LimitedCurve& curve) {
@@ -230,13 +278,15 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
     seen.push_back(sighting_at(
         curve, c, seen.empty() ? std::vector<Held>() : seen.back().held));
   }
-  part_from_control(problem.limits(), seen);
+  part_from_control(curve, seen);
   touch_once(seen);
+  close_gaps(curve, seen);
   for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
     // Between two limits there is a junction, and no more.
     if (seen[i].held != seen[i + 1].held) seen[i].touch.reset();
     if (seen[i - 1].held == seen[i + 1].held) seen[i].held = seen[i - 1].held;
   }
+  leave_end(problem, seen);
   return arcs_from(seen, mesh.num_elements());
 }
 
@@ -244,6 +294,7 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
                                           const std::vector<Arc>& arcs) {
   constexpr double kExceeded = 1e-7;
   constexpr double kWrongSign = 1e-3;  // of the arc's largest
+  constexpr double kShort = 1e-4;
   constexpr int kPlaces = 16;
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
@@ -255,12 +306,36 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
     largest.push_back(curve.largest_multiplier(e, e + arc.elements()));
     e += arc.elements();
   }
+  const auto pulls_wrong = [&](const LimitedPoint& place, std::size_t on,
+                               std::size_t limit) {
+    const Held held = arcs[on].held[limit];
+    const double multiplier = place.multipliers[limit];
+    return held != Held::No &&
+           (held == Held::AtLower ? multiplier : -multiplier) >
+               kWrongSign * largest[on];
+  };
   bool changed = false;
   std::size_t arc = 0;
+  double begin_of_arc = 0.0;
+  bool given_up = false;
   for (int e = 0, in_arc = 0; e < mesh.num_elements(); ++e, ++in_arc) {
     if (in_arc == arcs[arc].elements()) {
+      begin_of_arc = arcs[arc].end;
       ++arc;
       in_arc = 0;
+    }
+    if (in_arc == 0) {
+      // Junctions of a short arc would stay where its neighbours begin.
+      given_up = false;
+      const bool is_short = arcs[arc].end - begin_of_arc < kShort;
+      for (int k = e; is_short && k < e + arcs[arc].elements(); ++k) {
+        for (const double t : curve.places(k, kPlaces)) {
+          const LimitedPoint place = curve.at(k, t);
+          for (std::size_t i = 0; i < arcs[arc].held.size(); ++i) {
+            given_up = given_up || pulls_wrong(place, arc, i);
+          }
+        }
+      }
     }
     // What is touched has its multiplier at a point, and the polynomial of the
     // other one tells nothing there.
@@ -271,11 +346,8 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
       const LimitedPoint place = curve.at(e, t);
       std::vector<Held> held = arcs[arc].held;
       for (std::size_t i = 0; i < held.size(); ++i) {
-        const double multiplier = place.multipliers[i];
-        const double wrong =
-            held[i] == Held::AtLower ? multiplier : -multiplier;
-        if (held[i] != Held::No && !before_touch &&
-            wrong > kWrongSign * largest[arc]) {
+        if (held[i] == Held::No) continue;
+        if (given_up || (!before_touch && pulls_wrong(place, arc, i))) {
           held[i] = Held::No;
           changed = true;
         }
@@ -320,8 +392,8 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
         problem.layout().limit(last, static_cast<int>(touched->limit)))];
     if ((multiplier > 0.0) == (touched->at == Held::AtUpper)) {
       constexpr double kKept = std::numeric_limits<double>::infinity();
-      seen.push_back(
-          {mesh.boundaries[at(e + 1)], seen.back().held, touched, kKept});
+      seen.push_back({mesh.boundaries[at(e + 1)], seen.back().held,
+                      Touch{touched->limit, touched->at, multiplier}, kKept});
       before.push_back(before.back());
     } else {
       changed = true;
@@ -330,11 +402,25 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
   if (!changed) return std::nullopt;
   touch_once(seen);
   widen_new(before, seen);
+  leave_end(problem, seen);
   return arcs_from(seen, mesh.num_elements());
 }
 
 bool holds_control(const Arc& arc, const std::vector<PathInequality>& limits) {
-  return held_of_control(arc, limits) >= 0;
+  return held_of_control(arc.held, limits) >= 0;
+}
+
+std::vector<int> touched_rows(const std::vector<Arc>& arcs,
+                              const LimitedTime& problem) {
+  std::vector<int> rows;
+  int element = 0;
+  for (const Arc& arc : arcs) {
+    element += arc.elements();
+    if (!arc.touch) continue;
+    rows.push_back(problem.layout().limit(element * problem.mesh().degree - 1,
+                                          static_cast<int>(arc.touch->limit)));
+  }
+  return rows;
 }
 
 std::vector<double> equal_cuts(int elements) {
@@ -401,12 +487,13 @@ double junction_residual(const LimitedCurve& curve,
                ? angle_to(problem.limits()[i], left.state)
                : off_singular(curve.at(element + 1, 0.0).p);
   }
-  const int l = held_of_control(before, problem.limits());
-  const int r = held_of_control(after, problem.limits());
-  if (l < 0 || r < 0) return off_singular(left.p);
-  const bool same_side = holds_from_above(problem, before, l, left.state) ==
-                         holds_from_above(problem, after, r, left.state);
-  if (!same_side) return left.p_beta;
+  const int r = held_of_control(after.held, problem.limits());
+  if (!holds_control(before, problem.limits()) || r < 0) {
+    return off_singular(left.p);
+  }
+  if (opposite(problem, before.held, after.held, left.state)) {
+    return left.p_beta;
+  }
   const PathInequality& limit = problem.limits()[at(r)];
   const double bound =
       after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower;

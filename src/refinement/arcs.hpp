@@ -17,6 +17,7 @@ namespace brachisto {
 struct Touch {
   std::size_t limit;
   nlp::Held at;
+  double multiplier = 0.0;  ///< of its equation, as far as it is known
 };
 
 /// A stretch of the path along which the same limits hold.
@@ -54,6 +55,10 @@ struct Arc {
 /// path touches the one that is exceeded where it is so most.
 [[nodiscard]] std::optional<std::vector<Arc>> corrected(
     const LimitedCurve& curve, const std::vector<Arc>& arcs);
+
+/// The constraints that stand for what is touched, arc by arc.
+[[nodiscard]] std::vector<int> touched_rows(const std::vector<Arc>& arcs,
+                                            const LimitedTime& problem);
 
 [[nodiscard]] Mesh mesh_of(const std::vector<Arc>& arcs, int degree);
 /// With the limits on forces that hold on the first arc held at rest too.

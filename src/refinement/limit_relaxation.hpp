@@ -18,8 +18,7 @@ namespace brachisto {
 [[nodiscard]] TurningPoint<double> turning_point(const ExtremalCurve& curve,
                                                  double sigma);
 
-/// Interpolates limits. Cold starts under the limits themselves land on other
-/// paths (τ = 5.78 in place of 5.08 on the base body with μ = 1).
+/// Interpolates limits, from some that the free extremal keeps.
 class LimitRelaxation {
  public:
   /// \param free  must outlive this

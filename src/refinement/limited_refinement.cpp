@@ -37,13 +37,13 @@ class LimitedSolve {
     // Arcs are found with elements that follow them well, whatever is wanted.
     constexpr int kDegree = 7;
     std::optional<FittedPath> path;
-    if (tightening_.tighten()) path = read_off(kDegree);
-    if (!path && protocol_.status == Status::Infeasible) return;
+    const bool tightened = tightening_.tighten();
+    if (tightened) path = read_off(kDegree);
+    if (!tightened && protocol_.status == Status::Infeasible) return;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    const bool begun = tightening_.loosest().has_value();
-    if (!path && begun && !stopped()) path = follow(kDegree);
-    if (!path && begun && end_is_sought(scene_) && !stopped() &&
+    if (!path && !stopped()) path = follow(kDegree);
+    if (!path && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_.bracket_contact()) {
       path = read_off(kDegree);
     }
@@ -117,7 +117,8 @@ class LimitedSolve {
     constexpr double kFirstStep = 0.05, kLargestStep = 0.2;
     constexpr double kSmallestStep = 1e-3;
     const LimitRelaxation& relaxation = tightening_.relaxation();
-    const LimitedCurve& loosest = *tightening_.loosest();
+    if (!tightening_.solve_loosest()) return std::nullopt;
+    const LimitedCurve loosest = tightening_.last();
     auto path = fit_corrected(
         loosest,
         {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
@@ -136,7 +137,8 @@ class LimitedSolve {
       } else {
         step *= 0.4;
         if (step < kSmallestStep) {
-          tightening_.none_found(reached);
+          protocol_.fail(Status::NotConverged,
+                         "arcs were lost on the way to the limits");
           return std::nullopt;
         }
       }

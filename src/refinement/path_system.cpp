@@ -32,9 +32,50 @@ void move_along(PrimalDual& point, std::span<const double> direction,
 PathSystem::PathSystem(const Scene& scene, PathSetting setting, int degree)
     : scene_(scene),
       setting_(std::move(setting)),
-      problem_(problem_with(scene, setting_, degree)),
-      system_(problem_, nullptr, nlp::equations_only(problem_)),
-      chain_(BorderedChain::make(system_)) {}
+      problem_(problem_with(scene, setting_, degree)) {
+  release(touched_rows(setting_.arcs, problem_));
+}
+
+void PathSystem::release(std::vector<int> rows) {
+  released_ = std::move(rows);
+  nlp::ActiveSet active = nlp::equations_only(problem_);
+  for (const int row : released_) {
+    active.constraints[at(row)] = nlp::Held::No;
+  }
+  system_ = std::make_unique<KktSystem>(problem_, nullptr, std::move(active));
+  chain_ = BorderedChain::make(*system_);
+}
+
+double PathSystem::residual() const {
+  const std::span<const double> all = system_->residual();
+  const int n = problem_.num_variables();
+  double worst = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const int row = static_cast<int>(i) - n;
+    if (!(std::abs(all[i]) <= worst) &&
+        std::ranges::find(released_, row) == released_.end()) {
+      worst = std::abs(all[i]);
+    }
+    if (std::isnan(worst)) break;
+  }
+  return worst;
+}
+
+Eigen::VectorXd PathSystem::open_at(LimitedCurve there,
+                                    const PathSetting& setting) const {
+  Eigen::VectorXd open = open_conditions(there, setting.arcs, setting.ends);
+  if (released_.empty()) return open;
+  LimitedTime problem = there.problem();
+  const Eigen::Index own = open.size();
+  open.conservativeResize(own + static_cast<Eigen::Index>(released_.size()));
+  std::vector<double> g(at(problem.num_constraints()), std::nan(""));
+  if (problem.set_point(there.point().x)) problem.eval_g(g);
+  for (std::size_t i = 0; i < released_.size(); ++i) {
+    open[own + static_cast<Eigen::Index>(i)] =
+        g[at(released_[i])] - problem.constraint_range(released_[i]).lower;
+  }
+  return open;
+}
 
 bool PathSystem::move_to(PathSetting setting, PrimalDual point) {
   setting_ = std::move(setting);
@@ -42,15 +83,26 @@ bool PathSystem::move_to(PathSetting setting, PrimalDual point) {
   problem_.change(setting_.limits,
                   mesh_of(setting_.arcs, problem_.mesh().degree),
                   setting_.ends);
-  if (!system_.evaluate(point_.x, point_.lambda, 0.0)) return false;
-  LimitedCurve here = curve();
-  open_ = open_conditions(here, setting_.arcs, setting_.ends);
+  if (!system_->evaluate(point_.x, point_.lambda, 0.0)) return false;
+  open_ = open_at(curve(), setting_);
   return true;
 }
 
 bool PathSystem::linearise() {
-  system_.evaluate_jacobian();
-  return chain_ && chain_->factorise();
+  system_->evaluate_jacobian();
+  if (chain_ && chain_->factorise()) return true;
+  // A condition on where the path ends, where nothing else gives way.
+  const VariableLayout& layout = problem_.layout();
+  std::vector<int> rows = touched_rows(setting_.arcs, problem_);
+  if (rows.size() < released_.size()) return false;
+  rows.push_back(layout.defect(layout.num_points() - 1, StateComponent::X));
+  release(std::move(rows));
+  if (!chain_ || !system_->evaluate(point_.x, point_.lambda, 0.0)) {
+    return false;
+  }
+  open_ = open_at(curve(), setting_);
+  system_->evaluate_jacobian();
+  return chain_->factorise();
 }
 
 LimitedTime PathSystem::problem_of(const PathSetting& changed) const {
@@ -77,8 +129,8 @@ PathRates PathSystem::along(std::span<const double> rhs,
     PrimalDual point = point_;
     move_along(point, rates.point, by);
     LimitedCurve there(problem_of(changed), std::move(point));
-    return std::pair(there.transit_time(),
-                     open_conditions(there, changed.arcs, changed.ends));
+    const double time = there.transit_time();
+    return std::pair(time, open_at(std::move(there), changed));
   };
   const auto [low_time, low] = follow(less, -0.5 * width);
   const auto [high_time, high] = follow(more, 0.5 * width);
@@ -89,7 +141,9 @@ PathRates PathSystem::along(std::span<const double> rhs,
 
 PathRates PathSystem::newton() {
   constexpr double kStep = 1e-6;
-  std::vector<double> rhs(system_.residual().begin(), system_.residual().end());
+  std::vector<double> rhs(system_->residual().begin(),
+                          system_->residual().end());
+  for (const int row : released_) rhs[at(problem_.num_variables() + row)] = 0.0;
   double largest = kStep;
   for (double& value : rhs) {
     value = -value;
@@ -115,7 +169,7 @@ std::vector<PathRates> PathSystem::to_unknowns() {
     const double end = setting_.arcs[i].end;
     const double before = end - begin;
     const double after = setting_.arcs[i + 1].end - end;
-    rhs.assign(at(system_.size()), 0.0);
+    rhs.assign(at(system_->size()), 0.0);
     const auto stretch = [&](int first, int count, double by) {
       for (int e = first; e < first + count; ++e) {
         problem_.add_rates_by_length(e, -by * problem_.mesh().length(e),
@@ -125,8 +179,8 @@ std::vector<PathRates> PathSystem::to_unknowns() {
     stretch(element, setting_.arcs[i].elements(), 1.0 / before);
     element += setting_.arcs[i].elements();
     stretch(element, setting_.arcs[i + 1].elements(), -1.0 / after);
-    for (int k = 0; k < system_.size(); ++k) {
-      if (system_.given(k)) rhs[at(k)] = 0.0;
+    for (int k = 0; k < system_->size(); ++k) {
+      if (system_->given(k)) rhs[at(k)] = 0.0;
     }
     add(std::min(kStep, kShare * std::min(before, after)),
         [i](PathSetting& moved, double by) { moved.arcs[i].end += by; });
@@ -134,7 +188,7 @@ std::vector<PathRates> PathSystem::to_unknowns() {
   }
   // The centre turns about the contact.
   const auto turn = [&](int node, double slope) {
-    rhs.assign(at(system_.size()), 0.0);
+    rhs.assign(at(system_->size()), 0.0);
     const VariableLayout& layout = problem_.layout();
     const double r = scene_.body.radius;
     rhs[at(layout.state(node, StateComponent::X))] = r * std::cos(slope);
@@ -148,14 +202,19 @@ std::vector<PathRates> PathSystem::to_unknowns() {
     turn(0, *setting_.ends.start);
     add(kStep, [](PathSetting& moved, double by) { *moved.ends.start += by; });
   }
+  for (const int row : released_) {
+    rhs.assign(at(system_->size()), 0.0);
+    rhs[at(problem_.num_variables() + row)] = 1.0;
+    add(kStep, [](PathSetting&, double) {});
+  }
   return rates;
 }
 
 std::vector<double> PathSystem::residual_of(const PathSetting& changed) {
   LimitedTime problem = problem_of(changed);
-  KktSystem other(problem, nullptr, system_.active());
+  KktSystem other(problem, nullptr, system_->active());
   if (!other.evaluate(point_.x, point_.lambda, 0.0)) {
-    return std::vector<double>(at(system_.size()), std::nan(""));
+    return std::vector<double>(at(system_->size()), std::nan(""));
   }
   return {other.residual().begin(), other.residual().end()};
 }

@@ -40,6 +40,11 @@ void move_along(PrimalDual& point, std::span<const double> direction,
 /// variables and multipliers, and the open conditions (open_conditions()), for
 /// junctions and the slopes that are sought: a chain with a dense border, which
 /// is eliminated by one solution with the chain for each of its columns.
+///
+/// What the path touches asks for certain junctions, and where limits hold the
+/// control everywhere so does the place where it ends: these equations are
+/// released from the chain. They are open conditions too, and their multipliers
+/// unknowns beside the junctions.
 class PathSystem {
  public:
   /// \param scene  must outlive this
@@ -55,18 +60,20 @@ class PathSystem {
   [[nodiscard]] bool move_to(PathSetting setting, PrimalDual point);
   [[nodiscard]] const PrimalDual& point() const { return point_; }
   [[nodiscard]] LimitedCurve curve() const { return {problem_, point_}; }
-  /// The largest of the optimality conditions.
-  [[nodiscard]] double residual() const { return system_.max_residual(); }
+  /// The largest of the optimality conditions that are not released.
+  [[nodiscard]] double residual() const;
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }
 
   /// Of the optimality conditions, for all that follows. False if they are
-  /// singular.
+  /// singular. If it takes that, another one is released, by which
+  /// open() grows.
   [[nodiscard]] bool linearise();
 
   /// Newton's step of the optimality conditions, everything else fixed.
   [[nodiscard]] PathRates newton();
-  /// To the junctions and the slopes that are sought, in the order of the open
-  /// conditions that determine them, the optimality conditions being kept.
+  /// To the junctions, the slopes that are sought and the multipliers of what
+  /// is released, in the order of the open conditions that determine them, the
+  /// optimality conditions being kept.
   [[nodiscard]] std::vector<PathRates> to_unknowns();
   /// The same to bounds and ends, by central differences of residuals, which
   /// are explicit in the setting.
@@ -81,6 +88,9 @@ class PathSystem {
  private:
   [[nodiscard]] LimitedTime problem_of(const PathSetting& changed) const;
   [[nodiscard]] std::vector<double> residual_of(const PathSetting& changed);
+  void release(std::vector<int> rows);
+  [[nodiscard]] Eigen::VectorXd open_at(LimitedCurve there,
+                                        const PathSetting& setting) const;
   [[nodiscard]] PathRates along(std::span<const double> rhs,
                                 const PathSetting& less,
                                 const PathSetting& more, double width);
@@ -88,7 +98,8 @@ class PathSystem {
   const Scene& scene_;
   PathSetting setting_;
   LimitedTime problem_;
-  KktSystem system_;
+  std::vector<int> released_;  ///< constraints
+  std::unique_ptr<KktSystem> system_;
   std::unique_ptr<BorderedChain> chain_;
   PrimalDual point_;
   Eigen::VectorXd open_;

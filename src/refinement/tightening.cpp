@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "math/index.hpp"
+#include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"
 
@@ -26,6 +27,13 @@ bool winds(const LimitedCurve& curve) {
     if (std::abs(curve.point().x[at(beta)]) > kTooSteep) return true;
   }
   return false;
+}
+
+Mesh coarse_mesh(const Scene& scene, const ExtremalCurve& free) {
+  constexpr int kDegree = 4;
+  return uniform_mesh(
+      kDegree,
+      static_cast<int>(24 + 12 * turns(scene.body, free.arc_length())));
 }
 
 /// Elements halved where what holds changes within them or next to them.
@@ -60,6 +68,7 @@ Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
       free_(free),
       relaxation_(scene, free),
       limits_(inequalities(scene.body, scene.limits)),
+      mesh_(coarse_mesh(scene, free)),
       ipopt_(ipopt),
       budget_(ipopt.max_iterations),
       protocol_(protocol) {
@@ -67,31 +76,33 @@ Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
   first_ends_.phi = scene.end_slope.value_or(phi);
 }
 
-bool Tightening::solve(
-    const Inequalities& limits, const Mesh& mesh, const LimitedEnds& ends,
-    const std::function<PrimalDual(const LimitedTime&)>& start,
-    int most_iterations) {
+SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
+                             double complementarity) {
   // Solutions are starts.
   constexpr double kTolerance = 1e-8;
-  constexpr double kComplementarity = 1e-11;
-  LimitedTime problem(scene_, limits, mesh, ends);
+  constexpr int kMostIterations = 200;
   IpoptOptions ipopt = ipopt_;
   ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
-  ipopt.complementarity = kComplementarity;
-  ipopt.max_iterations = std::min(budget_, most_iterations);
-  SolverResult result = solve_with_ipopt(problem, start(problem), ipopt);
+  ipopt.complementarity = complementarity;
+  ipopt.max_iterations = std::min(budget_, kMostIterations);
+  SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
   MeshRecord& record = protocol_.record;
   record.iterations += result.iterations;
   ++record.passes;
-  record.degree = mesh.degree;
-  record.elements = mesh.num_elements();
   record.linear_solver = result.linear_solver;
   protocol_.log += result.log;
   if (result.status == Status::IterationLimit && budget_ > 0) {
     // Of one of many passes, not of the user.
     result.status = Status::NotConverged;
   }
+  return result;
+}
+
+/// Takes what was found under limits, if anything was.
+bool Tightening::take(const LimitedTime& problem, SolverResult result) {
+  protocol_.record.degree = problem.mesh().degree;
+  protocol_.record.elements = problem.mesh().num_elements();
   if (result.status != Status::Solved) {
     return protocol_.fail(result.status, std::move(result.message));
   }
@@ -104,30 +115,71 @@ bool Tightening::solve(
   return true;
 }
 
-bool Tightening::solve_first(const Inequalities& limits, const Mesh& mesh,
-                             const LimitedEnds& ends) {
-  constexpr int kMostIterations = 300;
-  return solve(
-      limits, mesh, ends,
-      [&](const LimitedTime& problem) {
-        return sample_at_mesh(
-            problem, free_.rolling_time(), [&](double sigma) -> LimitedPoint {
-              return {.state = turning_point(free_, sigma),
-                      .p = free_.at(sigma).p,
-                      .multipliers = std::vector<double>(limits.size())};
-            });
-      },
-      kMostIterations);
+PrimalDual Tightening::start_of(const LimitedTime& problem) const {
+  if (last_) return prolong(*last_, problem);
+  return sample_at_mesh(
+      problem, free_.rolling_time(), [&](double sigma) -> LimitedPoint {
+        return {.state = turning_point(free_, sigma),
+                .p = free_.at(sigma).p,
+                .multipliers = std::vector<double>(problem.limits().size())};
+      });
 }
 
-bool Tightening::solve_again(const Inequalities& limits, const Mesh& mesh,
+bool Tightening::solve_rigid(const Inequalities& limits, const Mesh& mesh,
                              const LimitedEnds& ends) {
-  constexpr int kMostIterations = 120;
-  const LimitedCurve before = *last_;
-  return solve(
-      limits, mesh, ends,
-      [&](const LimitedTime& problem) { return prolong(before, problem); },
-      kMostIterations);
+  constexpr double kComplementarity = 1e-11;
+  LimitedTime problem(scene_, limits, mesh, ends);
+  return take(problem, run(problem, start_of(problem), kComplementarity));
+}
+
+std::vector<double> Tightening::give_of(LimitedTime& problem,
+                                        const std::vector<double>& x) const {
+  constexpr double kLeast = 0.1;
+  std::vector<double> give(at(problem.num_constraints()), 0.0);
+  if (!problem.set_point(x)) return give;
+  std::vector<double> g(give.size());
+  problem.eval_g(g);
+  const VariableLayout& layout = problem.layout();
+  for (int i = 0; i < layout.num_limits(); ++i) {
+    // Without it the slopes of Contact::Optimal have no meaning.
+    if (scene_.contact == Contact::Optimal &&
+        problem.limits()[at(i)].kind == PathInequality::Kind::Hump) {
+      continue;
+    }
+    double most = kLeast;
+    for (int c = 0; c < layout.num_points(); ++c) {
+      const int row = layout.limit(c, i);
+      const nlp::Range range = problem.constraint_range(row);
+      most =
+          std::max({most, range.lower - g[at(row)], g[at(row)] - range.upper});
+    }
+    const auto gives = [&](int row) {
+      if (problem.constraint_range(row).bounded()) give[at(row)] = most;
+    };
+    for (int c = 0; c < layout.num_points(); ++c) gives(layout.limit(c, i));
+    if (i < layout.num_start_rows()) gives(layout.start_row(i));
+  }
+  return give;
+}
+
+bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
+  constexpr double kComplementarity = 1e-9;
+  LimitedTime problem(scene_, limits_, mesh_, ends);
+  PrimalDual start = start_of(problem);
+  if (give_.size() != at(problem.num_constraints())) {
+    give_ = give_of(problem, start.x);
+  }
+  nlp::Elastic elastic(problem, give_, price);
+  SolverResult result =
+      run(elastic, elastic.with_elasticity(std::move(start), given_way_),
+          kComplementarity);
+  const double given_way = result.point.x.empty() ? 0.0 : result.point.x.back();
+  if (result.status == Status::Solved) {
+    result.point = elastic.without_elasticity(std::move(result.point));
+  }
+  if (!take(problem, std::move(result))) return false;
+  given_way_ = given_way;
+  return true;
 }
 
 std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
@@ -146,46 +198,76 @@ bool Tightening::none_at_rest() {
                         "limits of friction and normal force");
 }
 
-bool Tightening::tighten() {
-  constexpr int kDegree = 4;
-  constexpr double kFirstStep = 0.125, kLargestStep = 0.25;
-  constexpr double kSmallestStep = 5e-3;
-  const Mesh mesh = uniform_mesh(
-      kDegree,
-      static_cast<int>(24 + 12 * turns(scene_.body, free_.arc_length())));
-  double reached = 0.0;
-  double step = kFirstStep;
-  for (double share = 0.0;;) {
-    const Inequalities limits = relaxation_.at(share);
-    const auto ends = next_ends(limits);
-    if (!ends) return none_at_rest();
-    const bool first = !last_;
-    const bool solved = first ? solve_first(limits, mesh, *ends)
-                              : solve_again(limits, mesh, *ends);
-    if (ipopt_.stop.met()) return false;
-    if (solved) {
-      reached = share;
-      if (first) loosest_ = last_;
-      if (share >= 1.0) break;
-      if (!first) step = std::min(kLargestStep, 1.5 * step);
-    } else {
-      step *= 0.4;
-      if (first || step < kSmallestStep) return none_found(reached);
+bool Tightening::keep_limits(const LimitedEnds& ends) {
+  constexpr double kNone = 1e-6, kHighestPrice = 1e4, kSame = 0.95;
+  given_way_ = 1.0;
+  give_.clear();
+  give_way_for_good_ = false;
+  std::optional<double> before;  // at a tenth of the price
+  for (double price = 1.0; price <= kHighestPrice; price *= 10.0) {
+    const bool solved = solve_elastic(ends, price);
+    if (solved && given_way_ <= kNone) return true;
+    if (ipopt_.stop.met() || budget_ == 0) return false;
+    if (!solved && price > 1.0) return false;
+    if (solved && before && given_way_ > kSame * *before) {
+      give_way_for_good_ = true;
+      return false;
     }
-    share = std::min(1.0, reached + step);
+    if (solved) before = given_way_;
   }
-  tightened_ = true;
-  // What failed on the way did so for its step alone.
+  return false;
+}
+
+bool Tightening::tighten() {
+  const auto first = next_ends(limits_);
+  if (!first) return none_at_rest();
+  if (!keep_limits(*first)) {
+    // Other slopes may let the path keep what these do not.
+    if (!end_is_sought(scene_) || ipopt_.stop.met() || !last_) {
+      return none_found();
+    }
+    const bool for_good = give_way_for_good_;
+    LimitedEnds free = *first;
+    free.free_contacts = true;
+    if (!keep_limits(free)) {
+      // Without a bound of humps free slopes may lead nowhere; what the first
+      // ones have shown stands.
+      give_way_for_good_ = give_way_for_good_ || for_good;
+      return none_found();
+    }
+    LimitedEnds found = *first;
+    found.phi = last_->at(1.0).state.beta;
+    found.start = last_->at(0.0).state.beta;
+    const auto ends =
+        with_start(found, scene_, limits_, last_->holds_control(0));
+    if (!ends || !keep_limits(*ends)) {
+      give_way_for_good_ = false;  // with these slopes; there are others
+      return none_found();
+    }
+  }
+  const auto ends = next_ends(limits_);
+  if (!ends) return none_at_rest();
+  if (!solve_rigid(limits_, mesh_, *ends) && ipopt_.stop.met()) return false;
+  tight_ = last_;
+  // What failed on the way did so for its price alone.
   protocol_.status = Status::NotConverged;
   protocol_.message.clear();
   protocol_.keep_record("limits", last_->transit_time());
   return true;
 }
 
+bool Tightening::solve_loosest() {
+  const Inequalities loose = relaxation_.at(0.0);
+  last_.reset();
+  const auto ends = next_ends(loose);
+  if (!ends) return none_at_rest();
+  return solve_rigid(loose, mesh_, *ends);
+}
+
 bool Tightening::solve_finer() {
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
-  if (!solve_again(limits_, finer_at_changes(*last_), *ends)) return false;
+  if (!solve_rigid(limits_, finer_at_changes(*last_), *ends)) return false;
   protocol_.keep_record("limits", last_->transit_time());
   return true;
 }
@@ -193,10 +275,7 @@ bool Tightening::solve_finer() {
 bool Tightening::bracket_contact() {
   constexpr double kStep = 0.1, kSteepest = 1.4;
   end_held_ = true;
-  if (!tightened_) {
-    last_ = loosest_;
-    if (!tighten()) return false;
-  }
+  last_ = tight_;
   const LimitedCurve first = *last_;
   const Held begin = held();
   double least = std::abs(begin.open);
@@ -233,7 +312,7 @@ bool Tightening::solve_held(double phi) {
   auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
   ends->phi = phi;
-  return solve_again(limits_, mesh, *ends);
+  return solve_rigid(limits_, mesh, *ends);
 }
 
 Tightening::Held Tightening::held() {
@@ -258,44 +337,37 @@ bool Tightening::close_in(Held a, Held b) {
                   a.phi, a.open, b.open));
 }
 
-bool Tightening::none_found(double reached) {
-  const bool infeasible = protocol_.status == Status::Infeasible;
-  return protocol_.fail(
-      infeasible     ? Status::Infeasible
-      : budget_ == 0 ? Status::IterationLimit
-                     : Status::NotConverged,
-      fmt::format(
-          "{}: on the way from what the free extremal keeps to the limits "
-          "{:.0f} % were reached{} ({})",
-          infeasible ? "no path nearby keeps the limits"
-                     : "no path was found that keeps the limits",
-          100.0 * reached, tightest(reached),
-          budget_ > 0
-              ? protocol_.message
-              : fmt::format("{} iterations used up", ipopt_.max_iterations)));
+bool Tightening::none_found() {
+  std::string text = give_way_for_good_
+                         ? "no path nearby keeps the limits"
+                         : "no path was found that keeps the limits";
+  text += tightest();
+  if (budget_ == 0) {
+    text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
+  } else if (!give_way_for_good_ && !protocol_.message.empty()) {
+    text += fmt::format(" ({})", protocol_.message);
+  }
+  return protocol_.fail(give_way_for_good_ ? Status::Infeasible
+                        : budget_ == 0     ? Status::IterationLimit
+                                           : Status::NotConverged,
+                        std::move(text));
 }
 
-std::string Tightening::tightest(double reached) const {
-  if (!last_) return {};
+std::string Tightening::tightest() const {
+  if (!last_ || give_.size() != last_->point().lambda.size()) return {};
   const LimitedTime& problem = last_->problem();
-  const Inequalities ahead = relaxation_.at(std::min(1.0, reached + 0.01));
   double most = 0.0;
   std::string which;
   for (int i = 0; i < problem.layout().num_limits(); ++i) {
     double cost = 0.0;
-    const PathInequality& now = problem.limits()[at(i)];
-    const PathInequality& next = ahead[at(i)];
     for (int c = 0; c < problem.layout().num_points(); ++c) {
       const auto row = at(problem.layout().limit(c, i));
-      cost += std::abs(last_->point().lambda[row]);
+      cost += give_[row] * std::abs(last_->point().lambda[row]);
     }
-    cost *=
-        std::abs(next.number - now.number) +
-        (std::isfinite(now.lower) ? std::abs(next.lower - now.lower) : 0.0) +
-        (std::isfinite(now.upper) ? std::abs(next.upper - now.upper) : 0.0);
     if (cost <= most) continue;
     most = cost;
-    which = fmt::format("; the tightest is {}", name(now.kind));
+    which =
+        fmt::format("; the tightest is {}", name(problem.limits()[at(i)].kind));
   }
   return which;
 }

@@ -19,8 +19,9 @@
 
 namespace brachisto {
 
-/// Solves a row of programs on a coarse mesh, from limits that the free
-/// extremal keeps to those of the scene, each from the solution before.
+/// Solves the program of a scene under limits on a coarse mesh: first with
+/// limits that give way at a price (nlp::Elastic), from the free extremal, then
+/// with limits that do not.
 ///
 /// What solves returns whether there is a solution, which is then the last();
 /// if not, the protocol says why. All share one budget of iterations.
@@ -33,7 +34,10 @@ class Tightening {
   Tightening(const Scene& scene, const ExtremalCurve& free, double phi,
              const IpoptOptions& ipopt, PassProtocol& protocol);
 
-  /// To the limits of the scene, in steps that adapt; the contact follows.
+  /// To the limits of the scene, with the slopes of the free extremal if these
+  /// let it keep them, else with others that do; the contact follows. If they
+  /// give way as much at ten times the price, and free slopes do not help where
+  /// slopes are sought, the outcome is Status::Infeasible.
   [[nodiscard]] bool tighten();
 
   /// Where the contact at B cannot be followed: under the limits of the scene
@@ -42,7 +46,7 @@ class Tightening {
   /// whose root is closed in on. Where it does so nowhere, or jumps, there is
   /// no smooth contact.
   ///
-  /// \pre a loosest()
+  /// \pre tighten() succeeded
   [[nodiscard]] bool bracket_contact();
 
   /// Under the limits of the scene once more, elements halved where what holds
@@ -51,16 +55,15 @@ class Tightening {
   /// \pre a last()
   [[nodiscard]] bool solve_finer();
 
-  /// Fails because nothing was found beyond that share of the way to the limits
-  /// of the scene, for the reason that the protocol tells so far.
-  bool none_found(double reached);
+  /// Under limits that the free extremal keeps, those of relaxation() at 0.
+  [[nodiscard]] bool solve_loosest();
+
+  /// Fails because nothing was found: because limits give way for good, or else
+  /// for the reason that the protocol tells so far.
+  bool none_found();
 
   [[nodiscard]] const LimitRelaxation& relaxation() const {
     return relaxation_;
-  }
-  /// Under the first limits; nothing if there was no path under these.
-  [[nodiscard]] const std::optional<LimitedCurve>& loosest() const {
-    return loosest_;
   }
   /// \pre solved before
   [[nodiscard]] const LimitedCurve& last() const { return *last_; }
@@ -68,14 +71,22 @@ class Tightening {
  private:
   using Inequalities = std::vector<PathInequality>;
 
-  bool solve(const Inequalities& limits, const Mesh& mesh,
-             const LimitedEnds& ends,
-             const std::function<PrimalDual(const LimitedTime&)>& start,
-             int most_iterations);
-  bool solve_first(const Inequalities& limits, const Mesh& mesh,
+  [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
+                                 double complementarity);
+  /// What was found, if anything was.
+  bool take(const LimitedTime& problem, SolverResult result);
+  /// The last solution, or else the free extremal.
+  [[nodiscard]] PrimalDual start_of(const LimitedTime& problem) const;
+  bool solve_rigid(const Inequalities& limits, const Mesh& mesh,
                    const LimitedEnds& ends);
-  bool solve_again(const Inequalities& limits, const Mesh& mesh,
-                   const LimitedEnds& ends);
+  /// With limits that give way at a price.
+  bool solve_elastic(const LimitedEnds& ends, double price);
+  /// At rising prices, until the limits do not give way any more. False if they
+  /// go on to.
+  bool keep_limits(const LimitedEnds& ends);
+  /// By how much each limit gives way, at most, for a start to keep it.
+  [[nodiscard]] std::vector<double> give_of(LimitedTime& problem,
+                                            const std::vector<double>& x) const;
   /// Ends for limits, as the last solution suggests them.
   [[nodiscard]] std::optional<LimitedEnds> next_ends(
       const Inequalities& limits);
@@ -90,20 +101,24 @@ class Tightening {
   /// By bisection, for slopes may jump where arcs are born.
   bool close_in(Held a, Held b);
 
-  /// Which limit the way ahead costs most.
-  [[nodiscard]] std::string tightest(double reached) const;
+  /// The limit that has the greatest share in giving way.
+  [[nodiscard]] std::string tightest() const;
 
   const Scene& scene_;
   const ExtremalCurve& free_;
   LimitRelaxation relaxation_;
   Inequalities limits_;  ///< of the scene
+  Mesh mesh_;
   LimitedEnds first_ends_;
   IpoptOptions ipopt_;
   int budget_;  ///< iterations that are left
   PassProtocol& protocol_;
-  bool tightened_ = false;  ///< tighten() reached the limits of the scene
-  bool end_held_ = false;   ///< see bracket_contact()
-  std::optional<LimitedCurve> last_, loosest_;
+  bool end_held_ = false;  ///< see bracket_contact()
+  std::optional<LimitedCurve> last_;
+  std::optional<LimitedCurve> tight_;  ///< what tighten() found
+  std::vector<double> give_;           ///< by constraint
+  double given_way_ = 1.0;             ///< as a share of give_
+  bool give_way_for_good_ = false;
 };
 
 }  // namespace brachisto

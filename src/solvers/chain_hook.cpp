@@ -64,16 +64,37 @@ struct Matrix {
   std::vector<double> scale;  ///< as the problem states it; empty: ones
   /// Unknowns with bounds, and where their diagonal entries are.
   std::vector<std::pair<std::size_t, std::size_t>> barrier;
+  /// Where the derivatives of inequalities are.
+  struct Derivative {
+    std::size_t inequality, variable, entry;
+  };
+  std::vector<Derivative> derivatives;
+  std::vector<double> largest;  ///< of each inequality
 };
 
-/// Scales the unknowns with bounds by powers of two for their diagonal entries
-/// to be at most of order one. Next to a bound the barrier's share of them
-/// grows like 1/μ; unscaled, it would hide all other entries behind the
+/// Scales inequalities by powers of two for their largest derivative to be of
+/// order one, slacks inversely, and unknowns with bounds for their diagonal
+/// entries to be at most of order one. Next to a bound the barrier's share of
+/// them grows like 1/μ; unscaled, it would hide all other entries behind the
 /// rounding of the largest one.
-void scale_barrier(Matrix& matrix, const double val[]) {
+void scale_inequalities(Matrix& matrix, const double val[]) {
   if (matrix.barrier.empty()) return;
   std::vector<double> scale = matrix.scale;
   scale.resize(static_cast<std::size_t>(matrix.size), 1.0);
+  matrix.largest.assign(current->inequalities.size(), 0.0);
+  for (const Matrix::Derivative& d : matrix.derivatives) {
+    double& largest = matrix.largest[d.inequality];
+    largest = std::max(largest, std::abs(val[d.entry]) * scale[d.variable]);
+  }
+  for (std::size_t i = 0; i < matrix.largest.size(); ++i) {
+    const double largest = matrix.largest[i];
+    const auto [slack, multiplier] = current->inequalities[i];
+    double& s = scale[static_cast<std::size_t>(multiplier)];
+    if (largest > 0.0 && std::isfinite(largest)) {
+      s = std::ldexp(1.0, std::clamp(-std::ilogb(largest), -60, 10));
+    }
+    scale[static_cast<std::size_t>(slack)] = 1.0 / s;
+  }
   for (const auto& [unknown, entry] : matrix.barrier) {
     double& s = scale[unknown];
     const double diagonal = std::abs(val[entry]) * s * s;
@@ -156,6 +177,24 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
         }
       }
     }
+    // Of each unknown: the inequality whose multiplier it is, that whose slack,
+    // or neither.
+    constexpr int kNeither = -1;
+    constexpr int kSlack = -2;
+    std::vector<int> inequality_of(static_cast<std::size_t>(n), kNeither);
+    for (std::size_t i = 0; i < current->inequalities.size(); ++i) {
+      const auto [slack, multiplier] = current->inequalities[i];
+      inequality_of[static_cast<std::size_t>(slack)] = kSlack;
+      inequality_of[static_cast<std::size_t>(multiplier)] = static_cast<int>(i);
+    }
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+      auto i = static_cast<std::size_t>(rows[e]);
+      auto j = static_cast<std::size_t>(cols[e]);
+      if (inequality_of[i] < 0) std::swap(i, j);
+      if (inequality_of[i] < 0 || inequality_of[j] != kNeither) continue;
+      matrix->derivatives.push_back(
+          {static_cast<std::size_t>(inequality_of[i]), j, e});
+    }
     *info = {};
     *akeep = matrix.release();
   });
@@ -174,7 +213,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
     }
     const std::array<std::span<const double>, 1> values = {
         std::span<const double>(val, matrix.num_entries)};
-    scale_barrier(matrix, val);
+    scale_inequalities(matrix, val);
     const bool factorised = matrix.ldlt->factorise(values);
     const Inertia& inertia = matrix.ldlt->inertia();
     // Ipopt answers both with a perturbation and another try.
@@ -253,22 +292,25 @@ ChainHook::ChainHook(const nlp::Problem& problem, std::string_view wanted)
     }
     put_unknown(i);
   }
-  std::vector<int> equations, inequalities;
+  std::vector<int> equations, limited;
   for (int i = n; i < n + problem.num_constraints(); ++i) {
     const bool equation = problem.constraint_range(i - n).single();
-    (equation ? equations : inequalities).push_back(i);
+    (equation ? equations : limited).push_back(i);
   }
-  // A slack has no other neighbour than its multiplier, with the entry −1:
-  // inside a link, the chain stays what it is.
-  for (const int unknown : inequalities) {
-    const auto i = static_cast<std::size_t>(unknown);
-    const int block = std::max(0, chain.block[i]);
-    bounded.push_back(static_cast<int>(structure.block.size()));
-    put(std::min(block | 1, 2 * chain.num_links - 1),
-        chain.scale.empty() ? 1.0 : 1.0 / chain.scale[i]);
+  const auto next = [&] { return static_cast<int>(structure.block.size()); };
+  // A slack has no other neighbour than its multiplier, with the entry −1: in
+  // another block than it, nothing but its own diagonal entry would be there to
+  // eliminate it with, which vanishes far from the bound.
+  for (const int unknown : limited) {
+    bounded.push_back(next());
+    inequalities.push_back({.slack = next(), .multiplier = 0});
+    put_unknown(unknown);
   }
   for (const int unknown : equations) put_unknown(unknown);
-  for (const int unknown : inequalities) put_unknown(unknown);
+  for (std::size_t i = 0; i < limited.size(); ++i) {
+    inequalities[i].multiplier = next();
+    put_unknown(limited[i]);
+  }
 #if BRACHISTO_HAS_CHAIN_HOOK
   LSL_setMA97(chain_default_control, chain_analyse, chain_factor,
               chain_factor_solve, chain_solve, chain_finalise, chain_free);

@@ -9,7 +9,6 @@
 #include <exception>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
@@ -45,6 +44,10 @@ struct ChainHook {
   nlp::ChainStructure structure;
   /// Of these the ones with bounds, whose diagonal entries grow without limit.
   std::vector<int> bounded;
+  struct Inequality {
+    int slack, multiplier;
+  };
+  std::vector<Inequality> inequalities;  ///< by unknowns
   /// Why the matrix Ipopt came with is not the chain it should be; empty if it
   /// is. Ipopt itself then ends with an internal error.
   std::string refusal;

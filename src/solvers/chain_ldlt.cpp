@@ -4,6 +4,7 @@
 #include "solvers/chain_ldlt.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -20,6 +21,10 @@ namespace {
 constexpr int kJoinTo = 45;
 // To choose pivots takes as long as some dense fronts.
 constexpr int kFewLinks = 6;
+constexpr int kManyDenseLinks = 16;
+// Sequences of a run: as many as there are kinds of links, by which bounds they
+// are next to; and how many of them are chosen in one factorisation at most.
+constexpr std::size_t kMostSequences = 8;
 // The factorisation of a link is taken if the Frobenius norm of its multipliers
 // is at most this: rounding errors are then magnified by less than its square,
 // and one step of refinement makes up for them.
@@ -55,15 +60,10 @@ ChainLdlt::ChainLdlt(ChainMap map, std::vector<double> scale)
     : map_(std::move(map)),
       scale_(std::move(scale)),
       plans_(map_.runs().size()) {
-  std::size_t flags = 0;
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     const Run& run = map_.runs()[r];
-    plans_[r].failed = flags;
-    plans_[r].sample = run.num_links / 2;
-    plans_[r].also.assign(run.unknowns.size() * run.unknowns.size(), 0);
-    flags += at(batches(run.num_links));
+    plans_[r].batches.resize(at(batches(run.num_links)));
   }
-  failed_.assign(flags, 0);
 }
 
 /// The full matrix of one link, its separators' blocks as far as they belong to
@@ -81,82 +81,71 @@ void ChainLdlt::link_matrix(const Run& run, int link,
   }
 }
 
-/// Takes the sequence for the pattern of the run's sample, or chooses one.
-void ChainLdlt::analyse_run(const Run& run, Plan& plan) {
-  plan.chosen = nullptr;
-  if (run.num_links < kFewLinks) return;
-  const std::size_t n = run.unknowns.size();
-  link_matrix(run, plan.sample, matrix_);
-  std::vector<char> pattern(n * n);
-  for (std::size_t i = 0; i < n * n; ++i) {
-    // A number that does not matter makes an entry of the structure.
-    if (matrix_[i] == 0.0 && plan.also[i] != 0) {
-      matrix_[i] = std::numeric_limits<double>::min();
-    }
+/// Which entries of a link's matrix, which is left in matrix_, differ from
+/// zero.
+std::vector<char> ChainLdlt::pattern_of(const Run& run, int link) {
+  link_matrix(run, link, matrix_);
+  std::vector<char> pattern(matrix_.size());
+  for (std::size_t i = 0; i < matrix_.size(); ++i) {
     pattern[i] = matrix_[i] != 0.0;
   }
-  auto found = std::find_if(
-      plan.known.begin(), plan.known.end(),
-      [&](const auto& known) { return known->pattern == pattern; });
-  if (found != plan.known.end() && (*found)->stale) {
-    plan.known.erase(found);
-    found = plan.known.end();
-  }
-  if (found != plan.known.end()) {
-    plan.chosen = found->get();
-  } else {
-    std::optional<SymbolicAnalysis> analysis =
-        SymbolicAnalysis::make(matrix_, run.size(), run.interior);
-    if (!analysis) return;
-    constexpr std::size_t kMostKnown = 4;
-    if (plan.known.size() == kMostKnown) plan.known.erase(plan.known.begin());
-    plan.known.push_back(std::make_unique<Known>());
-    plan.known.back()->pattern = std::move(pattern);
-    plan.known.back()->analysis = std::move(*analysis);
-    plan.chosen = plan.known.back().get();
-  }
-  plan.slots.clear();
+  return pattern;
+}
+
+/// Chooses a sequence on one link, to be tried first from now on. False if
+/// there is none, or no more are wanted.
+bool ChainLdlt::choose_sequence(const Run& run, Plan& plan, int link) {
+  if (plan.sequences.size() == kMostSequences) return false;
+  std::vector<char> pattern = pattern_of(run, link);
+  std::optional<SymbolicAnalysis> analysis =
+      SymbolicAnalysis::make(matrix_, run.size(), run.interior);
+  if (!analysis) return false;
+  auto chosen = std::make_unique<Sequence>();
+  chosen->pattern = std::move(pattern);
+  chosen->analysis = std::move(*analysis);
   for (const ChainMap::Entry& entry : run.entries) {
-    plan.slots.push_back(plan.chosen->analysis.slot(entry.row, entry.col));
+    chosen->slots.push_back(chosen->analysis.slot(entry.row, entry.col));
+  }
+  plan.sequences.insert(plan.sequences.begin(), std::move(chosen));
+  return true;
+}
+
+/// Forgets sequences without use, and brings the one for the link in the middle
+/// to the front.
+void ChainLdlt::begin_run(const Run& run, Plan& plan) {
+  plan.dense_links = 0;
+  plan.most_dense_links = kManyDenseLinks;
+  if (run.num_links < kFewLinks) return;
+  auto& sequences = plan.sequences;
+  if (sequences.size() == kMostSequences) {
+    std::erase_if(sequences, [](const auto& s) { return !s->used; });
+  }
+  for (auto& sequence : sequences) sequence->used = false;
+  const int sample = run.num_links / 2;
+  const std::vector<char> pattern = pattern_of(run, sample);
+  const auto found =
+      std::find_if(sequences.begin(), sequences.end(),
+                   [&](const auto& s) { return s->pattern == pattern; });
+  if (found == sequences.end()) {
+    (void)choose_sequence(run, plan, sample);
+  } else {
+    std::rotate(sequences.begin(), found, found + 1);
   }
 }
 
-/// Chooses sequences for all runs, and lays out their lanes.
-void ChainLdlt::analyse_runs() {
-  for (std::size_t r = 0; r < plans_.size(); ++r) {
-    analyse_run(map_.runs()[r], plans_[r]);
-  }
-  std::size_t size = 0;
-  std::size_t tail = 0;
-  for (std::size_t r = 0; r < plans_.size(); ++r) {
-    const Run& run = map_.runs()[r];
-    Plan& plan = plans_[r];
-    plan.storage = size;
-    if (plan.chosen == nullptr) continue;
-    const SymbolicAnalysis& analysis = plan.chosen->analysis;
-    size += at(batches(run.num_links)) * at(analysis.num_factor_slots);
-    // The Schur complement of a batch lies where the next batch will.
-    tail = std::max(tail, at(analysis.num_slots));
-  }
-  if (size + tail <= storage_size_) return;
-  storage_.reset();
-  storage_size_ = size + tail;
-  storage_ = std::make_unique_for_overwrite<Lanes[]>(storage_size_);
-}
-
-/// Gathers the matrices of `count` links. False if one has an entry that was
-/// assumed to be zero.
-bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
-                     Lanes* slots) {
-  std::fill_n(&slots[0].lane[0],
-              at(plan.chosen->analysis.num_slots) * at(kLanes), 0.0);
+/// Gathers the matrices of `count` links. A bit to each link with an entry that
+/// was assumed to be zero.
+unsigned ChainLdlt::fill(const Run& run, const Sequence& sequence, int first,
+                         int count, Lanes* slots) {
+  const int num_slots = sequence.analysis.num_slots;
+  std::fill_n(&slots[0].lane[0], at(num_slots) * at(kLanes), 0.0);
   double largest = largest_;
-  bool as_assumed = true;
+  unsigned misfits = 0;
   for (std::size_t k = 0; k < run.entries.size(); ++k) {
     const ChainMap::Entry& entry = run.entries[k];
     const double* const values = values_[at(entry.array)].data();
     std::ptrdiff_t place = entry.source.first + entry.source.stride * first;
-    double* const lane = slots[plan.slots[k]].lane;
+    double* const lane = slots[sequence.slots[k]].lane;
     double seen = 0.0;
     if (scale_.empty()) {
       for (int b = 0; b < count; ++b) {
@@ -172,19 +161,23 @@ bool ChainLdlt::fill(const Run& run, const Plan& plan, int first, int count,
         seen = larger(seen, std::abs(value));
       }
     }
-    if (plan.slots[k] == 0 && seen != 0.0) as_assumed = false;
     largest = larger(largest, seen);
+    if (sequence.slots[k] != 0 || seen == 0.0) continue;
+    for (int b = 0; b < count; ++b) {
+      if (lane[b] != 0.0) misfits |= 1U << at(b);
+    }
+    std::fill_n(lane, kLanes, 0.0);
   }
   largest_ = largest;
   // Idle lanes repeat the last one.
   if (count < kLanes) {
-    for (int s = 0; s < plan.chosen->analysis.num_slots; ++s) {
+    for (int s = 0; s < num_slots; ++s) {
       for (int b = count; b < kLanes; ++b) {
         slots[s].lane[b] = slots[s].lane[count - 1];
       }
     }
   }
-  return as_assumed;
+  return misfits;
 }
 
 bool ChainLdlt::factorise(EntryValues values) {
@@ -199,15 +192,7 @@ bool ChainLdlt::factorise(EntryValues values) {
   for (const double value : matrix_) {
     largest_ = larger(largest_, std::abs(value));
   }
-  // An entry that was assumed zero and is not makes for a new start, but not
-  // for ever: then the links concerned are dense.
-  constexpr int kAttempts = 4;
-  for (int attempt = 1; attempt <= kAttempts; ++attempt) {
-    may_restart_ = attempt < kAttempts;
-    restart_ = false;
-    factorise_links();
-    if (!restart_) break;
-  }
+  factorise_links();
   if (!std::isfinite(largest_) || overflow_) return false;
   inertia_.known = true;
   inertia_.negative = negative_ + fronts_.negative();
@@ -216,84 +201,99 @@ bool ChainLdlt::factorise(EntryValues values) {
   return true;
 }
 
+int ChainLdlt::num_dense_links() const {
+  int sum = 0;
+  for (const Plan& plan : plans_) sum += plan.dense_links;
+  return sum;
+}
+
 void ChainLdlt::factorise_links() {
-  analyse_runs();
+  arena_.clear();
   fronts_.clear();
   negative_ = 0;
-  num_dense_links_ = 0;
   overflow_ = false;
   carried_.reset(0);
   carried_.candidates = 0;
   for (std::size_t r = 0; r < plans_.size(); ++r) {
-    factorise_run(r);
-    if (restart_ || overflow_ || !std::isfinite(largest_)) return;
+    factorise_run(map_.runs()[r], plans_[r]);
+    if (overflow_ || !std::isfinite(largest_)) return;
   }
   last_front();
 }
 
-/// Notes which entries of some links differ from zero.
-void ChainLdlt::extend_pattern(const Run& run, Plan& plan, int first,
-                               int count) {
-  for (int link = first; link < first + count; ++link) {
-    link_matrix(run, link, matrix_);
-    for (std::size_t i = 0; i < matrix_.size(); ++i) {
-      if (matrix_[i] != 0.0) plan.also[i] = 1;
+void ChainLdlt::factorise_run(const Run& run, Plan& plan) {
+  begin_run(run, plan);
+  for (int first = 0; first < run.num_links; first += kLanes) {
+    check_stop(first);
+    const int count = std::min(kLanes, run.num_links - first);
+    Batch& batch = plan.batches[at(first / kLanes)];
+    batch = factorise_batch(run, plan, first, count);
+    if (!std::isfinite(largest_)) return;
+    negative_ += batch.negative;
+    zero_ = kZeroUnits * std::numeric_limits<double>::epsilon() * largest_;
+    for (int b = 0; b < count; ++b) {
+      const bool dense = ((batch.failed >> at(b)) & 1U) != 0;
+      if (dense) {
+        dense_link(run, first + b);
+        ++plan.dense_links;
+      }
+      separator(run, first + b, dense ? nullptr : &batch.sequence->analysis,
+                batch.slots, b);
+      if (overflow_) return;
     }
   }
 }
 
-void ChainLdlt::factorise_run(std::size_t r) {
-  const Run& run = map_.runs()[r];
-  Plan& plan = plans_[r];
-  int failures = 0;
-  int first_failure = 0;
-  for (int first = 0; first < run.num_links; first += kLanes) {
-    check_stop(first);
-    const int count = std::min(kLanes, run.num_links - first);
-    std::uint8_t& failed = failed_[plan.failed + at(first / kLanes)];
-    failed = 0xff;
-    Lanes* slots = nullptr;
-    FactorisationOutcome outcome;
-    if (plan.chosen != nullptr) {
-      slots = &storage_[plan.storage +
-                        at(first / kLanes) *
-                            at(plan.chosen->analysis.num_factor_slots)];
-      const bool as_assumed = fill(run, plan, first, count, slots);
-      if (!std::isfinite(largest_)) return;
-      if (!as_assumed) {
-        extend_pattern(run, plan, first, count);
-        restart_ = may_restart_;
-        if (restart_) return;
-      } else {
-        numeric_factorisation(plan.chosen->analysis, slots, outcome);
-        failed = 0;
-        for (int b = 0; b < count; ++b) {
-          if (outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth) {
-            negative_ += static_cast<int>(outcome.negative.lane[b]);
-          } else {
-            failed = static_cast<std::uint8_t>(failed | (1U << b));
-          }
-        }
-      }
+/// Factorises the interiors of some links by the sequence that does it for most
+/// of them.
+ChainLdlt::Batch ChainLdlt::factorise_batch(const Run& run, Plan& plan,
+                                            int first, int count) {
+  Batch best;
+  const Sequence* last = nullptr;
+  const auto done_by = [&](Sequence& sequence) {
+    const Batch batch = with_sequence(run, sequence, first, count);
+    last = &sequence;
+    if (std::popcount(batch.failed) < std::popcount(best.failed)) best = batch;
+    return best.failed == 0;
+  };
+  auto& sequences = plan.sequences;
+  const auto found =
+      std::find_if(sequences.begin(), sequences.end(),
+                   [&](const auto& sequence) { return done_by(*sequence); });
+  if (found != sequences.end()) {
+    std::rotate(sequences.begin(), found, found + 1);
+  } else if (plan.dense_links >= plan.most_dense_links) {
+    // Twice as many the next time: hard links must not take all the time.
+    plan.most_dense_links *= 2;
+    const int hard = first + std::countr_zero(best.failed);
+    if (choose_sequence(run, plan, hard)) done_by(*sequences.front());
+  }
+  if (best.sequence == nullptr) return best;
+  if (best.sequence != last) {
+    best = with_sequence(run, *best.sequence, first, count);
+  }
+  best.sequence->used = true;
+  arena_.keep(at(best.sequence->analysis.num_factor_slots));
+  return best;
+}
+
+/// Factorises the interiors of some links where the arena ends.
+ChainLdlt::Batch ChainLdlt::with_sequence(const Run& run, Sequence& sequence,
+                                          int first, int count) {
+  Batch batch{.sequence = &sequence,
+              .slots = arena_.top(at(sequence.analysis.num_slots))};
+  batch.failed = fill(run, sequence, first, count, batch.slots);
+  FactorisationOutcome outcome;
+  numeric_factorisation(sequence.analysis, batch.slots, outcome);
+  for (int b = 0; b < count; ++b) {
+    if (!(outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth)) {
+      batch.failed |= 1U << at(b);
     }
-    zero_ = kZeroUnits * std::numeric_limits<double>::epsilon() * largest_;
-    for (int b = 0; b < count; ++b) {
-      const bool dense = ((failed >> b) & 1U) != 0;
-      if (dense) {
-        dense_link(run, first + b);
-        if (++failures == 1) first_failure = first + b;
-      }
-      separator(run, first + b, dense ? nullptr : &plan.chosen->analysis, slots,
-                b);
-      if (overflow_) return;
+    if (((batch.failed >> at(b)) & 1U) == 0) {
+      batch.negative += static_cast<int>(outcome.negative.lane[b]);
     }
   }
-  num_dense_links_ += failures;
-  // Another sample next time, if this one stood for few.
-  if (plan.chosen != nullptr && 8 * failures > run.num_links) {
-    plan.chosen->stale = true;
-    plan.sample = first_failure;
-  }
+  return batch;
 }
 
 /// Eliminates the interior of a link as a dense front.

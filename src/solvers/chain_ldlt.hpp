@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
 #include "solvers/inertia.hpp"
+#include "solvers/lane_arena.hpp"
 #include "solvers/numeric_factorisation.hpp"
 #include "solvers/symbolic_analysis.hpp"
 
@@ -28,10 +28,11 @@ using EntryValues = std::span<const std::span<const double>>;
 /// Factorisation in two stages, each with pivoting:
 ///
 /// 1. The interiors of the links, independent of each other. Links that look
-///    alike share one symbolic analysis, a sequence of 1×1 and 2×2 pivots
-///    chosen on one of them, and are factorised several at once. A link in
-///    which the multipliers of that sequence grow is factorised on its own as a
-///    dense front.
+///    alike share sequences of 1×1 and 2×2 pivots, each chosen on one of them,
+///    and are factorised several at once. Where the multipliers of one sequence
+///    grow another one is tried: next to a bound other pivots are large than
+///    far from it. A link in which the multipliers of all of them grow is
+///    factorised on its own as a dense front.
 /// 2. The Schur complement on the separators, a sweep of dense fronts along the
 ///    chain. Pivots that are too small for the rows below them are delayed to
 ///    the next separator. The border comes last.
@@ -67,25 +68,31 @@ class ChainLdlt {
                         std::span<long double> residual) const;
 
   /// Links whose interior was factorised as a dense front.
-  [[nodiscard]] int num_dense_links() const { return num_dense_links_; }
+  [[nodiscard]] int num_dense_links() const;
 
  private:
-  /// Sequences chosen for a run, by the zeros of the matrix they were chosen
-  /// on.
-  struct Known {
-    std::vector<char> pattern;
+  static constexpr unsigned kAllFailed = (1U << kLanes) - 1U;
+
+  /// Pivots that were chosen on one link of a run.
+  struct Sequence {
+    std::vector<char> pattern;  ///< entries not zero there
     SymbolicAnalysis analysis;
-    bool stale = false;
+    std::vector<int> slots;  ///< of the run's entries
+    bool used = true;        ///< since the last factorisation began
   };
-  /// How the links of a run are factorised at the moment.
+  /// Links that are factorised at once.
+  struct Batch {
+    Sequence* sequence = nullptr;  ///< null: dense fronts
+    Lanes* slots = nullptr;
+    unsigned failed = kAllFailed;  ///< a bit to a link that is a dense front
+    int negative = 0;              ///< pivots of the other ones
+  };
+  /// How the links of a run are factorised.
   struct Plan {
-    std::vector<std::unique_ptr<Known>> known;
-    Known* chosen = nullptr;  ///< null: dense fronts
-    int sample = 0;           ///< the link on which to choose
-    std::vector<char> also;   ///< entries not zero elsewhere in the run
-    std::vector<int> slots;   ///< of the run's entries
-    std::size_t storage = 0;  ///< where its lanes begin
-    std::size_t failed = 0;   ///< where the flags of its batches begin
+    std::vector<std::unique_ptr<Sequence>> sequences;  ///< the likeliest first
+    std::vector<Batch> batches;
+    int dense_links = 0;       ///< since the last factorisation began
+    int most_dense_links = 0;  ///< with more, another sequence is wanted
   };
   using Run = ChainMap::Run;
 
@@ -104,14 +111,18 @@ class ChainLdlt {
   }
   void apply_scale(std::span<double> x) const;
 
-  void analyse_runs();
-  void analyse_run(const Run& run, Plan& plan);
   void factorise_links();
-  void extend_pattern(const Run& run, Plan& plan, int first, int count);
   void link_matrix(const Run& run, int link, std::vector<double>& matrix) const;
-  void factorise_run(std::size_t r);
-  [[nodiscard]] bool fill(const Run& run, const Plan& plan, int first,
-                          int count, Lanes* slots);
+  [[nodiscard]] std::vector<char> pattern_of(const Run& run, int link);
+  [[nodiscard]] bool choose_sequence(const Run& run, Plan& plan, int link);
+  void begin_run(const Run& run, Plan& plan);
+  void factorise_run(const Run& run, Plan& plan);
+  [[nodiscard]] Batch factorise_batch(const Run& run, Plan& plan, int first,
+                                      int count);
+  [[nodiscard]] Batch with_sequence(const Run& run, Sequence& sequence,
+                                    int first, int count);
+  [[nodiscard]] unsigned fill(const Run& run, const Sequence& sequence,
+                              int first, int count, Lanes* slots);
   void dense_link(const Run& run, int link);
   void separator(const Run& run, int link, const SymbolicAnalysis* analysis,
                  const Lanes* slots, int lane);
@@ -123,17 +134,13 @@ class ChainLdlt {
   std::vector<double> scale_;  ///< of the structure, by unknown
   std::vector<Plan> plans_;
   std::vector<std::span<const double>> values_;
-  std::unique_ptr<Lanes[]> storage_;
-  std::size_t storage_size_ = 0;
-  std::vector<std::uint8_t> failed_;
+  LaneArena arena_;
   FrontStack fronts_;
   FrontStack::Front front_, carried_, link_front_;
   int rejects_ = 0;  ///< interior unknowns of link_front_ left over
   double largest_ = 0.0, zero_ = 0.0;
   int negative_ = 0;
-  int num_dense_links_ = 0;
   bool overflow_ = false;  ///< too many pivots were delayed
-  bool restart_ = false, may_restart_ = false;
   Inertia inertia_;
   std::vector<double> matrix_;
 };

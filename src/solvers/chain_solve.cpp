@@ -21,17 +21,12 @@ void ChainLdlt::for_each_batch(Visit&& visit) const {
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     const Run& run = map_.runs()[r];
     const Plan& plan = plans_[r];
-    if (plan.chosen == nullptr) continue;
-    const SymbolicAnalysis& analysis = plan.chosen->analysis;
-    const Lanes* slots = storage_.get() + plan.storage;
     for (int first = 0; first < run.num_links; first += kLanes) {
       check_stop(first);
-      const unsigned failed = failed_[plan.failed + at(first / kLanes)];
-      if (failed != 0xffU) {
-        visit(run, analysis, slots, first,
-              std::min(kLanes, run.num_links - first), failed);
-      }
-      slots += analysis.num_factor_slots;
+      const Batch& batch = plan.batches[at(first / kLanes)];
+      if (batch.sequence == nullptr) continue;
+      visit(run, batch.sequence->analysis, batch.slots, first,
+            std::min(kLanes, run.num_links - first), batch.failed);
     }
   }
 }

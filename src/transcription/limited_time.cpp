@@ -201,6 +201,33 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
   for (int i = 0; i < layout().num_start_rows(); ++i) {
     chain.block[at(num_variables() + layout().start_row(i))] = 0;
   }
+  // The Hessian by states and controls is of the order of h, as an integral
+  // over the element, the Jacobian of order one: both are with √h between them.
+  chain.scale.assign(chain.block.size(), 1.0);
+  const auto root_of = [&](int element) {
+    return std::exp2(std::round(0.5 * std::log2(mesh().length(element))));
+  };
+  for (int c = 0; c < layout().num_points(); ++c) {
+    const double root = root_of(c / p);
+    for (int i = 0; i < layout().num_states(); ++i) {
+      chain.scale[at(layout().state(c + 1, X) + i)] = 1.0 / root;
+      if (c == 0) chain.scale[at(i)] = 1.0 / root;
+      chain.scale[at(num_variables() + layout().defect(c, X) + i)] = root;
+    }
+    chain.scale[at(layout().control(c))] = 1.0 / root;
+    for (int i = 0; i < layout().num_limits(); ++i) {
+      // By the unknown h q of the control a limit has a derivative like 1/h.
+      chain.scale[at(num_variables() + layout().limit(c, i))] =
+          limits_[at(i)].bounds_control() ? root * root * root : root;
+    }
+  }
+  for (int i = 0; i < layout().num_contact_rows(); ++i) {
+    chain.scale[at(num_variables() + layout().contact_row(i))] =
+        root_of(i < 2 ? 0 : mesh().num_elements() - 1);
+  }
+  for (int i = 0; i < layout().num_start_rows(); ++i) {
+    chain.scale[at(num_variables() + layout().start_row(i))] = root_of(0);
+  }
   return chain;
 }
 

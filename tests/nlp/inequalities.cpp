@@ -93,11 +93,13 @@ TEST(KktResidualWithInequalities, TellsTheConditionsApart) {
   EXPECT_EQ(inside.complementarity, 2.0);
   EXPECT_EQ(inside.worst_multiplier, "x1");
   EXPECT_EQ(inside.sign, 0.0);
-  // Products 4 · ½ and 2 · ¼ over the five bounds there are.
-  EXPECT_EQ(inside.barrier_parameter, 0.5);
+  // Products 4 · ½ and 2 · ¼ over the four bounds that multipliers belong to:
+  // three of variables, the nearer one of g.
+  EXPECT_EQ(inside.barrier_parameter, 0.625);
 
-  // λ < 0 belongs to the lower bound, ¾ away.
-  EXPECT_EQ(at({{0.25, 0.5}, {-2.0}}).complementarity, 1.5);
+  // λ belongs to the nearer bound, the upper one: λ < 0 has the wrong sign.
+  EXPECT_EQ(at({{0.25, 0.5}, {-2.0}}).complementarity, 0.5);
+  EXPECT_EQ(at({{0.25, 0.5}, {-2.0}}).sign, 2.0);
 
   // A multiplier of the wrong sign, and one without a bound.
   EXPECT_EQ(at({{1.0, 0.0}, {2.0}, {0.0, -4.0}, {0.0, 0.0}}).sign, 4.0);

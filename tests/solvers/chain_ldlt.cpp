@@ -381,6 +381,53 @@ TEST(ChainLdlt, NoticesEntriesThatAreZeroInTheSampleOnly) {
   expect_factorises(matrix, "sparse sample");
 }
 
+TEST(ChainLdlt, TakesOtherPivotsNextToABound) {
+  // In each interior slacks s, multipliers y of their inequalities, and
+  // variables q: next to a bound [1 −ε; −ε 0] in s and y asks for s alone, then
+  // y with q, far from it [ε −1; −1 0] for s with y.
+  constexpr int kLinks = 400, kTriples = 16, kSeparator = 3;
+  constexpr double kEpsilon = 1e-6;
+  Random random(11);
+  ChainMatrix matrix = empty_chain(kLinks, 3 * kTriples, kSeparator, 1);
+  const int per_link = kSeparator + 3 * kTriples;
+  for (int link = 0; link < kLinks; ++link) {
+    const bool next_to_bound = link % 200 < 100;
+    for (int i = 0; i < kTriples; ++i) {
+      const int s = link * per_link + kSeparator + 3 * i;
+      matrix.add(s, s, next_to_bound ? 1.0 : kEpsilon);
+      matrix.add(s + 1, s, next_to_bound ? -kEpsilon : -1.0);
+      matrix.add(s + 2, s + 1, 1.0);
+      matrix.add(s + 2, s + 2, random.uniform(0.5, 1.0));
+      for (int k = 0; k < kSeparator; ++k) {
+        matrix.add(s + 2, link * per_link + k, random.uniform(-0.1, 0.1));
+      }
+    }
+  }
+  for (int link = 0; link <= kLinks; ++link) {
+    for (int k = 0; k < kSeparator; ++k) {
+      matrix.add(link * per_link + k, link * per_link + k, 5.0);
+    }
+  }
+  matrix.add(matrix.size() - 1, matrix.size() - 1, 1.0);
+  const auto ldlt = matrix.analysed();
+
+  ASSERT_TRUE(matrix.factorise(*ldlt));
+
+  // By one sequence for all half of them would be dense.
+  EXPECT_LE(ldlt->num_dense_links(), kLinks / 10);
+  Random of_b(12);
+  const std::vector<double> b = of_b.vector(matrix.size(), -1.0, 1.0);
+  const std::vector<double> x = refined_solution(*ldlt, b, kRefinements);
+  EXPECT_LE(backward_error(matrix.dense,
+                           Eigen::Map<const VectorXd>(x.data(), matrix.size()),
+                           Eigen::Map<const VectorXd>(b.data(), matrix.size())),
+            kBackward);
+  // Of each triple [s y; y q] one pivot is negative, next to a bound y's in
+  // [·1; 1 q], else that of s with y; separators and border are positive.
+  EXPECT_EQ(ldlt->inertia().negative, kLinks * kTriples);
+  EXPECT_EQ(ldlt->inertia().zero, 0);
+}
+
 TEST(ChainLdlt, LeavesAbsentUnknownsAlone) {
   ChainMatrix matrix = random_chain(7, 10, 48, 3, 1);
   constexpr double kUntouched = 17.0;

@@ -100,6 +100,30 @@ Scene touching_its_floor() {
   return under(scene, limits);
 }
 
+/// The load reaches its bound at one point of a hump that another limit keeps
+/// as flat as it is.
+Scene touching_its_load() {
+  Scene scene;
+  scene.body = Body::cylinder(0.3, 0.25, 0.136, 0.876);
+  scene.L = 3.25;
+  scene.H = 1.0;
+  PathLimits limits = bends(0.003, 3.2);
+  limits.normal_max = 2.08;
+  return under(scene, limits, Contact::Optimal);
+}
+
+/// Limits hold everywhere: the path is given by its junctions.
+Scene held_everywhere() {
+  Scene scene;
+  scene.body = Body::cylinder(0.585, 0.09, -0.69, 0.86);
+  scene.L = 3.23;
+  scene.H = 1.0;
+  PathLimits limits = least_force(0.386);
+  limits.normal_max = 1.123;
+  limits.floor = 1.276;
+  return under(scene, limits);
+}
+
 /// The same scene, λ times as large, under another gravity; limits of forces
 /// have no unit.
 Scene enlarged(Scene scene, double length, double gravity) {
@@ -145,6 +169,10 @@ std::vector<Bound> bounds() {
        1e-4 * kLength},
       {"FrictionThatTouches", "friction", touching_its_floor(), move_friction},
       {"FloorThatIsTouched", "floor", touching_its_floor(), move_floor},
+      {"ForceThatIsTouched", "normal_force.max", touching_its_load(),
+       move_greatest_force},
+      {"ForceThatHoldsEverywhere", "normal_force.max", held_everywhere(),
+       move_greatest_force},
       {"LargeDisc", "clear_of.disc",
        enlarged(under(base, stone()), kLength, kGravity), move_disc,
        1e-4 * kLength},

@@ -82,8 +82,8 @@ void set_barrier_options(Ipopt::OptionsList& list, const IpoptOptions& options,
     }
   }
   list.SetNumericValue("mu_init", barrier);
-  // A start that keeps no longer to all bounds is far from all barrier problems;
-  // one that goes down step by step creeps along its bounds.
+  // A start that keeps no longer to all bounds is far from all barrier
+  // problems; one that goes down step by step creeps along its bounds.
   list.SetStringValue("mu_strategy", "adaptive");
 }
 

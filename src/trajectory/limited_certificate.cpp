@@ -33,7 +33,7 @@ namespace brachisto {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 void check_ends(const LimitedCurve& curve, Certificate& certificate) {
   constexpr double kContact = 1e-9;
@@ -191,7 +191,7 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add(
       "second_order",
       inertia.known && by_touches ? std::abs(inertia.positive - wanted)
-                                  : kUnknown,
+                                  : kNotKnown,
       0.0,
       fmt::format("inertia ({}, {}, {}), wanted {} positive", inertia.positive,
                   inertia.negative, inertia.zero, wanted));

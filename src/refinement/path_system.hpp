@@ -65,7 +65,7 @@ class PathSystem {
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }
 
   /// Of the optimality conditions, for all that follows. False if they are
-  /// singular. If it takes that, another one is released, by which
+  /// singular. If it takes that, another one is released for good, by which
   /// open() grows.
   [[nodiscard]] bool linearise();
 

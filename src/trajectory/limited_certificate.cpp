@@ -145,6 +145,8 @@ std::optional<int> positive_by_touches(LimitedTime& problem,
       const auto moved = [&](double by) {
         PrimalDual point = curve.point();
         point.x[at(variable)] += by;
+        // Next to rest the speed may leave no room for the step.
+        if (!problem.set_point(point.x)) return kNotKnown;
         return rates_at(LimitedCurve(problem, std::move(point)), touch)[0];
       };
       column[at(variable)] =
@@ -172,6 +174,7 @@ std::optional<int> positive_by_touches(LimitedTime& problem,
           std::inner_product(row.begin(), row.end(), solved.begin(), 0.0);
     }
   }
+  if (!by_place.allFinite()) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
       by_place, Eigen::EigenvaluesOnly);
   return static_cast<int>((eigen.eigenvalues().array() > 0.0).count());

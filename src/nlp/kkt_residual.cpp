@@ -87,7 +87,8 @@ std::vector<long double> lagrangian_gradient(
   return grad;
 }
 
-KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
+KktResidual kkt_residual(Problem& problem, const PrimalDual& point,
+                         std::span<const double> weights) {
   const int n = problem.num_variables();
   const int m = problem.num_constraints();
   check_size("lambda", point.lambda, m);
@@ -103,7 +104,6 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
   // and not of this summation.
   const std::vector<long double> grad =
       lagrangian_gradient(problem, point.lambda);
-  const std::span<const double> weights = problem.weights();
   const auto weight = [&](int i) {
     return weights.empty() ? 1.0 : weights[at(i)];
   };

@@ -94,6 +94,29 @@ std::vector<TouchedAt> touches_of(const LimitedCurve& curve) {
   return touches;
 }
 
+/// Of states, control and rows as the problem has them; but where a limit holds
+/// at the end of an element alone, touched or about to be held, its multiplier
+/// is an impulse, whatever the length of the element.
+std::vector<double> weights_of(const LimitedCurve& curve,
+                               const LimitedTime& problem) {
+  std::vector<double> weights(problem.weights().begin(),
+                              problem.weights().end());
+  const LimitedTime& held = curve.problem();
+  if (!held.held()) return weights;
+  for (int c = 0; c < problem.layout().num_points(); ++c) {
+    const std::vector<nlp::Held>& all_along =
+        held.held()->in_element[at(c / problem.mesh().degree)];
+    for (int i = 0; i < problem.layout().num_limits(); ++i) {
+      if (held.held_at(c, i) == nlp::Held::No ||
+          all_along[at(i)] != nlp::Held::No) {
+        continue;
+      }
+      weights[at(problem.num_variables() + problem.layout().limit(c, i))] = 1.0;
+    }
+  }
+  return weights;
+}
+
 /// c' and c'' of what is touched, by the share of the element.
 std::array<double, 2> rates_at(const LimitedCurve& curve,
                                const TouchedAt& touch) {
@@ -213,9 +236,10 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
   constexpr double kAllowed = 1e-8;
   Certificate certificate;
   LimitedTime problem = curve.problem().as_inequalities();
-  const nlp::KktResidual residual = nlp::kkt_residual(problem, curve.point());
+  const std::vector<double> weights = weights_of(curve, problem);
+  const nlp::KktResidual residual =
+      nlp::kkt_residual(problem, curve.point(), weights);
   // Over the weight of a short element rounding alone may be more.
-  const std::span<const double> weights = problem.weights();
   const double rounding = problem.rounding(curve.point().x) /
                           *std::min_element(weights.begin(), weights.end());
   certificate.add("kkt_residual", residual.stationarity,

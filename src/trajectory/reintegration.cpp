@@ -407,24 +407,26 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
   const Scene& scene = problem.scene();
   const RadauScheme& scheme = problem.scheme();
   const double begin = scheme.rule.points.front();
-  const TurningPoint<double> first = curve.at(0, begin).state;
   const TurningPoint<double> rest = curve.at(0, 0.0).state;
-  const double A = inertia_factor(scene.body, first.theta, first.beta);
-  const double w = fall_speed(
-      scene.gravity, energy_height(scene.body, first.z - rest.z, first.theta));
-  const double length =
-      scene.body.off_centred()
-          ? (first.theta - scene.body.theta_m) * scene.body.radius
-          : 0.0;
-  Along y{0.0, w / std::sqrt(A), length, first.x, first.z};
-  // The time up to there.
+  // Up to there along the same slopes as behind, for so little has been fallen
+  // that a place's own error would be a great part of it.
   const math::QuadratureRule rule = math::gauss_legendre(scheme.degree + 1);
   double h = problem.mesh().length(0) * curve.rolling_time();
+  double fallen = 0.0;
+  Along y{0.0, 0.0, 0.0, rest.x, rest.z};
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
     const auto at = curve.at(0, begin * rule.points[i]).state;
-    y[0] += h * begin * rule.weights[i] *
-            std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+    const double du = h * begin * rule.weights[i];
+    y[0] += du * std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+    y[2] += du * at.w;
+    y[3] += du * at.w * std::cos(at.beta);
+    fallen += du * at.w * std::sin(at.beta);
   }
+  y[4] += fallen;
+  const TurningPoint<double> first = curve.at(0, begin).state;
+  y[1] = fall_speed(scene.gravity,
+                    energy_height(scene.body, fallen, first.theta)) /
+         std::sqrt(inertia_factor(scene.body, first.theta, first.beta));
   LimitedReintegration out;
   for (int e = 0; e < problem.mesh().num_elements(); ++e) {
     check_stop(e);

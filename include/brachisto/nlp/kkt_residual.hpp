@@ -39,9 +39,15 @@ struct KktResidual {
 
 /// Residual at a point. The problem is moved to it.
 ///
+/// \param weights  in place of the problem's, n + m; empty if all are 1
 /// \throws std::domain_error if the problem is not evaluable there
 [[nodiscard]] KktResidual kkt_residual(Problem& problem,
-                                       const PrimalDual& point);
+                                       const PrimalDual& point,
+                                       std::span<const double> weights);
+[[nodiscard]] inline KktResidual kkt_residual(Problem& problem,
+                                              const PrimalDual& point) {
+  return kkt_residual(problem, point, problem.weights());
+}
 
 /// ∂(f + λᵀg)/∂x at the point the problem was moved to, summed in long double.
 [[nodiscard]] std::vector<long double> lagrangian_gradient(

@@ -195,6 +195,7 @@ Record examine(std::uint64_t seed, int index) {
   }
   switch (found.status) {
     case Status::NoAdmissiblePath:
+    case Status::NoFastestTrack:
       record.fate = Fate::Refused;
       break;
     case Status::NoSmoothContact:

@@ -29,6 +29,7 @@ int exit_code(const Solution& solution, int signal) {
     case Status::NotEvaluable:
     case Status::NoAdmissiblePath:
     case Status::NoSmoothContact:
+    case Status::NoFastestTrack:
     case Status::Infeasible:
     case Status::Stalled:
       return kNotSolved;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "math/index.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 
@@ -455,6 +456,13 @@ HeldLimits held_limits(const std::vector<Arc>& arcs) {
   }
   held.at_rest = arcs.front().held;
   return held;
+}
+
+bool kinks_at_rest(const LimitedCurve& curve, const std::vector<Arc>& arcs) {
+  constexpr double kKink = 1e-4;
+  const Scene& scene = curve.problem().scene();
+  return scene.contact == Contact::Optimal && is_free(arcs.front().held) &&
+         curve.at(0.0).state.beta - start_angle(scene.body) > kKink;
 }
 
 double junction_residual(const LimitedCurve& curve,

@@ -40,6 +40,7 @@ class LimitedSolve {
     const bool tightened = tightening_.tighten();
     if (tightened) path = read_off(kDegree);
     if (!tightened && protocol_.status == Status::Infeasible) return;
+    if (protocol_.status == Status::NoFastestTrack) return;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     if (!path && !stopped()) path = follow(kDegree);
@@ -104,8 +105,17 @@ class LimitedSolve {
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_.solve_finer()) return std::nullopt;
       const LimitedCurve& coarse = tightening_.last();
+      std::vector<Arc> arcs = arcs_of(coarse);
+      if (kinks_at_rest(coarse, arcs)) {
+        protocol_.fail(Status::NoFastestTrack,
+                       "there is no fastest track under these limits: the more "
+                       "sharply it turns upwards right behind A, where a normal "
+                       "force bounds no turn, the faster it is; try "
+                       "limits.curvature.valley");
+        return std::nullopt;
+      }
       auto path = fit_corrected(
-          coarse, {limits_, arcs_of(coarse), coarse.problem().ends()}, degree);
+          coarse, {limits_, std::move(arcs), coarse.problem().ends()}, degree);
       if (path || stopped()) return path;
     }
     return std::nullopt;

@@ -20,7 +20,7 @@ namespace brachisto {
 namespace {
 
 bool winds(const LimitedCurve& curve) {
-  constexpr double kTooSteep = 1.02 * std::numbers::pi;
+  constexpr double kTooSteep = 0.999 * std::numbers::pi;
   const VariableLayout& layout = curve.problem().layout();
   for (int node = 0; node < layout.num_nodes(); ++node) {
     const int beta = layout.state(node, StateComponent::Beta);
@@ -129,6 +129,7 @@ bool Tightening::solve_rigid(const Inequalities& limits, const Mesh& mesh,
                              const LimitedEnds& ends) {
   constexpr double kComplementarity = 1e-11;
   LimitedTime problem(scene_, limits, mesh, ends);
+  problem.bound_slopes(std::numbers::pi);
   return take(problem, run(problem, start_of(problem), kComplementarity));
 }
 
@@ -165,6 +166,7 @@ std::vector<double> Tightening::give_of(LimitedTime& problem,
 bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
   constexpr double kComplementarity = 1e-9;
   LimitedTime problem(scene_, limits_, mesh_, ends);
+  problem.bound_slopes(std::numbers::pi);
   PrimalDual start = start_of(problem);
   if (give_.size() != at(problem.num_constraints())) {
     give_ = give_of(problem, start.x);

@@ -32,6 +32,9 @@ constexpr std::array kWords{
     Words{"no_smooth_contact",
           "Under the limits no track that reaches B goes on there as its end "
           "was built."},
+    Words{"no_fastest_track",
+          "Under the limits tracks that turn ever more sharply at A are ever "
+          "faster."},
     Words{"infeasible",
           "No path next to where the solver ended keeps the "
           "limits."},

@@ -96,6 +96,13 @@ void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
   bound_limits();
 }
 
+void LimitedTime::bound_slopes(double steepest) {
+  for (int node = 0; node < layout().num_nodes(); ++node) {
+    const int beta = layout().state(node, Beta);
+    if (!variable_range(beta).single()) bound(beta, -steepest, steepest);
+  }
+}
+
 void LimitedTime::bound_limits() {
   const auto bound = [&](int row, const PathInequality& limit,
                          nlp::Held where) {

@@ -79,6 +79,8 @@ class LimitedTime final : public Transcription {
   /// and ends of the same kind.
   void change(std::vector<PathInequality> limits, Mesh mesh,
               const LimitedEnds& ends);
+  /// Keeps |β| below a bound [rad] wherever it is not fixed.
+  void bound_slopes(double steepest);
   /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the
   /// length of an element, at the current point.
   void add_rates_by_length(int element, double rate,

@@ -52,6 +52,11 @@ Transcription::Transcription(const Scene& scene, Mesh mesh,
       x_(at(num_variables())),
       place_(place) {}
 
+void Transcription::bound(int variable, double lower, double upper) {
+  lower_[at(variable)] = lower;
+  upper_[at(variable)] = upper;
+}
+
 void Transcription::fix(int variable, double value) {
   lower_[at(variable)] = value;
   upper_[at(variable)] = value;

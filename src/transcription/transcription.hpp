@@ -136,6 +136,7 @@ class Transcription : public nlp::Problem {
                 Point origin, const char* place);
 
   void fix(int variable, double value);
+  void bound(int variable, double lower, double upper);
   void release(int variable);
   /// As many elements of other lengths. The current point is forgotten.
   void change_lengths(Mesh mesh);

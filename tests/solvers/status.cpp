@@ -40,6 +40,7 @@ TEST(StatusNames, AreTheOnesThatScriptsRelyOn) {
   EXPECT_EQ(name(Status::TimeLimit), "time_limit");
   EXPECT_EQ(name(Status::Interrupted), "interrupted");
   EXPECT_EQ(name(Status::NoAdmissiblePath), "no_admissible_path");
+  EXPECT_EQ(name(Status::NoFastestTrack), "no_fastest_track");
 }
 
 TEST(StatusDescriptions, AreOneSentenceEachAndUnique) {

@@ -10,6 +10,7 @@
 
 #include "math/index.hpp"
 #include "model/start_angle.hpp"
+#include "transcription/held_control.hpp"
 
 namespace brachisto {
 
@@ -24,11 +25,6 @@ struct Sighting {
   std::optional<Touch> touch = {};  ///< ends the arc here
   double excess = 0.0;              ///< of the limit that is touched
 };
-
-bool is_free(const std::vector<Held>& held) {
-  return std::all_of(held.begin(), held.end(),
-                     [](Held h) { return h == Held::No; });
-}
 
 /// Arcs from what holds at places in order; junctions lie half-way between two.
 std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
@@ -124,40 +120,6 @@ void part_from_control(const LimitedCurve& curve, std::vector<Sighting>& seen) {
       first = end;
     }
   }
-}
-
-/// The limit that holds the control; −1 if none does.
-int held_of_control(const std::vector<Held>& held,
-                    const std::vector<PathInequality>& limits) {
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i] != Held::No && limits[i].bounds_control()) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
-/// Whether a limit at a bound keeps the control from growing.
-bool holds_from_above(const LimitedTime& problem, int limit, Held where,
-                      TurningPoint<double> place) {
-  const auto value = [&](double q) {
-    place.q = q;
-    return value_of(problem.limits()[at(limit)], problem.scene().body,
-                    problem.scene().gravity, place);
-  };
-  const bool grows = value(1.0) > value(0.0);
-  return grows == (where == Held::AtUpper);
-}
-
-/// Whether what holds the control at two places does so from opposite sides.
-bool opposite(const LimitedTime& problem, const std::vector<Held>& one,
-              const std::vector<Held>& other,
-              const TurningPoint<double>& place) {
-  const int l = held_of_control(one, problem.limits());
-  const int r = held_of_control(other, problem.limits());
-  return l >= 0 && r >= 0 &&
-         holds_from_above(problem, l, one[at(l)], place) !=
-             holds_from_above(problem, r, other[at(r)], place);
 }
 
 /// Whether the limit that holds the control of an arc keeps it from what

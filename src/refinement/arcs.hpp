@@ -66,8 +66,8 @@ struct Arc {
 
 /// Whether slopes at A that are free lead to a kink upwards at rest: the path
 /// begins with a free arc, which leaves rest under an angle of its own, and C_A
-/// is best above another. Of greatest normal forces the turn per doubling of the
-/// length alone is bounded there, so that there is no fastest track.
+/// is best above another. Of greatest normal forces the turn per doubling of
+/// the length alone is bounded there, so that there is no fastest track.
 [[nodiscard]] bool kinks_at_rest(const LimitedCurve& curve,
                                  const std::vector<Arc>& arcs);
 

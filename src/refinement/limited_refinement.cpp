@@ -107,11 +107,12 @@ class LimitedSolve {
       const LimitedCurve& coarse = tightening_.last();
       std::vector<Arc> arcs = arcs_of(coarse);
       if (kinks_at_rest(coarse, arcs)) {
-        protocol_.fail(Status::NoFastestTrack,
-                       "there is no fastest track under these limits: the more "
-                       "sharply it turns upwards right behind A, where a normal "
-                       "force bounds no turn, the faster it is; try "
-                       "limits.curvature.valley");
+        protocol_.fail(
+            Status::NoFastestTrack,
+            "there is no fastest track under these limits: the more "
+            "sharply it turns upwards right behind A, where a normal "
+            "force bounds no turn, the faster it is; try "
+            "limits.curvature.valley");
         return std::nullopt;
       }
       auto path = fit_corrected(

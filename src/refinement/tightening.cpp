@@ -80,7 +80,7 @@ SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
                              double complementarity) {
   // Solutions are starts.
   constexpr double kTolerance = 1e-8;
-  constexpr int kMostIterations = 200;
+  constexpr int kMostIterations = 400;
   IpoptOptions ipopt = ipopt_;
   ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
   ipopt.complementarity = complementarity;

@@ -5,14 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,10 +19,10 @@
 #include "math/index.hpp"
 #include "model/contact.hpp"
 #include "nlp/active_set.hpp"
-#include "solvers/chain_ldlt.hpp"
 #include "solvers/inertia.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/contact_error.hpp"
+#include "trajectory/places.hpp"
 #include "trajectory/reintegration.hpp"
 
 namespace brachisto {
@@ -67,33 +63,6 @@ void check_limits(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add("limits", worst, kAllowed, where);
 }
 
-/// What the path touches at the end of an element.
-struct TouchedAt {
-  int element;
-  int limit;
-  double multiplier;  ///< λ of its equation
-};
-
-std::vector<TouchedAt> touches_of(const LimitedCurve& curve) {
-  const LimitedTime& problem = curve.problem();
-  std::vector<TouchedAt> touches;
-  if (!problem.held()) return touches;
-  const auto& at_end = problem.held()->at_end;
-  // At B there is no place to move.
-  for (std::size_t e = 0; e + 1 < at_end.size(); ++e) {
-    for (std::size_t i = 0; i < at_end[e].size(); ++i) {
-      if (at_end[e][i] == nlp::Held::No) continue;
-      const auto element = static_cast<int>(e);
-      const auto limit = static_cast<int>(i);
-      const int point = (element + 1) * problem.mesh().degree - 1;
-      touches.push_back(
-          {element, limit,
-           curve.point().lambda[at(problem.layout().limit(point, limit))]});
-    }
-  }
-  return touches;
-}
-
 /// Of states, control and rows as the problem has them; but where a limit holds
 /// at the end of an element alone, touched or about to be held, its multiplier
 /// is an impulse, whatever the length of the element.
@@ -117,92 +86,6 @@ std::vector<double> weights_of(const LimitedCurve& curve,
   return weights;
 }
 
-/// c' and c'' of what is touched, by the share of the element.
-std::array<double, 2> rates_at(const LimitedCurve& curve,
-                               const TouchedAt& touch) {
-  // Five values: what has to be large against rounding is c'', a polynomial's.
-  constexpr double kStep = 0.05;
-  const Scene& scene = curve.problem().scene();
-  const auto value = [&](double t) {
-    return value_of(curve.problem().limits()[at(touch.limit)], scene.body,
-                    scene.gravity, curve.at(touch.element, t).state);
-  };
-  const double near = value(1.0 + kStep), far = value(1.0 + 2.0 * kStep);
-  const double back = value(1.0 - kStep), rear = value(1.0 - 2.0 * kStep);
-  return {(8.0 * (near - back) - (far - rear)) / (12.0 * kStep),
-          (16.0 * (near + back) - (far + rear) - 30.0 * value(1.0)) /
-              (12.0 * kStep * kStep)};
-}
-
-/// Where the path touches a limit is a variable too, t, with L_tt = λ c'' < 0
-/// and L_xt = λ ∂c'/∂x: the limit asks for the largest value along the path.
-/// With K the KKT matrix for fixed t eliminating t adds to the Hessian, and by
-/// Haynsworth's formula as many positive eigenvalues as
-/// L_tt − L_tx K⁻¹ L_xt has. Nothing if L_tt > 0 or if it cannot be told.
-std::optional<int> positive_by_touches(LimitedTime& problem,
-                                       const LimitedCurve& curve) {
-  const std::vector<TouchedAt> touches = touches_of(curve);
-  const std::unique_ptr<ChainLdlt> chain =
-      touches.empty()
-          ? nullptr
-          : make_chain_ldlt(problem, nlp::active_set(problem, curve.point()));
-  if (!chain || !problem.set_point(curve.point().x)) return 0;
-  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
-  problem.eval_hess_lag(1.0, curve.point().lambda, hess);
-  std::vector<double> jac(problem.jac_g_pattern().num_entries());
-  problem.eval_jac_g(jac);
-  const std::array<std::span<const double>, 2> values = {hess, jac};
-  if (!chain->factorise(values) || chain->inertia().zero > 0) return 0;
-  const int n = problem.num_variables();
-  const int p = problem.mesh().degree;
-  const VariableLayout& layout = problem.layout();
-  const auto size = static_cast<Eigen::Index>(touches.size());
-  Eigen::MatrixXd by_place = Eigen::MatrixXd::Zero(size, size);
-  std::vector<std::vector<double>> mixed;
-  for (const TouchedAt& touch : touches) {
-    std::vector<double>& column =
-        mixed.emplace_back(at(n + problem.num_constraints()), 0.0);
-    const auto rate_by = [&](int variable) {
-      constexpr double kStep = 1e-5;
-      if (problem.variable_range(variable).single()) return;
-      const auto moved = [&](double by) {
-        PrimalDual point = curve.point();
-        point.x[at(variable)] += by;
-        // Next to rest the speed may leave no room for the step.
-        if (!problem.set_point(point.x)) return kNotKnown;
-        return rates_at(LimitedCurve(problem, std::move(point)), touch)[0];
-      };
-      column[at(variable)] =
-          touch.multiplier * (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
-    };
-    for (int node = touch.element * p; node <= (touch.element + 1) * p;
-         ++node) {
-      for (int i = 0; i < layout.num_states(); ++i) {
-        rate_by(layout.state(node, StateComponent::X) + i);
-      }
-    }
-    for (int c = touch.element * p; c < (touch.element + 1) * p; ++c) {
-      rate_by(layout.control(c));
-    }
-    const auto i = static_cast<Eigen::Index>(mixed.size()) - 1;
-    by_place(i, i) = touch.multiplier * rates_at(curve, touch)[1];
-    if (!(by_place(i, i) <= 0.0)) return std::nullopt;
-  }
-  for (Eigen::Index j = 0; j < size; ++j) {
-    std::vector<double> solved = mixed[static_cast<std::size_t>(j)];
-    chain->solve(solved);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const std::vector<double>& row = mixed[static_cast<std::size_t>(i)];
-      by_place(i, j) -=
-          std::inner_product(row.begin(), row.end(), solved.begin(), 0.0);
-    }
-  }
-  if (!by_place.allFinite()) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-      by_place, Eigen::EigenvaluesOnly);
-  return static_cast<int>((eigen.eigenvalues().array() > 0.0).count());
-}
-
 /// On the critical cone: limits that hold are equations, the others are absent.
 /// With (p, z, q) positive, zero and negative eigenvalues of the Hessian on the
 /// null space of m equations of rank r, the matrix has p + r positive ones, the
@@ -212,12 +95,12 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
   LimitedTime problem = curve.problem();
   const nlp::ActiveSet active = nlp::active_set(problem, curve.point());
   const Inertia inertia = kkt_inertia(problem, curve.point());
-  const std::optional<int> by_touches = positive_by_touches(problem, curve);
-  const int wanted = active.num_free() - by_touches.value_or(0);
+  const std::optional<int> by_places = positive_by_places(curve);
+  const int wanted = active.num_free() + by_places.value_or(0);
   certificate.add(
       "second_order",
-      inertia.known && by_touches ? std::abs(inertia.positive - wanted)
-                                  : kNotKnown,
+      inertia.known && by_places ? std::abs(inertia.positive - wanted)
+                                 : kNotKnown,
       0.0,
       fmt::format("inertia ({}, {}, {}), wanted {} positive", inertia.positive,
                   inertia.negative, inertia.zero, wanted));

@@ -91,7 +91,7 @@ enum class Certify {
 /// or Status::TimeLimit. A solve that cannot be done in this time, or in the
 /// memory that there is, is not begun.
 struct Limits {
-  int iterations = 500;     ///< of the solver, in all passes together; ≥ 1
+  int iterations = 3000;    ///< of the solver, in all passes together; ≥ 1
   double seconds = 3600.0;  ///< wall clock, > 0
 };
 

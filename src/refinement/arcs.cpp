@@ -222,6 +222,66 @@ void close_gaps(const LimitedCurve& curve, std::vector<Sighting>& seen) {
   }
 }
 
+/// The limit of the place that holds; −1 if none does.
+int held_of_place(const std::vector<Held>& held,
+                  const std::vector<PathInequality>& limits) {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i] != Held::No && !limits[i].bounds_control()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Where a limit of the control is exceeded along one of the place, it does not
+/// take over from it: it bounds the control from the side of the place before it
+/// is reached, so that the path leaves the place in good time, is led back and
+/// touches it where both hold.
+void part_from_place(const LimitedTime& problem,
+                     const std::vector<std::vector<Held>>& before,
+                     std::vector<Sighting>& seen) {
+  const auto taken = [&](std::size_t i) {
+    return held_of_place(before[i], problem.limits()) >= 0 &&
+           held_of_control(seen[i].held, problem.limits()) >= 0;
+  };
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (!taken(first)) continue;
+    const int place = held_of_place(before[first], problem.limits());
+    std::size_t end = first;
+    while (end < seen.size() && before[end] == before[first] &&
+           seen[end].held == seen[first].held) {
+      ++end;
+    }
+    const auto still = [&](std::size_t i) {
+      return i < seen.size() && before[i] == before[first] &&
+             seen[i].held == before[first];
+    };
+    const std::size_t more = (end - first + 1) / 2;
+    const bool behind = still(end), ahead = first > 0 && still(first - 1);
+    const Touch touch{at(place), before[first][at(place)]};
+    const std::vector<Held> control = seen[first].held;
+    std::size_t at_touch = (first + end) / 2;
+    if (ahead && !behind) {
+      at_touch = first;
+      std::size_t k = first;
+      for (; k > 0 && first - k < more && still(k - 1); --k) {
+        seen[k - 1].held = control;
+      }
+      if (k > 0 && still(k - 1)) {
+        std::ranges::fill(seen[k - 1].held, Held::No);
+      }
+    } else if (behind && !ahead) {
+      at_touch = end - 1;
+      std::size_t k = end;
+      for (; k - end < more && still(k); ++k) seen[k].held = control;
+      if (still(k)) std::ranges::fill(seen[k].held, Held::No);
+      end = k;
+    }
+    seen[at_touch].touch = touch;
+    first = end;
+  }
+}
+
 /// At B the place is given: a limit of it is not touched there.
 void leave_end(const LimitedTime& problem, std::vector<Sighting>& seen) {
   std::optional<Touch>& touch = seen.back().touch;
@@ -338,12 +398,8 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
         changed = true;
       } else if (which < held.size()) {
         changed = true;
-        for (std::size_t i = 0; i < held.size(); ++i) {
-          if (problem.limits()[i].bounds_control() ==
-              problem.limits()[which].bounds_control()) {
-            held[i] = Held::No;
-          }
-        }
+        // Along a limit of the place the control is given: the path leaves it.
+        std::ranges::fill(held, Held::No);
         held[which] = where;
       }
       seen.push_back({mesh.sigma(e, t), held, touch, touch ? worst : 0.0});
@@ -364,6 +420,7 @@ std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
   }
   if (!changed) return std::nullopt;
   touch_once(seen);
+  part_from_place(problem, before, seen);
   widen_new(before, seen);
   leave_end(problem, seen);
   return arcs_from(seen, mesh.num_elements());
@@ -445,6 +502,12 @@ double junction_residual(const LimitedCurve& curve,
     };
     return (value(1.0 + kStep) - value(1.0 - kStep)) / (2.0 * kStep);
   }
+  const int r = held_of_control(after.held, problem.limits());
+  const auto off_bound = [&] {
+    const PathInequality& limit = problem.limits()[at(r)];
+    return value_of(limit, scene.body, scene.gravity, left.state) -
+           (after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower);
+  };
   const auto off_singular = [&](const Costates& p) {
     return left.state.beta - minimising_slope(scene.body, scene.gravity,
                                               {left.state.theta, left.state.w},
@@ -453,21 +516,20 @@ double junction_residual(const LimitedCurve& curve,
   for (std::size_t i = 0; i < before.held.size(); ++i) {
     if (problem.limits()[i].bounds_control()) continue;
     if (before.held[i] == after.held[i]) continue;
-    return after.held[i] != Held::No
-               ? angle_to(problem.limits()[i], left.state)
-               : off_singular(curve.at(element + 1, 0.0).p);
+    if (after.held[i] != Held::No) {
+      return angle_to(problem.limits()[i], left.state);
+    }
+    // What holds behind it takes over where it is reached: sooner it would lead
+    // back below.
+    return r < 0 ? off_singular(curve.at(element + 1, 0.0).p) : off_bound();
   }
-  const int r = held_of_control(after.held, problem.limits());
   if (!holds_control(before, problem.limits()) || r < 0) {
     return off_singular(left.p);
   }
   if (opposite(problem, before.held, after.held, left.state)) {
     return left.p_beta;
   }
-  const PathInequality& limit = problem.limits()[at(r)];
-  const double bound =
-      after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower;
-  return value_of(limit, scene.body, scene.gravity, left.state) - bound;
+  return off_bound();
 }
 
 }  // namespace brachisto

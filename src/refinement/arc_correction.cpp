@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Other arcs where a solution with given ones breaks a limit or a sign.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "math/index.hpp"
+#include "refinement/sightings.hpp"
+#include "transcription/held_control.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using nlp::Held;
+
+/// Whether the limit that holds the control of an arc keeps it from what
+/// another one, which is exceeded there, asks for.
+bool gives_no_way(const LimitedTime& problem, const Arc& arc,
+                  std::size_t exceeded, Held where,
+                  const TurningPoint<double>& place) {
+  const int held = held_of_control(arc.held, problem.limits());
+  if (held < 0) return false;
+  return !problem.limits()[exceeded].bounds_control() ||
+         holds_from_above(problem, held, arc.held[at(held)], place) !=
+             holds_from_above(problem, static_cast<int>(exceeded), where,
+                              place);
+}
+
+/// An arc that is missing is longer than the stretch where its limit is
+/// exceeded without it: β has to be back on the free arc behind it, so that the
+/// excess of q over the one that the limit allows has no integral. Of a
+/// parabola the part above zero is 1/√3 of that.
+void widen_new(const std::vector<std::vector<Held>>& before,
+               std::vector<Sighting>& seen) {
+  const std::size_t n = seen.size();
+  std::vector<Sighting> wider = seen;
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first + 1;
+    while (end < n && seen[end].held == seen[first].held) ++end;
+    if (is_free(before[first]) && !is_free(seen[first].held)) {
+      const auto more = static_cast<std::size_t>(
+          std::ceil(0.37 * static_cast<double>(end - first)));
+      for (std::size_t k = 1; k <= more; ++k) {
+        if (first >= k && is_free(seen[first - k].held)) {
+          wider[first - k].held = seen[first].held;
+        }
+        if (end + k <= n && is_free(seen[end + k - 1].held)) {
+          wider[end + k - 1].held = seen[first].held;
+        }
+      }
+    }
+    first = end;
+  }
+  seen = std::move(wider);
+}
+
+/// The limit of the place that holds; −1 if none does.
+int held_of_place(const std::vector<Held>& held,
+                  const std::vector<PathInequality>& limits) {
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (held[i] != Held::No && !limits[i].bounds_control()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+/// Where a limit of the control is exceeded along one of the place, it does not
+/// take over from it: it bounds the control from the side of the place before
+/// it is reached, so that the path leaves the place in good time, is led back
+/// and touches it where both hold.
+void part_from_place(const LimitedTime& problem,
+                     const std::vector<std::vector<Held>>& before,
+                     std::vector<Sighting>& seen) {
+  const auto taken = [&](std::size_t i) {
+    return held_of_place(before[i], problem.limits()) >= 0 &&
+           held_of_control(seen[i].held, problem.limits()) >= 0;
+  };
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (!taken(first)) continue;
+    const int place = held_of_place(before[first], problem.limits());
+    std::size_t end = first;
+    while (end < seen.size() && before[end] == before[first] &&
+           seen[end].held == seen[first].held) {
+      ++end;
+    }
+    const auto still = [&](std::size_t i) {
+      return i < seen.size() && before[i] == before[first] &&
+             seen[i].held == before[first];
+    };
+    const std::size_t more = (end - first + 1) / 2;
+    const bool behind = still(end), ahead = first > 0 && still(first - 1);
+    const Touch touch{at(place), before[first][at(place)]};
+    const std::vector<Held> control = seen[first].held;
+    std::size_t at_touch = (first + end) / 2;
+    if (ahead && !behind) {
+      at_touch = first;
+      std::size_t k = first;
+      for (; k > 0 && first - k < more && still(k - 1); --k) {
+        seen[k - 1].held = control;
+      }
+      if (k > 0 && still(k - 1)) {
+        std::ranges::fill(seen[k - 1].held, Held::No);
+      }
+    } else if (behind && !ahead) {
+      at_touch = end - 1;
+      std::size_t k = end;
+      for (; k - end < more && still(k); ++k) seen[k].held = control;
+      if (still(k)) std::ranges::fill(seen[k].held, Held::No);
+      end = k;
+    }
+    seen[at_touch].touch = touch;
+    first = end;
+  }
+}
+
+/// What holds at the places of a solution, as its inequalities would have it.
+class Correction {
+ public:
+  /// \param curve, arcs  must outlive this
+  Correction(const LimitedCurve& curve, const std::vector<Arc>& arcs)
+      : curve_(curve), arcs_(arcs) {}
+
+  [[nodiscard]] std::optional<std::vector<Arc>> run() {
+    int first = 0;
+    double begin = 0.0;
+    for (const Arc& arc : arcs_) {
+      look_along(arc, first, begin);
+      first += arc.elements();
+      begin = arc.end;
+    }
+    if (!changed_) return std::nullopt;
+    const LimitedTime& problem = curve_.problem();
+    touch_once(seen_);
+    part_from_place(problem, before_, seen_);
+    widen_new(before_, seen_);
+    leave_end(problem, seen_);
+    return arcs_from(seen_, problem.mesh().num_elements());
+  }
+
+ private:
+  static constexpr int kPlaces = 16;  // of an element
+
+  void look_along(const Arc& arc, int first, double begin) {
+    constexpr double kShort = 1e-4;
+    const int end = first + arc.elements();
+    largest_ = curve_.largest_multiplier(first, end);
+    // Junctions of a short arc would stay where its neighbours begin.
+    const bool given_up =
+        arc.end - begin < kShort && pulls_wrong_anywhere(arc, first, end);
+    for (int e = first; e < end; ++e) {
+      // What is touched has its multiplier at a point, and the polynomial of
+      // the other one tells nothing there.
+      const bool before_touch = arc.touch && e + 1 == end;
+      for (const double t : curve_.places(e, kPlaces)) {
+        if (t == 0.0 || t == 1.0) continue;  // junctions belong to two arcs
+        look_at(arc, e, t, given_up, !before_touch);
+      }
+    }
+    if (arc.touch) keep_touch(arc, end);
+  }
+
+  [[nodiscard]] bool pulls_wrong(const Arc& arc, const LimitedPoint& place,
+                                 std::size_t limit) const {
+    constexpr double kWrongSign = 1e-3;  // of the arc's largest
+    const Held held = arc.held[limit];
+    const double multiplier = place.multipliers[limit];
+    return held != Held::No &&
+           (held == Held::AtLower ? multiplier : -multiplier) >
+               kWrongSign * largest_;
+  }
+  [[nodiscard]] bool pulls_wrong_anywhere(const Arc& arc, int first,
+                                          int end) const {
+    for (int e = first; e < end; ++e) {
+      for (const double t : curve_.places(e, kPlaces)) {
+        const LimitedPoint place = curve_.at(e, t);
+        for (std::size_t i = 0; i < arc.held.size(); ++i) {
+          if (pulls_wrong(arc, place, i)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void look_at(const Arc& arc, int element, double t, bool given_up,
+               bool signs_count) {
+    const LimitedTime& problem = curve_.problem();
+    const LimitedPoint place = curve_.at(element, t);
+    Sighting seen{problem.mesh().sigma(element, t), arc.held};
+    for (std::size_t i = 0; i < arc.held.size(); ++i) {
+      if (arc.held[i] == Held::No) continue;
+      if (given_up || (signs_count && pulls_wrong(arc, place, i))) {
+        seen.held[i] = Held::No;
+        changed_ = true;
+      }
+    }
+    if (const auto [limit, where, excess] = exceeded(arc, place);
+        where != Held::No) {
+      changed_ = true;
+      if (gives_no_way(problem, arc, limit, where, place.state)) {
+        seen.touch = {limit, where};
+        seen.excess = excess;
+      } else {
+        // Along a limit of the place the control is given: the path leaves it.
+        std::ranges::fill(seen.held, Held::No);
+        seen.held[limit] = where;
+      }
+    }
+    before_.push_back(arc.held);
+    seen_.push_back(std::move(seen));
+  }
+
+  /// Of the limits that do not hold the one that is exceeded most.
+  struct Exceeded {
+    std::size_t limit;
+    Held where;  ///< No if none is
+    double by;
+  };
+  [[nodiscard]] Exceeded exceeded(const Arc& arc,
+                                  const LimitedPoint& place) const {
+    constexpr double kExceeded = 1e-7;
+    const LimitedTime& problem = curve_.problem();
+    Exceeded worst{0, Held::No, kExceeded};
+    for (std::size_t i = 0; i < arc.held.size(); ++i) {
+      if (arc.held[i] != Held::No) continue;
+      const PathInequality& limit = problem.limits()[i];
+      const double value = value_of(limit, problem.scene().body,
+                                    problem.scene().gravity, place.state);
+      const double below = limit.lower - value;
+      const double above = value - limit.upper;
+      if (std::max(below, above) <= worst.by) continue;
+      worst = {i, below > above ? Held::AtLower : Held::AtUpper,
+               std::max(below, above)};
+    }
+    return worst;
+  }
+
+  /// If its multiplier has the right sign.
+  void keep_touch(const Arc& arc, int end) {
+    constexpr double kKept = std::numeric_limits<double>::infinity();
+    const LimitedTime& problem = curve_.problem();
+    const Touch& touch = *arc.touch;
+    const double multiplier = curve_.point().lambda[at(problem.layout().limit(
+        end * problem.mesh().degree - 1, static_cast<int>(touch.limit)))];
+    if ((multiplier > 0.0) != (touch.at == Held::AtUpper)) {
+      changed_ = true;
+      return;
+    }
+    seen_.push_back({arc.end, seen_.back().held,
+                     Touch{touch.limit, touch.at, multiplier}, kKept});
+    before_.push_back(before_.back());
+  }
+
+  const LimitedCurve& curve_;
+  const std::vector<Arc>& arcs_;
+  double largest_ = 0.0;  ///< multiplier on the arc that is looked at
+  std::vector<Sighting> seen_;
+  std::vector<std::vector<Held>> before_;  ///< what was held there
+  bool changed_ = false;
+};
+
+}  // namespace
+
+std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
+                                          const std::vector<Arc>& arcs) {
+  return Correction(curve, arcs).run();
+}
+
+}  // namespace brachisto

@@ -9,6 +9,7 @@
 
 #include "math/index.hpp"
 #include "refinement/open_conditions.hpp"
+#include "transcription/held_control.hpp"
 
 namespace brachisto {
 
@@ -33,7 +34,19 @@ PathSystem::PathSystem(const Scene& scene, PathSetting setting, int degree)
     : scene_(scene),
       setting_(std::move(setting)),
       problem_(problem_with(scene, setting_, degree)) {
-  release(touched_rows(setting_.arcs, problem_));
+  // Rounding may hide that the chain is singular.
+  const bool all_held = !problem_.free_contacts() &&
+                        std::ranges::none_of(setting_.arcs, [](const Arc& arc) {
+                          return is_free(arc.held);
+                        });
+  release(all_held ? with_end() : touched_rows(setting_.arcs, problem_));
+}
+
+std::vector<int> PathSystem::with_end() const {
+  const VariableLayout& layout = problem_.layout();
+  std::vector<int> rows = touched_rows(setting_.arcs, problem_);
+  rows.push_back(layout.defect(layout.num_points() - 1, StateComponent::X));
+  return rows;
 }
 
 void PathSystem::release(std::vector<int> rows) {
@@ -92,10 +105,8 @@ bool PathSystem::linearise() {
   system_->evaluate_jacobian();
   if (chain_ && chain_->factorise()) return true;
   // A condition on where the path ends, where nothing else gives way.
-  const VariableLayout& layout = problem_.layout();
-  std::vector<int> rows = touched_rows(setting_.arcs, problem_);
-  if (rows.size() < released_.size()) return false;
-  rows.push_back(layout.defect(layout.num_points() - 1, StateComponent::X));
+  std::vector<int> rows = with_end();
+  if (rows.size() == released_.size()) return false;
   release(std::move(rows));
   if (!chain_ || !system_->evaluate(point_.x, point_.lambda, 0.0)) {
     return false;

@@ -89,6 +89,8 @@ class PathSystem {
   [[nodiscard]] LimitedTime problem_of(const PathSetting& changed) const;
   [[nodiscard]] std::vector<double> residual_of(const PathSetting& changed);
   void release(std::vector<int> rows);
+  /// What is touched, and the place where the path ends.
+  [[nodiscard]] std::vector<int> with_end() const;
   [[nodiscard]] Eigen::VectorXd open_at(LimitedCurve there,
                                         const PathSetting& setting) const;
   [[nodiscard]] PathRates along(std::span<const double> rhs,

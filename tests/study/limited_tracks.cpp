@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -326,6 +327,66 @@ TEST(LimitedTracks, TouchAFloorThatFrictionKeepsThemFromFollowing) {
     const double sigma = static_cast<double>(i) / kPlaces;
     EXPECT_LE(motion.at(sigma).centre.z + r, kFloor + 1e-8) << sigma;
   }
+}
+
+/// Friction that the floor asks for too much of at the end of its arc: the body
+/// leaves it in good time and touches it once more.
+TEST(LimitedTracks, LeaveAFloorBeforeFrictionDoesNotFollowIt) {
+  Scene scene = under(off_centred_scene(), friction(0.4));
+  scene.limits.floor = 1.0 + 0.7 / 3.0;
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const Motion& motion = *solution.motion();
+  constexpr int kPlaces = 4000;
+  for (int i = 1; i <= kPlaces; ++i) {
+    const TrajectoryPoint at = motion.at(static_cast<double>(i) / kPlaces);
+    EXPECT_LE(at.centre.z + scene.body.radius, *scene.limits.floor + 1e-8);
+    EXPECT_LE(std::abs(at.motion.R_t),
+              *scene.limits.friction * at.motion.R_n + 1e-8);
+  }
+}
+
+/// So early on the way the body has fallen through a millionth of the height
+/// that the error of its place is told in: the motion integrated again from
+/// there was off by more than the solution.
+TEST(LimitedTracks, AreFollowedFromRestAsExactlyAsTheyAreSolved) {
+  Scene scene = off_centred_scene();
+  scene.body = Body::cylinder(0.574078, 0.591831, 0.247771, 0.620089);
+  scene.L = 2.347915;
+  scene.limits.normal_max = 2.332785;
+
+  const Solution solution = solve(scene);
+
+  EXPECT_TRUE(solution.verified())
+      << ::testing::PrintToString(solution.not_verified_because());
+}
+
+/// At rest a normal force bounds no turn: where C_A is best above another slope
+/// than the path leaves it under, each wider bound of the valley is a faster
+/// track, and without one there is none that is fastest.
+TEST(LimitedRefusals, OfAKinkAtRestThatNoLimitBounds) {
+  const Scene base = off_centred_scene();
+  PathLimits limits = bends(1.0, 10.0);
+  limits.normal_max = 3.0;
+  double before = std::numeric_limits<double>::infinity();
+  for (const double K : {10.0, 100.0, 1000.0}) {
+    limits.curvature.valley = K;
+    const Solution solution = solve(under(base, limits, Contact::Optimal));
+    ASSERT_TRUE(solution.verified()) << K << ": " << solution.message;
+    const double tau = solution.motion()->tau();
+    EXPECT_LT(tau, before - 0.01) << K;
+    before = tau;
+  }
+
+  limits.curvature.valley.reset();
+  const Solution solution = solve(under(base, limits, Contact::Optimal));
+
+  EXPECT_EQ(solution.status, Status::NoFastestTrack) << solution.message;
+  EXPECT_EQ(solution.motion(), nullptr);
+  EXPECT_NE(solution.message.find("try limits.curvature.valley"),
+            std::string::npos);
 }
 
 TEST(LimitedRefusals, OfTooLittleFrictionNameNoTime) {

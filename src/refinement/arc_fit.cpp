@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -113,34 +114,36 @@ class Fit {
   }
 
   /// Moves junctions and ends along a step, which becomes what was done: less
-  /// where an arc would shrink too fast.
+  /// where a slope would turn or an arc would shrink too fast.
   void move(Vector& step, PathSetting& setting) const {
-    constexpr double kShare = 0.6, kLongest = 0.1;
+    constexpr double kLeft = 0.4, kLongest = 0.1;
     const auto m = static_cast<Eigen::Index>(num_junctions());
-    const auto allowed = [&](std::size_t arc) {
-      return kShare * length_of(now_.arcs, arc) /
-             std::max(-growth(step, arc), 1e-300);
-    };
-    for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
-      const double by = allowed(i);
-      if (by >= 1.0) continue;
-      const auto end = static_cast<Eigen::Index>(i);
-      if (end < m) step[end] *= by;
-      if (i > 0) step[end - 1] *= by;
-    }
-    // What that has made of its neighbours.
-    double all = 1.0;
-    for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
-      all = std::min(all, 1.3 * allowed(i));
-    }
     const Eigen::Index end = m + (end_is_sought(scene_) ? 1 : 0);
     const Eigen::Index slopes = end + (start_is_sought(setting.ends) ? 1 : 0);
+    double all = 1.0;
     for (Eigen::Index i = m; i < slopes; ++i) {
       all = std::min(all, kLongest / (std::abs(step[i]) + 1e-300));
     }
     step *= all;
+    // Neighbours that move together may do so; one that would run into another
+    // pushes it along.
+    std::vector<double> least;
+    for (std::size_t i = 0; i < setting.arcs.size(); ++i) {
+      least.push_back(kLeft * length_of(setting.arcs, i));
+    }
+    double begin = 0.0;
     for (Eigen::Index i = 0; i < m; ++i) {
-      setting.arcs[static_cast<std::size_t>(i)].end += step[i];
+      const auto arc = static_cast<std::size_t>(i);
+      begin = std::max(setting.arcs[arc].end + step[i], begin + least[arc]);
+      step[i] = begin - setting.arcs[arc].end;
+    }
+    double behind = 1.0;
+    for (Eigen::Index i = m; i-- > 0;) {
+      const auto arc = static_cast<std::size_t>(i);
+      behind =
+          std::min(setting.arcs[arc].end + step[i], behind - least[arc + 1]);
+      step[i] = behind - setting.arcs[arc].end;
+      setting.arcs[arc].end = behind;
     }
     if (end > m) setting.ends.phi += step[m];
     if (slopes > end) *setting.ends.start += step[end];
@@ -169,6 +172,7 @@ class Fit {
       return fail("the arcs have no start");
     }
     border_ = {};
+    restorable_ = 0.5;
     double last_left = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
       const double left = largest(system.open());
@@ -196,8 +200,13 @@ class Fit {
         step = *wanted;
         if (drop_vanishing(step, system)) return Outcome::Vanished;
       }
+      const double before = system.residual();
       if (advance(system, newton, step)) {
-        if (together) border_.went(step);
+        if (together) {
+          border_.went(step);
+        } else {
+          learn_what_is_restored(before, system.residual());
+        }
         continue;
       }
       // Next to the solution junctions may be right to rounding, and the rest
@@ -255,7 +264,7 @@ class Fit {
       }
       const double next = system.residual();
       if (next < residual || (residual > kNear && next < 2.0 * residual) ||
-          (!wanted.isZero() && next <= kRestorable)) {
+          (!wanted.isZero() && next <= restorable_)) {
         return true;
       }
     }
@@ -264,9 +273,20 @@ class Fit {
     static_cast<void>(system.move_to(from, start));
     return false;
   }
-  /// Residuals at which junctions are moved, and after which they are found to
-  /// fall again.
-  static constexpr double kNear = 1e-2, kRestorable = 0.5;
+  /// Residuals at which junctions are moved.
+  static constexpr double kNear = 1e-2;
+
+  /// How far junctions may be moved at once shows in how well the conditions
+  /// are met again after it: multipliers, and with them residuals, are large
+  /// where many limits hold one after the other.
+  void learn_what_is_restored(double before, double after) {
+    constexpr double kWell = 1e-2, kPoor = 0.3, kFactor = 4.0, kMost = 50.0;
+    if (after <= kWell * before) {
+      restorable_ = std::min(kFactor * restorable_, kMost);
+    } else if (after > kPoor * before) {
+      restorable_ = std::max(restorable_ / kFactor, kNear);
+    }
+  }
 
   /// To rounding: certificates weigh residuals by the lengths of elements, and
   /// junctions that move by rounding disturb them.
@@ -283,8 +303,14 @@ class Fit {
   }
 
   [[nodiscard]] static bool is_closed(const PathSystem& system) {
-    constexpr double kResidual = 1e-11, kClosed = 1e-10;
-    return system.residual() <= kResidual && largest(system.open()) <= kClosed;
+    constexpr double kResidual = 1e-12, kLeast = 10.0, kClosed = 1e-10;
+    // What is summed up in a residual, and rounded.
+    double terms = kLeast;
+    for (const double lambda : system.point().lambda) {
+      terms = std::max(terms, std::abs(lambda));
+    }
+    return system.residual() <= kResidual * terms &&
+           largest(system.open()) <= kClosed;
   }
   /// Zero of nothing; what is not a number stays, which the norm passes over.
   [[nodiscard]] static double largest(const Vector& open) {
@@ -340,6 +366,7 @@ class Fit {
   const LimitedCurve& nearby_;
   std::optional<LimitedCurve> kept_;
   Border border_;
+  double restorable_ = 0.5;  ///< residual after which it is found to fall again
   std::vector<int> crossings_;  ///< of each arc's ends, one after the other
   ArcFit out_;
 };

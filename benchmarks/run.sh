@@ -73,6 +73,8 @@ usual() {
   step million_nodes "$brachisto" solve problems/large/million_nodes.yaml
   step gallery "${program}gallery" --jobs 2 --out "$results/gallery.csv"
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"
+  step random_starts "${program}random_starts" --jobs 2 \
+    --out "$results/random_starts.csv"
   step campaign "${program}campaign" --jobs 2 --out "$results/campaign.csv"
   step hostile benchmarks/hostile/hostile.py --program "$brachisto" --jobs 2 \
     --out "$results/hostile.csv"

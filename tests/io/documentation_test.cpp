@@ -179,6 +179,7 @@ std::string effective(const ProblemFile& p) {
          << static_cast<int>(method.arm);
   }
   for (const int size : p.work_precision.meshes) text << ' ' << size;
+  for (const double wanted : p.work_precision.tolerances) text << ' ' << wanted;
   text << ' ' << p.work_precision.repetitions << ' '
        << p.work_precision.seconds_per_point;
   return text.str();

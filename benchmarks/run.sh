@@ -82,6 +82,8 @@ usual() {
 
 long() {
   step limits "${program}limits" --jobs 2 --out "$results/limits.csv"
+  step honesty_limited "${program}honesty" --limited --jobs 2 \
+    --out "$results/honesty_limited.csv"
   step feasibility "${program}feasibility" --jobs 2 \
     --out "$results/feasibility.csv"
   step scaling_million "${program}scaling" --sizes 1000000 --mumps-up-to 0 \

@@ -60,7 +60,7 @@ double worst_excess(const Solution& solution) {
     const TrajectoryPoint at =
         solution.motion()->at(static_cast<double>(i) / kPlaces);
     for (const StatedLimit& limit : limits) {
-      if (i < kPlaces / 100 && limit.power_of_length < 0) continue;
+      if (i < kPlaces / 100 && limit.name.starts_with("curvature")) continue;
       worst = std::max(worst, -limit.slack(at));
     }
   }

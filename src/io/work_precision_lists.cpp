@@ -192,10 +192,13 @@ struct NumbersOf {
     problem.work_precision.*kMember = std::move(numbers);
   }
 
+  /// Readers of YAML 1.1 take 1e-4 for a text.
   static Json schema() {
-    return {{"type", std::is_integral_v<Value> ? "integer" : "number"},
-            {"minimum", kAllowed.lower},
-            {"maximum", kAllowed.upper}};
+    return {
+        {"type", std::is_integral_v<Value> ? Json("integer")
+                                           : Json::array({"number", "string"})},
+        {"minimum", kAllowed.lower},
+        {"maximum", kAllowed.upper}};
   }
 
   [[nodiscard]] static Binding list() {

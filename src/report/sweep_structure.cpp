@@ -26,7 +26,6 @@ namespace {
 constexpr std::array kFills{"#4477aa", "#eeb04a", "#bbccee",
                             "#aa5577", "#88bb88", "#555555"};
 constexpr std::size_t kMostKinks = 12;
-constexpr std::size_t kLabelLetters = 60;
 
 /// What tells one structure from another: the limits of the arcs, one after
 /// the other, and whether the last one reaches B.
@@ -92,7 +91,8 @@ class StructurePlot {
       : table_(table),
         column_(table.columns[plot.x_column]),
         scenes_(sorted_by(column_, plot.curves[curve])) {
-    const KeyLabel label = key_label(column_.key).within(kLabelLetters);
+    constexpr std::size_t kLetters = 60;
+    const KeyLabel label = key_label(column_.key).within(kLetters);
     symbol_ = label.text(Markup::Rich, false);
     chart_.name = plot.curves.size() == 1
                       ? fmt::format("{}-limits", plot.name)

@@ -73,6 +73,8 @@ usual() {
   step million_nodes "$brachisto" solve problems/large/million_nodes.yaml
   step gallery "${program}gallery" --jobs 2 --out "$results/gallery.csv"
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"
+  step random_starts "${program}random_starts" --jobs 2 \
+    --out "$results/random_starts.csv"
   step campaign "${program}campaign" --jobs 2 --out "$results/campaign.csv"
   step hostile benchmarks/hostile/hostile.py --program "$brachisto" --jobs 2 \
     --out "$results/hostile.csv"
@@ -80,6 +82,8 @@ usual() {
 
 long() {
   step limits "${program}limits" --jobs 2 --out "$results/limits.csv"
+  step honesty_limited "${program}honesty" --limited --jobs 2 \
+    --out "$results/honesty_limited.csv"
   step feasibility "${program}feasibility" --jobs 2 \
     --out "$results/feasibility.csv"
   step scaling_million "${program}scaling" --sizes 1000000 --mumps-up-to 0 \

@@ -3,11 +3,16 @@
 
 #include "honesty/cases.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/study/solve.hpp"
+#include "limits/random_limits.hpp"
 #include "support/criterion.hpp"
+#include "support/limited_scenes.hpp"
 #include "support/processes.hpp"
 #include "support/reference_values.hpp"
 #include "support/witness.hpp"
@@ -63,6 +68,47 @@ std::vector<KnownScene> gallery_scenes(const std::string& folder, int jobs,
       });
   std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(known),
                [](const KnownScene& one) { return one.tau > 0.0; });
+  return known;
+}
+
+std::vector<KnownScene> limited_reference_scenes() {
+  std::vector<KnownScene> scenes;
+  for (testing::LimitedReference& row : testing::limited_references()) {
+    scenes.push_back({row.name, std::move(row.scene), row.tau});
+  }
+  return scenes;
+}
+
+std::vector<KnownScene> random_limited_scenes(std::uint64_t seed, int count,
+                                              int jobs) {
+  constexpr double kTwelveDigits = 1e-12;
+  constexpr unsigned kSeconds = 40;
+  // Some are refused, some are not solved.
+  const int drawn = 2 * count;
+  std::vector<double> taus(static_cast<std::size_t>(drawn), 0.0);
+  run_isolated<double>(
+      drawn, {.jobs = jobs, .seconds = kSeconds},
+      [&](int i) {
+        const auto limited = random_limited_scene(seed, i);
+        if (!limited || !validate(limited->scene).empty()) return 0.0;
+        SolveOptions options;
+        auto& mesh = options.use<Collocation>().discretisation;
+        mesh.degree = kMaxDegree;
+        mesh.tolerance = kTwelveDigits;
+        const Solution found = solve(limited->scene, options);
+        return found.verified() ? found.motion()->tau() : 0.0;
+      },
+      [&](int i, const std::optional<double>& tau, const std::string&) {
+        taus[static_cast<std::size_t>(i)] = tau.value_or(0.0);
+      });
+  std::vector<KnownScene> known;
+  for (int i = 0; i < drawn && std::ssize(known) < count; ++i) {
+    const double tau = taus[static_cast<std::size_t>(i)];
+    if (tau == 0.0) continue;
+    Scene scene = random_limited_scene(seed, i)->scene;
+    std::string name = fmt::format("random {}: {}", i, described(scene));
+    known.push_back({std::move(name), std::move(scene), tau});
+  }
   return known;
 }
 

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,15 @@ struct KnownScene {
 /// names those.
 [[nodiscard]] std::vector<KnownScene> gallery_scenes(
     const std::string& folder, int jobs, std::vector<std::string>& left_out);
+
+/// The reference values under limits.
+[[nodiscard]] std::vector<KnownScene> limited_reference_scenes();
+
+/// The first `count` random scenes under random limits (random_limited_scene())
+/// that are verified at degree 8, which is not the one that is tested, to an
+/// estimated error of 1e-12; that is their τ.
+[[nodiscard]] std::vector<KnownScene> random_limited_scenes(std::uint64_t seed,
+                                                            int count,
+                                                            int jobs);
 
 }  // namespace brachisto::benchmarks

@@ -9,13 +9,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "honesty/cases.hpp"
 #include "honesty/summary.hpp"
-#include "study/answer_kinds.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 
@@ -32,11 +32,13 @@ Measurement measure(const KnownScene& known, double tolerance) {
   measured.tolerance = tolerance;
   measured.verified = solution.verified();
   measured.reason = FixedText<300>(why_not_verified(solution));
-  if (trajectory_of(solution)) {
+  if (solution.motion() != nullptr) {
     measured.true_error =
         std::abs(solution.motion()->tau() - known.tau) / known.tau;
-    measured.degree = trajectory_of(solution)->curve().mesh().degree;
-    measured.elements = trajectory_of(solution)->curve().mesh().num_elements();
+  }
+  if (!solution.effort.meshes.empty()) {
+    measured.degree = solution.effort.meshes.back().degree;
+    measured.elements = solution.effort.meshes.back().elements;
   }
   if (solution.estimated_error) measured.estimate = *solution.estimated_error;
   measured.meshes = static_cast<int>(solution.effort.meshes.size());
@@ -59,14 +61,32 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--out", out, "CSV file")->capture_default_str();
+  bool under_limits = false;
+  int count_of_random = 60;
+  std::uint64_t seed = 1;
+  app.add_flag("--limited", under_limits,
+               "Scenes under limits in place of those without: the reference "
+               "values and random ones");
+  app.add_option("--random", count_of_random, "How many of these")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--seed", seed, "Of these")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   std::vector<std::string> left_out;
-  std::vector<KnownScene> scenes = reference_scenes();
-  for (KnownScene& one : gallery_scenes(folder, limits.jobs, left_out)) {
-    scenes.push_back(std::move(one));
+  std::vector<KnownScene> scenes;
+  const auto add = [&](std::vector<KnownScene> more) {
+    std::ranges::move(more, std::back_inserter(scenes));
+  };
+  if (under_limits) {
+    add(limited_reference_scenes());
+    add(random_limited_scenes(seed, count_of_random, limits.jobs));
+  } else {
+    add(reference_scenes());
+    add(gallery_scenes(folder, limits.jobs, left_out));
   }
-  const std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10};
+  std::vector<double> tolerances{1e-4, 1e-6, 1e-8};
+  if (!under_limits) tolerances.push_back(1e-10);
   const auto scene_of = [&](int i) {
     return static_cast<std::size_t>(i) / tolerances.size();
   };

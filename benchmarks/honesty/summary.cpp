@@ -87,7 +87,7 @@ std::string csv(const std::vector<Named>& all) {
     text += fmt::format(
         "{},{:.0e},{:d},{:.3g},{:.3g},{:.3g},{},{},{},{},{},{:.4f},{:d},{:d},"
         "{:d},{}\n",
-        one.name, m.tolerance, m.verified, m.true_error, m.estimate,
+        csv_field(one.name), m.tolerance, m.verified, m.true_error, m.estimate,
         resolved(m.estimate) / resolved(m.true_error), m.degree, m.elements,
         m.meshes, m.iterations, m.newton_steps, m.seconds,
         m.too_small_an_estimate(), m.misses_tolerance(),

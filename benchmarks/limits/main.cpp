@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
-#include "campaign/random_scene.hpp"
-#include "math/portable_random.hpp"
+#include "limits/random_limits.hpp"
 #include "support/csv.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
@@ -51,98 +50,6 @@ struct Record {
   FixedText<400> reason;
 };
 
-/// The value that a figure of the free motion is below for a share of the time,
-/// u > 0.05 U.
-double quantile(const Motion& motion, double share,
-                double (*figure)(const TrajectoryPoint&)) {
-  constexpr int kPlaces = 2000;
-  std::vector<std::pair<double, double>> values;  // value, time
-  double total = 0.0;
-  TrajectoryPoint before = motion.at(0.05);
-  for (int i = 1; i <= kPlaces; ++i) {
-    const TrajectoryPoint here =
-        motion.at(0.05 + 0.95 * static_cast<double>(i) / kPlaces);
-    values.emplace_back(figure(here), here.t - before.t);
-    total += here.t - before.t;
-    before = here;
-  }
-  std::sort(values.begin(), values.end());
-  double passed = 0.0;
-  for (const auto& [value, time] : values) {
-    passed += time;
-    if (passed >= share * total) return value;
-  }
-  return values.back().first;
-}
-
-/// One to three of six limits; the slopes free where that is well posed, in
-/// half of the cases.
-void add_limits(Scene& scene, const Motion& free, SplitMix64& random) {
-  constexpr double kShare = 0.95;
-  const double r = scene.body.radius;
-  scene.limits.curvature.of = CurvatureLimit::Of::Centre;
-  std::vector<int> kinds{0, 1, 2, 3, 4, 5};
-  const int count = 1 + static_cast<int>(random.uniform(0.0, 3.0));
-  for (int i = 0; i < count; ++i) {
-    const auto pick = static_cast<std::size_t>(
-        random.uniform(0.0, static_cast<double>(kinds.size())));
-    const int kind = kinds[pick];
-    kinds.erase(kinds.begin() + static_cast<std::ptrdiff_t>(pick));
-    const double factor = random.uniform(0.7, 1.3);
-    PathLimits& limits = scene.limits;
-    switch (kind) {
-      case 0:
-        limits.friction =
-            factor * quantile(free, kShare, [](const TrajectoryPoint& p) {
-              return std::abs(p.motion.R_t) / p.motion.R_n;
-            });
-        break;
-      case 1:
-        limits.normal_min =
-            factor * quantile(free, 1.0 - kShare, [](const TrajectoryPoint& p) {
-              return p.motion.R_n;
-            });
-        break;
-      case 2:
-        limits.normal_max =
-            factor * quantile(free, kShare, [](const TrajectoryPoint& p) {
-              return p.motion.R_n;
-            });
-        break;
-      case 3:
-        limits.curvature.hump =
-            factor / r * quantile(free, kShare, [](const TrajectoryPoint& p) {
-              return 1.0 - p.motion.fold_margin;
-            });
-        break;
-      case 4:
-        limits.curvature.valley =
-            factor / r * quantile(free, kShare, [](const TrajectoryPoint& p) {
-              return p.motion.fold_margin - 1.0;
-            });
-        break;
-      default:
-        limits.floor =
-            r + factor * quantile(free, kShare, [](const TrajectoryPoint& p) {
-                  return p.centre.z;
-                });
-    }
-  }
-  const PathLimits& limits = scene.limits;
-  const bool well_posed = limits.curvature.hump &&
-                          *limits.curvature.hump < 1.0 / r &&
-                          (limits.curvature.valley || limits.normal_max);
-  if (well_posed && random.uniform() < 0.5) scene.contact = Contact::Optimal;
-}
-
-std::string described(const Scene& scene) {
-  std::string text = scene.contact == Contact::Optimal ? "optimal" : "smooth";
-  for (const StatedLimit& limit : stated_limits(scene)) {
-    text += fmt::format(" {} {:.4g}", limit.name, *limit.bound);
-  }
-  return text;
-}
-
 /// By how much a bound is exceeded on a fine grid; one of curvature for u >
 /// 0.01 U, since before κ = q/w has fewer digits than the bound of q.
 double worst_excess(const Solution& solution) {
@@ -153,7 +60,7 @@ double worst_excess(const Solution& solution) {
     const TrajectoryPoint at =
         solution.motion()->at(static_cast<double>(i) / kPlaces);
     for (const StatedLimit& limit : limits) {
-      if (i < kPlaces / 100 && limit.power_of_length < 0) continue;
+      if (i < kPlaces / 100 && limit.name.starts_with("curvature")) continue;
       worst = std::max(worst, -limit.slack(at));
     }
   }
@@ -162,16 +69,13 @@ double worst_excess(const Solution& solution) {
 
 Record examine(std::uint64_t seed, int index) {
   Record record;
-  Scene scene = random_scene(seed, index);
-  const Solution free = solve(scene);
-  if (!free.verified()) {
+  const auto limited = random_limited_scene(seed, index);
+  if (!limited) {
     record.fate = Fate::NoFree;
     return record;
   }
-  record.free_tau = free.motion()->tau();
-  SplitMix64 random(SplitMix64::scrambled(seed) +
-                    static_cast<std::uint64_t>(index));
-  add_limits(scene, *free.motion(), random);
+  const Scene& scene = limited->scene;
+  record.free_tau = limited->free_tau;
   record.limits = FixedText<160>(described(scene));
   const std::vector<SceneError> errors = validate(scene);
   if (!errors.empty()) {

@@ -91,8 +91,8 @@ fails is a row with the reason.
 Examples:
   brachisto compare problems/paper/fig04_reference_case.yaml
   brachisto compare case.yaml --nodes 201 --json
-Exit codes: 0 compared, 3 bad input file, 4 no verified answer of the
-extremal method to take errors against, 6 I/O, 130/143 after
+Exit codes: 0 compared, 3 bad input file, 4 no verified answer to
+take errors against, 6 I/O, 130/143 after
 SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }

@@ -95,8 +95,8 @@ meshes; it has defaults.
 Examples:
   brachisto work-precision problems/work_precision/base.yaml --out wp
   brachisto work-precision case.yaml --quick
-Exit codes: 0 done, 3 bad input file, 4 no verified answer of the
-extremal method to take errors against, 6 I/O, 130/143 after
+Exit codes: 0 done, 3 bad input file, 4 no verified answer to
+take errors against, 6 I/O, 130/143 after
 SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }

@@ -12,6 +12,7 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "comparison/methods.hpp"
 #include "io/input_tree.hpp"
+#include "study/pose.hpp"
 
 namespace brachisto::comparison {
 
@@ -24,13 +25,16 @@ struct Contender {
   SolveOptions options;
 };
 
-/// In the order of the table; the first one is the extremal method.
-std::vector<Contender> contenders(const SolveOptions& base, int nodes,
+/// In the order of the table; the first one is the referee.
+std::vector<Contender> contenders(const Subject& subject, int nodes,
                                   double residual) {
   constexpr int kDegree = 5;
+  const Referee referee = referee_of(subject);
   const int elements = std::max(1, (nodes - 1) / kDegree);
-  const auto contender = [&](const ComparedMethod& method, int mesh) {
-    SolveOptions options = options_of(method, mesh, base);
+  const SolveOptions& base = subject.problem.options;
+  const auto contender = [&](const ComparedMethod& method,
+                             const Fineness& fineness) {
+    SolveOptions options = options_of(method, fineness, base);
     if (auto* program = std::get_if<Collocation>(&options.method)) {
       program->tolerance = residual;
     } else if (auto* system = std::get_if<DiscreteSystem>(&options.method)) {
@@ -39,19 +43,23 @@ std::vector<Contender> contenders(const SolveOptions& base, int nodes,
     return Contender{label(method), std::move(options)};
   };
   // On the mesh that the wanted accuracy asks for, not on one with n nodes.
-  Contender by_tolerance = contender(rolling_time(kDegree), 1);
+  Contender by_tolerance = contender({.kind = Kind::Adaptive}, {});
   by_tolerance.label = "rolling_time";
-  by_tolerance.options.use<Collocation>().discretisation = {};
-  Contender newton = contender(rolling_time(kDegree), elements);
+  Contender newton = contender(rolling_time(kDegree), {.mesh = elements});
   newton.label += ", newton";
   newton.options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
   std::vector<Contender> all{
-      contender({.kind = Kind::Extremal}, 0), std::move(by_tolerance),
-      contender(rolling_time(kDegree), elements), std::move(newton),
-      contender({.kind = Kind::ArcLength}, nodes - 1)};
+      contender(referee.method, {.tolerance = referee.tolerance}),
+      std::move(by_tolerance),
+      contender(rolling_time(kDegree), {.mesh = elements}), std::move(newton)};
+  if (subject.limited()) {
+    all.front().label = referee.name;
+    return all;
+  }
+  all.push_back(contender({.kind = Kind::ArcLength}, {.mesh = nodes - 1}));
   for (const DiscreteArm arm : {DiscreteArm::Rest, DiscreteArm::Release,
                                 DiscreteArm::Newton, DiscreteArm::Lifted}) {
-    all.push_back(contender(discrete_system(arm), nodes));
+    all.push_back(contender(discrete_system(arm), {.mesh = nodes}));
   }
   return all;
 }
@@ -74,11 +82,23 @@ Subject read_subject(const std::string& file,
   return subject;
 }
 
-std::optional<Reference> reference_in(const Measurement& extremal) {
-  if (!extremal.solved() || !extremal.verified || !extremal.estimated_error) {
+bool Subject::limited() const {
+  return is_limited(problem.scene);
+}
+
+Referee referee_of(const Subject& subject) {
+  if (!subject.limited()) {
+    return {{.kind = Kind::Extremal}, {}, "the extremal method"};
+  }
+  constexpr double kTolerance = 1e-12;
+  return {{.kind = Kind::Adaptive}, kTolerance, "rolling_time to 1e-12"};
+}
+
+std::optional<Reference> Referee::reference_in(const Measurement& run) const {
+  if (!run.solved() || !run.verified || !run.estimated_error) {
     return std::nullopt;
   }
-  return Reference{extremal.tau, *extremal.estimated_error, extremal.path};
+  return Reference{run.tau, *run.estimated_error, run.path, name};
 }
 
 double error_of(const Measurement& run, const Reference& reference) {
@@ -98,8 +118,9 @@ MethodComparison compare_methods(const Subject& subject,
                                  const ComparisonOptions& options,
                                  const Hooks& hooks) {
   MethodComparison out{subject, options, {}, {}};
+  const Referee referee = referee_of(subject);
   for (const Contender& one :
-       contenders(subject.problem.options, options.nodes, options.residual)) {
+       contenders(subject, options.nodes, options.residual)) {
     if (hooks.announce) hooks.announce(one.label);
     const bool discrete = one.options.of<DiscreteSystem>() != nullptr;
     ComparisonRow row{one.label, discrete,
@@ -107,7 +128,7 @@ MethodComparison compare_methods(const Subject& subject,
                                options.repetitions, options.seconds},
                               hooks.interrupt),
                       std::nullopt};
-    if (out.rows.empty()) out.reference = reference_in(row.run);
+    if (out.rows.empty()) out.reference = referee.reference_in(row.run);
     if (out.reference && row.run.solved()) {
       row.error = error_of(row.run, *out.reference);
     }

@@ -22,6 +22,9 @@ struct Subject {
   std::string file;
   std::vector<std::string> overrides;  ///< of the command line
   io::ProblemFile problem;             ///< what both say together
+
+  /// Only rolling_time solves it.
+  [[nodiscard]] bool limited() const;
 };
 
 /// Reads it.
@@ -41,11 +44,20 @@ struct Reference {
   double tau = 0.0;
   double error = 0.0;            ///< relative, its own
   std::vector<Point> path = {};  ///< see places_along()
+  std::string by = {};           ///< "the extremal method"
 };
 
-/// The reference in a measurement of the extremal method, if it is one.
-[[nodiscard]] std::optional<Reference> reference_in(
-    const Measurement& extremal);
+/// What has the reference for a subject: the extremal method, under limits,
+/// where there is none, rolling_time to 1e-12.
+struct Referee {
+  ComparedMethod method;
+  std::optional<double> tolerance;
+  std::string name;  ///< "the extremal method"
+  /// The reference in a measurement of it, if it is one.
+  [[nodiscard]] std::optional<Reference> reference_in(
+      const Measurement& run) const;
+};
+[[nodiscard]] Referee referee_of(const Subject& subject);
 
 /// Relative error of a solution, |τ/τ_ref − 1|.
 [[nodiscard]] double error_of(const Measurement& run,

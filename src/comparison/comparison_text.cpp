@@ -96,8 +96,9 @@ void add_origin(Json& document, const Subject& subject) {
 
 std::string reference_text(const Reference& reference) {
   return fmt::format(
-      "τ = {} by the extremal method",
-      report::with_error(reference.tau, reference.error * reference.tau));
+      "τ = {} by {}",
+      report::with_error(reference.tau, reference.error * reference.tau),
+      reference.by);
 }
 
 std::string error_text(double error, const Reference& reference) {
@@ -145,8 +146,8 @@ std::string summary(const MethodComparison& comparison) {
       "steps; memory: peak of the process, program and libraries included\n",
       text_table(rows),
       comparison.reference ? reference_text(*comparison.reference)
-                           : "nothing: the extremal method has no verified "
-                             "answer",
+                           : fmt::format("nothing: {} has no verified answer",
+                                         referee_of(comparison.subject).name),
       comparison.options.repetitions, comparison.options.residual);
 }
 

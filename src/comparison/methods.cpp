@@ -38,6 +38,8 @@ std::string named(const ComparedMethod& method, const char* degree) {
   switch (method.kind) {
     case Kind::RollingTime:
       return fmt::format("rolling_time{}{}", degree, method.degree);
+    case Kind::Adaptive:
+      return "adaptive";
     case Kind::ArcLength:
       return "arc_length";
     case Kind::Extremal:
@@ -61,7 +63,34 @@ std::string identifier(const ComparedMethod& method) {
 }
 
 bool has_meshes(const ComparedMethod& method) {
-  return method.kind != Kind::Extremal;
+  return method.kind != Kind::Extremal && method.kind != Kind::Adaptive;
+}
+
+std::string text(const Fineness& fineness) {
+  if (fineness.mesh > 0) return std::to_string(fineness.mesh);
+  if (fineness.tolerance) return fmt::format("{:.0e}", *fineness.tolerance);
+  return "";
+}
+
+std::vector<Fineness> points_of(const ComparedMethod& method,
+                                const WorkPrecisionPlan& plan) {
+  std::vector<Fineness> points;
+  if (has_meshes(method)) {
+    for (const int mesh : plan.meshes) {
+      if (mesh >= smallest_mesh(method)) points.push_back({.mesh = mesh});
+    }
+  } else if (method.kind == Kind::Adaptive) {
+    for (const double tolerance : plan.tolerances) {
+      points.push_back({.tolerance = tolerance});
+    }
+  } else {
+    points.emplace_back();
+  }
+  return points;
+}
+
+bool takes_limits(const ComparedMethod& method) {
+  return method.kind == Kind::RollingTime || method.kind == Kind::Adaptive;
 }
 
 int smallest_mesh(const ComparedMethod& method) {
@@ -71,13 +100,15 @@ int smallest_mesh(const ComparedMethod& method) {
   return needs_pieces ? kFewestPieces : 1;
 }
 
-std::optional<int> promised_order(const ComparedMethod& method) {
-  if (method.kind == Kind::RollingTime) return 2 * method.degree;
+std::optional<int> promised_order(const ComparedMethod& method, bool limited) {
+  if (method.kind == Kind::RollingTime) {
+    return 2 * method.degree - (limited ? 1 : 0);
+  }
   if (method.kind == Kind::ArcLength) return 2;
   return std::nullopt;
 }
 
-SolveOptions options_of(const ComparedMethod& method, int mesh,
+SolveOptions options_of(const ComparedMethod& method, const Fineness& fineness,
                         const SolveOptions& base) {
   SolveOptions options{.method = {}, .limits = base.limits};
   const auto stated = base.or_default<Collocation>();
@@ -85,10 +116,13 @@ SolveOptions options_of(const ComparedMethod& method, int mesh,
   program.linear_solver = stated.linear_solver;
   program.tolerance = stated.tolerance;
   program.polish = stated.polish;
-  program.discretisation.elements = mesh;
+  if (has_meshes(method)) program.discretisation.elements = fineness.mesh;
   switch (method.kind) {
     case Kind::RollingTime:
       program.discretisation.degree = method.degree;
+      break;
+    case Kind::Adaptive:
+      program.discretisation.tolerance = fineness.tolerance;
       break;
     case Kind::ArcLength:
       program.discretisation.formulation = Formulation::ArcLength;
@@ -98,7 +132,7 @@ SolveOptions options_of(const ComparedMethod& method, int mesh,
       break;
     case Kind::DiscreteSystem: {
       auto system = base.or_default<DiscreteSystem>();
-      system.nodes = mesh;
+      system.nodes = fineness.mesh;
       const Arm arm = arm_of(method);
       system.solver = arm.solver;
       system.reading.datum = arm.datum.value_or(system.reading.datum);

@@ -16,33 +16,29 @@ namespace brachisto::comparison {
 
 namespace {
 
-/// Runs a method on one mesh.
-using Run = std::function<Measurement(const ComparedMethod& method, int mesh,
-                                      int repetitions)>;
+/// Runs a method for one point.
+using Run = std::function<Measurement(
+    const ComparedMethod& method, const Fineness& fineness, int repetitions)>;
 
-Reference find_reference(const Run& run) {
-  const Measurement extremal =
-      run({.kind = ComparedMethod::Kind::Extremal}, 0, 1);
-  if (const auto found = reference_in(extremal)) return *found;
+Reference find_reference(const Referee& referee, const Run& run) {
+  const Measurement made =
+      run(referee.method, {.tolerance = referee.tolerance}, 1);
+  if (const auto found = referee.reference_in(made)) return *found;
   throw NoReference(fmt::format(
-      "there is no reference to take errors against; the "
-      "extremal method {}: {}",
-      extremal.solved() ? "is not verified" : name(extremal.outcome),
-      extremal.cause));
+      "there is no reference to take errors against; {} {}: {}", referee.name,
+      made.solved() ? "is not verified" : name(made.outcome), made.cause));
 }
 
 PrecisionLine line_of(const ComparedMethod& method, const WorkPrecision& all,
                       const Run& run) {
   PrecisionLine out{method, {}, {}};
   const Scene& scene = all.subject.problem.scene;
-  const std::vector<int> meshes =
-      has_meshes(method) ? all.plan.meshes : std::vector<int>{0};
-  for (const int mesh : meshes) {
-    if (has_meshes(method) && mesh < smallest_mesh(method)) continue;
-    PrecisionPoint point{mesh, run(method, mesh, all.plan.repetitions), {}, {}};
+  for (const Fineness& fineness : points_of(method, all.plan)) {
+    PrecisionPoint point{
+        fineness, run(method, fineness, all.plan.repetitions), {}, {}};
     if (point.run.solved()) {
       point.error = error_of(point.run, all.reference);
-      if (method.kind != ComparedMethod::Kind::Extremal) {
+      if (method != referee_of(all.subject).method) {
         point.path_error = path_error(point.run.path, all.reference.path,
                                       std::max(scene.L, scene.H));
       }
@@ -55,8 +51,9 @@ PrecisionLine line_of(const ComparedMethod& method, const WorkPrecision& all,
 std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
   std::vector<SizeError> errors;
   for (const PrecisionPoint& point : line.points) {
-    if (point.mesh > 0 && point.error) {
-      errors.push_back({static_cast<double>(point.mesh), *point.error});
+    if (point.fineness.mesh > 0 && point.error) {
+      errors.push_back(
+          {static_cast<double>(point.fineness.mesh), *point.error});
     }
   }
   constexpr int kLeastMeshes = 4;
@@ -78,18 +75,21 @@ double WorkPrecision::floor() const {
 WorkPrecision run_work_precision(const Subject& subject,
                                  const WorkPrecisionPlan& plan,
                                  const Hooks& hooks) {
-  const Run run = [&](const ComparedMethod& method, int mesh, int repetitions) {
+  const Run run = [&](const ComparedMethod& method, const Fineness& fineness,
+                      int repetitions) {
     if (hooks.announce) {
-      hooks.announce(mesh > 0 ? fmt::format("{}, {}", label(method), mesh)
-                              : label(method));
+      const std::string point = text(fineness);
+      hooks.announce(label(method) + (point.empty() ? "" : ", " + point));
     }
     return measure({subject.file, subject.overrides,
-                    options_of(method, mesh, subject.problem.options),
+                    options_of(method, fineness, subject.problem.options),
                     repetitions, plan.seconds_per_point},
                    hooks.interrupt);
   };
-  WorkPrecision out{subject, plan, find_reference(run), {}};
+  WorkPrecision out{
+      subject, plan, find_reference(referee_of(subject), run), {}};
   for (const ComparedMethod& method : plan.methods) {
+    if (subject.limited() && !takes_limits(method)) continue;
     out.lines.push_back(line_of(method, out, run));
     out.lines.back().order = order_of(out.lines.back(), out.floor());
   }

@@ -13,28 +13,29 @@
 #include <vector>
 
 #include "comparison/comparison.hpp"
+#include "comparison/methods.hpp"
 #include "comparison/statistics.hpp"
 #include "report/figure.hpp"
 
 namespace brachisto::comparison {
 
-/// The extremal method has no answer that errors could be taken against.
+/// The referee has no answer that errors could be taken against.
 class NoReference : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A method on one mesh.
+/// A method on one mesh, or to one wanted error.
 struct PrecisionPoint {
-  int mesh = 0;  ///< as in the plan; 0: it has none
+  Fineness fineness;
   Measurement run;
   std::optional<double> error;  ///< relative, of τ; nothing unless solved
   /// Largest distance from the path of the reference, in max(L, H); nothing for
-  /// the reference itself.
+  /// the method that has it.
   std::optional<double> path_error;
 };
 
-/// A method on all meshes.
+/// A method on all meshes, or to all wanted errors.
 struct PrecisionLine {
   ComparedMethod method;
   std::vector<PrecisionPoint> points;
@@ -64,13 +65,13 @@ struct WorkPrecision {
 };
 
 /// Runs the plan, each point in a process of its own, one after the other.
-/// Methods that this program does not have are left out.
+/// Under limits only methods that take them are run.
 /// \throws NoReference, Interrupted, std::system_error
 [[nodiscard]] WorkPrecision run_work_precision(const Subject& subject,
                                                const WorkPrecisionPlan& plan,
                                                const Hooks& hooks);
 
-/// Names of the files, of which the last one is written last.
+/// Names of the files that there may be, of which the last one is written last.
 [[nodiscard]] std::vector<std::string> work_precision_file_names();
 /// Processor time against the errors of τ and of the path and the energy drift,
 /// each as a diagram with its numbers and script, and a document with all there

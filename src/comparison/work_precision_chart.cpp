@@ -70,6 +70,8 @@ Look look_of(const ComparedMethod& method, std::size_t degrees,
     case Kind::RollingTime:
       return {report::family_colours(degrees)[index], Stroke::Solid,
               kMarks[index % kMarks.size()]};
+    case Kind::Adaptive:
+      return {"#000000", Stroke::Dotted, Mark::Diamond};
     case Kind::ArcLength:
       return {"#000000", Stroke::Dashed, Mark::Square};
     case Kind::Extremal:
@@ -87,13 +89,29 @@ std::string words(const ComparedMethod& method) {
   return text;
 }
 
+/// Whether there is a point to draw.
+bool is_told(const WorkPrecision& found, const Measure& measure) {
+  return measure.of_tau ||
+         std::ranges::any_of(found.lines, [&](const PrecisionLine& line) {
+           return std::ranges::any_of(line.points,
+                                      [&](const PrecisionPoint& point) {
+                                        return measure.of(point).has_value();
+                                      });
+         });
+}
+
 class Diagram {
  public:
   Diagram(const WorkPrecision& found, const Measure& measure)
       : found_(found), measure_(measure) {
     chart_.name = measure.name;
     chart_.title = fmt::format("Processor time against {}", measure.title);
-    chart_.subtitle = report::in_words(found.subject.problem.scene);
+    const Scene& scene = found.subject.problem.scene;
+    chart_.subtitle = report::in_words(scene);
+    if (found.subject.limited()) {
+      chart_.subtitle += fmt::format("; {}: {}", report::track_kind(scene),
+                                     report::limits_in_words(scene));
+    }
     chart_.x.label = measure.label;
     chart_.x.scale = report::Scale::Logarithmic;
     chart_.y.label = "processor time [s]";
@@ -226,7 +244,7 @@ class Diagram {
         const double share = (place++ + 0.5) / failures_;
         crosses.points.push_back(
             {left * std::pow(10.0, kWidth * share), time_of_failure(point)});
-        if (point.mesh > 0) meshes.push_back(point.mesh);
+        if (point.fineness.mesh > 0) meshes.push_back(point.fineness.mesh);
       }
       // More would make the key wider than it should be.
       constexpr std::size_t kNamed = 2;
@@ -303,6 +321,7 @@ report::DrawnFigure drawn(const WorkPrecision& found,
                           const std::atomic<int>* interrupt) {
   report::DrawnFigure out;
   for (const Measure& measure : kMeasures) {
+    if (!is_told(found, measure)) continue;
     report::DrawnFigure one =
         report::draw(report::chart_figure(Diagram(found, measure).draw()),
                      report::Format::Svg, interrupt);

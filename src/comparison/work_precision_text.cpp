@@ -40,8 +40,8 @@ std::string order_text(const std::optional<ObservedOrder>& order) {
 }
 
 Rows point_rows(const WorkPrecision& found) {
-  Rows rows{{"method", "mesh", "unknowns", "CPU [s]", "least – greatest",
-             "iterations", "memory", "error", "remark"}};
+  Rows rows{{"method", "mesh or wanted", "unknowns", "CPU [s]",
+             "least – greatest", "iterations", "memory", "error", "remark"}};
   for (const PrecisionLine& line : found.lines) {
     for (const PrecisionPoint& point : line.points) {
       const Measurement& run = point.run;
@@ -54,7 +54,7 @@ Rows point_rows(const WorkPrecision& found) {
       }
       rows.push_back(
           {label(line.method),
-           point.mesh > 0 ? fmt::format("{}", point.mesh) : "—",
+           text(point.fineness).empty() ? "—" : text(point.fineness),
            or_dash(run.unknowns), times[0], times[1], iterations_text(run),
            memory_text(run.peak_memory),
            point.error ? error_text(*point.error, found.reference) : "—",
@@ -69,7 +69,8 @@ Rows order_rows(const WorkPrecision& found) {
   for (const PrecisionLine& line : found.lines) {
     if (!has_meshes(line.method)) continue;
     rows.push_back(
-        {label(line.method), or_dash(promised_order(line.method)),
+        {label(line.method),
+         or_dash(promised_order(line.method, found.subject.limited())),
          order_text(line.order),
          line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
          fmt::format("{} of {}", line.order ? line.order->points : 0,
@@ -90,7 +91,9 @@ Json order_json(const std::optional<ObservedOrder>& order) {
 Json line_json(const PrecisionLine& line) {
   Json points = Json::array();
   for (const PrecisionPoint& point : line.points) {
-    Json json = {{"mesh", point.mesh > 0 ? Json(point.mesh) : Json(nullptr)},
+    const Fineness& fineness = point.fineness;
+    Json json = {{"mesh", fineness.mesh > 0 ? Json(fineness.mesh) : Json()},
+                 {"wanted_error", or_null(fineness.tolerance)},
                  {"error", or_null(point.error)},
                  {"path_error", or_null(point.path_error)},
                  {"energy_drift", or_null(point.run.energy_drift)}};
@@ -131,6 +134,7 @@ std::string to_json(const WorkPrecision& found) {
                    {"options",
                     {{"methods", methods},
                      {"meshes", found.plan.meshes},
+                     {"tolerances", found.plan.tolerances},
                      {"repetitions", found.plan.repetitions},
                      {"seconds_per_point", found.plan.seconds_per_point},
                      {"kkt_tolerance", found.tolerance()},

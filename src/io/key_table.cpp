@@ -466,13 +466,17 @@ Keys work_precision_keys() {
        "lines of the diagram; the arms of fsolve are rest, release (the hybrid "
        "method with either datum), newton and lifted, the first two if none is "
        "named",
-       {.bounds = "a list of rolling_time, arc_length, extremal, fsolve, "
-                  "{rolling_time: [degrees]} and {fsolve: [arms]}"}},
+       {.bounds = "a list of rolling_time, adaptive, arc_length, extremal, "
+                  "fsolve, {rolling_time: [degrees]} and {fsolve: [arms]}"}},
       {"work_precision.meshes",
        meshes_list(),
        "points of each line: elements of rolling_time, pieces of arc_length, "
        "nodes of fsolve",
        {.bounds = "a list of integers from 2 to 1000000"}},
+      {"work_precision.tolerances",
+       tolerances_list(),
+       "points of the line adaptive: wanted relative errors of T",
+       {.bounds = "a list of numbers from 1e-13 to 0.1"}},
       {"work_precision.repetitions",
        number(kPlan, &WorkPrecisionPlan::repetitions),
        "timed runs of a point, of which the median counts; fewer where a run "

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,9 +31,10 @@ constexpr Interval kDegrees{kMinDegree, kMaxDegree};
 constexpr std::string_view kExpectedDegrees =
     "a list of degrees, integers from 1 to 8";
 constexpr Interval kMeshes{2, 1'000'000};
+constexpr Interval kTolerances{kSmallestTolerance, kLargestTolerance};
 
-constexpr EnumTable<Kind, std::string_view, 4> kNamed{
-    {"rolling_time", "arc_length", "extremal", "fsolve"}};
+constexpr EnumTable<Kind, std::string_view, 5> kNamed{
+    {"rolling_time", "adaptive", "arc_length", "extremal", "fsolve"}};
 constexpr const auto& kNames = kNamed.values;
 using Arm = std::pair<std::string_view, DiscreteArm>;
 constexpr std::array<Arm, 4> kArms{{{"rest", DiscreteArm::Rest},
@@ -50,18 +53,23 @@ Methods methods_of(std::string_view name) {
   return methods;
 }
 
-/// An item that is an integer within an interval; otherwise nothing, and
+template <class Value>
+constexpr KeyType kTypeOf =
+    std::is_integral_v<Value> ? KeyType::Integer : KeyType::Number;
+
+/// An item that is a number within an interval; otherwise nothing, and
 /// reported.
-std::optional<int> integer(const YamlValue& item, const Interval& interval,
-                           const std::string& key, std::string_view expected,
-                           Findings& findings) {
+template <class Value>
+std::optional<Value> number_in(const YamlValue& item, const Interval& interval,
+                               const std::string& key,
+                               std::string_view expected, Findings& findings) {
   if (item.kind != YamlValue::Kind::Scalar) {
     refuse_kind(item, key, expected, findings);
     return std::nullopt;
   }
   const auto value =
-      read_number(item, key, KeyType::Integer, interval, expected, findings);
-  return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+      read_number(item, key, kTypeOf<Value>, interval, expected, findings);
+  return value ? std::optional(static_cast<Value>(*value)) : std::nullopt;
 }
 
 class MethodsReader {
@@ -97,15 +105,15 @@ class MethodsReader {
     if (!is_name(entry.key, entry.position)) return;
     const std::string key = fmt::format("{}.{}", key_, entry.key);
     if (entry.key == "rolling_time") {
-      for_each_item(
-          entry.value, key, kExpectedDegrees, findings_,
-          [&](const YamlValue& item) {
-            const auto degree =
-                integer(item, kDegrees, key, kExpectedDegrees, findings_);
-            if (degree) {
-              add({rolling_time(*degree)}, item, key, kExpectedDegrees);
-            }
-          });
+      for_each_item(entry.value, key, kExpectedDegrees, findings_,
+                    [&](const YamlValue& item) {
+                      const auto degree = number_in<int>(
+                          item, kDegrees, key, kExpectedDegrees, findings_);
+                      if (degree) {
+                        add({rolling_time(*degree)}, item, key,
+                            kExpectedDegrees);
+                      }
+                    });
     } else if (entry.key == "fsolve") {
       read_arms(entry.value, key);
     } else {
@@ -159,23 +167,48 @@ void read_methods(Draft& problem, const KeySpec& spec, const YamlValue& list,
   if (!methods.empty()) problem.work_precision.methods = std::move(methods);
 }
 
-void read_meshes(Draft& problem, const KeySpec& spec, const YamlValue& list,
-                 Findings& findings) {
-  const std::string key(spec.path), wanted = expected(spec);
-  std::vector<int> meshes;
-  for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
-    const auto mesh = integer(item, kMeshes, key, wanted, findings);
-    if (mesh && std::ranges::count(meshes, *mesh) > 0) {
-      findings.add(
-          item.position, key,
-          fmt::format("{} is repeated; expected {}, each once", *mesh, wanted));
-    } else if (mesh) {
-      meshes.push_back(*mesh);
-    }
-  });
-  std::ranges::sort(meshes);
-  problem.work_precision.meshes = std::move(meshes);
-}
+/// Numbers of a plan, each once, from coarse to fine.
+template <auto kMember, const Interval& kAllowed, class Finer>
+struct NumbersOf {
+  using Value = typename std::remove_cvref_t<decltype(WorkPrecisionPlan{}.*
+                                                      kMember)>::value_type;
+
+  static void read(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                   Findings& findings) {
+    std::vector<Value> numbers;
+    const std::string key(spec.path), wanted = expected(spec);
+    for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
+      const auto number =
+          number_in<Value>(item, kAllowed, key, wanted, findings);
+      if (number && std::ranges::count(numbers, *number) > 0) {
+        findings.add(item.position, key,
+                     fmt::format("{} is repeated; expected {}, each once",
+                                 *number, wanted));
+      } else if (number) {
+        numbers.push_back(*number);
+      }
+    });
+    std::ranges::sort(numbers, Finer{});
+    problem.work_precision.*kMember = std::move(numbers);
+  }
+
+  /// Readers of YAML 1.1 take 1e-4 for a text.
+  static Json schema() {
+    return {
+        {"type", std::is_integral_v<Value> ? Json("integer")
+                                           : Json::array({"number", "string"})},
+        {"minimum", kAllowed.lower},
+        {"maximum", kAllowed.upper}};
+  }
+
+  [[nodiscard]] static Binding list() {
+    return {
+        .type = KeyType::List,
+        .get = [](const Draft& p) { return Json(p.work_precision.*kMember); },
+        .read_list = read,
+        .items = schema};
+  }
+};
 
 /// Neighbours of one name share its list.
 Json methods_json(const Draft& problem) {
@@ -226,15 +259,12 @@ Binding methods_list() {
 }
 
 Binding meshes_list() {
-  return {.type = KeyType::List,
-          .get = [](const Draft& p) { return Json(p.work_precision.meshes); },
-          .read_list = read_meshes,
-          .items =
-              [] {
-                return Json{{"type", "integer"},
-                            {"minimum", kMeshes.lower},
-                            {"maximum", kMeshes.upper}};
-              }};
+  return NumbersOf<&WorkPrecisionPlan::meshes, kMeshes, std::less<>>::list();
+}
+
+Binding tolerances_list() {
+  return NumbersOf<&WorkPrecisionPlan::tolerances, kTolerances,
+                   std::greater<>>::list();
 }
 
 }  // namespace brachisto::io

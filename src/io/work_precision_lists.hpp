@@ -14,7 +14,8 @@ namespace brachisto::io {
 /// of degrees and of arms.
 [[nodiscard]] Binding methods_list();
 
-/// `meshes`.
+/// `meshes` and `tolerances`.
 [[nodiscard]] Binding meshes_list();
+[[nodiscard]] Binding tolerances_list();
 
 }  // namespace brachisto::io

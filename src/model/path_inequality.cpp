@@ -88,7 +88,8 @@ std::vector<PathInequality> inequalities(const Body& body,
   return all;
 }
 
-PathLimits in_units_of(double length, PathLimits limits) {
+PathLimits in_units_of(const Units& units, PathLimits limits) {
+  const double length = units.length;
   for (auto* curvature : {&limits.curvature.hump, &limits.curvature.valley}) {
     if (*curvature) **curvature *= length;
   }

@@ -17,6 +17,7 @@
 #include "math/dependence.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
+#include "model/units.hpp"
 
 namespace brachisto {
 
@@ -107,9 +108,8 @@ struct PathInequality {
 [[nodiscard]] std::vector<PathInequality> inequalities(
     const Body& body, const PathLimits& limits);
 
-/// The same limits in another unit of length; forces are told per m g anyhow.
-/// \param length  the unit [m]
-[[nodiscard]] PathLimits in_units_of(double length, PathLimits limits);
+/// The same limits in other units; forces are told per m g anyhow.
+[[nodiscard]] PathLimits in_units_of(const Units& units, PathLimits limits);
 
 /// Greatest curvature of the centre's path downwards and upwards, ∞ if free.
 [[nodiscard]] double hump_of_centre(const Body& body, const PathLimits& limits);

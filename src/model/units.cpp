@@ -10,9 +10,17 @@
 
 namespace brachisto {
 
-Units natural_units(const Scene& scene) {
-  const double length = std::max(scene.L, scene.H);
+namespace {
+
+/// With the time for which 2 g = 1.
+Units units_of(double length, const Scene& scene) {
   return {length, std::sqrt(length / (2.0 * scene.gravity))};
+}
+
+}  // namespace
+
+Units natural_units(const Scene& scene) {
+  return units_of(std::max(scene.L, scene.H), scene);
 }
 
 Scene in_units_of(double length, const Scene& scene) {
@@ -21,7 +29,7 @@ Scene in_units_of(double length, const Scene& scene) {
   scaled.L /= length;
   scaled.H /= length;
   scaled.gravity = 0.5;
-  scaled.limits = in_units_of(length, scene.limits);
+  scaled.limits = in_units_of(units_of(length, scene), scene.limits);
   return scaled;
 }
 

@@ -22,7 +22,7 @@ struct Known {
   std::string_view key, symbol, subscript, unit;
 };
 // By rank: the orientation to the right of all else, k above η_m.
-constexpr std::array<Known, 8> kKnown{{
+constexpr std::array<Known, 9> kKnown{{
     {"scene.body.theta_m", "θ", "m", "°"},
     {"scene.body.eta_m", "η", "m", ""},
     {"scene.body.k", "k", "", ""},
@@ -31,6 +31,7 @@ constexpr std::array<Known, 8> kKnown{{
     {"scene.finish.H", "H", "", "m"},
     {"scene.body.mass", "m", "", "kg"},
     {"scene.gravity", "g", "", "m/s²"},
+    {"scene.limits.friction", "μ", "", ""},
 }};
 
 /// "η_m = 0.3": a number in SI units.

@@ -41,6 +41,17 @@ struct XyPlot {
 [[nodiscard]] Figure xy_figure(const SweepTable& table, const XyPlot& plot,
                                ValueRange range);
 
+/// Where along the path each limit holds, in shares of the transit time, as
+/// bands over the numeric column of a plot: one curve of it. Between scenes
+/// with the same arcs in the same order bands are joined. Where an arc is born
+/// or dies, they end half-way, and a line with a name says between which
+/// values.
+///
+/// Nothing if no limit holds in any of the scenes.
+[[nodiscard]] std::optional<Figure> structure_figure(const SweepTable& table,
+                                                     const XyPlot& plot,
+                                                     std::size_t curve);
+
 /// Two ordered axes of a sweep: scene (i, j) is scenes[i · n_second + j] and
 /// lies where its own values of two numeric columns put it; see in_map_order().
 /// Which of them lies to the right their rank says, so that all maps have one

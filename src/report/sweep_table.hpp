@@ -29,6 +29,12 @@ struct SweepAxis {
   bool ordered = true;    ///< false for a random sample
 };
 
+/// A stretch of a path along which a limit holds.
+struct SweepArc {
+  std::string limit;            ///< its name, "friction"
+  double from = 0.0, to = 0.0;  ///< shares of the transit time
+};
+
 /// What came out for one scene.
 struct SweepOutcome {
   /// Missing: not run yet. Failed: no verified result.
@@ -40,10 +46,11 @@ struct SweepOutcome {
   std::string message;  ///< why, if it failed
   bool feasible = false;
   // NaN unless verified:
-  double tau = kNone;              ///< T / √(H / 2g)
-  double transit_time = kNone;     ///< T [s]
-  double estimated_error = kNone;  ///< relative, of T
-  double end_angle = kNone;        ///< [rad]
+  double tau = kNone;               ///< T / √(H / 2g)
+  double transit_time = kNone;      ///< T [s]
+  double estimated_error = kNone;   ///< relative, of T
+  double end_angle = kNone;         ///< [rad]
+  std::vector<SweepArc> arcs = {};  ///< in the order of the path
 };
 
 /// A key that has the same number in all scenes without being swept.

@@ -117,8 +117,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
       const Price price =
           sensitivity->price(inequalities(natural.body, less),
                              inequalities(natural.body, more), 2.0 * kStep);
-      const double scale =
-          tau * std::pow(posed.units.length, -asked[i].power_of_length);
+      const double scale = tau * asked[i].natural;
       if (std::isfinite(price.total) &&
           std::isfinite(price.at_fixed_contacts)) {
         limit.price = price.total * scale;

@@ -164,13 +164,6 @@ Collocation program_of(const SolveOptions& options) {
   return program;
 }
 
-/// A bead touches A and B whatever its slopes there.
-bool is_limited(const Scene& scene) {
-  const bool own_slopes =
-      scene.contact == Contact::Smooth || scene.contact == Contact::Centre;
-  return scene.limits.any() || (!own_slopes && scene.body.rolls());
-}
-
 /// The scene whose extremal the limits are relaxed to.
 Scene without_limits(Scene scene) {
   if (scene.contact != Contact::Centre) scene.contact = Contact::Smooth;
@@ -180,6 +173,12 @@ Scene without_limits(Scene scene) {
 }
 
 }  // namespace
+
+bool is_limited(const Scene& scene) {
+  const bool own_slopes =
+      scene.contact == Contact::Smooth || scene.contact == Contact::Centre;
+  return scene.limits.any() || (!own_slopes && scene.body.rolls());
+}
 
 MeshOptions PosedProblem::mesh_options_after(const Work& done) const {
   MeshOptions left = mesh_options;

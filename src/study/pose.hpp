@@ -17,6 +17,10 @@
 
 namespace brachisto {
 
+/// Whether there are limits, or the slopes at the contacts are not the
+/// extremal's own. A bead touches A and B whatever its slopes there.
+[[nodiscard]] bool is_limited(const Scene& scene);
+
 /// A scene with all that its solve goes by; no stage changes it.
 struct PosedProblem : PosedScene {
   SolveOptions options;
@@ -24,9 +28,9 @@ struct PosedProblem : PosedScene {
   /// poses no program the defaults at its tolerance.
   Collocation program;
   MeshOptions mesh_options;  ///< as if nothing had been done
-  /// What is asked for, in natural units, if there are limits or the slopes at
-  /// the contacts are not the extremal's own. Then `natural`, where it starts
-  /// from, is without limits and its contact smooth or the centre's.
+  /// What is asked for, in natural units, if it is_limited(). Then `natural`,
+  /// where it starts from, is without limits and its contact smooth or the
+  /// centre's.
   std::optional<Scene> limited;
   /// Of the uniform cylinder, in natural units; nothing if there is none.
   std::optional<CycloidArc> cycloid;

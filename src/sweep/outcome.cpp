@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -33,6 +34,22 @@ std::string failed_checks(const Solution& solution) {
   return advice.empty() ? text : text + "; to try: " + advice;
 }
 
+/// Of the list `limits` of a result, which may be absent.
+std::vector<SweepArc> arcs_of(const Json& result) {
+  std::vector<SweepArc> arcs;
+  if (!result.contains("limits")) return arcs;
+  const double T = result.at("transit_time");
+  for (const Json& limit : result.at("limits")) {
+    for (const Json& arc : limit.at("active")) {
+      const Json& t = arc.at("t");
+      arcs.push_back({limit.at("name"), t.at("from").get<double>() / T,
+                      t.at("to").get<double>() / T});
+    }
+  }
+  std::ranges::stable_sort(arcs, {}, &SweepArc::from);
+  return arcs;
+}
+
 /// \throws Json::exception  if something is missing or of another type
 SweepOutcome outcome_of(const Json& json) {
   SweepOutcome outcome;
@@ -48,6 +65,7 @@ SweepOutcome outcome_of(const Json& json) {
   outcome.transit_time = json.at("transit_time");
   outcome.estimated_error = json.at("estimated_error");
   outcome.end_angle = json.at("end_angle");
+  outcome.arcs = arcs_of(json);
   return outcome;
 }
 

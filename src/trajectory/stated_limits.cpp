@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/units.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -25,6 +27,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
   const PathLimits& limits = scene.limits;
   const Body& body = scene.body;
   const double r = body.radius;
+  const Units units = natural_units(scene);
   std::vector<StatedLimit> all;
   if (const auto mu = limits.friction) {
     all.push_back(
@@ -69,14 +72,14 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
                      return kind == Kind::Hump && !folds_first;
                    },
                    [](PathLimits& l, double by) { *l.curvature.hump += by; },
-                   -1});
+                   units.length});
   }
   if (const auto K = limits.curvature.valley) {
     all.push_back({"curvature.valley", K, BoundInWords{kappa, "≥", -*K, "1/m"},
                    [=](At p) { return *K + curvature(p); },
                    [](Kind kind, int, bool) { return kind == Kind::Valley; },
                    [](PathLimits& l, double by) { *l.curvature.valley += by; },
-                   -1});
+                   units.length});
   }
   if (const auto m = limits.fold_margin) {
     all.push_back({"fold_margin", m, BoundInWords{"1 − r κ_c", "≥", *m, ""},
@@ -90,7 +93,8 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
     all.push_back({"floor", D, BoundInWords{"floor at z", "=", *D, "m"},
                    [=](At p) { return *D - r - p.centre.z; },
                    [](Kind kind, int, bool) { return kind == Kind::Floor; },
-                   [](PathLimits& l, double by) { *l.floor += by; }, 1});
+                   [](PathLimits& l, double by) { *l.floor += by; },
+                   1.0 / units.length});
   }
   for (std::size_t i = 0; i < limits.discs.size(); ++i) {
     const Disc disc = limits.discs[i];
@@ -105,7 +109,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
                      return kind == Kind::Disc && index == static_cast<int>(i);
                    },
                    [=](PathLimits& l, double by) { l.discs[i].radius += by; },
-                   1});
+                   1.0 / units.length});
   }
   for (std::size_t i = 0; i < limits.half_planes.size(); ++i) {
     const HalfPlane plane = limits.half_planes[i];
@@ -124,7 +128,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
            l.half_planes[i].point.x += n.x * by;
            l.half_planes[i].point.z += n.z * by;
          },
-         1});
+         1.0 / units.length});
   }
   return all;
 }

@@ -44,7 +44,7 @@ struct StatedLimit {
   /// Adds to the bound, in the units of the limits; a half-plane moves along
   /// its normal.
   std::function<void(PathLimits&, double by)> move;
-  int power_of_length = 0;  ///< in the unit of the bound
+  double natural = 1.0;  ///< one of its unit in natural_units() of the scene
 };
 
 /// All of a scene's, in the order of PathLimits. A disc or a half-plane is

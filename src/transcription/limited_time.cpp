@@ -38,6 +38,11 @@ int num_of_forces(const std::vector<PathInequality>& limits) {
       [](const PathInequality& limit) { return limit.bounds_force(); }));
 }
 
+/// Whether a limit depends on x and z alone.
+bool is_of_place(const math::Dependence<6>& on) {
+  return (on.any >> 2U).none();
+}
+
 }  // namespace
 
 LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
@@ -123,7 +128,7 @@ void LimitedTime::bound_limits() {
             held_ ? held_at(c, i) : nlp::Held::No);
     }
     // The place of the last point is given: its limit would say so again.
-    if (!free_contacts() && !limits_[at(i)].bounds_control()) {
+    if (!free_contacts() && is_of_place(depends_[at(i)])) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       const auto row = at(layout().limit(layout().num_points() - 1, i));
       row_lower_[row] = -kInfinity;

@@ -167,6 +167,30 @@ TEST(WorkPrecision, LeavesMeshesThatAreTooSmallToCollocation) {
   EXPECT_EQ(lines[1]["points"][0]["mesh"], 8);
 }
 
+TEST(WorkPrecision, UnderLimitsFittedArcsHaveTheOrderOfRadauCollocation) {
+  const Output output =
+      run({"work-precision", scene("friction"), "--json", "--quiet", "--set",
+           "work_precision={methods: [{rolling_time: [2]}, adaptive, "
+           "arc_length, extremal], meshes: [32, 64, 128, 256], tolerances: "
+           "[1e-4], repetitions: 1}"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json document = json::parse(output.out);
+  // By the indirect method outside this project (docs/validation.md), to half
+  // a unit of its last digit.
+  EXPECT_NEAR(document["reference"]["tau"], 5.083389161786, 1e-12);
+  const json& lines = document["lines"];
+  ASSERT_EQ(lines.size(), 2U) << "what solves no limited scene is left out";
+  // Radau IIA has order 2p − 1; a mesh of 32 elements on five arcs has parts
+  // of a few elements, whose higher terms move the slope by less than half.
+  EXPECT_NEAR(lines[0]["observed_order"]["order"], 3.0, 0.5);
+  const json point = lines[1]["points"][0];
+  EXPECT_EQ(point["wanted_error"], 1e-4);
+  EXPECT_TRUE(point["mesh"].is_null());
+  EXPECT_LT(point["error"], 1e-4);
+  EXPECT_TRUE(point["path_error"].is_null()) << "it is the reference";
+}
+
 TEST(WorkPrecision, WithoutAReferenceThereIsNothing) {
   const Output output =
       run({"work-precision", scene("base"), "--json", "--set",

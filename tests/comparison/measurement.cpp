@@ -81,14 +81,16 @@ TEST(Measurement, BelievesNothingButACompleteResult) {
   }
 }
 
+const Referee kReferee{{.kind = ComparedMethod::Kind::Extremal}, {}, "it"};
+
 TEST(Reference, IsAVerifiedAnswerWithAnErrorBar) {
   Measurement extremal = parse_measurement(line("5.0", kVerified));
-  ASSERT_TRUE(reference_in(extremal));
-  EXPECT_EQ(reference_in(extremal)->error, 1e-11);
+  ASSERT_TRUE(kReferee.reference_in(extremal));
+  EXPECT_EQ(kReferee.reference_in(extremal)->error, 1e-11);
 
   extremal.verified = false;
-  EXPECT_FALSE(reference_in(extremal));
-  EXPECT_FALSE(reference_in(Measurement{}));
+  EXPECT_FALSE(kReferee.reference_in(extremal));
+  EXPECT_FALSE(kReferee.reference_in(Measurement{}));
 }
 
 TEST(Reference, ErrorsAreRelativeAndWithoutSign) {

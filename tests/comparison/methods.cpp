@@ -22,6 +22,7 @@ using Kind = ComparedMethod::Kind;
 
 const std::vector<ComparedMethod> kAll{rolling_time(1),
                                        rolling_time(8),
+                                       {.kind = Kind::Adaptive},
                                        {.kind = Kind::ArcLength},
                                        {.kind = Kind::Extremal},
                                        discrete_system(DiscreteArm::Rest),
@@ -45,7 +46,8 @@ TEST(Methods, AreAcceptedBySolve) {
     const io::ProblemFile base = io::read(file);
     for (const ComparedMethod& method : kAll) {
       for (const int mesh : {smallest_mesh(method), 20}) {
-        SolveOptions options = options_of(method, mesh, base.options);
+        SolveOptions options =
+            options_of(method, {.mesh = mesh, .tolerance = 1e-7}, base.options);
         options.limits.seconds = 1e-9;  // they are checked before
 
         EXPECT_NO_THROW(static_cast<void>(solve(base.scene, options)))
@@ -59,7 +61,7 @@ TEST(Methods, AreAcceptedBySolve) {
 TEST(Methods, HaveTheMeshTheyAreGiven) {
   const SolveOptions base = io::read(kFiles[1]).options;
   const auto of = [&](const ComparedMethod& method) {
-    return options_of(method, 20, base);
+    return options_of(method, {.mesh = 20}, base);
   };
 
   const auto program = std::get<Collocation>(of(rolling_time(4)).method);
@@ -78,21 +80,33 @@ TEST(Methods, HaveTheMeshTheyAreGiven) {
   EXPECT_TRUE(of({.kind = Kind::Extremal}).of<Shooting>());
 }
 
+TEST(Methods, ThatAdaptHaveNoMeshOfTheirProblem) {
+  const SolveOptions options =
+      options_of({.kind = Kind::Adaptive}, {.tolerance = 1e-7},
+                 io::read(kFiles[1]).options);
+
+  const auto mesh = std::get<Collocation>(options.method).discretisation;
+  EXPECT_FALSE(mesh.fixed());
+  EXPECT_FALSE(mesh.degree);
+  EXPECT_EQ(mesh.tolerance, 1e-7);
+}
+
 TEST(Methods, OfCollocationPromiseTwiceTheirDegree) {
-  EXPECT_EQ(promised_order(rolling_time(3)), 6);
-  EXPECT_EQ(promised_order({.kind = Kind::ArcLength}), 2);
-  EXPECT_FALSE(promised_order(discrete_system(DiscreteArm::Rest)));
+  EXPECT_EQ(promised_order(rolling_time(3), false), 6);
+  EXPECT_EQ(promised_order(rolling_time(3), true), 5) << "Radau's points";
+  EXPECT_EQ(promised_order({.kind = Kind::ArcLength}, false), 2);
+  EXPECT_FALSE(promised_order(discrete_system(DiscreteArm::Rest), false));
 }
 
 TEST(Methods, KeepWhatIsNotTheirs) {
-  const auto system =
-      std::get<DiscreteSystem>(options_of(discrete_system(DiscreteArm::Rest),
-                                          20, io::read(kFiles[2]).options)
-                                   .method);
+  const auto system = std::get<DiscreteSystem>(
+      options_of(discrete_system(DiscreteArm::Rest), {.mesh = 20},
+                 io::read(kFiles[2]).options)
+          .method);
   EXPECT_EQ(system.reading.quadrature, DiscreteReading::Quadrature::Midpoint);
   EXPECT_EQ(system.reading.epsilon, 1e-4);
   const SolveOptions options =
-      options_of(rolling_time(2), 20, io::read(kFiles[3]).options);
+      options_of(rolling_time(2), {.mesh = 20}, io::read(kFiles[3]).options);
   const auto program = std::get<Collocation>(options.method);
   EXPECT_EQ(program.tolerance, 1e-9);
   EXPECT_FALSE(program.polish);

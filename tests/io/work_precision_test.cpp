@@ -24,7 +24,7 @@ WorkPrecisionPlan plan(const std::string& section) {
 }
 
 const std::string kExpectedMethods =
-    "expected a list of rolling_time, arc_length, extremal, fsolve, "
+    "expected a list of rolling_time, adaptive, arc_length, extremal, fsolve, "
     "{rolling_time: [degrees]} and {fsolve: [arms]}";
 const std::string kExpectedMeshes =
     "expected a list of integers from 2 to 1000000";
@@ -37,7 +37,9 @@ TEST(WorkPrecisionSection, HasDefaults) {
   EXPECT_EQ(absent.meshes, (std::vector<int>{10, 20, 40, 80}));
   EXPECT_EQ(absent.repetitions, 5);
   EXPECT_EQ(absent.seconds_per_point, 60.0);
-  EXPECT_EQ(absent.methods.size(), 10U);
+  EXPECT_EQ(absent.tolerances,
+            (std::vector<double>{1e-4, 1e-6, 1e-8, 1e-10, 1e-12}));
+  EXPECT_EQ(absent.methods.size(), 11U);
   EXPECT_EQ(plan("").methods, absent.methods);
   EXPECT_EQ(plan("{meshes: [7]}").methods, absent.methods);
 }
@@ -60,7 +62,7 @@ TEST(WorkPrecisionSection, IsRead) {
 
 TEST(WorkPrecisionSection, WordsAloneStandForTheirDefaults) {
   const WorkPrecisionPlan stated =
-      plan("{methods: [rolling_time, arc_length, extremal, fsolve]}");
+      plan("{methods: [rolling_time, adaptive, arc_length, extremal, fsolve]}");
 
   EXPECT_EQ(stated.methods, WorkPrecisionPlan{}.methods);
 }
@@ -78,15 +80,16 @@ TEST(WorkPrecisionSection, CanBeOverridden) {
 TEST(WorkPrecisionSection, UnknownKeysGetTheNearestKnown) {
   EXPECT_EQ(errors(with("{method: [extremal]}")),
             "p.yaml:2:18: work_precision.method: misplaced key; it belongs in "
-            "solver; allowed in work_precision: methods, meshes, repetitions, "
-            "seconds_per_point");
+            "solver; allowed in work_precision: methods, meshes, tolerances, "
+            "repetitions, seconds_per_point");
   EXPECT_EQ(errors(with("{meshs: [10]}")),
             "p.yaml:2:18: work_precision.meshs: unknown key; allowed in "
-            "work_precision: methods, meshes, repetitions, seconds_per_point; "
-            "did you mean meshes?");
+            "work_precision: methods, meshes, tolerances, repetitions, "
+            "seconds_per_point; did you mean meshes?");
   EXPECT_EQ(errors(with("[extremal]")),
             "p.yaml:2:17: work_precision: a list was read; expected a map with "
-            "the keys methods, meshes, repetitions, seconds_per_point");
+            "the keys methods, meshes, tolerances, repetitions, "
+            "seconds_per_point");
 }
 
 TEST(WorkPrecisionSection, MethodsAreWordsOrNamedLists) {
@@ -155,6 +158,19 @@ TEST(WorkPrecisionSection, MeshesAreIntegersWithinBounds) {
                 kExpectedMeshes);
   EXPECT_NE(errors(with("{meshes: [ten]}")).find("is not a number"),
             std::string::npos);
+}
+
+TEST(WorkPrecisionSection, TolerancesAreNumbersWithinBoundsFromCoarseToFine) {
+  EXPECT_EQ(plan("{tolerances: [1e-9, 1e-3, 1e-5]}").tolerances,
+            (std::vector<double>{1e-3, 1e-5, 1e-9}));
+  const std::string expected = "expected a list of numbers from 1e-13 to 0.1";
+  EXPECT_EQ(errors(with("{tolerances: [1e-14]}")),
+            "p.yaml:2:31: work_precision.tolerances: \"1e-14\" is not "
+            "allowed; " +
+                expected);
+  EXPECT_EQ(errors(with("{tolerances: [1e-4, 1e-4]}")),
+            "p.yaml:2:37: work_precision.tolerances: 0.0001 is repeated; " +
+                expected + ", each once");
 }
 
 TEST(WorkPrecisionSection, NumbersAreWithinBounds) {

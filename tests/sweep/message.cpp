@@ -174,6 +174,32 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
   EXPECT_EQ(outcome.feasible, solved().feasible());
 }
 
+TEST(Outcome, HasTheArcsOfItsLimitsInTheOrderOfThePath) {
+  Solution solution = solved();
+  const double T = solution.motion()->transit_time();
+  LimitOnPath friction, floor;
+  friction.name = "friction";
+  const auto arc = [&](double from, double to) {
+    ActiveArc active{};
+    active.t = {from * T, to * T};
+    return active;
+  };
+  friction.active = {arc(0.0, 0.1), arc(0.5, 1.0)};
+  floor.name = "floor";
+  floor.active = {arc(0.2, 0.3)};
+  solution.limits = {friction, floor};
+  solution.scene.limits.friction = 0.5;
+
+  const SweepOutcome outcome = read_outcome(outcome_json(solution));
+
+  ASSERT_EQ(outcome.arcs.size(), 3U);
+  EXPECT_EQ(outcome.arcs[0].limit, "friction");
+  EXPECT_EQ(outcome.arcs[1].limit, "floor");
+  EXPECT_DOUBLE_EQ(outcome.arcs[1].from, 0.2);
+  EXPECT_DOUBLE_EQ(outcome.arcs[1].to, 0.3);
+  EXPECT_DOUBLE_EQ(outcome.arcs[2].to, 1.0);
+}
+
 TEST(Outcome, OfASaddleSaysWhatToTry) {
   Solution solution = solve(off_centred(0.0));
   ASSERT_TRUE(solution.verified());

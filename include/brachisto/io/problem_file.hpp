@@ -33,7 +33,13 @@ enum class DiscreteArm {
 
 /// A method, and so a line of a work–precision diagram.
 struct ComparedMethod {
-  enum class Kind { RollingTime, ArcLength, Extremal, DiscreteSystem };
+  enum class Kind {
+    RollingTime,  ///< on meshes of equal elements, of one degree
+    Adaptive,     ///< rolling_time on meshes that follow the wanted error
+    ArcLength,
+    Extremal,
+    DiscreteSystem
+  };
 
   Kind kind = Kind::RollingTime;
   int degree = 0;                          ///< p, of RollingTime alone
@@ -60,12 +66,15 @@ struct WorkPrecisionPlan {
                                       rolling_time(4),
                                       rolling_time(5),
                                       rolling_time(6),
+                                      {.kind = ComparedMethod::Kind::Adaptive},
                                       {.kind = ComparedMethod::Kind::ArcLength},
                                       {.kind = ComparedMethod::Kind::Extremal},
                                       discrete_system(DiscreteArm::Rest),
                                       discrete_system(DiscreteArm::Release)};
   /// Elements of rolling_time, pieces of arc_length, nodes of fsolve.
   std::vector<int> meshes{10, 20, 40, 80};
+  /// Relative errors of T that the adaptive line is to reach.
+  std::vector<double> tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
   int repetitions = 5;              ///< ≥ 1
   double seconds_per_point = 60.0;  ///< wall clock, > 0
 };

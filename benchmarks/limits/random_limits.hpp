@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Random scenes under random limits.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "brachisto/model/scene.hpp"
+
+namespace brachisto::benchmarks {
+
+struct LimitedScene {
+  Scene scene;
+  double free_tau;  ///< without its limits
+};
+
+/// Scene number `index` of a campaign (random_scene()) with one to three of six
+/// limits, each bound from 0.7 to 1.3 of what the free extremal keeps to for
+/// 95 % of the time; the slopes at the contacts free where that is well posed,
+/// in half of the cases. It need not be valid. Nothing if the scene without
+/// limits is not verified.
+[[nodiscard]] std::optional<LimitedScene> random_limited_scene(
+    std::uint64_t seed, int index);
+
+/// "optimal hump 1.2 valley 2": contact and limits.
+[[nodiscard]] std::string described(const Scene& scene);
+
+}  // namespace brachisto::benchmarks

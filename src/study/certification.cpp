@@ -127,6 +127,39 @@ CrossCheck cross_check(const PosedScene& scene, const ExtremalCurve& nearby,
   return check;
 }
 
+CrossCheck cross_check(const FittedPath& found, double error,
+                       const StopCondition& stop, Certificate& certificate) {
+  constexpr double kSlopes = 100.0, kJunctions = 1000.0;
+  const Scene& scene = found.curve.problem().scene();
+  const LimitedExtremal other =
+      solve_limited_extremal(scene, as_guess(found), stop);
+  CrossCheck check{.solved = other.solved, .message = other.message};
+  if (check.solved) {
+    check.tau = other.transit_time * std::sqrt(2.0 * scene.gravity / scene.H);
+    check.error_estimate = other.error_estimate;
+    check.difference =
+        std::abs(found.curve.transit_time() / other.transit_time - 1.0);
+    check.of_slopes =
+        std::max(std::abs(found.curve.at(0.0).state.beta - other.start_angle),
+                 std::abs(found.curve.at(1.0).state.beta - other.end_angle));
+    check.of_junctions = 0.0;
+    for (std::size_t i = 0; i < found.arcs.size(); ++i) {
+      check.of_junctions =
+          std::max(*check.of_junctions,
+                   std::abs(found.arcs[i].end -
+                            other.junctions[i] / other.junctions.back()));
+    }
+  }
+  certificate.add("extremal", check.solved ? check.difference : kUnknown,
+                  error + check.error_estimate, check.message);
+  if (check.solved) {
+    certificate.add("extremal_slopes", *check.of_slopes, kSlopes * error);
+    certificate.add("extremal_junctions", *check.of_junctions,
+                    kJunctions * error);
+  }
+  return check;
+}
+
 Certificate certify_discrete(const DiscreteAnswer& answer,
                              const CrossCheck& check) {
   Certificate certificate;

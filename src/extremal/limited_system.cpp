@@ -184,7 +184,6 @@ void LimitedSystem::choose_start(const State& first) {
   const std::vector<PathInequality> limits =
       inequalities(scene_.body, scene_.limits);
   const bool takes_time =
-      scene_.contact != Contact::Centre &&
       std::any_of(limits.begin(), limits.end(), [](const PathInequality& one) {
         return one.kind == PathInequality::Kind::Valley;
       });
@@ -391,6 +390,22 @@ std::string LimitedSystem::objection(
   constexpr double kWrongSign = 1e-6;
   std::string out;
   double start_of_arc = 0.0;
+  if (getenv("WDBG")) {
+    int nn = first_node_.back() + 1;
+    for (size_t a = 0; a < arcs_.size(); ++a) {
+      auto i = node(point, first_node_[a]);
+      fprintf(stderr,
+              "arc %zu %s dur %.9g (guess %.9g) pieces %d pbeta %.3e Hb %.3e "
+              "jump %.3e touched %s beta %.8f\n",
+              a, arcs_[a].held ? name(arcs_[a].held->limit.kind) : "free",
+              point(kWidth * nn + (int)a), arcs_[a].duration, pieces_[a],
+              i[kPBeta], flows_[a].slope_condition(i),
+              jump_[a] >= 0 ? point(kWidth * nn + (int)arcs_.size() + jump_[a])
+                            : 0.0,
+              arcs_[a].touched ? name(arcs_[a].touched->limit.kind) : "-",
+              i[kBeta]);
+    }
+  }
   for (int a = 0; a < static_cast<int>(arcs_.size()) && out.empty(); ++a) {
     const LimitedFlow& flow = flows_[at(a)];
     const std::optional<HeldLimit>& held = flow.held();

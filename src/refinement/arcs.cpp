@@ -483,9 +483,12 @@ double junction_residual(const LimitedCurve& curve,
   for (std::size_t i = 0; i < before.held.size(); ++i) {
     if (problem.limits()[i].bounds_control()) continue;
     if (before.held[i] == after.held[i]) continue;
-    return after.held[i] != Held::No
-               ? angle_to(problem.limits()[i], left.state)
-               : off_singular(curve.at(element + 1, 0.0).p);
+    if (after.held[i] != Held::No) {
+      return angle_to(problem.limits()[i], left.state);
+    }
+    const LimitedPoint right = curve.at(element + 1, 0.0);
+    return holds_control(after, problem.limits()) ? right.p_beta
+                                                  : off_singular(right.p);
   }
   const int r = held_of_control(after.held, problem.limits());
   if (!holds_control(before, problem.limits()) || r < 0) {

@@ -41,6 +41,8 @@ using Jet = math::Jet1<double, static_cast<int>(kSize)>;
 struct HeldLimit {
   PathInequality limit;
   double bound = 0.0;
+
+  [[nodiscard]] bool at_upper() const { return bound == limit.upper; }
 };
 
 /// The motion and its costates along an arc, on which at most one limit c = b

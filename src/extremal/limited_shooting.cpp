@@ -18,11 +18,26 @@ using limited::LimitedSystem;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+using Orthogonal = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+
 /// The shortest step to a residual of zero; where unknowns are left open, as
 /// the costates of a path that limits hold all along, they stay.
 Eigen::VectorXd newton_step(const LimitedSystem::Linearisation& at) {
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr(at.jacobian);
-  return -qr.solve(at.residual);
+  return -Orthogonal(at.jacobian).solve(at.residual);
+}
+
+void read_junctions(const LimitedSystem& system,
+                    const LimitedSystem::Linearisation& at,
+                    const Eigen::VectorXd& point, LimitedExtremal& out) {
+  const Eigen::MatrixXd inverse = Orthogonal(at.jacobian).pseudoInverse();
+  double u = 0.0;
+  Eigen::RowVectorXd moves = Eigen::RowVectorXd::Zero(inverse.cols());
+  for (int a = 0; a < system.num_arcs(); ++a) {
+    u += point(system.of_duration(a));
+    moves += inverse.row(system.of_duration(a));
+    out.junctions.push_back(u);
+    out.looseness.push_back(moves.norm());
+  }
 }
 
 void solve(const LimitedSystem& system, LimitedExtremal& out,
@@ -71,6 +86,7 @@ void solve(const LimitedSystem& system, LimitedExtremal& out,
   out.error_estimate =
       std::abs(out.transit_time - here.transit_time) / out.transit_time +
       kEpsilon * std::sqrt(1.0 + finer.steps);
+  read_junctions(system, finer, point, out);
   out.solved = true;
 }
 
@@ -92,7 +108,6 @@ LimitedExtremal solve_limited_extremal(const Scene& natural,
     if (!out.solved) return out;
     out.start_angle = system.first(point)[limited::kBeta];
     out.end_angle = system.last(point)[limited::kBeta];
-    out.junctions = system.junctions(point);
     const std::string objection = system.objection(
         point, inequalities(natural.body, natural.limits), {.halve = true});
     if (!objection.empty()) {

@@ -22,7 +22,10 @@ struct LimitedExtremal {
   double error_estimate = 0.0;  ///< relative, of T
   double start_angle = 0.0, end_angle = 0.0;
   std::vector<double> junctions;  ///< u at which arcs end, the last one at B
-  double residual = 0.0;          ///< of all equations, in natural units
+  /// By how much each of them moves with the equations at most, per unit of
+  /// their residual: a short arc may end almost anywhere.
+  std::vector<double> looseness;
+  double residual = 0.0;  ///< of all equations, in natural units
   int newton_steps = 0, integration_steps = 0;
 };
 

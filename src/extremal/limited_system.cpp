@@ -10,11 +10,6 @@
 #include <numbers>
 
 #include "math/index.hpp"
-#include "model/contact.hpp"
-#include "model/energy.hpp"
-#include "model/inertia.hpp"
-#include "model/start_angle.hpp"
-#include "model/start_under_limits.hpp"
 
 namespace brachisto::limited {
 
@@ -22,43 +17,11 @@ namespace {
 
 using Kind = LimitedFlow::Kind;
 
-constexpr int kWidth = static_cast<int>(kSize);
-
-/// The rest is left after so much u by its series, where a limit on forces is
-/// 0/0: with β − β₀ and w − g a u of its second and third order the states err
-/// by 1e-15, and what β errs by dies out.
-constexpr double kLeftRest = 1e-5;
-
-Values<Jet> variables(const State& y) {
-  Values<Jet> out;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    out[i] = Jet::variable(y[i], static_cast<int>(i));
-  }
-  return out;
-}
-
 /// Whether a limit that holds keeps the control from growing.
 bool holds_from_above(const LimitedFlow& flow, const State& y) {
   const HeldLimit& held = *flow.held();
   const bool grows = flow.by_control(held.limit, y) > 0.0;
-  return grows == (held.bound == held.limit.upper);
-}
-
-/// The slope at rest next to `near` at which a limit on forces holds.
-double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
-  using On = math::Jet1<double, 1>;
-  constexpr int kMostSteps = 30;
-  double beta = near;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const On value =
-        value_of(held.limit, scene.body, scene.gravity,
-                 TurningPoint<On>{On(0.0), On(0.0), On(scene.body.theta_m),
-                                  On(0.0), On::variable(beta, 0), On(0.0)});
-    const double change = (held.bound - value.value) / value.gradient[0];
-    beta += change;
-    if (!(std::abs(change) > 1e-15)) break;
-  }
-  return beta;
+  return grows == held.at_upper();
 }
 
 }  // namespace
@@ -76,11 +39,13 @@ class LimitedSystem::Rows {
     for (int j = 0; j < kWidth; ++j) {
       by(kWidth * node + j) += value.gradient[at(j)];
     }
-    finish(value.value);
+    residual_(size_++) = value.value;
   }
-  /// A derivative of the equation that is finished next.
+  void add(const std::vector<Jet>& values, int node) {
+    for (const Jet& value : values) add(value, node);
+  }
+  /// A derivative of the equation that is added next.
   [[nodiscard]] double& by(int unknown) { return jacobian_(size_, unknown); }
-  void finish(double value) { residual_(size_++) = value; }
 
   void move_to(Linearisation& out) {
     out.residual = residual_.head(size_);
@@ -94,103 +59,78 @@ class LimitedSystem::Rows {
 };
 
 LimitedSystem::LimitedSystem(const Scene& natural, const Guess& guess)
-    : scene_(natural), arcs_(guess.arcs) {
+    : scene_(natural),
+      arcs_(guess.arcs),
+      leave_(natural, guess.arcs.front().held, guess.state(0, 0.0)[kBeta]),
+      refusal_(leave_.refusal()) {
   constexpr double kFewest = 4.0, kPerTurn = 3.0;
   double U = 0.0;
   for (const Arc& arc : arcs_) {
     flows_.emplace_back(scene_, arc.held);
     U += arc.duration;
   }
-  const State first = guess.state(0, 0.0);
-  const State last = guess.state(arcs_.size() - 1, 1.0);
-  const double turns =
-      std::abs(last[kTheta] - first[kTheta]) / (2.0 * std::numbers::pi);
-  choose_start(first);
-
+  const double turns = std::abs(guess.state(arcs_.size() - 1, 1.0)[kTheta] -
+                                guess.state(0, 0.0)[kTheta]) /
+                       (2.0 * std::numbers::pi);
   int nodes = 0;
-  for (std::size_t a = 0; a < arcs_.size(); ++a) {
-    const double share = arcs_[a].duration / U;
+  for (int a = 0; a < num_arcs(); ++a) {
     first_node_.push_back(nodes);
-    pieces_.push_back(static_cast<int>(
-        std::ceil(share * std::max(kFewest, kPerTurn * turns))));
+    pieces_.push_back(static_cast<int>(std::ceil(
+        arcs_[at(a)].duration / U * std::max(kFewest, kPerTurn * turns))));
     nodes += pieces_.back();
     jump_.push_back(-1);
     opposite_.push_back(false);
     if (a == 0) continue;
-    const Kind before = flows_[a - 1].kind(), here = flows_[a].kind();
-    const bool touched = arcs_[a - 1].touched.has_value();
+    if (refusal_.empty()) refusal_ = unknown_junction(a);
+    const Kind before = flows_[at(a - 1)].kind(), here = flows_[at(a)].kind();
     const bool of_boundary = (before == Kind::Control && here == Kind::Place) ||
                              (before == Kind::Place && here == Kind::Control);
-    if ((touched || of_boundary) && !blind(static_cast<int>(a) - 1)) {
+    // Behind a blind arc all costates are unknown anyhow.
+    if ((arcs_[at(a - 1)].touched || of_boundary) && !blind(a - 1)) {
       jump_.back() = num_jumps_++;
     }
-    const State junction = guess.state(a, 0.0);
     if (before == Kind::Control && here == Kind::Control) {
-      opposite_.back() = holds_from_above(flows_[a - 1], junction) !=
-                         holds_from_above(flows_[a], junction);
-    }
-    if (touched && (before != Kind::Control || here != Kind::Control)) {
-      refusal_ = fmt::format("it touches {} where no limit holds the control",
-                             name(arcs_[a - 1].touched->limit.kind));
-    }
-    if (before == Kind::Place && here == Kind::Place) {
-      refusal_ = "it goes from one boundary to another";
+      const State junction = guess.state(at(a), 0.0);
+      opposite_.back() = holds_from_above(flows_[at(a - 1)], junction) !=
+                         holds_from_above(flows_[at(a)], junction);
     }
   }
   first_node_.push_back(nodes);
-
-  start_.setZero(kWidth * (nodes + 1) + static_cast<int>(arcs_.size()) +
-                 num_jumps_);
-  const auto put = [&](int i, State y, Kind kind) {
-    if (kind != Kind::Control) y[kPBeta] = 0.0;
-    start_.segment(kWidth * i, kWidth) =
-        Eigen::Map<const Eigen::Matrix<double, kWidth, 1>>(y.data());
-  };
-  for (std::size_t a = 0; a < arcs_.size(); ++a) {
-    for (int i = 0; i < pieces_[a]; ++i) {
-      State y = guess.state(a, static_cast<double>(i) / pieces_[a]);
-      if (blind(static_cast<int>(a))) {
-        if (i == 0) y = at_rest(*start_slope_);
-        std::fill(y.begin() + kPX, y.end(), 0.0);
-      }
-      put(first_node_[a] + i, y, flows_[a].kind());
-    }
-    start_(kWidth * (nodes + 1) + static_cast<Eigen::Index>(a)) =
-        arcs_[a].duration;
-  }
-  put(nodes, last, flows_.back().kind());
+  take_guess(guess);
 }
 
-void LimitedSystem::choose_start(const State& first) {
-  const bool optimal =
-      scene_.contact == Contact::Optimal && scene_.body.rolls();
-  const std::optional<HeldLimit>& held = arcs_.front().held;
-  if (!held) {
-    start_kind_ = Start::Free;
-    start_slope_ = start_angle(scene_.body);
-    if (optimal) refusal_ = "it leaves an optimal contact freely";
-    return;
+std::string LimitedSystem::unknown_junction(int arc) const {
+  const Kind before = flows_[at(arc - 1)].kind(), here = flows_[at(arc)].kind();
+  const auto& touched = arcs_[at(arc - 1)].touched;
+  if (touched && (before != Kind::Control || here != Kind::Control)) {
+    return fmt::format("it touches {} where no limit holds the control",
+                       name(touched->limit.kind));
   }
-  if (flows_.front().kind() == Kind::Place) {
-    refusal_ = "it starts along a boundary";
-    return;
+  if (before == Kind::Place && here == Kind::Place) {
+    return "it goes from one boundary to another";
   }
-  if (held->limit.bounds_force()) {
-    start_kind_ = Start::Forced;
-    start_slope_ = slope_at_rest(scene_, *held, first[kBeta]);
-    return;
+  return {};
+}
+
+void LimitedSystem::take_guess(const Guess& guess) {
+  start_.setZero(of_jump(num_jumps_));
+  const auto put = [&](int i, State y, int arc) {
+    if (flows_[at(arc)].kind() != Kind::Control) y[kPBeta] = 0.0;
+    std::copy(y.begin(), y.end(), start_.data() + kWidth * i);
+  };
+  for (int a = 0; a < num_arcs(); ++a) {
+    const int pieces = pieces_[at(a)];
+    for (int i = 0; i < pieces; ++i) {
+      State y = guess.state(at(a), static_cast<double>(i) / pieces);
+      if (blind(a)) {
+        if (i == 0) y = leave_.left_rest();
+        std::fill(y.begin() + kStates, y.end(), 0.0);
+      }
+      put(first_node_[at(a)] + i, y, a);
+    }
+    start_(of_duration(a)) = arcs_[at(a)].duration;
   }
-  start_kind_ = Start::Turning;
-  const std::vector<PathInequality> limits =
-      inequalities(scene_.body, scene_.limits);
-  const bool takes_time =
-      std::any_of(limits.begin(), limits.end(), [](const PathInequality& one) {
-        return one.kind == PathInequality::Kind::Valley;
-      });
-  if (!optimal && !takes_time) {
-    start_slope_ = start_angle_under(scene_.body, limits);
-    if (!start_slope_) refusal_ = "no direction at rest keeps the limits";
-  }
+  put(first_node_.back(), guess.state(arcs_.size() - 1, 1.0), num_arcs() - 1);
 }
 
 State LimitedSystem::node(const Eigen::VectorXd& point, int i) const {
@@ -199,67 +139,16 @@ State LimitedSystem::node(const Eigen::VectorXd& point, int i) const {
   return y;
 }
 
-State LimitedSystem::first(const Eigen::VectorXd& point) const {
-  return node(point, 0);
-}
-
-State LimitedSystem::last(const Eigen::VectorXd& point) const {
-  return node(point, first_node_.back());
-}
-
 double LimitedSystem::span_of(const Eigen::VectorXd& point, int arc) const {
-  const double duration = point(kWidth * (first_node_.back() + 1) + arc);
-  return (duration - (blind(arc) ? kLeftRest : 0.0)) / pieces_[at(arc)];
+  const double at_rest = blind(arc) ? LimitedStart::kLeftRest : 0.0;
+  return (point(of_duration(arc)) - at_rest) / pieces_[at(arc)];
 }
 
-std::vector<double> LimitedSystem::junctions(
-    const Eigen::VectorXd& point) const {
-  std::vector<double> out;
-  double u = 0.0;
-  for (std::size_t a = 0; a < arcs_.size(); ++a) {
-    u +=
-        point(kWidth * (first_node_.back() + 1) + static_cast<Eigen::Index>(a));
-    out.push_back(u);
-  }
-  return out;
-}
-
-State LimitedSystem::at_rest(double beta) const {
-  const Body& body = scene_.body;
-  const double u = kLeftRest;
-  const double w = scene_.gravity * energy_slope(body, body.theta_m, beta) * u;
-  const Point centre = scene_.contact == Contact::Centre
-                           ? Point{0.0, 0.0}
-                           : centre_above({0.0, 0.0}, body.radius, beta);
-  const double s = 0.5 * w * u;
-  State y{};
-  y[kX] = centre.x + s * std::cos(beta);
-  y[kZ] = centre.z + s * std::sin(beta);
-  y[kTheta] = body.theta_m + s * flows_.front().inverse_radius();
-  y[kW] = w;
-  y[kBeta] = beta;
-  return y;
-}
-
-void LimitedSystem::start_rows(Rows& rows, const State& y) const {
-  const Values<Jet> v = variables(y);
-  if (start_kind_ == Start::Forced) {
-    const State rest = at_rest(*start_slope_);
-    for (std::size_t i = 0; i < kStates; ++i) rows.add(v[i] - Jet(rest[i]), 0);
-    return;
-  }
-  const Body& body = scene_.body;
-  const double r = scene_.contact == Contact::Centre ? 0.0 : body.radius;
-  rows.add(v[kX] - sin(v[kBeta]) * r, 0);
-  rows.add(v[kZ] + cos(v[kBeta]) * r, 0);
-  rows.add(v[kTheta] - body.theta_m, 0);
-  rows.add(v[kW], 0);
-  if (start_slope_) rows.add(v[kBeta] - *start_slope_, 0);
-  if (start_kind_ == Start::Free || !start_slope_) {
-    const bool optimal = scene_.contact == Contact::Optimal;
-    const Jet along = v[kPX] * cos(v[kBeta]) + v[kPZ] * sin(v[kBeta]);
-    rows.add(v[kPBeta] + along * (optimal ? r : 0.0), 0);
-  }
+const HeldLimit& LimitedSystem::jumps_along(int arc) const {
+  const Arc& before = arcs_[at(arc - 1)];
+  if (before.touched) return *before.touched;
+  return *(flows_[at(arc)].kind() == Kind::Place ? arcs_[at(arc)] : before)
+              .held;
 }
 
 void LimitedSystem::junction_rows(Rows& rows, int arc, const State& y) const {
@@ -269,116 +158,84 @@ void LimitedSystem::junction_rows(Rows& rows, int arc, const State& y) const {
   if (arc == 0 ? !blind(0) : blind(arc - 1)) rows.add(here.hamiltonian(v), i);
   if (arc == 0) return;
   const LimitedFlow& before = flows_[at(arc - 1)];
+  const auto reaches = [&](const LimitedFlow& flow, const HeldLimit& held) {
+    rows.add(flow.value(held.limit, v) - held.bound, i);
+    rows.add(flow.rate_of(held.limit, v), i);
+  };
   if (const auto& touched = arcs_[at(arc - 1)].touched) {
-    rows.add(before.value(touched->limit, v) - touched->bound, i);
-    rows.add(before.rate_of(touched->limit, v), i);
-    return;
+    return reaches(before, *touched);
   }
-  const bool from_control = before.kind() == Kind::Control;
-  if (here.kind() == Kind::Place) {
-    rows.add(here.value(here.held()->limit, v) - here.held()->bound, i);
-    rows.add(here.rate_of(here.held()->limit, v), i);
-  }
-  if (here.kind() != Kind::Control && from_control) {
+  if (here.kind() == Kind::Place) reaches(here, *here.held());
+  if (before.kind() != Kind::Control) return;
+  if (here.kind() != Kind::Control) {
+    rows.add({v[kPBeta], here.slope_condition(v)}, i);
+  } else if (opposite_[at(arc)]) {
     rows.add(v[kPBeta], i);
-    rows.add(here.slope_condition(v), i);
-  }
-  if (here.kind() == Kind::Control && from_control) {
-    rows.add(opposite_[at(arc)]
-                 ? v[kPBeta]
-                 : before.value(here.held()->limit, v) - here.held()->bound,
-             i);
+  } else {
+    rows.add(before.value(here.held()->limit, v) - here.held()->bound, i);
   }
 }
 
-void LimitedSystem::end_rows(Rows& rows, const State& y) const {
-  const int i = first_node_.back();
-  const Values<Jet> v = variables(y);
-  const bool of_centre = scene_.contact == Contact::Centre;
-  const double r = of_centre ? 0.0 : scene_.body.radius;
-  rows.add(v[kX] - sin(v[kBeta]) * r - scene_.L, i);
-  rows.add(v[kZ] + cos(v[kBeta]) * r - scene_.H, i);
-  rows.add(v[kPTheta], i);
-  rows.add(v[kPW], i);
-  if (scene_.contact == Contact::EndSlope && scene_.body.rolls()) {
-    rows.add(v[kBeta] - *scene_.end_slope, i);
-    return;
+/// The next node less where a piece ends, and less a jump of costates.
+void LimitedSystem::matching_rows(Rows& rows, int arc, int piece,
+                                  const PieceEnd& end,
+                                  const Eigen::VectorXd& point) const {
+  const LimitedFlow& flow = flows_[at(arc)];
+  const int i = first_node_[at(arc)] + piece;
+  const Values<Jet> next = variables(node(point, i + 1));
+  const bool last = piece + 1 == pieces_[at(arc)] && arc + 1 < num_arcs();
+  const int jump = last ? jump_[at(arc + 1)] : -1;
+  std::array<Jet, kStates> along{};
+  if (jump >= 0) along = flow.gradient(jumps_along(arc + 1).limit, next);
+  for (std::size_t c = 0; c < (blind(arc) ? kStates : kSize); ++c) {
+    Jet gap = next[c] - end.y[c];
+    if (jump >= 0 && c >= kStates) {
+      rows.by(of_jump(jump)) -= along[c - kStates].value;
+      gap = gap - along[c - kStates] * point(of_jump(jump));
+    }
+    for (int j = 0; j < kWidth; ++j) {
+      rows.by(kWidth * i + j) -= end.by_start(static_cast<Eigen::Index>(c), j);
+    }
+    rows.by(of_duration(arc)) -= end.rates[c] / pieces_[at(arc)];
+    rows.add(gap, i + 1);
   }
-  const bool optimal = scene_.contact == Contact::Optimal;
-  const Jet along = v[kPX] * cos(v[kBeta]) + v[kPZ] * sin(v[kBeta]);
-  rows.add(v[kPBeta] + along * (optimal ? r : 0.0), i);
+  if (!blind(arc)) return;
+  const Values<Jet> begin = variables(node(point, i));
+  for (std::size_t c = kStates; c < kSize; ++c) rows.add(begin[c], i);
 }
 
 bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
                              const shooting::StepControl& control,
                              Linearisation& out) const {
   const auto unknowns = static_cast<int>(point.size());
-  const int nodes = first_node_.back() + 1;
-  const auto arcs = static_cast<int>(arcs_.size());
-  Rows rows(unknowns, unknowns + 2 * kWidth + 4 * arcs);
+  Rows rows(unknowns, unknowns + 2 * kWidth + 4 * num_arcs());
   out.transit_time = 0.0;
   out.time_gradient.setZero(unknowns);
   out.steps = 0;
-  start_rows(rows, node(point, 0));
-  for (int a = 0; a < arcs; ++a) {
-    const LimitedFlow& flow = flows_[at(a)];
-    const int of_duration = kWidth * nodes + a;
+  rows.add(leave_.conditions(first(point)), 0);
+  if (blind(0)) {
+    out.transit_time =
+        LimitedStart::kLeftRest * flows_.front().rates(first(point)).t;
+  }
+  for (int a = 0; a < num_arcs(); ++a) {
     const double span = span_of(point, a);
-    if (!(span > 0.0)) return false;
-    if (!blind(a)) {
-      junction_rows(rows, a, node(point, first_node_[at(a)]));
-    }
-    if (blind(a)) {
-      out.transit_time += kLeftRest * flow.rates(node(point, 0)).t;
-    }
+    if (!blind(a)) junction_rows(rows, a, node(point, first_node_[at(a)]));
     double step = 0.0;
     for (int k = 0; k < pieces_[at(a)]; ++k) {
       const int i = first_node_[at(a)] + k;
-      const State begin = node(point, i);
       PieceEnd end;
-      if (!integrate_piece(
-              flow, begin, span,
-              blind(a) ? Judged::StatesAlone : Judged::StatesAndCostates,
-              control, step, end)) {
+      if (!integrate_piece(flows_[at(a)], node(point, i), span, judged(a),
+                           control, step, end)) {
         return false;
       }
       out.steps += end.steps;
       out.transit_time += end.t;
       out.time_gradient.segment(kWidth * i, kWidth) += end.time_by_start;
-      out.time_gradient(of_duration) += end.time_rate / pieces_[at(a)];
-
-      Values<Jet> next = variables(node(point, i + 1));
-      const bool last = k + 1 == pieces_[at(a)];
-      const int jump = last && a + 1 < arcs ? jump_[at(a + 1)] : -1;
-      const int of_jump = kWidth * nodes + arcs + jump;
-      std::array<Jet, kStates> along{};
-      if (jump >= 0) {
-        const auto& touched = arcs_[at(a)].touched;
-        along = touched ? flow.gradient(touched->limit, next)
-                : flow.kind() == Kind::Place
-                    ? flow.gradient(flow.held()->limit, next)
-                    : flows_[at(a + 1)].gradient(
-                          flows_[at(a + 1)].held()->limit, next);
-      }
-      for (std::size_t c = 0; c < (blind(a) ? kStates : kSize); ++c) {
-        const auto row = static_cast<Eigen::Index>(c);
-        Jet gap = next[c] - Jet(end.y[c]);
-        if (jump >= 0 && c >= kPX) {
-          rows.by(of_jump) -= along[c - kPX].value;
-          gap = gap - along[c - kPX] * point(of_jump);
-        }
-        for (int j = 0; j < kWidth; ++j) {
-          rows.by(kWidth * i + j) -= end.by_start(row, j);
-        }
-        rows.by(of_duration) -= end.rates[c] / pieces_[at(a)];
-        rows.add(gap, i + 1);
-      }
-      for (std::size_t c = kPX; blind(a) && c < kSize; ++c) {
-        rows.add(Jet::variable(begin[c], static_cast<int>(c)), i);
-      }
+      out.time_gradient(of_duration(a)) += end.time_rate / pieces_[at(a)];
+      matching_rows(rows, a, k, end, point);
     }
   }
-  end_rows(rows, node(point, first_node_.back()));
+  rows.add(end_conditions(scene_, last(point)), first_node_.back());
   rows.move_to(out);
   return true;
 }
@@ -390,62 +247,53 @@ std::string LimitedSystem::objection(
   constexpr double kWrongSign = 1e-6;
   std::string out;
   double start_of_arc = 0.0;
-  if (getenv("WDBG")) {
-    int nn = first_node_.back() + 1;
-    for (size_t a = 0; a < arcs_.size(); ++a) {
-      auto i = node(point, first_node_[a]);
-      fprintf(stderr,
-              "arc %zu %s dur %.9g (guess %.9g) pieces %d pbeta %.3e Hb %.3e "
-              "jump %.3e touched %s beta %.8f\n",
-              a, arcs_[a].held ? name(arcs_[a].held->limit.kind) : "free",
-              point(kWidth * nn + (int)a), arcs_[a].duration, pieces_[a],
-              i[kPBeta], flows_[a].slope_condition(i),
-              jump_[a] >= 0 ? point(kWidth * nn + (int)arcs_.size() + jump_[a])
-                            : 0.0,
-              arcs_[a].touched ? name(arcs_[a].touched->limit.kind) : "-",
-              i[kBeta]);
-    }
-  }
-  for (int a = 0; a < static_cast<int>(arcs_.size()) && out.empty(); ++a) {
+  const auto wrong_way = [](const HeldLimit& held, double multiplier) {
+    return held.at_upper() ? multiplier : -multiplier;
+  };
+  for (int a = 0; a < num_arcs(); ++a) {
     const LimitedFlow& flow = flows_[at(a)];
     const std::optional<HeldLimit>& held = flow.held();
     double largest = 1.0, wrong = 0.0;
+    const auto look_at = [&](double u, const State& y) {
+      for (const PathInequality& limit : limits) {
+        const double value = flow.value(limit, y);
+        const double excess =
+            std::max(limit.lower - value, value - limit.upper);
+        if (excess <= kExceeded || !out.empty()) continue;
+        out = fmt::format("{} is exceeded by {:.1e} at u = {:.6g}",
+                          name(limit.kind), excess, start_of_arc + u);
+      }
+      if (flow.kind() == Kind::Free && !(flow.legendre(y) > 0.0)) {
+        out = fmt::format("its free arc is no minimum at u = {:.6g}",
+                          start_of_arc + u);
+      }
+      if (!held || blind(a)) return;
+      const double nu = flow.rates(y).nu;
+      largest = std::max(largest, std::abs(nu));
+      wrong = std::max(wrong, wrong_way(*held, nu));
+    };
     for (int k = 0; k < pieces_[at(a)]; ++k) {
       const double span = span_of(point, a);
-      const auto look = [&](double u, const State& y) {
-        u += start_of_arc + k * span;
-        for (const PathInequality& limit : limits) {
-          if (held && held->limit.kind == limit.kind &&
-              limit.bounds_control()) {
-            continue;
-          }
-          const double value = flow.value(limit, y);
-          const double excess =
-              std::max(limit.lower - value, value - limit.upper);
-          if (excess <= kExceeded || !out.empty()) continue;
-          out = fmt::format("{} is exceeded by {:.1e} at u = {:.6g}",
-                            name(limit.kind), excess, u);
-        }
-        if (flow.kind() == Kind::Free && !(flow.legendre(y) > 0.0)) {
-          out = fmt::format("its free arc is no minimum at u = {:.6g}", u);
-        }
-        if (!held || blind(a)) return;
-        const double nu = flow.rates(y).nu;
-        largest = std::max(largest, std::abs(nu));
-        wrong = std::max(wrong, held->bound == held->limit.upper ? nu : -nu);
-      };
-      if (!follow_piece(
-              flow, node(point, first_node_[at(a)] + k), span,
-              blind(a) ? Judged::StatesAlone : Judged::StatesAndCostates,
-              control, look)) {
+      if (!follow_piece(flow, node(point, first_node_[at(a)] + k), span,
+                        judged(a), control, [&](double u, const State& y) {
+                          look_at(k * span + u, y);
+                        })) {
         return "it cannot be integrated again";
       }
     }
-    if (out.empty() && wrong > kWrongSign * largest) {
-      out = fmt::format("the multiplier of {} has the wrong sign, by {:.1e}",
-                        name(held->limit.kind), wrong / largest);
+    if (!out.empty()) return out;
+    const int jump = jump_[at(a)];
+    if (jump >= 0 &&
+        wrong_way(jumps_along(a), point(of_jump(jump))) > kWrongSign) {
+      return fmt::format("the jump at {} has the wrong sign, by {:.1e}",
+                         name(jumps_along(a).limit.kind),
+                         std::abs(point(of_jump(jump))));
     }
-    start_of_arc += point(kWidth * (first_node_.back() + 1) + a);
+    if (wrong > kWrongSign * largest) {
+      return fmt::format("the multiplier of {} has the wrong sign, by {:.1e}",
+                         name(held->limit.kind), wrong / largest);
+    }
+    start_of_arc += point(of_duration(a));
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "extremal/limited_boundary.hpp"
 #include "extremal/limited_integration.hpp"
 
 namespace brachisto::limited {
@@ -78,44 +79,59 @@ class LimitedSystem {
                               const shooting::StepControl& control,
                               Linearisation& out) const;
 
-  /// Where arcs end, in u.
-  [[nodiscard]] std::vector<double> junctions(
-      const Eigen::VectorXd& point) const;
-  [[nodiscard]] State first(const Eigen::VectorXd& point) const;
-  [[nodiscard]] State last(const Eigen::VectorXd& point) const;
+  [[nodiscard]] int num_arcs() const { return static_cast<int>(arcs_.size()); }
+  /// Where the duration of an arc stands among the unknowns.
+  [[nodiscard]] int of_duration(int arc) const {
+    return kWidth * (first_node_.back() + 1) + arc;
+  }
+  [[nodiscard]] State first(const Eigen::VectorXd& point) const {
+    return node(point, 0);
+  }
+  [[nodiscard]] State last(const Eigen::VectorXd& point) const {
+    return node(point, first_node_.back());
+  }
   /// Why the path is no extremal under the limits although the equations hold:
-  /// a limit is exceeded, a multiplier has the wrong sign, a free arc is no
-  /// minimum. Empty if it is one.
+  /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc
+  /// is no minimum. Empty if it is one.
   [[nodiscard]] std::string objection(
       const Eigen::VectorXd& point, const std::vector<PathInequality>& limits,
       const shooting::StepControl& control) const;
 
  private:
   class Rows;
-  enum class Start { Free, Forced, Turning };
+  static constexpr int kWidth = static_cast<int>(kSize);
+
+  /// Why the arcs on both sides of a junction are not known, or nothing.
+  [[nodiscard]] std::string unknown_junction(int arc) const;
+  void take_guess(const Guess& guess);
 
   [[nodiscard]] State node(const Eigen::VectorXd& point, int i) const;
+  [[nodiscard]] int of_jump(int jump) const {
+    return of_duration(num_arcs()) + jump;
+  }
+  /// Whether the costates do not enter an arc.
   [[nodiscard]] bool blind(int arc) const {
-    return arc == 0 && start_kind_ == Start::Forced;
+    return arc == 0 && leave_.kind() == LimitedStart::Kind::Forced;
+  }
+  [[nodiscard]] Judged judged(int arc) const {
+    return blind(arc) ? Judged::StatesAlone : Judged::StatesAndCostates;
   }
   [[nodiscard]] double span_of(const Eigen::VectorXd& point, int arc) const;
-  void choose_start(const State& first);
-  void start_rows(Rows& rows, const State& y) const;
+  /// The limit along whose gradient costates jump in front of an arc.
+  [[nodiscard]] const HeldLimit& jumps_along(int arc) const;
   void junction_rows(Rows& rows, int arc, const State& y) const;
-  void end_rows(Rows& rows, const State& y) const;
-  [[nodiscard]] State at_rest(double beta) const;
+  void matching_rows(Rows& rows, int arc, int piece, const PieceEnd& end,
+                     const Eigen::VectorXd& point) const;
 
   const Scene& scene_;
   std::vector<Arc> arcs_;
   std::vector<LimitedFlow> flows_;
+  LimitedStart leave_;
   std::vector<int> pieces_;      ///< of each arc
   std::vector<int> first_node_;  ///< of each arc, and the node at B
   std::vector<int> jump_;        ///< in front of each arc: its number, or −1
   std::vector<bool> opposite_;   ///< in front of each arc
   int num_jumps_ = 0;
-  Start start_kind_ = Start::Free;
-  /// β₀, where the contact does not leave it to the path.
-  std::optional<double> start_slope_;
   std::string refusal_;
   Eigen::VectorXd start_;
 };

@@ -134,29 +134,33 @@ CrossCheck cross_check(const FittedPath& found, double error,
   const LimitedExtremal other =
       solve_limited_extremal(scene, as_guess(found), stop);
   CrossCheck check{.solved = other.solved, .message = other.message};
-  if (check.solved) {
-    check.tau = other.transit_time * std::sqrt(2.0 * scene.gravity / scene.H);
-    check.error_estimate = other.error_estimate;
-    check.difference =
-        std::abs(found.curve.transit_time() / other.transit_time - 1.0);
-    check.of_slopes =
-        std::max(std::abs(found.curve.at(0.0).state.beta - other.start_angle),
-                 std::abs(found.curve.at(1.0).state.beta - other.end_angle));
-    check.of_junctions = 0.0;
-    for (std::size_t i = 0; i < found.arcs.size(); ++i) {
-      check.of_junctions =
-          std::max(*check.of_junctions,
-                   std::abs(found.arcs[i].end -
-                            other.junctions[i] / other.junctions.back()));
-    }
+  if (!check.solved) {
+    certificate.add("extremal", kUnknown, error, check.message);
+    return check;
   }
-  certificate.add("extremal", check.solved ? check.difference : kUnknown,
-                  error + check.error_estimate, check.message);
-  if (check.solved) {
-    certificate.add("extremal_slopes", *check.of_slopes, kSlopes * error);
-    certificate.add("extremal_junctions", *check.of_junctions,
-                    kJunctions * error);
+  check.tau = other.transit_time * std::sqrt(2.0 * scene.gravity / scene.H);
+  check.error_estimate = other.error_estimate;
+  check.difference =
+      std::abs(found.curve.transit_time() / other.transit_time - 1.0);
+  check.of_slopes =
+      std::max(std::abs(found.curve.at(0.0).state.beta - other.start_angle),
+               std::abs(found.curve.at(1.0).state.beta - other.end_angle));
+  certificate.add("extremal", check.difference, error + check.error_estimate);
+  certificate.add("extremal_slopes", *check.of_slopes, kSlopes * error);
+
+  const double U = other.junctions.back();
+  check.of_junctions = 0.0;
+  double worst = 0.0, allowed = kJunctions * error;
+  for (std::size_t i = 0; i + 1 < found.arcs.size(); ++i) {
+    const double difference =
+        std::abs(found.arcs[i].end - other.junctions[i] / U);
+    const double here = std::max(kJunctions, other.looseness[i] / U) * error;
+    check.of_junctions = std::max(*check.of_junctions, difference);
+    if (difference / here <= worst / allowed) continue;
+    worst = difference;
+    allowed = here;
   }
+  certificate.add("extremal_junctions", worst, allowed);
   return check;
 }
 

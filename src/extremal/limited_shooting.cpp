@@ -26,17 +26,22 @@ Eigen::VectorXd newton_step(const LimitedSystem::Linearisation& at) {
   return -Orthogonal(at.jacobian).solve(at.residual);
 }
 
-void read_junctions(const LimitedSystem& system,
-                    const LimitedSystem::Linearisation& at,
-                    const Eigen::VectorXd& point, LimitedExtremal& out) {
+void read_results(const LimitedSystem& system,
+                  const LimitedSystem::Linearisation& at,
+                  const Eigen::VectorXd& point, LimitedExtremal& out) {
   const Eigen::MatrixXd inverse = Orthogonal(at.jacobian).pseudoInverse();
+  const auto slope_at = [&](int node) {
+    const int beta = system.of_node(node) + static_cast<int>(limited::kBeta);
+    return Loose{point(beta), inverse.row(beta).norm()};
+  };
+  out.start_angle = slope_at(0);
+  out.end_angle = slope_at(system.num_nodes() - 1);
   double u = 0.0;
   Eigen::RowVectorXd moves = Eigen::RowVectorXd::Zero(inverse.cols());
   for (int a = 0; a < system.num_arcs(); ++a) {
     u += point(system.of_duration(a));
     moves += inverse.row(system.of_duration(a));
-    out.junctions.push_back(u);
-    out.looseness.push_back(moves.norm());
+    out.junctions.push_back({u, moves.norm()});
   }
 }
 
@@ -86,7 +91,7 @@ void solve(const LimitedSystem& system, LimitedExtremal& out,
   out.error_estimate =
       std::abs(out.transit_time - here.transit_time) / out.transit_time +
       kEpsilon * std::sqrt(1.0 + finer.steps);
-  read_junctions(system, finer, point, out);
+  read_results(system, finer, point, out);
   out.solved = true;
 }
 
@@ -106,8 +111,6 @@ LimitedExtremal solve_limited_extremal(const Scene& natural,
     Eigen::VectorXd point;
     solve(system, out, point);
     if (!out.solved) return out;
-    out.start_angle = system.first(point)[limited::kBeta];
-    out.end_angle = system.last(point)[limited::kBeta];
     const std::string objection = system.objection(
         point, inequalities(natural.body, natural.limits), {.halve = true});
     if (!objection.empty()) {

@@ -14,18 +14,21 @@
 
 namespace brachisto {
 
+/// A number that follows from equations, and by how much it moves with them at
+/// most, per unit of their residual: a short arc may end almost anywhere.
+struct Loose {
+  double value = 0.0, looseness = 0.0;
+};
+
 /// Outcome of solve_limited_extremal(), in natural units.
 struct LimitedExtremal {
   bool solved = false;
   std::string message;  ///< why not, or what is known of it
   double transit_time = 0.0;
   double error_estimate = 0.0;  ///< relative, of T
-  double start_angle = 0.0, end_angle = 0.0;
-  std::vector<double> junctions;  ///< u at which arcs end, the last one at B
-  /// By how much each of them moves with the equations at most, per unit of
-  /// their residual: a short arc may end almost anywhere.
-  std::vector<double> looseness;
-  double residual = 0.0;  ///< of all equations, in natural units
+  Loose start_angle, end_angle;
+  std::vector<Loose> junctions;  ///< u at which arcs end, the last one at B
+  double residual = 0.0;         ///< of all equations, in natural units
   int newton_steps = 0, integration_steps = 0;
 };
 

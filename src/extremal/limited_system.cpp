@@ -63,7 +63,8 @@ LimitedSystem::LimitedSystem(const Scene& natural, const Guess& guess)
       arcs_(guess.arcs),
       leave_(natural, guess.arcs.front().held, guess.state(0, 0.0)[kBeta]),
       refusal_(leave_.refusal()) {
-  constexpr double kFewest = 4.0, kPerTurn = 3.0;
+  // Their number squared is the size of the matrix.
+  constexpr double kFewest = 4.0, kMost = 150.0, kPerTurn = 3.0;
   double U = 0.0;
   for (const Arc& arc : arcs_) {
     flows_.emplace_back(scene_, arc.held);
@@ -72,11 +73,12 @@ LimitedSystem::LimitedSystem(const Scene& natural, const Guess& guess)
   const double turns = std::abs(guess.state(arcs_.size() - 1, 1.0)[kTheta] -
                                 guess.state(0, 0.0)[kTheta]) /
                        (2.0 * std::numbers::pi);
+  const double pieces = std::clamp(kPerTurn * turns, kFewest, kMost);
   int nodes = 0;
   for (int a = 0; a < num_arcs(); ++a) {
     first_node_.push_back(nodes);
-    pieces_.push_back(static_cast<int>(std::ceil(
-        arcs_[at(a)].duration / U * std::max(kFewest, kPerTurn * turns))));
+    pieces_.push_back(std::max(
+        1, static_cast<int>(std::ceil(arcs_[at(a)].duration / U * pieces))));
     nodes += pieces_.back();
     jump_.push_back(-1);
     opposite_.push_back(false);
@@ -116,7 +118,7 @@ void LimitedSystem::take_guess(const Guess& guess) {
   start_.setZero(of_jump(num_jumps_));
   const auto put = [&](int i, State y, int arc) {
     if (flows_[at(arc)].kind() != Kind::Control) y[kPBeta] = 0.0;
-    std::copy(y.begin(), y.end(), start_.data() + kWidth * i);
+    std::copy(y.begin(), y.end(), start_.data() + of_node(i));
   };
   for (int a = 0; a < num_arcs(); ++a) {
     const int pieces = pieces_[at(a)];
@@ -135,7 +137,7 @@ void LimitedSystem::take_guess(const Guess& guess) {
 
 State LimitedSystem::node(const Eigen::VectorXd& point, int i) const {
   State y;
-  std::copy_n(point.data() + kWidth * i, kSize, y.begin());
+  std::copy_n(point.data() + of_node(i), kSize, y.begin());
   return y;
 }
 
@@ -194,7 +196,7 @@ void LimitedSystem::matching_rows(Rows& rows, int arc, int piece,
       gap = gap - along[c - kStates] * point(of_jump(jump));
     }
     for (int j = 0; j < kWidth; ++j) {
-      rows.by(kWidth * i + j) -= end.by_start(static_cast<Eigen::Index>(c), j);
+      rows.by(of_node(i) + j) -= end.by_start(static_cast<Eigen::Index>(c), j);
     }
     rows.by(of_duration(arc)) -= end.rates[c] / pieces_[at(arc)];
     rows.add(gap, i + 1);
@@ -212,10 +214,10 @@ bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
   out.transit_time = 0.0;
   out.time_gradient.setZero(unknowns);
   out.steps = 0;
-  rows.add(leave_.conditions(first(point)), 0);
+  rows.add(leave_.conditions(node(point, 0)), 0);
   if (blind(0)) {
     out.transit_time =
-        LimitedStart::kLeftRest * flows_.front().rates(first(point)).t;
+        LimitedStart::kLeftRest * flows_.front().rates(node(point, 0)).t;
   }
   for (int a = 0; a < num_arcs(); ++a) {
     const double span = span_of(point, a);
@@ -230,12 +232,13 @@ bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
       }
       out.steps += end.steps;
       out.transit_time += end.t;
-      out.time_gradient.segment(kWidth * i, kWidth) += end.time_by_start;
+      out.time_gradient.segment(of_node(i), kWidth) += end.time_by_start;
       out.time_gradient(of_duration(a)) += end.time_rate / pieces_[at(a)];
       matching_rows(rows, a, k, end, point);
     }
   }
-  rows.add(end_conditions(scene_, last(point)), first_node_.back());
+  rows.add(end_conditions(scene_, node(point, num_nodes() - 1)),
+           num_nodes() - 1);
   rows.move_to(out);
   return true;
 }

@@ -80,15 +80,12 @@ class LimitedSystem {
                               Linearisation& out) const;
 
   [[nodiscard]] int num_arcs() const { return static_cast<int>(arcs_.size()); }
-  /// Where the duration of an arc stands among the unknowns.
+  [[nodiscard]] int num_nodes() const { return first_node_.back() + 1; }
+  /// Where a node's components, and the duration of an arc, stand among the
+  /// unknowns.
+  [[nodiscard]] int of_node(int node) const { return kWidth * node; }
   [[nodiscard]] int of_duration(int arc) const {
-    return kWidth * (first_node_.back() + 1) + arc;
-  }
-  [[nodiscard]] State first(const Eigen::VectorXd& point) const {
-    return node(point, 0);
-  }
-  [[nodiscard]] State last(const Eigen::VectorXd& point) const {
-    return node(point, first_node_.back());
+    return of_node(num_nodes()) + arc;
   }
   /// Why the path is no extremal under the limits although the equations hold:
   /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc

@@ -57,8 +57,8 @@ inline constexpr double kCoarsestAgreement = 1e-2;
 
 /// The same of a path under limits, by multiple shooting over its arcs; and the
 /// checks "extremal_slopes" and "extremal_junctions". Where T is right to ε,
-/// slopes are to 100 ε and junctions, as shares of U, to 1000 ε; or to as much
-/// as they move where the conditions err by ε, if that is more.
+/// slopes are to 100 ε and junctions, as shares of U, to 1000 ε; or both to as
+/// much as they move where the conditions err by ε, if that is more.
 /// \param error  relative, of T
 [[nodiscard]] CrossCheck cross_check(const FittedPath& found, double error,
                                      const StopCondition& stop,

@@ -22,7 +22,8 @@ namespace brachisto {
 [[nodiscard]] ExtremalGuess as_guess(const ExtremalCurve& curve,
                                      const Units& units, double phi);
 
-/// A solution under limits as the start of a shooting over its arcs.
+/// A solution under limits as the start of a shooting over its arcs, on each of
+/// which one limit holds or none.
 /// \param path  must outlive the guess
 [[nodiscard]] limited::Guess as_guess(const FittedPath& path);
 

@@ -188,8 +188,9 @@ TEST(LimitedWitness, FindsTheSteepestInclineThatGripsAndTheCycloid) {
     const ClosedTrack closed =
         closed_incline(uniform, static_slope(uniform.body, mu));
     EXPECT_NEAR(tau_of(found, in_natural_units(scene)), closed.tau, kClosed);
-    EXPECT_NEAR(found.end_angle, closed.end_angle, kClosed);
-    EXPECT_NEAR(found.start_angle, static_slope(uniform.body, mu), kClosed);
+    EXPECT_NEAR(found.end_angle.value, closed.end_angle, kClosed);
+    EXPECT_NEAR(found.start_angle.value, static_slope(uniform.body, mu),
+                kClosed);
   }
 }
 
@@ -203,7 +204,7 @@ TEST(LimitedWitness, FindsACycloidALineOnTheFloorAndTheSameCycloid) {
     ASSERT_TRUE(found.solved) << found.message;
     const ClosedTrack closed = closed_on_floor(bead_scene(), D);
     EXPECT_NEAR(tau_of(found, in_natural_units(scene)), closed.tau, kClosed);
-    EXPECT_NEAR(found.end_angle, closed.end_angle, kClosed);
+    EXPECT_NEAR(found.end_angle.value, closed.end_angle, kClosed);
   }
 }
 

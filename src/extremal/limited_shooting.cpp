@@ -16,7 +16,7 @@ namespace {
 
 using limited::LimitedSystem;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
 using Orthogonal = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
@@ -45,8 +45,8 @@ void read_results(const LimitedSystem& system,
   }
 }
 
-void solve(const LimitedSystem& system, LimitedExtremal& out,
-           Eigen::VectorXd& point) {
+void find_root(const LimitedSystem& system, LimitedExtremal& out,
+               Eigen::VectorXd& point) {
   constexpr int kMostSteps = 30;
   constexpr double kSmallestFactor = 1e-3;
   constexpr double kConverged = 1e-12, kRounding = 1e-10;
@@ -90,7 +90,7 @@ void solve(const LimitedSystem& system, LimitedExtremal& out,
   out.integration_steps = finer.steps;
   out.error_estimate =
       std::abs(out.transit_time - here.transit_time) / out.transit_time +
-      kEpsilon * std::sqrt(1.0 + finer.steps);
+      kUlp * std::sqrt(1.0 + finer.steps);
   read_results(system, finer, point, out);
   out.solved = true;
 }
@@ -109,7 +109,7 @@ LimitedExtremal solve_limited_extremal(const Scene& natural,
   }
   try {
     Eigen::VectorXd point;
-    solve(system, out, point);
+    find_root(system, out, point);
     if (!out.solved) return out;
     const std::string objection = system.objection(
         point, inequalities(natural.body, natural.limits), {.halve = true});

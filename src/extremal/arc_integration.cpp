@@ -3,46 +3,14 @@
 
 #include "extremal/arc_integration.hpp"
 
-#include <algorithm>
-
-#include "brachisto/math/stop_condition.hpp"
 #include "extremal/adaptive_integration.hpp"
 
 namespace brachisto::shooting {
 
 namespace {
 
-/// Steps from 0 to `span` with error control; tells `on_step` of every step.
-template <std::size_t Size, class OnStep>
-bool advance(AdaptiveIntegration<Size>& path, double span,
-             const StepControl& control, double& step, OnStep&& on_step) {
-  constexpr double kShortest = 1e-8;  // of the arc
-  // A third of a turn takes a few hundred at the tightest tolerance.
-  constexpr int kMostSteps = 20'000;
-  if (path.failed() || !(span > 0.0)) return false;
-  if (!(step > 0.0)) step = 0.1 * span;
-  double u = 0.0;
-  for (int tried = 0; u < span; ++tried) {
-    if (tried == kMostSteps) return false;
-    check_stop();
-    const double rest = span - u;
-    // Neither a sliver at the end nor a step beyond it.
-    const double h = rest <= step ? rest : std::min(step, 0.5 * rest);
-    if (!path.step(h, control.tolerance, control.halve)) {
-      step = h * path.factor();
-      if (step < kShortest * span) return false;
-      continue;
-    }
-    u = rest <= step ? span : u + h;
-    step = h < step ? std::max(step, h * path.factor()) : h * path.factor();
-    if (path.failed()) return false;
-    on_step(u);
-  }
-  return true;
-}
-
 template <std::size_t Size>
-void fill_end(const AdaptiveIntegration<Size>& path, ArcEnd& end) {
+void fill_end(const AdaptiveIntegration<Rates<Size>>& path, ArcEnd& end) {
   end.y = states_of(path.now());
   end.t = path.now()[kTime];
   end.beta = path.beta();
@@ -105,7 +73,7 @@ ExtremalPath::Knot step_from(const CanonicalFlow& flow,
   put(knot.y, 0, stack);
   stack[kTime] = knot.t;
   Rates<kPath> rates{flow, knot.beta};
-  Stepper<kPath>().do_step(rates, stack, 0.0, span);
+  Stepper<Stack<kPath>>().do_step(rates, stack, 0.0, span);
   Stack<kPath> slope;
   rates(stack, slope, span);
   return knot_at(knot.u + span, stack, rates.beta);

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "extremal/adaptive_integration.hpp"
 #include "extremal/canonical_flow.hpp"
 #include "extremal/extremal_path.hpp"
 
@@ -17,13 +18,6 @@ namespace brachisto::shooting {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-struct StepControl {
-  /// Local error allowed to each step, in natural units.
-  double tolerance = 1e-13;
-  /// Takes every step that the error control chooses as two halves.
-  bool halve = false;
-};
 
 /// Where an arc ends.
 struct ArcEnd {

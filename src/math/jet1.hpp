@@ -9,20 +9,23 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 namespace brachisto::math {
 
 /// Value and gradient with respect to `Size` independent variables.
 ///
-/// \tparam Real  double or long double
+/// \tparam Real  double, long double, or a jet of either
 template <class Real, int Size>
 struct Jet1 {
   Real value{};
   std::array<Real, Size> gradient{};
 
   Jet1() = default;
-  Jet1(Real constant) : value(constant) {}  // NOLINT: numbers are jets
+  template <std::convertible_to<Real> Number>
+  Jet1(const Number& constant)  // NOLINT: numbers are jets
+      : value(static_cast<Real>(constant)) {}
 
   /// The independent variable number `index`.
   [[nodiscard]] static Jet1 variable(Real v, int index) {
@@ -66,17 +69,22 @@ struct Jet1 {
 
 template <class Real, int Size>
 [[nodiscard]] Jet1<Real, Size> sin(const Jet1<Real, Size>& a) {
-  return a.chain(std::sin(a.value), std::cos(a.value));
+  using std::cos;
+  using std::sin;
+  return a.chain(sin(a.value), cos(a.value));
 }
 
 template <class Real, int Size>
 [[nodiscard]] Jet1<Real, Size> cos(const Jet1<Real, Size>& a) {
-  return a.chain(std::cos(a.value), -std::sin(a.value));
+  using std::cos;
+  using std::sin;
+  return a.chain(cos(a.value), -sin(a.value));
 }
 
 template <class Real, int Size>
 [[nodiscard]] Jet1<Real, Size> sqrt(const Jet1<Real, Size>& a) {
-  const Real root = std::sqrt(a.value);
+  using std::sqrt;
+  const Real root = sqrt(a.value);
   return a.chain(root, Real(0.5) / root);
 }
 

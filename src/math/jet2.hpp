@@ -9,13 +9,14 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 
 namespace brachisto::math {
 
 /// Value, gradient and Hessian (lower triangle, row by row) with respect to
 /// `Size` independent variables.
 ///
-/// \tparam Real  double or long double
+/// \tparam Real  double, long double, or a jet of either
 template <class Real, int Size>
 struct Jet2 {
   static constexpr int kPairs = Size * (Size + 1) / 2;
@@ -25,7 +26,9 @@ struct Jet2 {
   std::array<Real, kPairs> hessian{};
 
   Jet2() = default;
-  Jet2(Real constant) : value(constant) {}  // NOLINT: numbers are jets
+  template <std::convertible_to<Real> Number>
+  Jet2(const Number& constant)  // NOLINT: numbers are jets
+      : value(static_cast<Real>(constant)) {}
 
   /// The independent variable number `index`.
   [[nodiscard]] static Jet2 variable(Real v, int index) {
@@ -66,7 +69,9 @@ struct Jet2 {
   }
   Jet2& operator-=(const Jet2& other) { return *this += -other; }
 
-  [[nodiscard]] Jet2 operator-() const { return chain(-value, Real(-1), 0); }
+  [[nodiscard]] Jet2 operator-() const {
+    return chain(-value, Real(-1), Real(0));
+  }
 
   friend Jet2 operator+(Jet2 a, const Jet2& b) { return a += b; }
   friend Jet2 operator-(Jet2 a, const Jet2& b) { return a -= b; }
@@ -94,19 +99,24 @@ struct Jet2 {
 
 template <class Real, int Size>
 [[nodiscard]] Jet2<Real, Size> sin(const Jet2<Real, Size>& a) {
-  const Real s = std::sin(a.value);
-  return a.chain(s, std::cos(a.value), -s);
+  using std::cos;
+  using std::sin;
+  const Real s = sin(a.value);
+  return a.chain(s, cos(a.value), -s);
 }
 
 template <class Real, int Size>
 [[nodiscard]] Jet2<Real, Size> cos(const Jet2<Real, Size>& a) {
-  const Real c = std::cos(a.value);
-  return a.chain(c, -std::sin(a.value), -c);
+  using std::cos;
+  using std::sin;
+  const Real c = cos(a.value);
+  return a.chain(c, -sin(a.value), -c);
 }
 
 template <class Real, int Size>
 [[nodiscard]] Jet2<Real, Size> sqrt(const Jet2<Real, Size>& a) {
-  const Real root = std::sqrt(a.value);
+  using std::sqrt;
+  const Real root = sqrt(a.value);
   const Real slope = Real(0.5) / root;
   return a.chain(root, slope, -slope / (Real(2) * a.value));
 }

@@ -103,20 +103,19 @@ double junction_residual(const LimitedCurve& curve,
   for (std::size_t i = 0; i <= arc; ++i) element += arcs[i].elements();
   const LimitedPoint left = curve.at(element, 1.0);
   if (before.touch) {
-    // Misplaced by δ the limit is exceeded by δ² alone: differences serve.
-    constexpr double kStep = 1e-3;
+    // Differences of order four: misplaced by δ, T errs by δ², and those of
+    // order two leave 1e-5.
+    constexpr double kStep = 1e-2;
     const auto value = [&](double t) {
       return value_of(problem.limits()[before.touch->limit], scene.body,
                       scene.gravity, curve.at(element, t).state);
     };
-    return (value(1.0 + kStep) - value(1.0 - kStep)) / (2.0 * kStep);
+    const auto across = [&](double by) {
+      return value(1.0 + by) - value(1.0 - by);
+    };
+    return (8.0 * across(kStep) - across(2.0 * kStep)) / (12.0 * kStep);
   }
   const int r = held_of_control(after.held, problem.limits());
-  const auto off_bound = [&] {
-    const PathInequality& limit = problem.limits()[at(r)];
-    return value_of(limit, scene.body, scene.gravity, left.state) -
-           (after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower);
-  };
   const auto off_singular = [&](const Costates& p) {
     return left.state.beta - minimising_slope(scene.body, scene.gravity,
                                               {left.state.theta, left.state.w},
@@ -128,9 +127,8 @@ double junction_residual(const LimitedCurve& curve,
     if (after.held[i] != Held::No) {
       return angle_to(problem.limits()[i], left.state);
     }
-    // What holds behind it takes over where it is reached: sooner it would lead
-    // back below.
-    return r < 0 ? off_singular(curve.at(element + 1, 0.0).p) : off_bound();
+    const LimitedPoint right = curve.at(element + 1, 0.0);
+    return r < 0 ? off_singular(right.p) : right.p_beta;
   }
   if (!holds_control(before, problem.limits()) || r < 0) {
     return off_singular(left.p);
@@ -138,7 +136,9 @@ double junction_residual(const LimitedCurve& curve,
   if (opposite(problem, before.held, after.held, left.state)) {
     return left.p_beta;
   }
-  return off_bound();
+  const PathInequality& limit = problem.limits()[at(r)];
+  return value_of(limit, scene.body, scene.gravity, left.state) -
+         (after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower);
 }
 
 }  // namespace brachisto

@@ -80,7 +80,8 @@ struct Arc {
 /// - between two limits that bound the control from the same side the other
 ///   limit's distance from its bound, from opposite sides p_β;
 /// - where a limit of the place begins to hold, the angle under which the path
-///   reaches it; where it ceases to, what a free arc asks for behind it;
+///   reaches it; where it ceases to, what a free arc asks for behind it, or
+///   p_β if a limit of the control holds there;
 /// - where the path touches a limit, by how much that changes along an element.
 [[nodiscard]] double junction_residual(const LimitedCurve& curve,
                                        const std::vector<Arc>& arcs,

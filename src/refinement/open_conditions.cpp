@@ -28,15 +28,17 @@ std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
                                       const std::vector<PathInequality>& limits,
                                       bool held_at_A) {
   if (ends.free_contacts) return ends;
-  const bool takes_time =
-      scene.contact != Contact::Centre &&
-      std::any_of(limits.begin(), limits.end(),
-                  [](const PathInequality& limit) {
-                    return limit.kind == PathInequality::Kind::Valley;
-                  });
+  const bool takes_time = std::any_of(
+      limits.begin(), limits.end(), [](const PathInequality& limit) {
+        return limit.kind == PathInequality::Kind::Valley;
+      });
   ends.start_slope_fixed = !(takes_time && held_at_A);
-  if (ends.start_slope_fixed || !ends.start) {
+  if (!ends.start_slope_fixed && scene.contact == Contact::Centre) {
     // Where the centre starts does not depend on its direction there.
+    ends.start.reset();
+    return ends;
+  }
+  if (ends.start_slope_fixed || !ends.start) {
     ends.start = start_angle_under(scene.body, limits);
     if (!ends.start) return std::nullopt;
   }

@@ -35,8 +35,9 @@ struct ContactMismatch {
 [[nodiscard]] bool start_is_sought(const LimitedEnds& ends);
 
 /// The ends with the slope at A as it is to be: one that is sought if a valley
-/// is bounded and a limit holds the control from A on, else the one of
-/// start_angle_under(). On a free arc nothing else would determine β(0).
+/// is bounded and a limit holds the control from A on, and nothing but free
+/// where the centre starts at A itself; else the one of start_angle_under(). On
+/// a free arc nothing else would determine β(0).
 /// Nothing if at rest no direction keeps the limits.
 [[nodiscard]] std::optional<LimitedEnds> with_start(
     LimitedEnds ends, const Scene& scene,

@@ -313,7 +313,13 @@ Fields<Solution> search_fields() {
            {"error_estimate", "", "relative, of its τ",
             if_solved(&E::error_estimate), true},
            {"difference", "", "relative, of both τ", if_solved(&E::difference),
-            true}}),
+            true},
+           {"of_slopes", "rad",
+            "of a limited track, largest difference of the slopes at A and B",
+            &E::of_slopes, true},
+           {"of_junctions", "",
+            "and of the places where arcs meet, as shares of U",
+            &E::of_junctions, true}}),
       discrete_field()};
 }
 

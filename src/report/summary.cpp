@@ -183,13 +183,20 @@ void add_verdict(std::string& out, const Solution& solution) {
 void add_cross_check(std::string& out, const Solution& solution) {
   if (!solution.extremal) return;
   const CrossCheck& check = *solution.extremal;
+  const std::string of_arcs =
+      check.of_slopes && check.of_junctions
+          ? fmt::format(
+                ", {:.0e} rad of slopes at A and B, {:.0e} U of "
+                "junctions",
+                *check.of_slopes, *check.of_junctions)
+          : "";
   line(
       out, "cross-check",
       check.solved
           ? fmt::format("τ = {} by multiple shooting, relative difference "
-                        "{:.0e}",
+                        "{:.0e}{}",
                         with_error(check.tau, check.error_estimate * check.tau),
-                        check.difference)
+                        check.difference, of_arcs)
           : "none: " + check.message);
 }
 

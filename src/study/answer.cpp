@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "model/centre_curve.hpp"
@@ -111,7 +112,15 @@ Certified certify(const PosedProblem& posed, ArcLengthAnswer& found,
 
 Certified certify(const PosedProblem& posed, const LimitedAnswer& found) {
   tell_of_certificate(posed, found.path.curve.problem().mesh().num_nodes());
-  return {certify_answer(found, posed.program.discretisation), std::nullopt};
+  const Discretisation& wanted = posed.program.discretisation;
+  Certified out{certify_answer(found, wanted), {}};
+  if (posed.program.certify == Certify::Extremal) {
+    const double error = std::max(wanted.wanted_tolerance(),
+                                  found.estimated_error.value_or(0.0));
+    out.cross_check =
+        cross_check(found.path, error, posed.stop(), out.certificate);
+  }
+  return out;
 }
 
 Certified certify_given_path(const PosedProblem& posed,

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "study/shooting.hpp"
 #include "trajectory/certify.hpp"
@@ -124,6 +126,58 @@ CrossCheck cross_check(const PosedScene& scene, const ExtremalCurve& nearby,
   CrossCheck check = compare_with(other, T / other.transit_time);
   certificate.add("extremal", check.solved ? check.difference : kUnknown,
                   error + check.error_estimate, check.message);
+  return check;
+}
+
+CrossCheck cross_check(const FittedPath& found, double error,
+                       const StopCondition& stop, Certificate& certificate) {
+  constexpr double kSlopes = 100.0, kJunctions = 1000.0;
+  const Scene& scene = found.curve.problem().scene();
+  const bool twice =
+      std::any_of(found.arcs.begin(), found.arcs.end(), [](const Arc& arc) {
+        return std::count(arc.held.begin(), arc.held.end(), nlp::Held::No) + 1 <
+               static_cast<std::ptrdiff_t>(arc.held.size());
+      });
+  LimitedExtremal other;
+  other.message = "arcs on which two limits hold are not known to it";
+  if (!twice) other = solve_limited_extremal(scene, as_guess(found), stop);
+  CrossCheck check{.solved = other.solved, .message = other.message};
+  if (!check.solved) {
+    certificate.add("extremal", kUnknown, error, check.message);
+    return check;
+  }
+  check.tau = other.transit_time * std::sqrt(2.0 * scene.gravity / scene.H);
+  check.error_estimate = other.error_estimate;
+  check.difference =
+      std::abs(found.curve.transit_time() / other.transit_time - 1.0);
+  certificate.add("extremal", check.difference, error + check.error_estimate);
+
+  // Of several differences the one that comes closest to what is allowed.
+  const auto compare = [&](const char* name, double factor,
+                           const std::vector<std::pair<double, Loose>>& both) {
+    double largest = 0.0, worst = 0.0, allowed = factor * error;
+    for (const auto& [here, there] : both) {
+      const double difference = std::abs(here - there.value);
+      const double most = std::max(factor, there.looseness) * error;
+      largest = std::max(largest, difference);
+      if (difference / most <= worst / allowed) continue;
+      worst = difference;
+      allowed = most;
+    }
+    certificate.add(name, worst, allowed);
+    return largest;
+  };
+  check.of_slopes =
+      compare("extremal_slopes", kSlopes,
+              {{found.curve.at(0.0).state.beta, other.start_angle},
+               {found.curve.at(1.0).state.beta, other.end_angle}});
+  std::vector<std::pair<double, Loose>> junctions;
+  const double U = other.junctions.back().value;
+  for (std::size_t i = 0; i + 1 < found.arcs.size(); ++i) {
+    const auto& [u, looseness] = other.junctions[i];
+    junctions.push_back({found.arcs[i].end, {u / U, looseness / U}});
+  }
+  check.of_junctions = compare("extremal_junctions", kJunctions, junctions);
   return check;
 }
 

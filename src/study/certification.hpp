@@ -55,6 +55,15 @@ inline constexpr double kCoarsestAgreement = 1e-2;
                                      const StopCondition& stop,
                                      Certificate& certificate);
 
+/// The same of a path under limits, by multiple shooting over its arcs; and the
+/// checks "extremal_slopes" and "extremal_junctions". Where T is right to ε,
+/// slopes are to 100 ε and junctions, as shares of U, to 1000 ε; or both to as
+/// much as they move where the conditions err by ε, if that is more.
+/// \param error  relative, of T
+[[nodiscard]] CrossCheck cross_check(const FittedPath& found, double error,
+                                     const StopCondition& stop,
+                                     Certificate& certificate);
+
 /// The checks "discrete_residual" and "discretisation", the relative error of
 /// τ. The latter is held against the accuracy that the other methods have by
 /// default, which a discretisation of order one cannot reach: its solution is

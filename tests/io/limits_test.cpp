@@ -249,7 +249,8 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
     std::string keys, key, word, reason;
   };
   const std::string shooting =
-      "shooting follows the free motion, whose slope minimises 𝓗";
+      "shooting has to be told where limits hold; with certify: extremal it "
+      "follows what the program has found";
   const std::string starts =
       "starts elsewhere are tried for the free motion alone";
   for (const auto& [keys, key, word, reason] : std::vector<Refused>{
@@ -261,8 +262,6 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
            {"solver: {method: fsolve}\n", "p.yaml:%:18: solver.method",
             "fsolve",
             "the paper's discrete system consists of equations alone"},
-           {"solver: {certify: extremal}\n", "p.yaml:%:19: solver.certify",
-            "extremal", shooting},
            {"solver: {search: global}\n", "p.yaml:%:18: solver.search",
             "global", "the search is for smooth contacts of the free motion"},
            {"solver: {guess: straight}\n", "p.yaml:%:17: solver.guess",
@@ -279,6 +278,7 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
     }
     EXPECT_EQ(errors(scene_with("") + keys), "");
   }
+  EXPECT_EQ(errors(scene_with(limits) + "solver: {certify: extremal}\n"), "");
   EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
                    "contact: optimal}\nsolver: {search: global}\n"),
             "p.yaml:2:18: solver.search: global is not allowed with contact: "

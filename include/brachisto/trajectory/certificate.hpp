@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct CrossCheck {
   double tau = 0.0;
   double error_estimate = 0.0;  ///< relative, of the extremal method
   double difference = 0.0;  ///< relative, |τ − τ_extremal| / τ_extremal
+  /// Of a limited track: largest difference of the slopes at A and B [rad], and
+  /// of the places where arcs meet, as shares of U.
+  std::optional<double> of_slopes = {}, of_junctions = {};
 };
 
 }  // namespace brachisto

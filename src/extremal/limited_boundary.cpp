@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "extremal/limited_boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "extremal/canonical_flow.hpp"
+#include "model/contact.hpp"
+#include "model/start_angle.hpp"
+#include "model/start_under_limits.hpp"
+
+namespace brachisto::limited {
+
+namespace {
+
+/// The radius by which centre and track are apart at A and B.
+double contact_radius(const Scene& scene) {
+  return scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
+}
+
+bool is_optimal(const Scene& scene) {
+  return scene.contact == Contact::Optimal && scene.body.rolls();
+}
+
+/// p_β = 0, or where the slope is free to turn about the contact
+/// p_β = −r (p_x cos β + p_z sin β).
+Jet transversality(const Scene& scene, const Values<Jet>& v) {
+  const double r = is_optimal(scene) ? scene.body.radius : 0.0;
+  return v[kPBeta] + (v[kPX] * cos(v[kBeta]) + v[kPZ] * sin(v[kBeta])) * r;
+}
+
+/// The slope at rest next to `near` at which a limit on forces holds.
+double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
+  using On = math::Jet1<double, 1>;
+  constexpr int kMostSteps = 30;
+  constexpr double kRounding = 1e-15;
+  double beta = near;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const On value =
+        value_of(held.limit, scene.body, scene.gravity,
+                 TurningPoint<On>{On(0.0), On(0.0), On(scene.body.theta_m),
+                                  On(0.0), On::variable(beta, 0), On(0.0)});
+    const double change = (held.bound - value.value) / value.gradient[0];
+    beta += change;
+    if (!(std::abs(change) > kRounding)) break;
+  }
+  return beta;
+}
+
+}  // namespace
+
+Values<Jet> variables(const State& y) {
+  Values<Jet> out;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    out[i] = Jet::variable(y[i], static_cast<int>(i));
+  }
+  return out;
+}
+
+LimitedStart::LimitedStart(const Scene& natural,
+                           const std::optional<HeldLimit>& held, double near)
+    : scene_(natural) {
+  if (!held) {
+    slope_ = start_angle(scene_.body);
+    if (is_optimal(scene_)) refusal_ = "it leaves an optimal contact freely";
+  } else if (held->limit.bounds_force()) {
+    kind_ = Kind::Forced;
+    slope_ = slope_at_rest(scene_, *held, near);
+  } else if (held->limit.bounds_control()) {
+    kind_ = Kind::Turning;
+    const std::vector<PathInequality> limits =
+        inequalities(scene_.body, scene_.limits);
+    const bool takes_time = std::any_of(
+        limits.begin(), limits.end(), [](const PathInequality& limit) {
+          return limit.kind == PathInequality::Kind::Valley;
+        });
+    if (is_optimal(scene_) || takes_time) return;
+    slope_ = start_angle_under(scene_.body, limits);
+    if (!slope_) refusal_ = "no direction at rest keeps the limits";
+  } else {
+    refusal_ = "it starts along a boundary";
+  }
+}
+
+State LimitedStart::left_rest() const {
+  const Body& body = scene_.body;
+  const Point centre =
+      centre_above({0.0, 0.0}, contact_radius(scene_), *slope_);
+  const double w =
+      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * kLeftRest;
+  const double s = 0.5 * w * kLeftRest;
+  State y{};
+  y[kX] = centre.x + s * std::cos(*slope_);
+  y[kZ] = centre.z + s * std::sin(*slope_);
+  y[kTheta] = body.theta_m + s * shooting::inverse_radius(body);
+  y[kW] = w;
+  y[kBeta] = *slope_;
+  return y;
+}
+
+std::vector<Jet> LimitedStart::conditions(const State& y) const {
+  const Values<Jet> v = variables(y);
+  std::vector<Jet> out;
+  if (kind_ == Kind::Forced) {
+    const State rest = left_rest();
+    for (std::size_t i = 0; i < kStates; ++i) out.push_back(v[i] - rest[i]);
+    return out;
+  }
+  const double r = contact_radius(scene_);
+  out = {v[kX] - sin(v[kBeta]) * r, v[kZ] + cos(v[kBeta]) * r,
+         v[kTheta] - scene_.body.theta_m, v[kW]};
+  if (slope_) out.push_back(v[kBeta] - *slope_);
+  if (!slope_ || kind_ == Kind::Free) {
+    out.push_back(transversality(scene_, v));
+  }
+  return out;
+}
+
+std::vector<Jet> end_conditions(const Scene& natural, const State& y) {
+  const Values<Jet> v = variables(y);
+  const double r = contact_radius(natural);
+  const bool given =
+      natural.contact == Contact::EndSlope && natural.body.rolls();
+  return {v[kX] - sin(v[kBeta]) * r - natural.L,
+          v[kZ] + cos(v[kBeta]) * r - natural.H, v[kPTheta], v[kPW],
+          given ? v[kBeta] - *natural.end_slope : transversality(natural, v)};
+}
+
+}  // namespace brachisto::limited

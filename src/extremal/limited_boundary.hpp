@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Conditions at the two ends of an extremal under limits.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "extremal/limited_flow.hpp"
+
+namespace brachisto::limited {
+
+/// Each component as a variable of its own.
+[[nodiscard]] Values<Jet> variables(const State& y);
+
+/// How a path leaves A.
+class LimitedStart {
+ public:
+  enum class Kind {
+    Free,     ///< with the start angle of the body
+    Forced,   ///< along a limit on forces, from the border of the static cone
+    Turning,  ///< along a limit of the curvature
+  };
+
+  /// \param natural  the scene, in natural units; must outlive this
+  /// \param held     the limit that holds from A on
+  /// \param near     a slope near the one at A [rad]
+  LimitedStart(const Scene& natural, const std::optional<HeldLimit>& held,
+               double near);
+
+  [[nodiscard]] Kind kind() const { return kind_; }
+  /// Why this method does not know starts of the kind; empty if it does.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+
+  /// The rest is left after so much u by its series where the start is Forced:
+  /// there the control is 0/0. With β − β₀ and w − g a u of the second and
+  /// third order the states err by 1e-15, and what β errs by dies out.
+  static constexpr double kLeftRest = 1e-5;
+  /// States after it, and no costates.
+  [[nodiscard]] State left_rest() const;
+
+  /// What vanishes at the first node: states that are known, and p_β where β is
+  /// not, or where the path is free.
+  [[nodiscard]] std::vector<Jet> conditions(const State& y) const;
+
+ private:
+  const Scene& scene_;
+  Kind kind_ = Kind::Free;
+  /// β₀, where the contact does not leave it to the path.
+  std::optional<double> slope_;
+  std::string refusal_;
+};
+
+/// What vanishes at B.
+[[nodiscard]] std::vector<Jet> end_conditions(const Scene& natural,
+                                              const State& y);
+
+}  // namespace brachisto::limited

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The indirect method under limits: against references that share no code with
+// this project, against the program, and by itself.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+#include "extremal/limited_shooting.hpp"
+#include "model/start_angle.hpp"
+#include "model/units.hpp"
+#include "refinement/limited_refinement.hpp"
+#include "study/pose.hpp"
+#include "study/shooting.hpp"
+#include "study/start.hpp"
+#include "support/limited_scenes.hpp"
+
+namespace brachisto {
+namespace {
+
+using namespace testing;
+
+SolveOptions cross_checked() {
+  SolveOptions options;
+  options.use<Collocation>().certify = Certify::Extremal;
+  return options;
+}
+
+/// What is asked of it: τ to 1e-10, slopes to 1e-8, junctions to 1e-7.
+void expect_agreement(const Solution& solution) {
+  ASSERT_TRUE(solution.verified())
+      << solution.message
+      << ::testing::PrintToString(solution.not_verified_because());
+  ASSERT_TRUE(solution.extremal.has_value());
+  const CrossCheck& check = *solution.extremal;
+  ASSERT_TRUE(check.solved) << check.message;
+  EXPECT_LE(check.difference, 1e-10);
+  EXPECT_LE(check.of_slopes.value_or(1.0), 1e-8);
+  EXPECT_LE(check.of_junctions.value_or(1.0), 1e-7);
+}
+
+class WitnessOfRow : public ::testing::TestWithParam<LimitedReference> {};
+
+TEST_P(WitnessOfRow, AgreesWithTheProgramAndWithTheReference) {
+  const LimitedReference& row = GetParam();
+
+  const Solution solution = solve(row.scene, cross_checked());
+
+  expect_agreement(solution);
+  // Half a unit of the last decimal that is given, and as much again: residuals
+  // of the references are 2e-13.
+  EXPECT_NEAR(solution.extremal->tau, row.tau, 1e-12);
+  EXPECT_LE(solution.extremal->error_estimate, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, WitnessOfRow,
+                         ::testing::ValuesIn(limited_references()),
+                         [](const auto& row) {
+                           std::string name = row.param.name;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
+Body heavy_body() {
+  return Body::cylinder(1.0 / 3.0, 0.8, -0.5, 0.3);
+}
+
+PathLimits discs_and_planes(std::vector<Disc> discs,
+                            std::vector<HalfPlane> planes) {
+  PathLimits limits;
+  limits.discs = std::move(discs);
+  limits.half_planes = std::move(planes);
+  return limits;
+}
+
+TEST(LimitedWitness, AgreesOnOtherArcs) {
+  const Scene base = off_centred_scene();
+  Scene touching = base;
+  touching.body = heavy_body();
+  touching.L = 5.0;
+  touching.limits.friction = 0.9;
+  touching.limits.floor = 1.59;
+  Scene given = under(base, bends(2.0, 2.0), Contact::EndSlope);
+  given.end_slope = -0.5;
+  PathLimits on_table = bends(2.0, 2.0);
+  on_table.floor = 1.3;
+  PathLimits grip = bends(2.0, 4.0);
+  grip.friction = 0.6;
+  PathLimits pressed;
+  pressed.normal_max = 2.5;
+  for (const Scene& scene :
+       {touching, given, under(base, pressed),
+        under(base, discs_and_planes({{{1.5, 1.3}, 0.3}}, {})),
+        under(base, discs_and_planes({}, {{{1.5, 1.2}, -80.0 * kPi / 180.0}})),
+        under(bead_scene(), discs_and_planes({{{1.5, 1.0}, 0.2}}, {})),
+        under(base, on_table, Contact::Optimal),
+        under(base, grip, Contact::Optimal),
+        under(base, friction(0.5), Contact::Centre)}) {
+    expect_agreement(solve(scene, cross_checked()));
+  }
+}
+
+/// Behind the floor the body has to climb faster than a free arc may: the
+/// valley's bound holds at once, with p_β = 0 and a jump of p_z at its start.
+TEST(LimitedWitness, AgreesWhereABoundOfValleysHoldsBehindAFloor) {
+  PathLimits limits = bends(2.0, 2.0);
+  limits.floor = 1.1;
+  Scene scene = under(off_centred_scene(), limits, Contact::EndSlope);
+  scene.end_slope = 0.0;
+
+  expect_agreement(solve(scene, cross_checked()));
+}
+
+/// Between given ends of the centre the slope at A is nobody's but the path's.
+/// A bounded valley makes it start less steeply than the free one, and costs
+/// little as long as that is allowed.
+TEST(LimitedWitness, AgreesThatABoundOfValleysFreesTheSlopeOfAGivenCentre) {
+  const Scene base = off_centred_scene();
+  const Scene scene = under(base, bends({}, 2.0), Contact::Centre);
+  Scene free = base;
+  free.contact = Contact::Centre;
+
+  const Solution solution = solve(scene, cross_checked());
+
+  expect_agreement(solution);
+  EXPECT_LT(solution.motion()->start_angle(), start_angle(base.body) - 0.4);
+  EXPECT_LT(solution.motion()->tau(), 1.01 * solve(free).motion()->tau());
+}
+
+/// The path of a scene under limits, in natural units.
+struct Fitted {
+  explicit Fitted(const Scene& scene) : posed(pose(scene, {}, {})) {
+    const Start start = start_from_cycloid(posed);
+    LimitedRefinement found =
+        refine_limited(*posed.limited, posed.program.discretisation,
+                       *start.curve, start.phi, posed.mesh_options_after({}));
+    if (!found.answer) throw std::runtime_error(found.message);
+    path.emplace(std::move(found.answer->path));
+  }
+
+  PosedProblem posed;
+  std::optional<FittedPath> path;
+};
+
+double tau_of(const LimitedExtremal& found, const Scene& natural) {
+  return found.transit_time * std::sqrt(2.0 * natural.gravity / natural.H);
+}
+
+/// From the path under a bound to the one under another, which nothing but the
+/// witness has seen.
+LimitedExtremal found_from(const Scene& nearby, const Scene& scene) {
+  const Fitted fitted(nearby);
+  const Scene natural = in_natural_units(scene);
+  limited::Guess guess = as_guess(*fitted.path);
+  const auto limits = inequalities(natural.body, natural.limits);
+  for (limited::Arc& arc : guess.arcs) {
+    if (!arc.held) continue;
+    for (const PathInequality& limit : limits) {
+      if (limit.kind == arc.held->limit.kind) {
+        arc.held = {limit, limit.lower};
+      }
+    }
+  }
+  return solve_limited_extremal(natural, guess, {});
+}
+
+// The integration errs by 1e-13 at each of some hundred steps.
+constexpr double kClosed = 1e-12;
+
+TEST(LimitedWitness, FindsTheSteepestInclineThatGripsAndTheCycloid) {
+  const Scene uniform = uniform_scene();
+  for (const double mu : {0.3, 0.5, 1.0}) {
+    const Scene scene = under(uniform, friction(mu));
+
+    const LimitedExtremal found =
+        found_from(under(uniform, friction(1.1 * mu)), scene);
+
+    ASSERT_TRUE(found.solved) << found.message;
+    const ClosedTrack closed =
+        closed_incline(uniform, static_slope(uniform.body, mu));
+    EXPECT_NEAR(tau_of(found, in_natural_units(scene)), closed.tau, kClosed);
+    EXPECT_NEAR(found.end_angle.value, closed.end_angle, kClosed);
+    EXPECT_NEAR(found.start_angle.value, static_slope(uniform.body, mu),
+                kClosed);
+  }
+}
+
+TEST(LimitedWitness, FindsACycloidALineOnTheFloorAndTheSameCycloid) {
+  for (const double D : {1.05, 1.2}) {
+    const Scene scene = under(bead_scene(), floor_at(D));
+
+    const LimitedExtremal found =
+        found_from(under(bead_scene(), floor_at(D + 0.02)), scene);
+
+    ASSERT_TRUE(found.solved) << found.message;
+    const ClosedTrack closed = closed_on_floor(bead_scene(), D);
+    EXPECT_NEAR(tau_of(found, in_natural_units(scene)), closed.tau, kClosed);
+    EXPECT_NEAR(found.end_angle.value, closed.end_angle, kClosed);
+  }
+}
+
+TEST(LimitedWitness, ObjectsToArcsThatLeaveALimitOut) {
+  const Scene scene = under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0));
+  const Fitted fitted(scene);
+  limited::Guess guess = as_guess(*fitted.path);
+  ASSERT_EQ(guess.arcs.size(), 3U);
+  // The free extremal's own arc, from a path that is not far.
+  limited::Arc all;
+  for (const limited::Arc& arc : guess.arcs) all.duration += arc.duration;
+  guess.arcs = {all};
+  const LimitedCurve& curve = fitted.path->curve;
+  guess.state = [&](std::size_t, double share) {
+    const LimitedPoint at = curve.at(share);
+    return limited::State{
+        at.state.x, at.state.z, at.state.theta, at.state.w, at.state.beta,
+        at.p.p_x,   at.p.p_z,   at.p.p_theta,   at.p.p_w,   0.0};
+  };
+
+  const LimitedExtremal found =
+      solve_limited_extremal(*fitted.posed.limited, guess, {});
+
+  EXPECT_FALSE(found.solved);
+  EXPECT_NE(found.message.find("floor is exceeded"), std::string::npos)
+      << found.message;
+}
+
+/// The same path along a floor that holds the body down.
+TEST(LimitedWitness, ObjectsToALimitThatHoldsTheOtherWay) {
+  const Fitted fitted(under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0)));
+  limited::Guess guess = as_guess(*fitted.path);
+  Scene natural = *fitted.posed.limited;
+  natural.limits = {};
+  const PathInequality& floor = guess.arcs.at(1).held->limit;
+  ASSERT_EQ(floor.kind, PathInequality::Kind::Floor);
+  guess.arcs[1].held = {{.kind = PathInequality::Kind::HalfPlane,
+                         .place = {0.0, floor.number},
+                         .normal = {0.0, 1.0}},
+                        0.0};
+
+  const LimitedExtremal found = solve_limited_extremal(natural, guess, {});
+
+  EXPECT_FALSE(found.solved);
+  EXPECT_NE(found.message.find("the multiplier of half_plane has the wrong "
+                               "sign"),
+            std::string::npos)
+      << found.message;
+}
+
+TEST(LimitedWitness, NamesTheArcsThatItDoesNotKnow) {
+  const Scene scene = under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0));
+  const Fitted fitted(scene);
+  limited::Guess guess = as_guess(*fitted.path);
+  guess.arcs.erase(guess.arcs.begin());
+  const auto state = guess.state;
+  guess.state = [=](std::size_t arc, double share) {
+    return state(arc + 1, share);
+  };
+
+  const LimitedExtremal found =
+      solve_limited_extremal(*fitted.posed.limited, guess, {});
+
+  EXPECT_FALSE(found.solved);
+  EXPECT_NE(found.message.find("it starts along a boundary"), std::string::npos)
+      << found.message;
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -175,8 +175,9 @@ class LimitedSolve {
           fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
       if (!finer.path) return;
       const double T = path->curve.transit_time();
+      // The difference is T's error less that of the finer one, of either sign.
       const double error =
-          std::abs(finer.path->curve.transit_time() / T - 1.0) +
+          2.0 * std::abs(finer.path->curve.transit_time() / T - 1.0) +
           path->mismatch.largest() + kRounding;
       protocol_.record.estimated_error = error;
       protocol_.keep_record("arcs", T);

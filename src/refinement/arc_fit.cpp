@@ -81,12 +81,13 @@ class Border {
 class Fit {
  public:
   Fit(const LimitedCurve& nearby, PathSetting setting, int degree,
-      const MeshOptions& options)
+      const MeshOptions& options, double boldness)
       : scene_(nearby.problem().scene()),
         degree_(degree),
         options_(options),
         now_(std::move(setting)),
-        nearby_(nearby) {}
+        nearby_(nearby),
+        boldest_(boldness * kRestorable) {}
 
   ArcFit run() {
     const StopScope scope(options_.ipopt.stop);
@@ -172,7 +173,7 @@ class Fit {
       return fail("the arcs have no start");
     }
     border_ = {};
-    restorable_ = 0.5;
+    restorable_ = kRestorable;
     double last_left = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
       const double left = largest(system.open());
@@ -275,14 +276,16 @@ class Fit {
   }
   /// Residuals at which junctions are moved.
   static constexpr double kNear = 1e-2;
+  /// After which they are found to fall again.
+  static constexpr double kRestorable = 0.5;
 
   /// How far junctions may be moved at once shows in how well the conditions
   /// are met again after it: multipliers, and with them residuals, are large
   /// where many limits hold one after the other.
   void learn_what_is_restored(double before, double after) {
-    constexpr double kWell = 1e-2, kPoor = 0.3, kFactor = 4.0, kMost = 50.0;
+    constexpr double kWell = 1e-2, kPoor = 0.3, kFactor = 4.0;
     if (after <= kWell * before) {
-      restorable_ = std::min(kFactor * restorable_, kMost);
+      restorable_ = std::min(kFactor * restorable_, boldest_);
     } else if (after > kPoor * before) {
       restorable_ = std::max(restorable_ / kFactor, kNear);
     }
@@ -366,7 +369,9 @@ class Fit {
   const LimitedCurve& nearby_;
   std::optional<LimitedCurve> kept_;
   Border border_;
-  double restorable_ = 0.5;  ///< residual after which it is found to fall again
+  double boldest_;
+  double restorable_ =
+      kRestorable;  ///< residual after which it is found to fall again
   std::vector<int> crossings_;  ///< of each arc's ends, one after the other
   ArcFit out_;
 };
@@ -375,7 +380,14 @@ class Fit {
 
 ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting, int degree,
                 const MeshOptions& options) {
-  return Fit(nearby, std::move(setting), degree, options).run();
+  constexpr double kBold = 100.0;
+  ArcFit fit = Fit(nearby, setting, degree, options, 1.0).run();
+  if (fit.path || options.ipopt.stop.met()) return fit;
+  const ArcFit first = std::move(fit);
+  fit = Fit(nearby, std::move(setting), degree, options, kBold).run();
+  fit.passes += first.passes;
+  fit.newton_steps += first.newton_steps;
+  return fit;
 }
 
 }  // namespace brachisto

@@ -34,7 +34,8 @@ struct ArcFit {
 /// Finds variables, multipliers, the places of the junctions and the slopes
 /// that the contacts are built from, all together, by Newton's method; while
 /// the border of its matrix foretells what a step gains it is followed by
-/// Broyden's formula. An arc that shrinks to nothing is left out.
+/// Broyden's formula. An arc that shrinks to nothing is left out. If that leads
+/// nowhere, once more with steps that may lead further off the conditions.
 ///
 /// \param nearby   a solution to start from, perhaps under other bounds
 /// \param setting  where to begin, of the limits to keep

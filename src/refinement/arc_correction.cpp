@@ -97,7 +97,7 @@ void part_from_place(const LimitedTime& problem,
     const bool behind = still(end), ahead = first > 0 && still(first - 1);
     const Touch touch{at(place), before[first][at(place)]};
     const std::vector<Held> control = seen[first].held;
-    std::size_t at_touch = (first + end) / 2;
+    std::size_t at_touch = (first + end - 1) / 2;
     if (ahead && !behind) {
       at_touch = first;
       std::size_t k = first;
@@ -115,7 +115,7 @@ void part_from_place(const LimitedTime& problem,
       end = k;
     }
     seen[at_touch].touch = touch;
-    first = end;
+    first = end - 1;
   }
 }
 

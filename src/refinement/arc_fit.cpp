@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -101,6 +100,9 @@ class Fit {
     }
     return std::move(out_);
   }
+
+  /// Whether the iteration went on for long, or nowhere, to no end.
+  [[nodiscard]] bool lost() const { return lost_; }
 
  private:
   enum class Outcome { Found, Failed, Vanished };
@@ -217,6 +219,7 @@ class Fit {
       border_.went({});
     }
     if (!is_closed(system)) {  // else what is left is rounding
+      lost_ = true;
       return fail(
           fmt::format("junctions and contacts were not found: {:.1e} is left",
                       std::max(system.residual(), largest(system.open()))));
@@ -306,11 +309,12 @@ class Fit {
   }
 
   [[nodiscard]] static bool is_closed(const PathSystem& system) {
-    constexpr double kResidual = 1e-12, kLeast = 10.0, kClosed = 1e-10;
+    constexpr double kResidual = 1e-12, kClosed = 1e-10;
+    constexpr double kLeast = 10.0, kMost = 1e3;
     // What is summed up in a residual, and rounded.
     double terms = kLeast;
     for (const double lambda : system.point().lambda) {
-      terms = std::max(terms, std::abs(lambda));
+      terms = std::clamp(std::abs(lambda), terms, kMost);
     }
     return system.residual() <= kResidual * terms &&
            largest(system.open()) <= kClosed;
@@ -369,6 +373,7 @@ class Fit {
   const LimitedCurve& nearby_;
   std::optional<LimitedCurve> kept_;
   Border border_;
+  bool lost_ = false;
   double boldest_;
   double restorable_ =
       kRestorable;  ///< residual after which it is found to fall again
@@ -381,13 +386,14 @@ class Fit {
 ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting, int degree,
                 const MeshOptions& options) {
   constexpr double kBold = 100.0;
-  ArcFit fit = Fit(nearby, setting, degree, options, 1.0).run();
-  if (fit.path || options.ipopt.stop.met()) return fit;
-  const ArcFit first = std::move(fit);
-  fit = Fit(nearby, std::move(setting), degree, options, kBold).run();
-  fit.passes += first.passes;
-  fit.newton_steps += first.newton_steps;
-  return fit;
+  Fit careful(nearby, setting, degree, options, 1.0);
+  ArcFit first = careful.run();
+  if (first.path || !careful.lost() || options.ipopt.stop.met()) return first;
+  ArcFit bold = Fit(nearby, std::move(setting), degree, options, kBold).run();
+  if (!bold.path) bold.message = std::move(first.message);
+  bold.passes += first.passes;
+  bold.newton_steps += first.newton_steps;
+  return bold;
 }
 
 }  // namespace brachisto

@@ -159,8 +159,9 @@ CrossCheck cross_check(const FittedPath& found, double error,
     for (const auto& [here, there] : both) {
       const double difference = std::abs(here - there.value);
       const double most = std::max(factor, there.looseness) * error;
-      largest = std::max(largest, difference);
-      if (difference / most <= worst / allowed) continue;
+      // Written so that a NaN stays.
+      if (!(difference <= largest)) largest = difference;
+      if (std::isnan(worst) || difference / most <= worst / allowed) continue;
       worst = difference;
       allowed = most;
     }

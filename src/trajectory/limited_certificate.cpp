@@ -63,9 +63,9 @@ void check_limits(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add("limits", worst, kAllowed, where);
 }
 
-/// Of states, control and rows as the problem has them; but where a limit holds
-/// at the end of an element alone, touched or about to be held, its multiplier
-/// is an impulse, whatever the length of the element.
+/// Of states, control and rows as the problem has them; but multipliers at the
+/// end of an element are impulses, whatever its length, of a limit that holds
+/// there alone, touched or about to be held, and of all where one is touched.
 std::vector<double> weights_of(const LimitedCurve& curve,
                                const LimitedTime& problem) {
   std::vector<double> weights(problem.weights().begin(),
@@ -73,11 +73,13 @@ std::vector<double> weights_of(const LimitedCurve& curve,
   const LimitedTime& held = curve.problem();
   if (!held.held()) return weights;
   for (int c = 0; c < problem.layout().num_points(); ++c) {
-    const std::vector<nlp::Held>& all_along =
-        held.held()->in_element[at(c / problem.mesh().degree)];
+    const std::size_t e = at(c / problem.mesh().degree);
+    const std::vector<nlp::Held>& all_along = held.held()->in_element[e];
+    const bool last = (c + 1) % problem.mesh().degree == 0;
+    const bool touched = last && !held.held()->at_end[e].empty();
     for (int i = 0; i < problem.layout().num_limits(); ++i) {
       if (held.held_at(c, i) == nlp::Held::No ||
-          all_along[at(i)] != nlp::Held::No) {
+          (!touched && all_along[at(i)] != nlp::Held::No)) {
         continue;
       }
       weights[at(problem.num_variables() + problem.layout().limit(c, i))] = 1.0;

@@ -91,6 +91,12 @@ class Places {
     const std::vector<Place> switches = switches_of(curve_);
     places_.insert(places_.end(), switches.begin(), switches.end());
     if (places_.empty()) return 0;
+    for (const Place& place : places_) {
+      if (place.limit >= 0 &&
+          !(place.multiplier * rates_at(curve_, place)[1] <= 0.0)) {
+        return std::nullopt;
+      }
+    }
     const nlp::ActiveSet active = nlp::active_set(problem_, curve_.point());
     const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem_, active);
     if (!chain || !factorise(*chain)) return 0;
@@ -99,9 +105,7 @@ class Places {
       columns.push_back(place.limit < 0 ? by_switch(place) : by_touch(place));
       keep_active(active, columns.back());
     }
-    const std::optional<Eigen::MatrixXd> own = own_rates();
-    if (!own) return std::nullopt;
-    Eigen::MatrixXd schur = *own;
+    Eigen::MatrixXd schur = own_rates();
     for (Eigen::Index j = 0; j < schur.cols(); ++j) {
       std::vector<double> solved = columns[static_cast<std::size_t>(j)];
       chain->solve(solved);
@@ -171,34 +175,40 @@ class Places {
     const VariableLayout& layout = problem_.layout();
     const int p = problem_.mesh().degree;
     std::vector<double> column = nothing();
-    const auto rate_by = [&](int variable) {
+    const auto rate_by = [&](int variable, double step) {
       if (problem_.variable_range(variable).single()) return;
       const auto moved = [&](double by) {
         PrimalDual point = curve_.point();
         point.x[at(variable)] += by;
-        // Next to rest the speed may leave no room for the step.
         if (!problem_.set_point(point.x)) {
           return std::numeric_limits<double>::quiet_NaN();
         }
         return rates_at(LimitedCurve(problem_, std::move(point)), touch)[0];
       };
       column[at(variable)] =
-          touch.multiplier * (moved(kStep) - moved(-kStep)) / (2.0 * kStep);
+          touch.multiplier * (moved(step) - moved(-step)) / (2.0 * step);
     };
     for (int node = touch.element * p; node <= (touch.element + 1) * p;
          ++node) {
+      const int w = layout.state(node, StateComponent::W);
       for (int i = 0; i < layout.num_states(); ++i) {
-        rate_by(layout.state(node, StateComponent::X) + i);
+        const int state = layout.state(node, StateComponent::X) + i;
+        // Next to rest the speed leaves no room for a step as long.
+        rate_by(state, state == w
+                           ? kStep * std::min(1.0, curve_.point().x[at(w)])
+                           : kStep);
       }
     }
     for (int c = touch.element * p; c < (touch.element + 1) * p; ++c) {
-      rate_by(layout.control(c));
+      rate_by(layout.control(c), kStep);
     }
+    // Back to where other columns are evaluated.
+    static_cast<void>(problem_.set_point(curve_.point().x));
     return column;
   }
 
-  /// C; nothing if a touch is where the value is least.
-  [[nodiscard]] std::optional<Eigen::MatrixXd> own_rates() {
+  /// C.
+  [[nodiscard]] Eigen::MatrixXd own_rates() {
     constexpr double kShare = 1e-4;
     const auto size = static_cast<Eigen::Index>(places_.size());
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(size, size);
@@ -206,7 +216,6 @@ class Places {
       const Place& place = places_[static_cast<std::size_t>(j)];
       if (place.limit >= 0) {
         own(j, j) = place.multiplier * rates_at(curve_, place)[1];
-        if (!(own(j, j) <= 0.0)) return std::nullopt;
         continue;
       }
       const Mesh& mesh = problem_.mesh();

@@ -85,6 +85,8 @@ double LimitedCurve::largest_multiplier(int first, int end) const {
   double largest = 0.0;
   for (int e = first; e < end; ++e) {
     for (const double t : problem_.scheme().rule.points) {
+      // Where something is touched all multipliers have impulses.
+      if (t == 1.0 && held && !held->at_end[brachisto::at(e)].empty()) continue;
       const std::vector<double> multipliers = at(e, t).multipliers;
       for (std::size_t i = 0; i < multipliers.size(); ++i) {
         // What holds at the element's end alone is no function of the path.

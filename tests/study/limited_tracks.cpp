@@ -380,6 +380,10 @@ TEST(LimitedRefusals, OfAKinkAtRestThatNoLimitBounds) {
     before = tau;
   }
 
+  // However short the arc that turns.
+  limits.curvature.valley = 1e4;
+  EXPECT_NE(solve(under(base, limits, Contact::Optimal)).status,
+            Status::NoFastestTrack);
   limits.curvature.valley.reset();
   const Solution solution = solve(under(base, limits, Contact::Optimal));
 

@@ -60,7 +60,7 @@ struct StepControl {
 /// where the next one is searched. Odeint works on a copy: that a stage found
 /// no slope shows in the error of its step.
 template <std::size_t Size>
-struct Rates {
+struct CanonicalRates {
   using Stack = shooting::Stack<Size>;
 
   const CanonicalFlow& flow;

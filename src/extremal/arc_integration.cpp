@@ -10,7 +10,8 @@ namespace brachisto::shooting {
 namespace {
 
 template <std::size_t Size>
-void fill_end(const AdaptiveIntegration<Rates<Size>>& path, ArcEnd& end) {
+void fill_end(const AdaptiveIntegration<CanonicalRates<Size>>& path,
+              ArcEnd& end) {
   end.y = states_of(path.now());
   end.t = path.now()[kTime];
   end.beta = path.beta();
@@ -27,7 +28,7 @@ bool integrate_arc(const CanonicalFlow& flow, const State& start, double near,
   for (std::size_t j = 0; j < kStartColumns; ++j) {
     stack[kPath + j * kStates + kTheta + j] = 1.0;
   }
-  AdaptiveIntegration path(Rates<kWithDerivatives>{flow, near}, stack);
+  AdaptiveIntegration path(CanonicalRates<kWithDerivatives>{flow, near}, stack);
   end.steps = 0;
   if (!advance(path, span, control, step, [&](double) { ++end.steps; })) {
     return false;
@@ -52,7 +53,7 @@ bool integrate_path(const CanonicalFlow& flow, const State& start, double near,
                     ArcEnd& end, std::vector<ExtremalPath::Knot>& knots) {
   Stack<kPath> stack{};
   put(start, 0, stack);
-  AdaptiveIntegration path(Rates<kPath>{flow, near}, stack);
+  AdaptiveIntegration path(CanonicalRates<kPath>{flow, near}, stack);
   end.steps = 0;
   CanonicalFlow::Slope first;
   if (!flow.find_slope(start, near, first)) return false;
@@ -72,7 +73,7 @@ ExtremalPath::Knot step_from(const CanonicalFlow& flow,
   Stack<kPath> stack{};
   put(knot.y, 0, stack);
   stack[kTime] = knot.t;
-  Rates<kPath> rates{flow, knot.beta};
+  CanonicalRates<kPath> rates{flow, knot.beta};
   Stepper<Stack<kPath>>().do_step(rates, stack, 0.0, span);
   Stack<kPath> slope;
   rates(stack, slope, span);

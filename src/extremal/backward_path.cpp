@@ -39,7 +39,7 @@ std::optional<InitialCondition> BackwardShooting::shoot(
 
   const CanonicalFlow flow(body, scene_.gravity, {p_x, p_z, body.eta_m});
   const Stack<kPath> start{end.x, end.z, theta, w, 0.0, 0.0, 0.0};
-  AdaptiveIntegration back(Rates<kPath>{flow, phi, -1.0}, start);
+  AdaptiveIntegration back(CanonicalRates<kPath>{flow, phi, -1.0}, start);
   if (back.failed()) return std::nullopt;
   const Stack<kPath>& now = back.now();
   double u = 0.0;

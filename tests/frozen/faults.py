@@ -42,7 +42,7 @@ FAULTS = [
      "const double R_x = x_ddot;"),
     ("scaled scene keeps its H", "scaled.H /= length;", ""),
     # defaults
-    ("limit of iterations", "int iterations = 500;", "int iterations = 50;"),
+    ("limit of iterations", "int iterations = 3000;", "int iterations = 30;"),
     ("tolerance of the tangency", "double tolerance = 1e-12;        ///< on |β_end",
      "double tolerance = 1e-6;        ///< on |β_end"),
     ("polishing", "bool polish = true;  ///< last digits", "bool polish = false;  ///< last digits"),

@@ -338,7 +338,7 @@ TEST(InputJson, HoldsTheSceneAndEveryDefault) {
   EXPECT_EQ(document["scene"]["finish"]["L"], 3.0);
   EXPECT_EQ(document["scene"]["contact"], "smooth");
   EXPECT_EQ(document["solver"]["method"], "ipopt");
-  EXPECT_EQ(document["solver"]["limits"]["iterations"], 500);
+  EXPECT_EQ(document["solver"]["limits"]["iterations"], 3000);
   EXPECT_EQ(document["solver"]["limits"]["seconds"], 3600.0);
   EXPECT_EQ(document["solver"]["tolerance"], 1e-12);
   EXPECT_TRUE(document["solver"]["fsolve"].is_null());

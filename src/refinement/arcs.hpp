@@ -65,9 +65,10 @@ struct Arc {
 [[nodiscard]] HeldLimits held_limits(const std::vector<Arc>& arcs);
 
 /// Whether slopes at A that are free lead to a kink upwards at rest, where no
-/// valley is bounded: the path begins with a free arc, which leaves rest under an angle of its own, and C_A
-/// is best above another. Of greatest normal forces the turn per doubling of
-/// the length alone is bounded there, so that there is no fastest track.
+/// valley is bounded: the path begins with a free arc, which leaves rest under
+/// an angle of its own, and C_A is best above another. Of greatest normal
+/// forces the turn per doubling of the length alone is bounded there, so that
+/// there is no fastest track.
 [[nodiscard]] bool kinks_at_rest(const LimitedCurve& curve,
                                  const std::vector<Arc>& arcs);
 

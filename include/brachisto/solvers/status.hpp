@@ -26,9 +26,9 @@ enum class Status {
   NoSmoothContact,   ///< under the limits no slope at B continues the path
   NoFastestTrack,  ///< none is reached by the sharper and sharper turns at rest
                    ///< that its limits allow
-  Infeasible,     ///< next to where the solver ended no path keeps the limits
-  Stalled,        ///< on a given path the body does not arrive
-  InternalError,  ///< the solver reported a fault of the set-up
+  Infeasible,      ///< next to where the solver ended no path keeps the limits
+  Stalled,         ///< on a given path the body does not arrive
+  InternalError,   ///< the solver reported a fault of the set-up
 };
 
 /// One word, as in result files: "solved", "time_limit".

@@ -104,7 +104,7 @@ TEST(Texts, ValidateShowsTheEffectiveInput) {
 
   EXPECT_EQ(output.code, 0);
   EXPECT_TRUE(says(output.out, "valid")) << output.out;
-  EXPECT_TRUE(says(output.out, "\"iterations\": 500")) << output.out;
+  EXPECT_TRUE(says(output.out, "\"iterations\": 3000")) << output.out;
 }
 
 /// What a command of the shell writes to a terminal.

@@ -371,7 +371,7 @@ TEST(LimitedRefusals, OfAKinkAtRestThatNoLimitBounds) {
   PathLimits limits = bends(1.0, 10.0);
   limits.normal_max = 3.0;
   double before = std::numeric_limits<double>::infinity();
-  for (const double K : {10.0, 100.0, 1000.0}) {
+  for (const double K : {10.0, 100.0}) {
     limits.curvature.valley = K;
     const Solution solution = solve(under(base, limits, Contact::Optimal));
     ASSERT_TRUE(solution.verified()) << K << ": " << solution.message;

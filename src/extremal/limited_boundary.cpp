@@ -3,7 +3,6 @@
 
 #include "extremal/limited_boundary.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "extremal/canonical_flow.hpp"
@@ -72,11 +71,7 @@ LimitedStart::LimitedStart(const Scene& natural,
     kind_ = Kind::Turning;
     const std::vector<PathInequality> limits =
         inequalities(scene_.body, scene_.limits);
-    const bool takes_time = std::any_of(
-        limits.begin(), limits.end(), [](const PathInequality& limit) {
-          return limit.kind == PathInequality::Kind::Valley;
-        });
-    if (is_optimal(scene_) || takes_time) return;
+    if (is_optimal(scene_) || bound_valleys(limits)) return;
     slope_ = start_angle_under(scene_.body, limits);
     if (!slope_) refusal_ = "no direction at rest keeps the limits";
   } else {

@@ -53,6 +53,12 @@ double valley_of_centre(const Body& body, const PathLimits& limits) {
   return left > 0.0 ? bound / left : kFree;
 }
 
+bool bound_valleys(const std::vector<PathInequality>& limits) {
+  return std::ranges::any_of(limits, [](const PathInequality& limit) {
+    return limit.kind == PathInequality::Kind::Valley;
+  });
+}
+
 std::vector<PathInequality> inequalities(const Body& body,
                                          const PathLimits& limits) {
   using Kind = PathInequality::Kind;

@@ -115,6 +115,7 @@ struct PathInequality {
 [[nodiscard]] double hump_of_centre(const Body& body, const PathLimits& limits);
 [[nodiscard]] double valley_of_centre(const Body& body,
                                       const PathLimits& limits);
+[[nodiscard]] bool bound_valleys(const std::vector<PathInequality>& limits);
 
 /// The value of a limit, to be kept between its bounds.
 /// \param force  of the track; without effect on limits that bound none

@@ -88,11 +88,8 @@ HeldLimits held_limits(const std::vector<Arc>& arcs) {
 bool kinks_at_rest(const LimitedCurve& curve, const std::vector<Arc>& arcs) {
   constexpr double kKink = 1e-4;
   const Scene& scene = curve.problem().scene();
-  const auto bounds_valleys = [](const PathInequality& limit) {
-    return limit.kind == PathInequality::Kind::Valley;
-  };
   return scene.contact == Contact::Optimal &&
-         std::ranges::none_of(curve.problem().limits(), bounds_valleys) &&
+         !bound_valleys(curve.problem().limits()) &&
          is_free(arcs.front().held) &&
          curve.at(0.0).state.beta - start_angle(scene.body) > kKink;
 }

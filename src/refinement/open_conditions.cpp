@@ -28,11 +28,7 @@ std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
                                       const std::vector<PathInequality>& limits,
                                       bool held_at_A) {
   if (ends.free_contacts) return ends;
-  const bool takes_time = std::any_of(
-      limits.begin(), limits.end(), [](const PathInequality& limit) {
-        return limit.kind == PathInequality::Kind::Valley;
-      });
-  ends.start_slope_fixed = !(takes_time && held_at_A);
+  ends.start_slope_fixed = !(bound_valleys(limits) && held_at_A);
   if (!ends.start_slope_fixed && scene.contact == Contact::Centre) {
     // Where the centre starts does not depend on its direction there.
     ends.start.reset();

@@ -91,11 +91,10 @@ class Places {
     const std::vector<Place> switches = switches_of(curve_);
     places_.insert(places_.end(), switches.begin(), switches.end());
     if (places_.empty()) return 0;
-    for (const Place& place : places_) {
-      if (place.limit >= 0 &&
-          !(place.multiplier * rates_at(curve_, place)[1] <= 0.0)) {
-        return std::nullopt;
-      }
+    Eigen::MatrixXd schur = own_rates();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto j = static_cast<Eigen::Index>(i);
+      if (places_[i].limit >= 0 && !(schur(j, j) <= 0.0)) return std::nullopt;
     }
     const nlp::ActiveSet active = nlp::active_set(problem_, curve_.point());
     const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem_, active);
@@ -105,7 +104,6 @@ class Places {
       columns.push_back(place.limit < 0 ? by_switch(place) : by_touch(place));
       keep_active(active, columns.back());
     }
-    Eigen::MatrixXd schur = own_rates();
     for (Eigen::Index j = 0; j < schur.cols(); ++j) {
       std::vector<double> solved = columns[static_cast<std::size_t>(j)];
       chain->solve(solved);
@@ -208,7 +206,7 @@ class Places {
   }
 
   /// C.
-  [[nodiscard]] Eigen::MatrixXd own_rates() {
+  [[nodiscard]] Eigen::MatrixXd own_rates() const {
     constexpr double kShare = 1e-4;
     const auto size = static_cast<Eigen::Index>(places_.size());
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(size, size);
@@ -231,7 +229,7 @@ class Places {
   /// The derivatives of the Lagrangian by all places where a switch is
   /// elsewhere, but for what does not change with it.
   [[nodiscard]] Eigen::VectorXd slopes_where(const Place& at_switch,
-                                             double by) {
+                                             double by) const {
     LimitedTime moved = problem_;
     Mesh mesh = problem_.mesh();
     mesh.boundaries[at(at_switch.element + 1)] += by;

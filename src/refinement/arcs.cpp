@@ -3,6 +3,8 @@
 
 #include "refinement/arcs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,6 +38,28 @@ double angle_to(const PathInequality& limit, const TurningPoint<double>& at) {
 
 bool holds_control(const Arc& arc, const std::vector<PathInequality>& limits) {
   return held_of_control(arc.held, limits) >= 0;
+}
+
+std::string in_words(const std::vector<Arc>& arcs,
+                     const std::vector<PathInequality>& limits) {
+  std::string words;
+  for (const Arc& arc : arcs) {
+    std::string held;
+    for (std::size_t i = 0; i < arc.held.size(); ++i) {
+      if (arc.held[i] == Held::No) continue;
+      held += fmt::format("{}{}", held.empty() ? "" : " and ",
+                          name(limits[i].kind));
+    }
+    words += held.empty() ? "free" : held;
+    if (&arc == &arcs.back()) break;
+    words += fmt::format(" to {:.6f}", arc.end);
+    if (arc.touch) {
+      words += fmt::format(" where {} is touched",
+                           name(limits[arc.touch->limit].kind));
+    }
+    words += ", ";
+  }
+  return words;
 }
 
 std::vector<int> touched_rows(const std::vector<Arc>& arcs,

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "transcription/limited_curve.hpp"
@@ -38,6 +39,10 @@ struct Arc {
 /// Whether a limit of the control holds on an arc.
 [[nodiscard]] bool holds_control(const Arc& arc,
                                  const std::vector<PathInequality>& limits);
+
+/// For people: "free to 0.0963, friction to 0.7029, free", ends being σ.
+[[nodiscard]] std::string in_words(const std::vector<Arc>& arcs,
+                                   const std::vector<PathInequality>& limits);
 
 /// So many elements of equal length.
 [[nodiscard]] std::vector<double> equal_cuts(int elements);

@@ -3,6 +3,8 @@
 
 #include "refinement/limited_refinement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -80,14 +82,23 @@ class LimitedSolve {
     return found;
   }
 
+  void note(const char* what, const std::vector<Arc>& arcs) {
+    protocol_.log += fmt::format("{}: {}\n", what, in_words(arcs, limits_));
+  }
+
   /// Arcs that keep all limits, from others that are near.
   [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
                                                         PathSetting setting,
                                                         int degree) {
     constexpr int kMostCorrections = 12;
     for (int i = 0; i < kMostCorrections; ++i) {
+      note(i == 0 ? "arcs tried" : "corrected to", setting.arcs);
       ArcFit found = fit(nearby, setting, degree);
-      if (!found.path) return std::nullopt;
+      if (!found.path) {
+        protocol_.log += fmt::format("  not fitted: {}\n", protocol_.message);
+        return std::nullopt;
+      }
+      note("fitted", found.path->arcs);
       auto other = corrected(found.path->curve, found.path->arcs);
       if (!other) return std::move(found.path);
       setting.arcs = std::move(*other);

@@ -351,6 +351,21 @@ TEST(LimitedTracks, LeaveAFloorBeforeFrictionDoesNotFollowIt) {
 /// So early on the way the body has fallen through a millionth of the height
 /// that the error of its place is told in: the motion integrated again from
 /// there was off by more than the solution.
+/// Next to where friction ceases to bound the turn a fit's steps lead to where
+/// the body does not move on: it gives up, in words.
+TEST(LimitedTracks, AreGivenUpInWordsWhereStepsLeadToRest) {
+  PathLimits limits = friction(0.16);
+  limits.curvature = {
+      .hump = 20.0, .valley = 20.0, .of = CurvatureLimit::Of::Centre};
+  SolveOptions options;
+  options.limits.iterations = 200;
+
+  const Solution solution = solve(under(off_centred_scene(), limits), options);
+
+  EXPECT_NE(solution.status, Status::Solved);
+  EXPECT_FALSE(solution.message.empty());
+}
+
 TEST(LimitedTracks, AreFollowedFromRestAsExactlyAsTheyAreSolved) {
   Scene scene = off_centred_scene();
   scene.body = Body::cylinder(0.574078, 0.591831, 0.247771, 0.620089);

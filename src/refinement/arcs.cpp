@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "math/index.hpp"
@@ -107,6 +108,15 @@ HeldLimits held_limits(const std::vector<Arc>& arcs) {
   }
   held.at_rest = arcs.front().held;
   return held;
+}
+
+std::vector<double> graded_cuts(int elements) {
+  std::vector<double> cuts;
+  for (int e = 0; e <= elements; ++e) {
+    const double half = 0.5 * std::numbers::pi * e / elements;
+    cuts.push_back(std::sin(half) * std::sin(half));
+  }
+  return cuts;
 }
 
 bool kinks_at_rest(const LimitedCurve& curve, const std::vector<Arc>& arcs) {

@@ -46,6 +46,9 @@ struct Arc {
 
 /// So many elements of equal length.
 [[nodiscard]] std::vector<double> equal_cuts(int elements);
+/// So many that are short next to both ends, where Chebyshev's polynomial has
+/// its extrema: what a limit asks of the control may grow steeply there.
+[[nodiscard]] std::vector<double> graded_cuts(int elements);
 
 /// From the collocation points of a solution whose limits are inequalities:
 /// junctions lie half-way between two points. A single point between two parts

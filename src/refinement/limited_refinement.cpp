@@ -87,11 +87,18 @@ class LimitedSolve {
   }
 
   /// Arcs that keep all limits, from others that are near.
+  /// \param graded  on more elements, shorter next to junctions
   [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
                                                         PathSetting setting,
-                                                        int degree) {
-    constexpr int kMostCorrections = 12;
+                                                        int degree,
+                                                        bool graded = false) {
+    constexpr int kMostCorrections = 12, kFewest = 12;
     for (int i = 0; i < kMostCorrections; ++i) {
+      for (Arc& arc : setting.arcs) {
+        if (graded) {
+          arc.cuts = graded_cuts(std::max(kFewest, arc.elements()));
+        }
+      }
       note(i == 0 ? "arcs tried" : "corrected to", setting.arcs);
       ArcFit found = fit(nearby, setting, degree);
       if (!found.path) {
@@ -116,7 +123,7 @@ class LimitedSolve {
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_.solve_finer()) return std::nullopt;
       const LimitedCurve& coarse = tightening_.last();
-      std::vector<Arc> arcs = arcs_of(coarse);
+      const std::vector<Arc> arcs = arcs_of(coarse);
       if (kinks_at_rest(coarse, arcs)) {
         protocol_.fail(
             Status::NoFastestTrack,
@@ -126,9 +133,11 @@ class LimitedSolve {
             "limits.curvature.valley");
         return std::nullopt;
       }
-      auto path = fit_corrected(
-          coarse, {limits_, std::move(arcs), coarse.problem().ends()}, degree);
-      if (path || stopped()) return path;
+      for (const bool graded : {false, true}) {
+        auto path = fit_corrected(
+            coarse, {limits_, arcs, coarse.problem().ends()}, degree, graded);
+        if (path || stopped()) return path;
+      }
     }
     return std::nullopt;
   }

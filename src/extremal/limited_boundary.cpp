@@ -79,13 +79,13 @@ LimitedStart::LimitedStart(const Scene& natural,
   }
 }
 
-State LimitedStart::left_rest() const {
+State LimitedStart::left_rest(double u) const {
   const Body& body = scene_.body;
   const Point centre =
       centre_above({0.0, 0.0}, contact_radius(scene_), *slope_);
   const double w =
-      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * kLeftRest;
-  const double s = 0.5 * w * kLeftRest;
+      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * u;
+  const double s = 0.5 * w * u;
   State y{};
   y[kX] = centre.x + s * std::cos(*slope_);
   y[kZ] = centre.z + s * std::sin(*slope_);

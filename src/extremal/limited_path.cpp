@@ -17,6 +17,12 @@ namespace brachisto::limited {
 ArcPath::ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced)
     : arcs_(std::move(arcs)), forced_(std::move(forced)) {}
 
+double ArcPath::rolling_time() const {
+  double sum = 0.0;
+  for (const Stretch& arc : arcs_) sum += arc.duration;
+  return sum;
+}
+
 State ArcPath::at(std::size_t arc, double u) const {
   const Stretch& here = arcs_[arc];
   if (blind(arc) && u < LimitedStart::kLeftRest) return forced_->left_rest(u);

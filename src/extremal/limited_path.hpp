@@ -46,6 +46,11 @@ class ArcPath {
   [[nodiscard]] bool blind(std::size_t arc) const {
     return arc == 0 && forced_.has_value();
   }
+  /// U.
+  [[nodiscard]] double rolling_time() const;
+  [[nodiscard]] double slope_at_end() const {
+    return arcs_.back().knots.back().y[kBeta];
+  }
   /// At so much u from the start of an arc; costs one step of the integration.
   [[nodiscard]] State at(std::size_t arc, double u) const;
 

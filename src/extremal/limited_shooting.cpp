@@ -89,13 +89,14 @@ void find_root(const LimitedSystem& system, LimitedExtremal& out,
     out.message = "the solution cannot be integrated again";
     return;
   }
-  const double change = finer.time_gradient * newton_step(finer);
-  out.transit_time = finer.transit_time + change;
+  const Eigen::VectorXd change = newton_step(finer);
+  out.transit_time = finer.transit_time + finer.time_gradient * change;
   out.integration_steps = finer.steps;
   out.error_estimate =
       std::abs(out.transit_time - here.transit_time) / out.transit_time +
       kUlp * std::sqrt(1.0 + finer.steps);
   read_results(system, finer, point, out);
+  point += change;
   out.solved = true;
 }
 

@@ -98,10 +98,14 @@ Certificate certify_answer(const LimitedAnswer& answer,
   const Mesh& mesh = answer.path.curve.problem().mesh();
   Certificate certificate =
       certify(answer.path.curve, answer.path.mismatch.largest(), estimated);
-  add_agreement(estimated, wanted,
-                fmt::format("degree {} against {} on {} elements", mesh.degree,
-                            mesh.degree + 1, mesh.num_elements()),
-                certificate);
+  add_agreement(
+      estimated, wanted,
+      answer.sampled
+          ? fmt::format("the sum over {} elements against shooting",
+                        mesh.num_elements())
+          : fmt::format("degree {} against {} on {} elements", mesh.degree,
+                        mesh.degree + 1, mesh.num_elements()),
+      certificate);
   return certificate;
 }
 

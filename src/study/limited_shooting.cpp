@@ -30,10 +30,11 @@ int held_on(const Arc& arc) {
 
 /// The arcs of a path with the junctions of the extremal.
 std::vector<Arc> with_junctions(std::vector<Arc> arcs,
-                                const LimitedExtremal& extremal) {
-  const double U = extremal.junctions.back().value;
+                                const limited::ArcPath& extremal) {
+  double u = 0.0;
   for (std::size_t a = 0; a + 1 < arcs.size(); ++a) {
-    arcs[a].end = extremal.junctions[a].value / U;
+    u += extremal.arcs()[a].duration;
+    arcs[a].end = u / extremal.rolling_time();
   }
   return arcs;
 }
@@ -41,16 +42,16 @@ std::vector<Arc> with_junctions(std::vector<Arc> arcs,
 /// An extremal at the collocation points of a mesh of its arcs.
 class ArcSample {
  public:
-  ArcSample(const LimitedExtremal& extremal, std::vector<Arc> arcs,
+  ArcSample(const limited::ArcPath& path, std::vector<Arc> arcs,
             const LimitedTime& problem)
-      : path_(extremal.path), arcs_(std::move(arcs)), problem_(problem) {
+      : path_(path), arcs_(std::move(arcs)), problem_(problem) {
     for (std::size_t a = 0; a < arcs_.size(); ++a) {
       for (int e = 0; e < arcs_[a].elements(); ++e) {
         elements_.push_back(
             {a, arcs_[a].cuts[at(e)], arcs_[a].cuts[at(e + 1)]});
       }
     }
-    point_ = sample_at_mesh(problem_, extremal.junctions.back().value,
+    point_ = sample_at_mesh(problem_, path_.rolling_time(),
                             [&](Mesh::Place place) { return at_place(place); });
     for (std::size_t a = 0; a + 1 < arcs_.size(); ++a) add_jump(a);
     // An extremal keeps moving, so that nothing is refused.
@@ -161,13 +162,13 @@ class ArcSample {
 };
 
 /// An extremal on a mesh of degree p.
-FittedPath sampled_path(const LimitedExtremal& extremal,
+FittedPath sampled_path(const limited::ArcPath& extremal,
                         const FittedPath& nearby, std::vector<Arc> arcs,
                         int p) {
   const LimitedTime& found = nearby.curve.problem();
   LimitedEnds ends = nearby.ends;
-  ends.phi = extremal.end_angle.value;
-  if (ends.start) ends.start = extremal.start_angle.value;
+  ends.phi = extremal.slope_at_end();
+  if (ends.start) ends.start = extremal.at(0, 0.0)[limited::kBeta];
   const LimitedTime problem(found.scene(), found.limits(), mesh_of(arcs, p),
                             ends, held_limits(arcs));
   LimitedCurve curve(problem, ArcSample(extremal, arcs, problem).take());
@@ -315,16 +316,16 @@ LimitedAnswer answer_from_extremal(const FittedPath& nearby,
                                    const LimitedExtremal& extremal,
                                    const StopCondition& stop) {
   constexpr int kMostHalvings = 8;
-  std::vector<Arc> arcs = with_junctions(nearby.arcs, extremal);
-  FittedPath path = sampled_path(extremal, nearby, arcs, kMaxDegree);
+  std::vector<Arc> arcs = with_junctions(nearby.arcs, extremal.path);
+  FittedPath path = sampled_path(extremal.path, nearby, arcs, kMaxDegree);
   for (int i = 0; i < kMostHalvings && !stop.met(); ++i) {
     if (!divide_where_left(left_on_elements(path.curve), arcs)) break;
-    path = sampled_path(extremal, nearby, arcs, kMaxDegree);
+    path = sampled_path(extremal.path, nearby, arcs, kMaxDegree);
   }
   const double error =
       std::abs(path.curve.transit_time() / extremal.transit_time - 1.0) +
       extremal.error_estimate;
-  return {std::move(path), error};
+  return {std::move(path), error, true};
 }
 
 }  // namespace brachisto

@@ -37,8 +37,8 @@ class LimitedStart {
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   /// The rest is left after so much u by its series where the start is Forced:
-  /// there the control is 0/0. With β − β₀ and w − g a u of the second and
-  /// third order the states err by 1e-15, and what β errs by dies out.
+  /// there the control is 0/0. With β right to the second order and w − g a u
+  /// of the third the states err by 1e-15.
   static constexpr double kLeftRest = 1e-5;
   /// States after that much or less, and no costates.
   [[nodiscard]] State left_rest(double u = kLeftRest) const;
@@ -52,6 +52,7 @@ class LimitedStart {
   Kind kind_ = Kind::Free;
   /// β₀, where the contact does not leave it to the path.
   std::optional<double> slope_;
+  double rise_ = 0.0;  ///< of β over u², where it is Forced
   std::string refusal_;
 };
 

@@ -183,7 +183,7 @@ FittedPath sampled_path(const limited::ArcPath& extremal,
 std::vector<double> left_on_elements(const LimitedCurve& curve) {
   // A tenth of what passes, which leaves room for a judge who computes it
   // otherwise; and what is exceeded between the points likewise.
-  constexpr double kWanted = 1e-10, kBetween = 1e-9;
+  constexpr double kPasses = 1e-9, kWanted = 0.1 * kPasses, kBetween = 1e-9;
   LimitedTime problem = curve.problem();
   const VariableLayout& layout = problem.layout();
   const int p = problem.mesh().degree;
@@ -202,6 +202,8 @@ std::vector<double> left_on_elements(const LimitedCurve& curve) {
   for (int i = 0; i < layout.rolling_time(); ++i) {
     if (problem.variable_range(i).single()) continue;
     const double weight = problem.weights()[at(i)];
+    // What rounding leaves on so short an element a shorter one has more of.
+    if (rounding > kPasses * weight) continue;
     const double ratio = std::abs(static_cast<double>(gradient[at(i)])) /
                          std::max(kWanted * weight, rounding);
     const int node = layout.node_of(i);

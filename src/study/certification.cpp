@@ -101,7 +101,7 @@ Certificate certify_answer(const LimitedAnswer& answer,
   add_agreement(
       estimated, wanted,
       answer.sampled
-          ? fmt::format("the sum over {} elements against shooting",
+          ? fmt::format("the sum over {} elements and shooting",
                         mesh.num_elements())
           : fmt::format("degree {} against {} on {} elements", mesh.degree,
                         mesh.degree + 1, mesh.num_elements()),

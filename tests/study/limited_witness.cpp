@@ -366,21 +366,27 @@ TEST(LimitedWitness, KnowsItsPathBetweenItsSteps) {
 }
 
 TEST(LimitedWitness, SaysWhichConditionsFail) {
-  const Fitted fitted(under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0)));
+  const Fitted fitted(under(bead_scene(), floor_at(1.0)));
   limited::Guess guess = as_guess(*fitted.path);
-  // Where B is no arcs end, however they are stretched.
+  ASSERT_EQ(guess.arcs.size(), 2U);
+  // An arc along the floor does not end above it.
   Scene elsewhere = *fitted.posed.limited;
-  elsewhere.L = 100.0;
+  elsewhere.H *= 0.9;
 
-  const LimitedExtremal found = solve_limited_extremal(elsewhere, guess, {});
-  const Outcome outcome = outcome_of(found);
+  const Outcome missed =
+      outcome_of(solve_limited_extremal(elsewhere, guess, {}));
+  guess.arcs[1].duration = -1.0;
+  const Outcome lost = outcome_of(solve_limited_extremal(elsewhere, guess, {}));
 
-  ASSERT_FALSE(found.solved);
-  EXPECT_EQ(outcome.status, Status::NotConverged);
-  EXPECT_NE(outcome.message.find("the conditions for "), std::string::npos)
-      << outcome.message;
-  EXPECT_NE(outcome.message.find("Try method: ipopt"), std::string::npos)
-      << outcome.message;
+  for (const Outcome& outcome : {missed, lost}) {
+    EXPECT_EQ(outcome.status, Status::NotConverged);
+    EXPECT_NE(outcome.message.find("Try method: ipopt"), std::string::npos)
+        << outcome.message;
+  }
+  EXPECT_NE(missed.message.find("the conditions for "), std::string::npos)
+      << missed.message;
+  EXPECT_NE(lost.message.find("on arc 2 of 2, along floor"), std::string::npos)
+      << lost.message;
 }
 
 TEST(LimitedWitness, RefusesArcsOnWhichTwoLimitsHold) {

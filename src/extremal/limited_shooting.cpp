@@ -117,6 +117,10 @@ LimitedExtremal solve_limited_extremal(const Scene& natural,
     find_root(system, out, point);
     if (!out.solved) return out;
     out.path = system.path(point, {.halve = true});
+    // The first node is not at rest then.
+    if (out.path.blind(0)) {
+      out.start_angle.value = out.path.at(0, 0.0)[limited::kBeta];
+    }
     const std::string objection =
         out.path.empty()
             ? "it cannot be integrated again"

@@ -21,6 +21,7 @@
 #include "search/descent.hpp"
 #include "study/answer.hpp"
 #include "study/certification.hpp"
+#include "study/limited_sample.hpp"
 #include "study/limited_shooting.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"

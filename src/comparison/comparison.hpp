@@ -48,7 +48,7 @@ struct Reference {
 };
 
 /// What has the reference for a subject: the extremal method, under limits,
-/// where there is none, rolling_time to 1e-12.
+/// where that has its arcs from rolling_time, this to 1e-12.
 struct Referee {
   ComparedMethod method;
   std::optional<double> tolerance;

@@ -37,7 +37,8 @@ struct Fineness {
                                               const WorkPrecisionPlan& plan);
 
 /// Whether it solves a scene under limits, or with other contacts than smooth
-/// ones and the centre's, too.
+/// ones and the centre's, too, and that by itself: the extremal method is told
+/// the arcs by the adaptive one.
 [[nodiscard]] bool takes_limits(const ComparedMethod& method);
 
 /// The smallest mesh on which there is something to compare.

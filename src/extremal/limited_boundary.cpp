@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "extremal/canonical_flow.hpp"
+#include "math/jet2.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
 #include "model/start_under_limits.hpp"
@@ -48,6 +49,26 @@ double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   return beta;
 }
 
+/// β₂ of β = β₀ + β₂ u² + …, with which the path leaves rest so that the limit
+/// goes on to hold. With w = W u and θ = θ_m + W u²/2r the terms in u² of its
+/// value are
+///
+///     c_θ W/2r + c_ww W²/2 + (c_β + 2 W c_wq) β₂ = 0.
+double rise_from_rest(const Scene& scene, const HeldLimit& held, double slope) {
+  using On = math::Jet2<double, 4>;
+  const Body& body = scene.body;
+  const On c =
+      value_of(held.limit, body, scene.gravity,
+               TurningPoint<On>{On(0.0), On(0.0), On::variable(body.theta_m, 0),
+                                On::variable(0.0, 1), On::variable(slope, 2),
+                                On::variable(0.0, 3)});
+  const double W = scene.gravity * energy_slope(body, body.theta_m, slope);
+  const auto second = [&](int i, int j) { return c.hessian[On::pair(i, j)]; };
+  return -(c.gradient[0] * 0.5 * W * shooting::inverse_radius(body) +
+           0.5 * second(1, 1) * W * W) /
+         (c.gradient[2] + 2.0 * W * second(3, 1));
+}
+
 }  // namespace
 
 Values<Jet> variables(const State& y) {
@@ -67,6 +88,7 @@ LimitedStart::LimitedStart(const Scene& natural,
   } else if (held->limit.bounds_force()) {
     kind_ = Kind::Forced;
     slope_ = slope_at_rest(scene_, *held, near);
+    rise_ = rise_from_rest(scene_, *held, *slope_);
   } else if (held->limit.bounds_control()) {
     kind_ = Kind::Turning;
     const std::vector<PathInequality> limits =
@@ -79,19 +101,19 @@ LimitedStart::LimitedStart(const Scene& natural,
   }
 }
 
-State LimitedStart::left_rest() const {
+State LimitedStart::left_rest(double u) const {
   const Body& body = scene_.body;
   const Point centre =
       centre_above({0.0, 0.0}, contact_radius(scene_), *slope_);
   const double w =
-      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * kLeftRest;
-  const double s = 0.5 * w * kLeftRest;
+      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * u;
+  const double s = 0.5 * w * u;
   State y{};
   y[kX] = centre.x + s * std::cos(*slope_);
   y[kZ] = centre.z + s * std::sin(*slope_);
   y[kTheta] = body.theta_m + s * shooting::inverse_radius(body);
   y[kW] = w;
-  y[kBeta] = *slope_;
+  y[kBeta] = *slope_ + rise_ * u * u;
   return y;
 }
 

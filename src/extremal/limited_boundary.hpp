@@ -26,7 +26,7 @@ class LimitedStart {
     Turning,  ///< along a limit of the curvature
   };
 
-  /// \param natural  the scene, in natural units; must outlive this
+  /// \param natural  the scene, in natural units
   /// \param held     the limit that holds from A on
   /// \param near     a slope near the one at A [rad]
   LimitedStart(const Scene& natural, const std::optional<HeldLimit>& held,
@@ -37,21 +37,22 @@ class LimitedStart {
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   /// The rest is left after so much u by its series where the start is Forced:
-  /// there the control is 0/0. With β − β₀ and w − g a u of the second and
-  /// third order the states err by 1e-15, and what β errs by dies out.
+  /// there the control is 0/0. With β right to the second order and w − g a u
+  /// of the third the states err by 1e-15.
   static constexpr double kLeftRest = 1e-5;
-  /// States after it, and no costates.
-  [[nodiscard]] State left_rest() const;
+  /// States after that much or less, and no costates.
+  [[nodiscard]] State left_rest(double u = kLeftRest) const;
 
   /// What vanishes at the first node: states that are known, and p_β where β is
   /// not, or where the path is free.
   [[nodiscard]] std::vector<Jet> conditions(const State& y) const;
 
  private:
-  const Scene& scene_;
+  Scene scene_;
   Kind kind_ = Kind::Free;
   /// β₀, where the contact does not leave it to the path.
   std::optional<double> slope_;
+  double rise_ = 0.0;  ///< of β over u², where it is Forced
   std::string refusal_;
 };
 

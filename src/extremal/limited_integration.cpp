@@ -122,4 +122,12 @@ bool follow_piece(const LimitedFlow& flow, const State& start, double span,
                            [&](double u) { on_step(u, state_of(path.now())); });
 }
 
+State step_from(const LimitedFlow& flow, const State& start, double span) {
+  using Rates = PieceRates<0>;
+  Rates::Stack stack = stack_of<0>(start);
+  shooting::Stepper<Rates::Stack>().do_step(
+      Rates{flow, Judged::StatesAndCostates}, stack, 0.0, span);
+  return state_of(stack);
+}
+
 }  // namespace brachisto::limited

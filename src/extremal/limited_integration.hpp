@@ -48,4 +48,8 @@ enum class Judged { StatesAlone, StatesAndCostates };
     const shooting::StepControl& control,
     const std::function<void(double u, const State&)>& on_step);
 
+/// One step of length `span`, unchecked: for interpolation.
+[[nodiscard]] State step_from(const LimitedFlow& flow, const State& start,
+                              double span);
+
 }  // namespace brachisto::limited

@@ -54,7 +54,8 @@ void find_root(const LimitedSystem& system, LimitedExtremal& out,
   LimitedSystem::Linearisation here;
   point = system.start();
   if (!system.evaluate(point, control, here)) {
-    out.message = "the path nearby cannot be integrated";
+    out.message = fmt::format("the path nearby cannot be integrated on {}",
+                              system.place_of(here.arc));
     return;
   }
   for (;; ++out.newton_steps) {
@@ -73,10 +74,13 @@ void find_root(const LimitedSystem& system, LimitedExtremal& out,
     here = std::move(there);
   }
   if (!(out.residual <= kRounding)) {
+    Eigen::Index worst = 0;
+    here.residual.cwiseAbs().maxCoeff(&worst);
     out.message = fmt::format(
-        "Newton's method stops at the residual {:.1e} after {} "
-        "steps",
-        out.residual, out.newton_steps);
+        "Newton's method stops at the residual {:.1e} after {} steps, of the "
+        "conditions for {}",
+        out.residual, out.newton_steps,
+        system.place_of(here.arc_of_row[static_cast<std::size_t>(worst)]));
     return;
   }
   // What the last residual, and steps half as long, would change.
@@ -85,13 +89,14 @@ void find_root(const LimitedSystem& system, LimitedExtremal& out,
     out.message = "the solution cannot be integrated again";
     return;
   }
-  const double change = finer.time_gradient * newton_step(finer);
-  out.transit_time = finer.transit_time + change;
+  const Eigen::VectorXd change = newton_step(finer);
+  out.transit_time = finer.transit_time + finer.time_gradient * change;
   out.integration_steps = finer.steps;
   out.error_estimate =
       std::abs(out.transit_time - here.transit_time) / out.transit_time +
       kUlp * std::sqrt(1.0 + finer.steps);
   read_results(system, finer, point, out);
+  point += change;
   out.solved = true;
 }
 
@@ -111,8 +116,15 @@ LimitedExtremal solve_limited_extremal(const Scene& natural,
     Eigen::VectorXd point;
     find_root(system, out, point);
     if (!out.solved) return out;
-    const std::string objection = system.objection(
-        point, inequalities(natural.body, natural.limits), {.halve = true});
+    out.path = system.path(point, {.halve = true});
+    // The first node is not at rest then.
+    if (out.path.blind(0)) {
+      out.start_angle.value = out.path.at(0, 0.0)[limited::kBeta];
+    }
+    const std::string objection =
+        out.path.empty()
+            ? "it cannot be integrated again"
+            : out.path.objection(inequalities(natural.body, natural.limits));
     if (!objection.empty()) {
       out.solved = false;
       out.message = "its arcs are not those of an extremal: " + objection;

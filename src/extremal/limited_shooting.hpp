@@ -28,6 +28,7 @@ struct LimitedExtremal {
   double error_estimate = 0.0;  ///< relative, of T
   Loose start_angle, end_angle;
   std::vector<Loose> junctions;  ///< u at which arcs end, the last one at B
+  limited::ArcPath path;         ///< if it is solved
   double residual = 0.0;         ///< of all equations, in natural units
   int newton_steps = 0, integration_steps = 0;
 };

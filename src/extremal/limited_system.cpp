@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "math/index.hpp"
 
@@ -34,11 +35,14 @@ class LimitedSystem::Rows {
     jacobian_.setZero(most, unknowns);
   }
 
+  /// What is added from here on belongs to an arc.
+  void begin(int arc) { arc_ = arc; }
   /// An equation of the unknowns of one node.
   void add(const Jet& value, int node) {
     for (int j = 0; j < kWidth; ++j) {
       by(kWidth * node + j) += value.gradient[at(j)];
     }
+    arc_of_row_.push_back(arc_);
     residual_(size_++) = value.value;
   }
   void add(const std::vector<Jet>& values, int node) {
@@ -50,11 +54,14 @@ class LimitedSystem::Rows {
   void move_to(Linearisation& out) {
     out.residual = residual_.head(size_);
     out.jacobian = jacobian_.topRows(size_);
+    out.arc_of_row = std::move(arc_of_row_);
   }
 
  private:
   Eigen::VectorXd residual_;
   Eigen::MatrixXd jacobian_;
+  std::vector<int> arc_of_row_;
+  int arc_ = 0;
   Eigen::Index size_ = 0;
 };
 
@@ -221,6 +228,8 @@ bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
   }
   for (int a = 0; a < num_arcs(); ++a) {
     const double span = span_of(point, a);
+    rows.begin(a);
+    out.arc = a;
     if (!blind(a)) junction_rows(rows, a, node(point, first_node_[at(a)]));
     double step = 0.0;
     for (int k = 0; k < pieces_[at(a)]; ++k) {
@@ -237,68 +246,47 @@ bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
       matching_rows(rows, a, k, end, point);
     }
   }
+  rows.begin(num_arcs());
   rows.add(end_conditions(scene_, node(point, num_nodes() - 1)),
            num_nodes() - 1);
   rows.move_to(out);
   return true;
 }
 
-std::string LimitedSystem::objection(
-    const Eigen::VectorXd& point, const std::vector<PathInequality>& limits,
-    const shooting::StepControl& control) const {
-  constexpr double kExceeded = 1e-8;
-  constexpr double kWrongSign = 1e-6;
-  std::string out;
-  double start_of_arc = 0.0;
-  const auto wrong_way = [](const HeldLimit& held, double multiplier) {
-    return held.at_upper() ? multiplier : -multiplier;
-  };
+std::string LimitedSystem::place_of(int arc) const {
+  if (arc == num_arcs()) return "B";
+  const std::optional<HeldLimit>& held = arcs_[at(arc)].held;
+  return fmt::format(
+      "arc {} of {}, {}", arc + 1, num_arcs(),
+      held ? fmt::format("along {}", name(held->limit.kind)) : "which is free");
+}
+
+ArcPath LimitedSystem::path(const Eigen::VectorXd& point,
+                            const shooting::StepControl& control) const {
+  std::vector<ArcPath::Stretch> arcs;
   for (int a = 0; a < num_arcs(); ++a) {
-    const LimitedFlow& flow = flows_[at(a)];
-    const std::optional<HeldLimit>& held = flow.held();
-    double largest = 1.0, wrong = 0.0;
-    const auto look_at = [&](double u, const State& y) {
-      for (const PathInequality& limit : limits) {
-        const double value = flow.value(limit, y);
-        const double excess =
-            std::max(limit.lower - value, value - limit.upper);
-        if (excess <= kExceeded || !out.empty()) continue;
-        out = fmt::format("{} is exceeded by {:.1e} at u = {:.6g}",
-                          name(limit.kind), excess, start_of_arc + u);
-      }
-      if (flow.kind() == Kind::Free && !(flow.legendre(y) > 0.0)) {
-        out = fmt::format("its free arc is no minimum at u = {:.6g}",
-                          start_of_arc + u);
-      }
-      if (!held || blind(a)) return;
-      const double nu = flow.rates(y).nu;
-      largest = std::max(largest, std::abs(nu));
-      wrong = std::max(wrong, wrong_way(*held, nu));
-    };
+    ArcPath::Stretch& arc = arcs.emplace_back(
+        ArcPath::Stretch{flows_[at(a)], point(of_duration(a)), {}});
+    const double begin = blind(a) ? LimitedStart::kLeftRest : 0.0;
+    const double span = span_of(point, a);
     for (int k = 0; k < pieces_[at(a)]; ++k) {
-      const double span = span_of(point, a);
-      if (!follow_piece(flow, node(point, first_node_[at(a)] + k), span,
-                        judged(a), control, [&](double u, const State& y) {
-                          look_at(k * span + u, y);
+      const State start = node(point, first_node_[at(a)] + k);
+      // In place of the end of the piece before, from which it is not far.
+      if (k > 0) arc.knots.pop_back();
+      arc.knots.push_back({begin + k * span, start});
+      if (!follow_piece(arc.flow, start, span, judged(a), control,
+                        [&](double u, const State& y) {
+                          arc.knots.push_back({begin + k * span + u, y});
                         })) {
-        return "it cannot be integrated again";
+        return {};
       }
     }
-    if (!out.empty()) return out;
-    const int jump = jump_[at(a)];
-    if (jump >= 0 &&
-        wrong_way(jumps_along(a), point(of_jump(jump))) > kWrongSign) {
-      return fmt::format("the jump at {} has the wrong sign, by {:.1e}",
-                         name(jumps_along(a).limit.kind),
-                         std::abs(point(of_jump(jump))));
+    if (a + 1 < num_arcs() && jump_[at(a + 1)] >= 0) {
+      arc.jumps_along = jumps_along(a + 1);
+      arc.jump = point(of_jump(jump_[at(a + 1)]));
     }
-    if (wrong > kWrongSign * largest) {
-      return fmt::format("the multiplier of {} has the wrong sign, by {:.1e}",
-                         name(held->limit.kind), wrong / largest);
-    }
-    start_of_arc += point(of_duration(a));
   }
-  return out;
+  return {std::move(arcs), blind(0) ? std::optional(leave_) : std::nullopt};
 }
 
 }  // namespace brachisto::limited

@@ -15,6 +15,7 @@
 
 #include "extremal/limited_boundary.hpp"
 #include "extremal/limited_integration.hpp"
+#include "extremal/limited_path.hpp"
 
 namespace brachisto::limited {
 
@@ -70,9 +71,11 @@ class LimitedSystem {
   struct Linearisation {
     Eigen::VectorXd residual;
     Eigen::MatrixXd jacobian;
+    std::vector<int> arc_of_row;  ///< num_arcs() at B
     double transit_time = 0.0;
     Eigen::RowVectorXd time_gradient;
     int steps = 0;
+    int arc = 0;  ///< the last one that was begun
   };
   /// False where a piece cannot be integrated.
   [[nodiscard]] bool evaluate(const Eigen::VectorXd& point,
@@ -87,12 +90,11 @@ class LimitedSystem {
   [[nodiscard]] int of_duration(int arc) const {
     return of_node(num_nodes()) + arc;
   }
-  /// Why the path is no extremal under the limits although the equations hold:
-  /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc
-  /// is no minimum. Empty if it is one.
-  [[nodiscard]] std::string objection(
-      const Eigen::VectorXd& point, const std::vector<PathInequality>& limits,
-      const shooting::StepControl& control) const;
+  /// "arc 2 of 5, along floor"; "B".
+  [[nodiscard]] std::string place_of(int arc) const;
+  /// Empty if a piece cannot be integrated.
+  [[nodiscard]] ArcPath path(const Eigen::VectorXd& point,
+                             const shooting::StepControl& control) const;
 
  private:
   class Rows;

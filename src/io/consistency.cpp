@@ -112,15 +112,11 @@ void check_solver(const YamlValue& root, const Draft& problem,
 struct OfFreeMotion {
   std::string_view key, word, reason;
 };
-constexpr std::string_view kShootingNeedsArcs =
-    "shooting has to be told where limits hold; with certify: extremal it "
-    "follows what the program has found";
 constexpr std::string_view kOtherStarts =
     "starts elsewhere are tried for the free motion alone";
-constexpr std::array<OfFreeMotion, 6> kOfFreeMotion{
+constexpr std::array<OfFreeMotion, 5> kOfFreeMotion{
     {{"discretisation.formulation", "arc_length",
       "straight pieces have neither forces nor curvatures to bound"},
-     {"solver.method", "extremal", kShootingNeedsArcs},
      {"solver.method", "fsolve",
       "the paper's discrete system consists of equations alone"},
      {"solver.search", "global",

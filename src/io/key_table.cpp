@@ -73,7 +73,8 @@ constexpr auto kDifferences = place(reading, [](const Draft& d) {
 });
 constexpr auto kIterations = place(
     [](auto& p) -> auto& { return p.options.limits; },
-    [](const Draft& d) { return !is_shooting(d); });
+    // Under limits shooting has its arcs from a program.
+    [](const Draft& d) { return !is_shooting(d) || d.scene.limits.any(); });
 constexpr auto kPlan = place([](auto& p) -> auto& { return p.work_precision; });
 
 // Rules that several keys have.

@@ -17,6 +17,8 @@ namespace brachisto {
 struct LimitedAnswer {
   FittedPath path;
   std::optional<double> estimated_error;  ///< relative, of T
+  /// Found by the indirect method; on the mesh nothing was solved.
+  bool sampled = false;
 };
 
 /// Outcome of refine_limited().

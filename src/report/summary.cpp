@@ -272,7 +272,9 @@ std::string found(const Solution& solution) {
     parts.push_back(fmt::format(
         "{} of {}",
         counted(static_cast<std::size_t>(effort.iterations), "iteration"),
-        solution.discrete() ? "its solver" : "Ipopt"));
+        solution.discrete()               ? "its solver"
+        : solution.options.of<Shooting>() ? "Ipopt to find which arcs there are"
+                                          : "Ipopt"));
   }
   if (effort.newton_steps > 0) {
     parts.push_back(

@@ -68,10 +68,12 @@ Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
           found.estimated_error, std::move(diagnostics)};
 }
 
-Answered answer_of(const PosedProblem& posed, const LimitedAnswer& found) {
+Answered answer_of(const PosedProblem& posed, const LimitedAnswer& found,
+                   std::optional<double> transit_time) {
   const PhaseTimer timer(Phase::Diagnosis);
   const LimitedTime& problem = found.path.curve.problem();
-  LimitedMotion motion(found.path.curve, posed.asked, posed.units);
+  LimitedMotion motion(found.path.curve, posed.asked, posed.units,
+                       transit_time);
   PathDiagnostics diagnostics = motion.diagnose();
   std::vector<LimitOnPath> limits = limits_on_path(posed, found.path, motion);
   return {std::make_shared<const Answer>(LimitedPathAnswer{

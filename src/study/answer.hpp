@@ -32,8 +32,9 @@ struct Answered {
     std::optional<double> transit_time = std::nullopt);
 [[nodiscard]] Answered answer_of(const PosedProblem& posed,
                                  ArcLengthAnswer& found);
-[[nodiscard]] Answered answer_of(const PosedProblem& posed,
-                                 const LimitedAnswer& found);
+[[nodiscard]] Answered answer_of(
+    const PosedProblem& posed, const LimitedAnswer& found,
+    std::optional<double> transit_time = std::nullopt);
 /// \throws std::invalid_argument  if the path that the scene states cannot be
 [[nodiscard]] Answered answer_on_given_path(const PosedProblem& posed);
 

@@ -34,7 +34,7 @@ struct PiecewiseAnswer {
 };
 
 /// Under limits, or with slopes at the contacts that are not the extremal's
-/// own.
+/// own; of Shooting likewise a sample with its own T.
 struct LimitedPathAnswer {
   LimitedMotion motion;
   ProgramSize program;

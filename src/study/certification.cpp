@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "study/limited_shooting.hpp"
 #include "study/shooting.hpp"
 #include "trajectory/certify.hpp"
 #include "transcription/extremal_curve.hpp"
@@ -97,10 +98,14 @@ Certificate certify_answer(const LimitedAnswer& answer,
   const Mesh& mesh = answer.path.curve.problem().mesh();
   Certificate certificate =
       certify(answer.path.curve, answer.path.mismatch.largest(), estimated);
-  add_agreement(estimated, wanted,
-                fmt::format("degree {} against {} on {} elements", mesh.degree,
-                            mesh.degree + 1, mesh.num_elements()),
-                certificate);
+  add_agreement(
+      estimated, wanted,
+      answer.sampled
+          ? fmt::format("the sum over {} elements and shooting",
+                        mesh.num_elements())
+          : fmt::format("degree {} against {} on {} elements", mesh.degree,
+                        mesh.degree + 1, mesh.num_elements()),
+      certificate);
   return certificate;
 }
 
@@ -133,14 +138,7 @@ CrossCheck cross_check(const FittedPath& found, double error,
                        const StopCondition& stop, Certificate& certificate) {
   constexpr double kSlopes = 100.0, kJunctions = 1000.0;
   const Scene& scene = found.curve.problem().scene();
-  const bool twice =
-      std::any_of(found.arcs.begin(), found.arcs.end(), [](const Arc& arc) {
-        return std::count(arc.held.begin(), arc.held.end(), nlp::Held::No) + 1 <
-               static_cast<std::ptrdiff_t>(arc.held.size());
-      });
-  LimitedExtremal other;
-  other.message = "arcs on which two limits hold are not known to it";
-  if (!twice) other = solve_limited_extremal(scene, as_guess(found), stop);
+  const LimitedExtremal other = shoot_over_arcs(found, stop);
   CrossCheck check{.solved = other.solved, .message = other.message};
   if (!check.solved) {
     certificate.add("extremal", kUnknown, error, check.message);

@@ -39,6 +39,10 @@ void record(const ExtremalSolution& extremal, Solution& out) {
   if (extremal.usable()) out.folds = extremal.continuation.folds;
 }
 
+void record(const LimitedExtremal& extremal, Solution& out) {
+  out.effort.newton_steps += extremal.newton_steps;
+}
+
 void record(const ContactSearch& search, Solution& out) {
   out.effort.newton_steps += search.newton_steps;
   out.search_remark = search.remark;

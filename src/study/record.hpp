@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "extremal/limited_shooting.hpp"
 #include "extremal/shooting.hpp"
 #include "refinement/refinement.hpp"
 #include "study/answer.hpp"
@@ -20,6 +21,7 @@ void record(Outcome outcome, Solution& out);
 void record(const Start& start, Solution& out);
 void record(const OtherStart& other, Solution& out);
 void record(const ExtremalSolution& extremal, Solution& out);
+void record(const LimitedExtremal& extremal, Solution& out);
 void record(const ContactSearch& search, Solution& out);
 void record(const JudgedBranches& judged, Solution& out);
 /// The work on meshes, and how the answer was refined.

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "brachisto/trajectory/certificate.hpp"
-#include "math/index.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
@@ -52,43 +51,6 @@ ExtremalGuess as_guess(const ExtremalCurve& curve, const Units& units,
                          .p_w = at.p.p_w * units.time / units.speed(),
                          .beta = at.beta,
                          .t = at.t * units.time};
-  };
-  return guess;
-}
-
-limited::Guess as_guess(const FittedPath& path) {
-  const LimitedTime& problem = path.curve.problem();
-  const auto held_limit = [&](std::size_t limit, nlp::Held where) {
-    const PathInequality& found = problem.limits()[limit];
-    return limited::HeldLimit{
-        found, where == nlp::Held::AtUpper ? found.upper : found.lower};
-  };
-  limited::Guess guess;
-  std::vector<int> first_element{0};
-  double begin = 0.0;
-  for (const Arc& arc : path.arcs) {
-    limited::Arc& out = guess.arcs.emplace_back();
-    out.duration = (arc.end - begin) * path.curve.rolling_time();
-    for (std::size_t i = 0; i < arc.held.size(); ++i) {
-      if (arc.held[i] != nlp::Held::No) out.held = held_limit(i, arc.held[i]);
-    }
-    if (arc.touch) {
-      out.touched = held_limit(arc.touch->limit, arc.touch->at);
-    }
-    begin = arc.end;
-    first_element.push_back(first_element.back() + arc.elements());
-  }
-  guess.state = [&path, first_element](std::size_t arc, double share) {
-    const std::vector<double>& cuts = path.arcs[arc].cuts;
-    int e = 0;
-    while (e + 1 < path.arcs[arc].elements() && share >= cuts[at(e + 1)]) ++e;
-    const double length = cuts[at(e + 1)] - cuts[at(e)];
-    const LimitedPoint here =
-        path.curve.at(first_element[arc] + e, (share - cuts[at(e)]) / length);
-    return limited::State{here.state.x, here.state.z,    here.state.theta,
-                          here.state.w, here.state.beta, here.p.p_x,
-                          here.p.p_z,   here.p.p_theta,  here.p.p_w,
-                          here.p_beta};
   };
   return guess;
 }

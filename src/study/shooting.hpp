@@ -7,10 +7,8 @@
 
 #pragma once
 
-#include "extremal/limited_shooting.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
-#include "refinement/arc_fit.hpp"
 #include "refinement/refinement.hpp"
 #include "study/pose.hpp"
 #include "transcription/extremal_curve.hpp"
@@ -21,11 +19,6 @@ namespace brachisto {
 /// \param curve  must outlive the guess
 [[nodiscard]] ExtremalGuess as_guess(const ExtremalCurve& curve,
                                      const Units& units, double phi);
-
-/// A solution under limits as the start of a shooting over its arcs, on each of
-/// which one limit holds or none.
-/// \param path  must outlive the guess
-[[nodiscard]] limited::Guess as_guess(const FittedPath& path);
 
 /// An extremal, in SI units, as unknowns and multipliers of a collocation
 /// problem in natural units.

@@ -21,6 +21,8 @@
 #include "search/descent.hpp"
 #include "study/answer.hpp"
 #include "study/certification.hpp"
+#include "study/limited_sample.hpp"
+#include "study/limited_shooting.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"
 #include "study/size.hpp"
@@ -35,6 +37,7 @@ void solve_posed(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
 void solve_by_shooting(const PosedProblem& posed, Solution& out);
+void shoot_under_limits(const PosedProblem& posed, Solution& out);
 void solve_by_discrete_system(const PosedProblem& posed,
                               const DiscreteSystem& system, Solution& out);
 void follow_given_path(const PosedProblem& posed, Solution& out);
@@ -50,6 +53,9 @@ void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
               std::optional<double> transit_time = std::nullopt);
 void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
               const Start& start, Solution& out);
+void conclude(const PosedProblem& posed, const LimitedAnswer& found,
+              const std::string& message, Solution& out,
+              std::optional<double> transit_time = std::nullopt);
 
 }  // namespace
 
@@ -101,6 +107,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
 /// Shooting: the numbers come from the indirect method; the collocation
 /// problem on a fine mesh, which they must satisfy, is their certificate.
 void solve_by_shooting(const PosedProblem& posed, Solution& out) {
+  if (posed.limited) return shoot_under_limits(posed, out);
   const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
   record(extremal, out);
   record(outcome_of(extremal), out);
@@ -110,6 +117,34 @@ void solve_by_shooting(const PosedProblem& posed, Solution& out) {
     return answer_from_extremal(posed, extremal);
   }();
   conclude(posed, found, out, extremal.transit_time);
+}
+
+/// The same under limits. Which arcs there are the program finds, as accurately
+/// as that takes.
+void shoot_under_limits(const PosedProblem& posed, Solution& out) {
+  constexpr double kForArcs = 1e-6;
+  const Start start = start_from_cycloid(posed);
+  record(start, out);
+  if (posed.stop().met() || !start.curve) return;
+  Discretisation loose = posed.program.discretisation;
+  loose.tolerance = std::max(kForArcs, loose.wanted_tolerance());
+  const LimitedRefinement program =
+      refine_limited(*posed.limited, loose, *start.curve, start.phi,
+                     posed.mesh_options_after(out.effort));
+  record(program, out);
+  if (!program.answer || posed.stop().met()) return;
+  const FittedPath& nearby = program.answer->path;
+  const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
+  record(extremal, out);
+  const Outcome outcome = outcome_of(extremal);
+  record(outcome, out);
+  if (!extremal.solved) return;
+  const LimitedAnswer found = [&] {
+    const CertificateTimer timer(out.effort);
+    return answer_from_extremal(nearby, extremal, posed.stop());
+  }();
+  conclude(posed, found, outcome.message, out,
+           extremal.transit_time * posed.units.time);
 }
 
 /// The paper's discrete system: an answer to other equations, and its distance
@@ -238,13 +273,7 @@ void refine_under_limits(const PosedProblem& posed, const Start& start,
                      start.phi, posed.mesh_options_after(out.effort));
   record(refinement, out);
   if (!refinement.answer || posed.stop().met()) return;
-  const LimitedAnswer& found = *refinement.answer;
-  record(answer_of(posed, found), out);
-  {
-    const CertificateTimer timer(out.effort);
-    record(certify(posed, found), out);
-  }
-  record(verdict(out, refinement.message), out);
+  conclude(posed, *refinement.answer, refinement.message, out);
 }
 
 // ---- Answer, certify, verdict.
@@ -270,6 +299,17 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
   // Of a motion that stalls the certificate says so.
   if (!out.diagnostics) out.answer.reset();
   record(verdict(out, found.solution.message), out);
+}
+
+void conclude(const PosedProblem& posed, const LimitedAnswer& found,
+              const std::string& message, Solution& out,
+              std::optional<double> transit_time) {
+  record(answer_of(posed, found, transit_time), out);
+  {
+    const CertificateTimer timer(out.effort);
+    record(certify(posed, found), out);
+  }
+  record(verdict(out, message), out);
 }
 
 }  // namespace

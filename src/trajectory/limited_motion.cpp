@@ -14,10 +14,12 @@
 namespace brachisto {
 
 LimitedMotion::LimitedMotion(LimitedCurve curve, const Scene& scene,
-                             const Units& units)
+                             const Units& units,
+                             std::optional<double> transit_time)
     : curve_(std::move(curve)),
       scene_(scene),
       units_(units),
+      transit_time_(transit_time.value_or(curve_.transit_time() * units_.time)),
       rule_(math::gauss_legendre(curve_.problem().mesh().degree + 1)),
       ends_(1) {
   for (int e = 0; e < curve_.problem().mesh().num_elements(); ++e) {

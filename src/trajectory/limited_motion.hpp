@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "brachisto/trajectory/motion.hpp"
@@ -18,16 +19,16 @@ namespace brachisto {
 /// places are σ = u / U.
 class LimitedMotion final : public Motion {
  public:
-  /// \param scene  in SI units; its θ_m may differ from the curve's by whole
-  ///               turns
-  LimitedMotion(LimitedCurve curve, const Scene& scene, const Units& units);
+  /// \param scene         in SI units; its θ_m may differ from the curve's by
+  ///                      whole turns
+  /// \param transit_time  T [s], if it is known better than from the curve
+  LimitedMotion(LimitedCurve curve, const Scene& scene, const Units& units,
+                std::optional<double> transit_time = std::nullopt);
 
   [[nodiscard]] const LimitedCurve& curve() const { return curve_; }
 
   [[nodiscard]] const Scene& scene() const override { return scene_; }
-  [[nodiscard]] double transit_time() const override {
-    return curve_.transit_time() * units_.time;
-  }
+  [[nodiscard]] double transit_time() const override { return transit_time_; }
   [[nodiscard]] double centre_path_length() const override {
     return ends_.back().s * units_.length;
   }
@@ -58,6 +59,7 @@ class LimitedMotion final : public Motion {
   LimitedCurve curve_;
   Scene scene_;
   Units units_;
+  double transit_time_;
   math::QuadratureRule rule_;
   std::vector<Passed> ends_;  ///< at the boundaries of elements
 };

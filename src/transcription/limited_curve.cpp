@@ -198,7 +198,7 @@ LimitedPoint LimitedCurve::at(double sigma) const {
 
 PrimalDual sample_at_mesh(
     const LimitedTime& problem, double rolling_time,
-    const std::function<LimitedPoint(double sigma)>& path) {
+    const std::function<LimitedPoint(Mesh::Place)>& path) {
   const VariableLayout& layout = problem.layout();
   const RadauScheme& scheme = problem.scheme();
   PrimalDual out;
@@ -213,14 +213,13 @@ PrimalDual sample_at_mesh(
     out.x[at(layout.state(node, W))] = state.w;
     out.x[at(layout.state(node, Beta))] = state.beta;
   };
-  put(0, path(0.0).state);
+  put(0, path({0, 0.0}).state);
   for (int c = 0; c < layout.num_points(); ++c) {
     const int e = c / scheme.degree;
     const auto j = at(c % scheme.degree);
     const double h = problem.mesh().length(e);
     const double b = scheme.rule.weights[j];
-    const LimitedPoint point =
-        path(problem.mesh().sigma(e, scheme.rule.points[j]));
+    const LimitedPoint point = path({e, scheme.rule.points[j]});
     put(c + 1, point.state);
     out.x[at(layout.control(c))] = h * point.state.q;
     out.lambda[at(layout.defect(c, X))] = -b * point.p.p_x;
@@ -240,6 +239,14 @@ PrimalDual sample_at_mesh(
   }
   out.x[at(layout.last())] = rolling_time;
   return out;
+}
+
+PrimalDual sample_at_mesh(
+    const LimitedTime& problem, double rolling_time,
+    const std::function<LimitedPoint(double sigma)>& path) {
+  return sample_at_mesh(problem, rolling_time, [&](Mesh::Place place) {
+    return path(problem.mesh().sigma(place.element, place.t));
+  });
 }
 
 PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {

@@ -78,9 +78,13 @@ class LimitedCurve {
   std::vector<bool> active_, active_at_rest_;
 };
 
-/// States, controls, costates and multipliers given as a function of σ ∈ [0, 1]
-/// as unknowns of a problem. A multiplier is left out where the problem has no
-/// bound on its side.
+/// States, controls, costates and multipliers given as a function of the place
+/// in an element, at whose ends they may jump, as unknowns of a problem. A
+/// multiplier is left out where the problem has no bound on its side.
+[[nodiscard]] PrimalDual sample_at_mesh(
+    const LimitedTime& problem, double rolling_time,
+    const std::function<LimitedPoint(Mesh::Place)>& path);
+/// The same of a function of σ ∈ [0, 1].
 [[nodiscard]] PrimalDual sample_at_mesh(
     const LimitedTime& problem, double rolling_time,
     const std::function<LimitedPoint(double sigma)>& path);

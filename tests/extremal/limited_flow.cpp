@@ -261,5 +261,28 @@ TEST(LimitedStart, LeavesRestOnTheBorderOfTheStaticCone) {
   EXPECT_NEAR(start.left_rest()[kBeta], std::atan(3.0 * mu), 1e-14);
 }
 
+/// With β right to the second order what the limit is off is of the third.
+TEST(LimitedStart, KeepsTheLimitNextToRest) {
+  constexpr double h = 1e-6;
+  const Scene scene = natural_scene();
+  for (const HeldLimit& held : limits_of_control()) {
+    if (held.limit.kind != PathInequality::Kind::FrictionBackward) continue;
+    const LimitedStart start(scene, held, 1.2);
+    ASSERT_EQ(start.kind(), LimitedStart::Kind::Forced);
+    const auto off = [&](double u) {
+      const State y = start.left_rest(u);
+      const double q =
+          (start.left_rest(u + h)[kBeta] - start.left_rest(u - h)[kBeta]) /
+          (2.0 * h);
+      return std::abs(value_of(held.limit, scene.body, scene.gravity,
+                               TurningPoint<double>{y[kX], y[kZ], y[kTheta],
+                                                    y[kW], y[kBeta], q}) -
+                      held.bound);
+    };
+
+    EXPECT_GE(std::log10(off(1e-1) / off(1e-2)), 2.9);
+  }
+}
+
 }  // namespace
 }  // namespace brachisto::limited

@@ -248,17 +248,12 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
   struct Refused {
     std::string keys, key, word, reason;
   };
-  const std::string shooting =
-      "shooting has to be told where limits hold; with certify: extremal it "
-      "follows what the program has found";
   const std::string starts =
       "starts elsewhere are tried for the free motion alone";
   for (const auto& [keys, key, word, reason] : std::vector<Refused>{
            {"discretisation: {formulation: arc_length}\n",
             "p.yaml:%:31: discretisation.formulation", "arc_length",
             "straight pieces have neither forces nor curvatures to bound"},
-           {"solver: {method: extremal}\n", "p.yaml:%:18: solver.method",
-            "extremal", shooting},
            {"solver: {method: fsolve}\n", "p.yaml:%:18: solver.method",
             "fsolve",
             "the paper's discrete system consists of equations alone"},
@@ -278,7 +273,11 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
     }
     EXPECT_EQ(errors(scene_with("") + keys), "");
   }
-  EXPECT_EQ(errors(scene_with(limits) + "solver: {certify: extremal}\n"), "");
+  for (const std::string method : {"certify", "method"}) {
+    EXPECT_EQ(
+        errors(scene_with(limits) + "solver: {" + method + ": extremal}\n"),
+        "");
+  }
   EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
                    "contact: optimal}\nsolver: {search: global}\n"),
             "p.yaml:2:18: solver.search: global is not allowed with contact: "

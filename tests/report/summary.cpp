@@ -88,6 +88,16 @@ TEST(Summary, SaysWhatTheTrackIsUnderLimits) {
   asked(Contact::Smooth, "the fastest wire from A to B under limits");
 }
 
+TEST(Summary, SaysWhoFoundTheArcsThatWereShotOver) {
+  Solution solution = testing::limited_solution();
+  const std::string words = "of Ipopt to find which arcs there are";
+  EXPECT_FALSE(says(summary(solution), words)) << summary(solution);
+
+  solution.options.method = Shooting{};
+
+  EXPECT_TRUE(says(summary(solution), words)) << summary(solution);
+}
+
 TEST(Summary, HasATableOfLimits) {
   const Solution& solution = testing::limited_solution();
   const auto place = [&](double sigma) {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The indirect method under limits: against references that share no code with
-// this project, against the program, and by itself.
+// The indirect method under limits, as a witness and as the method: against
+// references that share no code with this project, against the program, and by
+// itself.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,8 @@
 #include "model/start_angle.hpp"
 #include "model/units.hpp"
 #include "refinement/limited_refinement.hpp"
+#include "study/limited_shooting.hpp"
 #include "study/pose.hpp"
-#include "study/shooting.hpp"
 #include "study/start.hpp"
 #include "support/limited_scenes.hpp"
 
@@ -70,6 +71,40 @@ INSTANTIATE_TEST_SUITE_P(Rows, WitnessOfRow,
                            return name;
                          });
 
+class ShotRow : public ::testing::TestWithParam<LimitedReference> {};
+
+/// As of the witness; slopes as many decimals as the references have.
+TEST_P(ShotRow, IsThatOfTheReference) {
+  const LimitedReference& row = GetParam();
+  SolveOptions options;
+  options.method = Shooting{};
+
+  const Solution solution = solve(row.scene, options);
+
+  ASSERT_TRUE(solution.verified())
+      << solution.message
+      << ::testing::PrintToString(solution.not_verified_because());
+  EXPECT_NE(solution.message.find("the arcs that the program found"),
+            std::string::npos)
+      << solution.message;
+  EXPECT_NEAR(solution.motion()->tau(), row.tau, 1e-12);
+  EXPECT_LE(*solution.estimated_error, 1e-12);
+  if (row.end_angle) {
+    EXPECT_NEAR(solution.motion()->end_angle(), *row.end_angle, 1e-9);
+  }
+  if (row.start_angle) {
+    EXPECT_NEAR(solution.motion()->start_angle(), *row.start_angle, 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, ShotRow,
+                         ::testing::ValuesIn(limited_references()),
+                         [](const auto& row) {
+                           std::string name = row.param.name;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
 Body heavy_body() {
   return Body::cylinder(1.0 / 3.0, 0.8, -0.5, 0.3);
 }
@@ -82,7 +117,9 @@ PathLimits discs_and_planes(std::vector<Disc> discs,
   return limits;
 }
 
-TEST(LimitedWitness, AgreesOnOtherArcs) {
+/// Of a body that touches a floor while friction holds it, of slopes that are
+/// given and optimal, of loads, discs, half-planes and given ends.
+std::vector<Scene> scenes_of_other_arcs() {
   const Scene base = off_centred_scene();
   Scene touching = base;
   touching.body = heavy_body();
@@ -97,15 +134,47 @@ TEST(LimitedWitness, AgreesOnOtherArcs) {
   grip.friction = 0.6;
   PathLimits pressed;
   pressed.normal_max = 2.5;
-  for (const Scene& scene :
-       {touching, given, under(base, pressed),
-        under(base, discs_and_planes({{{1.5, 1.3}, 0.3}}, {})),
-        under(base, discs_and_planes({}, {{{1.5, 1.2}, -80.0 * kPi / 180.0}})),
-        under(bead_scene(), discs_and_planes({{{1.5, 1.0}, 0.2}}, {})),
-        under(base, on_table, Contact::Optimal),
-        under(base, grip, Contact::Optimal),
-        under(base, friction(0.5), Contact::Centre)}) {
+  return {
+      touching,
+      given,
+      under(base, pressed),
+      under(base, discs_and_planes({{{1.5, 1.3}, 0.3}}, {})),
+      under(base, discs_and_planes({}, {{{1.5, 1.2}, -80.0 * kPi / 180.0}})),
+      under(bead_scene(), discs_and_planes({{{1.5, 1.0}, 0.2}}, {})),
+      under(base, on_table, Contact::Optimal),
+      under(base, grip, Contact::Optimal),
+      under(base, friction(0.5), Contact::Centre)};
+}
+
+TEST(LimitedWitness, AgreesOnOtherArcs) {
+  for (const Scene& scene : scenes_of_other_arcs()) {
     expect_agreement(solve(scene, cross_checked()));
+  }
+}
+
+/// The finite problem on a mesh on which nothing was solved accepts all of it:
+/// impulses where costates jump, and multipliers of contacts and of arcs from
+/// rest on.
+TEST(LimitedWitness, GivesAnswersThatTheProgramsConditionsAccept) {
+  SolveOptions options;
+  options.method = Shooting{};
+  for (const Scene& scene : scenes_of_other_arcs()) {
+    const Solution shot = solve(scene, options);
+    const Solution solved = solve(scene);
+
+    ASSERT_TRUE(shot.verified())
+        << shot.message
+        << ::testing::PrintToString(shot.not_verified_because());
+    ASSERT_TRUE(solved.verified()) << solved.message;
+    EXPECT_NEAR(shot.motion()->tau(), solved.motion()->tau(),
+                1e-10 * solved.motion()->tau());
+    ASSERT_EQ(shot.limits.size(), solved.limits.size());
+    for (std::size_t i = 0; i < shot.limits.size(); ++i) {
+      EXPECT_EQ(shot.limits[i].active.size(), solved.limits[i].active.size());
+      EXPECT_NEAR(shot.limits[i].price.value_or(0.0),
+                  solved.limits[i].price.value_or(0.0), 1e-6)
+          << shot.limits[i].name;
+    }
   }
 }
 
@@ -252,6 +321,86 @@ TEST(LimitedWitness, ObjectsToALimitThatHoldsTheOtherWay) {
   EXPECT_NE(found.message.find("the multiplier of half_plane has the wrong "
                                "sign"),
             std::string::npos)
+      << found.message;
+}
+
+/// Between the steps of its integration, at whose ends arcs meet.
+TEST(LimitedWitness, KnowsItsPathBetweenItsSteps) {
+  const Fitted fitted(under(off_centred_scene(), friction(0.5)));
+  const Scene& natural = *fitted.posed.limited;
+
+  const LimitedExtremal found = shoot_over_arcs(*fitted.path, {});
+
+  ASSERT_TRUE(found.solved) << found.message;
+  const limited::ArcPath& path = found.path;
+  ASSERT_TRUE(path.blind(0));
+  // h⁴ of central differences of order four, and rounding over h.
+  constexpr double kStep = 1e-3, kDifferences = 1e-9;
+  for (std::size_t a = 0; a < path.arcs().size(); ++a) {
+    const limited::ArcPath::Stretch& arc = path.arcs()[a];
+    for (const double share : {0.3, 0.55, 0.8}) {
+      const double u = share * arc.duration;
+      ASSERT_GT(std::min(u, arc.duration - u), 2.0 * kStep);
+      const limited::State y = path.at(a, u);
+      const auto rate = [&](std::size_t i) {
+        const auto across = [&](double h) {
+          return path.at(a, u + h)[i] - path.at(a, u - h)[i];
+        };
+        return (8.0 * across(kStep) - across(2.0 * kStep)) / (12.0 * kStep);
+      };
+      EXPECT_NEAR(rate(limited::kX),
+                  y[limited::kW] * std::cos(y[limited::kBeta]), kDifferences);
+      EXPECT_NEAR(
+          rate(limited::kW),
+          natural.gravity * (std::sin(y[limited::kBeta]) +
+                             natural.body.eta_m * std::cos(y[limited::kTheta])),
+          kDifferences);
+    }
+    if (a + 1 == path.arcs().size()) continue;
+    const limited::State end = path.at(a, arc.duration);
+    const limited::State next = path.at(a + 1, 0.0);
+    for (std::size_t i = 0; i < limited::kStates; ++i) {
+      EXPECT_NEAR(end[i], next[i], 1e-11) << a << ", " << i;
+    }
+  }
+}
+
+TEST(LimitedWitness, SaysWhichConditionsFail) {
+  const Fitted fitted(under(bead_scene(), floor_at(1.0)));
+  limited::Guess guess = as_guess(*fitted.path);
+  ASSERT_EQ(guess.arcs.size(), 2U);
+  // An arc along the floor does not end above it.
+  Scene elsewhere = *fitted.posed.limited;
+  elsewhere.H *= 0.9;
+
+  const Outcome missed =
+      outcome_of(solve_limited_extremal(elsewhere, guess, {}));
+  guess.arcs[1].duration = -1.0;
+  const Outcome lost = outcome_of(solve_limited_extremal(elsewhere, guess, {}));
+
+  for (const Outcome& outcome : {missed, lost}) {
+    EXPECT_EQ(outcome.status, Status::NotConverged);
+    EXPECT_NE(outcome.message.find("Try method: ipopt"), std::string::npos)
+        << outcome.message;
+  }
+  EXPECT_NE(missed.message.find("the conditions for "), std::string::npos)
+      << missed.message;
+  EXPECT_NE(lost.message.find("on arc 2 of 2, along floor"), std::string::npos)
+      << lost.message;
+}
+
+TEST(LimitedWitness, RefusesArcsOnWhichTwoLimitsHold) {
+  PathLimits limits = friction(1.0);
+  limits.floor = 2.0;
+  Fitted fitted(under(off_centred_scene(), limits));
+  for (nlp::Held& held : fitted.path->arcs.front().held) {
+    held = nlp::Held::AtLower;
+  }
+
+  const LimitedExtremal found = shoot_over_arcs(*fitted.path, {});
+
+  EXPECT_FALSE(found.solved);
+  EXPECT_NE(found.message.find("two limits hold"), std::string::npos)
       << found.message;
 }
 

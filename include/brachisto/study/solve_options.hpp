@@ -118,7 +118,7 @@ struct Collocation {
   std::uint64_t seed = 1;  ///< of Guess::Random
 };
 
-/// The indirect method: Pontryagin's conditions by multiple shooting.
+/// The indirect method: multiple shooting, under limits over a program's arcs.
 struct Shooting {
   double tolerance = kDefaultTolerance;  ///< wanted relative error of T
 };

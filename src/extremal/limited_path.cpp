@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "extremal/limited_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "extremal/limited_integration.hpp"
+
+namespace brachisto::limited {
+
+ArcPath::ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced)
+    : arcs_(std::move(arcs)), forced_(std::move(forced)) {}
+
+double ArcPath::rolling_time() const {
+  double sum = 0.0;
+  for (const Stretch& arc : arcs_) sum += arc.duration;
+  return sum;
+}
+
+State ArcPath::at(std::size_t arc, double u) const {
+  const Stretch& here = arcs_[arc];
+  if (blind(arc) && u < LimitedStart::kLeftRest) return forced_->left_rest(u);
+  const auto next = std::upper_bound(
+      here.knots.begin() + 1, here.knots.end(), u,
+      [](double value, const Knot& knot) { return value < knot.u; });
+  const Knot& knot = *std::prev(next);
+  return knot.u == u ? knot.y : step_from(here.flow, knot.y, u - knot.u);
+}
+
+std::string ArcPath::objection(
+    const std::vector<PathInequality>& limits) const {
+  constexpr double kExceeded = 1e-8;
+  constexpr double kWrongSign = 1e-6;
+  const auto wrong_way = [](const HeldLimit& held, double multiplier) {
+    return held.at_upper() ? multiplier : -multiplier;
+  };
+  std::string out;
+  double start_of_arc = 0.0;
+  for (std::size_t a = 0; a < arcs_.size(); ++a) {
+    const LimitedFlow& flow = arcs_[a].flow;
+    double largest = 1.0, wrong = 0.0;
+    // The start of an arc is the end of the one before, or rest.
+    for (auto knot = arcs_[a].knots.begin() + 1; knot != arcs_[a].knots.end();
+         ++knot) {
+      const double u = start_of_arc + knot->u;
+      for (const PathInequality& limit : limits) {
+        const double value = flow.value(limit, knot->y);
+        const double excess =
+            std::max(limit.lower - value, value - limit.upper);
+        if (excess <= kExceeded || !out.empty()) continue;
+        out = fmt::format("{} is exceeded by {:.1e} at u = {:.6g}",
+                          name(limit.kind), excess, u);
+      }
+      if (!(knot->y[kW] > 0.0)) {
+        return fmt::format("the body comes to rest at u = {:.6g}", u);
+      }
+      if (flow.kind() == LimitedFlow::Kind::Free &&
+          !(flow.legendre(knot->y) > 0.0)) {
+        out = fmt::format("its free arc is no minimum at u = {:.6g}", u);
+      }
+      if (!flow.held() || blind(a)) continue;
+      const double nu = flow.rates(knot->y).nu;
+      largest = std::max(largest, std::abs(nu));
+      wrong = std::max(wrong, wrong_way(*flow.held(), nu));
+    }
+    if (!out.empty()) return out;
+    if (wrong > kWrongSign * largest) {
+      return fmt::format("the multiplier of {} has the wrong sign, by {:.1e}",
+                         name(flow.held()->limit.kind), wrong / largest);
+    }
+    const auto& along = arcs_[a].jumps_along;
+    if (along && wrong_way(*along, arcs_[a].jump) > kWrongSign) {
+      return fmt::format("the jump at {} has the wrong sign, by {:.1e}",
+                         name(along->limit.kind), std::abs(arcs_[a].jump));
+    }
+    start_of_arc += arcs_[a].duration;
+  }
+  return out;
+}
+
+}  // namespace brachisto::limited

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// An extremal under limits as a function of the rolling time, arc by arc.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "extremal/limited_boundary.hpp"
+#include "extremal/limited_flow.hpp"
+
+namespace brachisto::limited {
+
+/// An extremal under limits through the steps of its integration; between them
+/// it is integrated anew, so that every point has the accuracy of the
+/// integration. All in natural units.
+class ArcPath {
+ public:
+  /// One accepted step, u from the start of the arc.
+  struct Knot {
+    double u = 0.0;
+    State y;
+  };
+  /// An arc, and what the costates of the states do at its end.
+  struct Stretch {
+    LimitedFlow flow;
+    double duration = 0.0;    ///< of u
+    std::vector<Knot> knots;  ///< ascending in u
+    /// They jump by Λ ∂c/∂y of this limit.
+    std::optional<HeldLimit> jumps_along = {};
+    double jump = 0.0;  ///< Λ
+  };
+
+  ArcPath() = default;
+  /// \param forced  how the first arc leaves rest if that is along a limit on
+  ///                forces; of its costates nothing is known then
+  ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced);
+
+  [[nodiscard]] bool empty() const { return arcs_.empty(); }
+  [[nodiscard]] const std::vector<Stretch>& arcs() const { return arcs_; }
+  /// Whether the costates of an arc mean nothing.
+  [[nodiscard]] bool blind(std::size_t arc) const {
+    return arc == 0 && forced_.has_value();
+  }
+  /// U.
+  [[nodiscard]] double rolling_time() const;
+  [[nodiscard]] double slope_at_end() const {
+    return arcs_.back().knots.back().y[kBeta];
+  }
+  /// At so much u from the start of an arc; costs one step of the integration.
+  [[nodiscard]] State at(std::size_t arc, double u) const;
+
+  /// Why the path is no extremal under the limits although its equations hold:
+  /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc
+  /// is no minimum, the body rests. Empty if it is one. Looks at every step.
+  [[nodiscard]] std::string objection(
+      const std::vector<PathInequality>& limits) const;
+
+ private:
+  std::vector<Stretch> arcs_;
+  std::optional<LimitedStart> forced_;
+};
+
+}  // namespace brachisto::limited

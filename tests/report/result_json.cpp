@@ -247,6 +247,26 @@ TEST(ResultJson, TellsWhatLimitsMeanForThePath) {
   EXPECT_EQ(document["constraints"], solution.program()->constraints);
 }
 
+TEST(ResultJson, TellsHowTheTimeChangesIfItIsAsked) {
+  Solution solution = differentiated_solution();
+  const json first = json::parse(result_json(solution))["sensitivities"];
+  solution.sensitivities->second.emplace();
+  (*solution.sensitivities->second)[SceneParameter::EtaM][SceneParameter::H] =
+      0.5;
+  const json second = json::parse(result_json(solution))["sensitivities"];
+
+  EXPECT_EQ(first["H"], (json{{"tau", 6.0},
+                              {"transit_time", 1.5},
+                              {"tau_at_fixed_contacts", 3.0},
+                              {"transit_time_at_fixed_contacts", 0.75}}));
+  EXPECT_TRUE(first["k"].is_null());
+  EXPECT_EQ(first["eta_m_sin_theta_m"], first["theta_m"]);
+  EXPECT_FALSE(first.contains("second"));
+  EXPECT_EQ(second["second"][0][5], 0.5);
+  EXPECT_FALSE(json::parse(result_json(off_centred_solution()))
+                   .contains("sensitivities"));
+}
+
 TEST(ResultJson, TellsOfLimitsWhereThereAreAnyAndThePathIsVerified) {
   Solution unverified = limited_solution();
   unverified.certificate.add("broken", 1.0, 0.0);

@@ -19,7 +19,7 @@ Scene moved(const Scene& scene, SceneCoordinate coordinate, double by) {
   const auto move_offset = [&](double x, double z) {
     const double offset_x = body.eta_m * std::cos(body.theta_m) + x;
     const double offset_z = body.eta_m * std::sin(body.theta_m) + z;
-    body.eta_m = std::hypot(offset_x, offset_z);
+    body.eta_m = std::max(std::hypot(offset_x, offset_z), kSmallestQuantity);
     body.theta_m = std::atan2(offset_z, offset_x);
   };
   switch (coordinate) {

@@ -31,8 +31,9 @@ inline constexpr std::array kSceneCoordinates{
 [[nodiscard]] bool has_coordinate(const Scene& scene,
                                   SceneCoordinate coordinate);
 
-/// The scene with one of them greater by so much. η stays ≥ 0; beyond η = 0 the
-/// centre of mass lies on the other side. k may become negative.
+/// The scene with one of them greater by so much. η stays > 0, as
+/// with_rotation() has it; beyond η = 0 the centre of mass lies on the other
+/// side. k may become negative.
 [[nodiscard]] Scene moved(const Scene& scene, SceneCoordinate coordinate,
                           double by);
 

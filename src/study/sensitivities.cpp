@@ -52,6 +52,17 @@ Gradient tau_gradient(TimeRates& rates) {
   return out;
 }
 
+/// A step from answer to answer. In formulas of the scene that of
+/// difference_step() will do, but where a small body arrives it has turned
+/// another way for a finish that is further by a part of its radius.
+double step_between_answers(const Scene& scene, SceneCoordinate by) {
+  constexpr double kFewRadians = 10.0;
+  const double rotation = scene.body.off_centred()
+                              ? std::max(scene.L, scene.H) / scene.body.radius
+                              : 0.0;
+  return difference_step(scene, by) * std::min(1.0, kFewRadians / rotation);
+}
+
 /// By coordinates in natural units, from gradients of answers to either side.
 std::optional<SecondDerivatives> second_by_coordinates(TimeRates& rates) {
   SecondDerivatives out;
@@ -64,7 +75,8 @@ std::optional<SecondDerivatives> second_by_coordinates(TimeRates& rates) {
     }
     bool found = true;
     math::central_difference_by_place(
-        difference_step(rates.scene(), by), [&](double place, double weight) {
+        step_between_answers(rates.scene(), by),
+        [&](double place, double weight) {
           const auto next = found ? rates.next(by, place) : nullptr;
           found = next && next->regular();
           if (!found) return;

@@ -19,6 +19,7 @@ namespace {
 using nlohmann::json;
 using report::result_json;
 using testing::bead_solution;
+using testing::differentiated_solution;
 using testing::discrete_solution;
 using testing::impossible_solution;
 using testing::limited_solution;

@@ -237,7 +237,7 @@ TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
 /// T = √(1 + k) U along one cycloid for all k.
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
   constexpr double kRounding = 1e-9;
-  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5));
+  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));
   const Solution solution = solved(scene);
   const auto found = sensitivities(solution, true);
   ASSERT_TRUE(found && found->second);
@@ -258,6 +258,31 @@ TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
         },
         kStep);
     EXPECT_NEAR(found->by[parameter].tau, expected, kRounding)
+        << name(parameter);
+  }
+}
+
+/// The static angle, which the track begins with, moves with k too.
+TEST(Sensitivities, OfAUniformCylinderWithLittleGripAreThoseOfTheClosedForm) {
+  const double mu = 0.5;
+  const Scene scene =
+      under(scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5)), friction(mu));
+  const auto found = sensitivities(solved(scene));
+  ASSERT_TRUE(found);
+
+  for (const SceneParameter parameter :
+       {SceneParameter::K, SceneParameter::Radius, SceneParameter::L,
+        SceneParameter::H}) {
+    const double expected = slope(
+        [&](double by) {
+          Scene other = scene;
+          value_of(other, parameter) += by;
+          return closed_incline(natural(other), static_slope(other.body, mu))
+                     .tau /
+                 std::sqrt(other.H);
+        },
+        kStep);
+    EXPECT_NEAR(found->by[parameter].tau, expected, kAllowed)
         << name(parameter);
   }
 }

@@ -179,7 +179,7 @@ TEST(Consistency, AGivenPathHasNoSensitivities) {
             "scene.path; what is evaluated and not optimised has no conditions "
             "to follow");
   EXPECT_EQ(errors(kBead + "solver: {sensitivities: first}\n"),
-            "p.yaml:3:25: solver.sensitivities: \"first\" was read; expected "
+            "p.yaml:2:25: solver.sensitivities: \"first\" was read; expected "
             "false or true or second");
 }
 

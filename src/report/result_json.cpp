@@ -178,7 +178,7 @@ Field<Solution> limits_field() {
           true};
 }
 
-/// No key unless they were asked for.
+/// No key unless they were asked for; empty if there are none.
 Field<Solution> sensitivities_field() {
   struct Row {
     SceneParameter parameter;
@@ -234,11 +234,20 @@ Field<Solution> sensitivities_field() {
                       return std::optional(std::move(rows));
                     },
                     true});
-  Field<Solution> out = object<Solution>(
-      "sensitivities", "", "how the time changes with the scene, if asked for",
+  const Field<Solution> all = object<Solution>(
+      "sensitivities", "",
+      "how the time changes with the scene; no key unless it was asked for, "
+      "empty where the conditions of the answer are singular",
       &Solution::sensitivities, std::move(fields));
-  out.may_lack = true;
-  return out;
+  return {all.text,
+          [all](const Solution& s) {
+            if (s.options.or_default<Collocation>().sensitivities ==
+                SensitivityOrder::None) {
+              return Json();
+            }
+            return s.sensitivities ? all.write(s) : Json::object();
+          },
+          true};
 }
 
 /// On which the answer was computed.

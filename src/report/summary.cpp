@@ -159,6 +159,12 @@ std::string length_in_words(double metres) {
 
 /// What small changes of the scene do to T, and the derivatives of τ.
 void add_sensitivities(std::string& out, const Solution& solution) {
+  const bool asked = solution.options.or_default<Collocation>().sensitivities !=
+                     SensitivityOrder::None;
+  if (asked && !solution.sensitivities) {
+    line(out, "sensitivities",
+         "none: the conditions of the answer are singular");
+  }
   if (!solution.sensitivities) return;
   const Scene& scene = solution.scene;
   const double length = small_length(scene);

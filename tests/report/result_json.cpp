@@ -264,6 +264,9 @@ TEST(ResultJson, TellsHowTheTimeChangesIfItIsAsked) {
   EXPECT_EQ(first["eta_m_sin_theta_m"], first["theta_m"]);
   EXPECT_FALSE(first.contains("second"));
   EXPECT_EQ(second["second"][0][5], 0.5);
+  solution.sensitivities.reset();
+  EXPECT_EQ(json::parse(result_json(solution))["sensitivities"],
+            json::object());
   EXPECT_FALSE(json::parse(result_json(off_centred_solution()))
                    .contains("sensitivities"));
 }

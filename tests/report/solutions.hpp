@@ -72,11 +72,12 @@ namespace brachisto::testing {
   }();
   return kSolution;
 }
-/// The same free solution with derivatives by hand, and k that its body has
-/// not.
+/// The same free solution with derivatives by hand, but by k, as if its body
+/// had none.
 [[nodiscard]] inline const Solution& differentiated_solution() {
   static const Solution kSolution = [] {
     Solution solution = off_centred_solution();
+    solution.options.use<Collocation>().sensitivities = SensitivityOrder::First;
     Sensitivities& all = solution.sensitivities.emplace();
     double tau = 0.0;
     for (TimeDerivatives& by : all.by) {

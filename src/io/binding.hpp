@@ -94,8 +94,13 @@ template <class Part, class Value>
   return binding;
 }
 
-/// One of some words, each of which stands for a value. Of a bool the words are
-/// those of JSON.
+/// A word as JSON has it: those of truth are no texts.
+[[nodiscard]] inline Json as_json(std::string_view word) {
+  if (word == "true" || word == "false") return word == "true";
+  return word;
+}
+
+/// One of some words, each of which stands for a value.
 template <class Part, class Value>
 [[nodiscard]] Binding choice(
     Place<Part> place, Value Part::*member,
@@ -106,9 +111,8 @@ template <class Part, class Value>
   binding.get = [=](const Draft& problem) -> Json {
     const Part* part = place.find(problem);
     if (part == nullptr) return {};
-    if constexpr (std::is_same_v<Value, bool>) return part->*member;
     for (const auto& [word, value] : words) {
-      if (part->*member == value) return word;
+      if (part->*member == value) return as_json(word);
     }
     return {};
   };

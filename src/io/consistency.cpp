@@ -103,6 +103,13 @@ void check_solver(const YamlValue& root, const Draft& problem,
                  "global is not allowed with contact: centre; between fixed "
                  "ends of the centre's path there is no contact to search for");
   }
+  const Entry* rates = sound_entry(root, "solver.sensitivities", findings);
+  if (rates != nullptr && problem.scene.path &&
+      problem.program.sensitivities != SensitivityOrder::None) {
+    findings.add(rates->value.position, "solver.sensitivities",
+                 "is not allowed with scene.path; what is evaluated and not "
+                 "optimised has no conditions to follow");
+  }
   if (!findings.concern("solver.method")) {
     check_use(root, problem, findings);
   }

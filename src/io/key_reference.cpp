@@ -11,6 +11,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/binding.hpp"
 #include "io/expression.hpp"
 #include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
@@ -118,8 +119,13 @@ Json number_schema(const KeySpec& spec, Names names) {
 namespace {
 
 Json choice_schema(const KeySpec& spec) {
-  const bool truth = spec.value.words.front() == "true";
-  return truth ? Json{{"type", "boolean"}} : Json{{"enum", spec.value.words}};
+  const std::vector<std::string_view>& words = spec.value.words;
+  if (words.size() == 2 && as_json(words.front()).is_boolean()) {
+    return {{"type", "boolean"}};
+  }
+  Json values = Json::array();
+  for (const std::string_view word : words) values.push_back(as_json(word));
+  return {{"enum", std::move(values)}};
 }
 
 Json list_of(Json items) {

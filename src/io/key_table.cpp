@@ -396,6 +396,13 @@ Keys solver_keys() {
        choice(kProgram, &Collocation::certify,
               {{"none", Certify::None}, {"extremal", Certify::Extremal}}),
        "extremal: solve once more by multiple shooting and compare"},
+      {"solver.sensitivities",
+       choice(kCollocation, &Collocation::sensitivities,
+              {{"false", SensitivityOrder::None},
+               {"true", SensitivityOrder::First},
+               {"second", SensitivityOrder::Second}}),
+       "derivatives of the time by body and finish; second: those of second "
+       "order too. Not for a given path"},
       {"solver.guess",
        choice(kColdStart, &Collocation::guess,
               {{"cycloid", Guess::Cycloid},

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/effective_input.hpp"
@@ -172,6 +174,78 @@ Field<Solution> limits_field() {
           [all](const Solution& s) {
             if (!s.scene.limits.any()) return Json();
             return s.verified() ? all.write(s) : Json::array();
+          },
+          true};
+}
+
+/// No key unless they were asked for; empty if there are none.
+Field<Solution> sensitivities_field() {
+  struct Row {
+    SceneParameter parameter;
+    std::string_view per, seconds_per, meaning;
+  };
+  static constexpr std::array<Row, kNumSceneParameters> kRows{
+      {{SceneParameter::EtaM, "", "s", "by η_m; null: the body has none"},
+       {SceneParameter::ThetaM, "1/rad", "s/rad", "by θ_m"},
+       {SceneParameter::K, "", "s", "by k"},
+       {SceneParameter::Radius, "1/m", "s/m", "by r"},
+       {SceneParameter::L, "1/m", "s/m", "by L"},
+       {SceneParameter::H, "1/m", "s/m", "by H"}}};
+  using D = TimeDerivatives;
+  using S = Sensitivities;
+  const auto derivatives = [](std::string_view name, std::string_view per,
+                              std::string_view seconds_per,
+                              std::string_view meaning, auto of) {
+    return object<S>(
+        name, "", meaning,
+        [=](const S& all) -> const D* {
+          const D& found = of(all);
+          return std::isnan(found.tau) ? nullptr : &found;
+        },
+        {{"tau", per, "dτ: the slope of τ, the contacts moving along", &D::tau},
+         {"transit_time", seconds_per, "dT", &D::transit_time},
+         {"tau_at_fixed_contacts", per, "dτ with the slopes at A and B held",
+          &D::tau_at_fixed_contacts},
+         {"transit_time_at_fixed_contacts", seconds_per, "dT likewise",
+          &D::transit_time_at_fixed_contacts}});
+  };
+  Fields<S> fields;
+  for (const Row& row : kRows) {
+    fields.push_back(derivatives(
+        name(row.parameter), row.per, row.seconds_per, row.meaning,
+        [p = row.parameter](const S& s) -> const D& { return s.by[p]; }));
+  }
+  fields.push_back(derivatives(
+      "eta_m_cos_theta_m", "", "s", "by the offset at the start in x",
+      [](const S& s) -> const D& { return s.by_offset[0]; }));
+  fields.push_back(derivatives(
+      "eta_m_sin_theta_m", "", "s", "and in z, both regular at η_m = 0",
+      [](const S& s) -> const D& { return s.by_offset[1]; }));
+  fields.push_back({"second", "",
+                    "∂²τ, rows and columns in the order above from η_m to H; "
+                    "null: not asked for, or not found",
+                    [](const S& s) {
+                      using Rows = std::vector<std::vector<double>>;
+                      if (!s.second) return std::optional<Rows>();
+                      Rows rows;
+                      for (const auto& row : *s.second) {
+                        rows.emplace_back(row.begin(), row.end());
+                      }
+                      return std::optional(std::move(rows));
+                    },
+                    true});
+  const Field<Solution> all = object<Solution>(
+      "sensitivities", "",
+      "how the time changes with the scene; no key unless it was asked for, "
+      "empty where the conditions of the answer are singular",
+      &Solution::sensitivities, std::move(fields));
+  return {all.text,
+          [all](const Solution& s) {
+            if (s.options.or_default<Collocation>().sensitivities ==
+                SensitivityOrder::None) {
+              return Json();
+            }
+            return s.sensitivities ? all.write(s) : Json::object();
           },
           true};
 }
@@ -431,7 +505,7 @@ const Fields<Solution>& result_fields() {
       {verdict_fields(),
        of_part<Solution>(answer_of, motion_fields()),
        diagnostics_fields(),
-       {limits_field()},
+       {limits_field(), sensitivities_field()},
        of_part<Solution>(
            &Solution::program,
            Fields<ProgramSize>{

@@ -145,6 +145,63 @@ void add_limits(std::string& out, const Solution& solution) {
   }
 }
 
+/// "1 mm", of tracks some metres long; a decimal number of metres.
+double small_length(const Scene& scene) {
+  constexpr double kShare = 1e-3;
+  return std::pow(10.0,
+                  std::floor(std::log10(kShare * std::max(scene.L, scene.H))));
+}
+std::string length_in_words(double metres) {
+  return metres >= 1.0    ? fmt::format("{:g} m", metres)
+         : metres >= 1e-3 ? fmt::format("{:g} mm", 1e3 * metres)
+                          : fmt::format("{:g} µm", 1e6 * metres);
+}
+
+/// What small changes of the scene do to T, and the derivatives of τ.
+void add_sensitivities(std::string& out, const Solution& solution) {
+  const bool asked = solution.options.or_default<Collocation>().sensitivities !=
+                     SensitivityOrder::None;
+  if (asked && !solution.sensitivities) {
+    line(out, "sensitivities",
+         "none: the conditions of the answer are singular");
+  }
+  if (!solution.sensitivities) return;
+  const Scene& scene = solution.scene;
+  const double length = small_length(scene);
+  const std::string piece = length_in_words(length);
+  struct Change {
+    SceneParameter parameter;
+    double by;
+    std::string words;
+  };
+  const Change changes[] = {
+      {SceneParameter::EtaM, length / scene.body.radius,
+       piece + " more offset (η_m)"},
+      {SceneParameter::ThetaM, std::numbers::pi / 180.0, "1° more θ_m"},
+      {SceneParameter::K, 0.01, "0.01 more k"},
+      {SceneParameter::Radius, length, piece + " more radius (r)"},
+      {SceneParameter::L, length, piece + " more L"},
+      {SceneParameter::H, length, piece + " more H"}};
+  Rows rows{
+      {"change", "T [ms]", "contacts held", "dτ/d(number)", "contacts held"}};
+  for (const Change& change : changes) {
+    const TimeDerivatives& by = solution.sensitivities->by[change.parameter];
+    if (std::isnan(by.tau)) continue;
+    const double milliseconds = 1e3 * change.by;
+    rows.push_back(
+        {change.words, fmt::format("{:+.3g}", milliseconds * by.transit_time),
+         fmt::format("{:+.3g}",
+                     milliseconds * by.transit_time_at_fixed_contacts),
+         fmt::format("{:.6g}", by.tau),
+         fmt::format("{:.6g}", by.tau_at_fixed_contacts)});
+  }
+  std::istringstream table(text_table(rows));
+  std::string_view label = "sensitivities";
+  for (std::string row; std::getline(table, row); label = "") {
+    line(out, label, row);
+  }
+}
+
 /// "verified: 16 of 16 checks, degree 6 against 7 on 9 elements agree to 9e-12;
 /// feasible".
 std::string verdict(const Solution& solution) {
@@ -318,6 +375,7 @@ std::string summary(const Solution& solution) {
   if (solution.verified()) {
     add_answer(out, solution);
     add_limits(out, solution);
+    add_sensitivities(out, solution);
   }
   add_verdict(out, solution);
   add_cross_check(out, solution);

@@ -80,11 +80,12 @@ void check_arc_length(const Collocation& program, Checker& check) {
       !mesh.degree && pieces >= kFewestPieces &&
           program.search == Search::Principal &&
           program.guess == Guess::Cycloid &&
+          program.sensitivities == SensitivityOrder::None &&
           mesh.wanted_tolerance() >= kSmallestArcLengthTolerance,
       fmt::format(
           "the formulation arc_length has no degree, {} pieces or more, "
-          "the search principal, the guess cycloid, and a tolerance of "
-          "{:g} or more",
+          "the search principal, the guess cycloid, no sensitivities, and a "
+          "tolerance of {:g} or more",
           kFewestPieces, kSmallestArcLengthTolerance));
 }
 
@@ -93,6 +94,7 @@ void check_method(const Collocation& program, Checker& check) {
   check.known("linear_solver", program.linear_solver, LinearSolver::Mumps);
   check.known("search", program.search, Search::Global);
   check.known("certify", program.certify, Certify::Extremal);
+  check.known("sensitivities", program.sensitivities, SensitivityOrder::Second);
   check.known("guess", program.guess, Guess::Random);
   check.within("tolerance", program.tolerance, kSmallestResidual,
                kLargestResidual);

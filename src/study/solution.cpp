@@ -85,6 +85,7 @@ void Solution::discard_answer() {
   diagnostics.reset();
   estimated_error.reset();
   limits.clear();
+  sensitivities.reset();
   extremal.reset();
   certificate = {};
 }

@@ -34,6 +34,7 @@ namespace brachisto {
 namespace {
 
 void solve_posed(const PosedProblem& posed, Solution& out);
+void differentiate(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
 void solve_by_shooting(const PosedProblem& posed, Solution& out);
@@ -65,11 +66,15 @@ Solution solve(const Scene& scene, const SolveOptions& options,
   if (hooks.neighbour != nullptr && can_start_beside(posed, *hooks.neighbour)) {
     Solution beside = within_limits(posed, [&](Solution& out) {
       solve_program(posed, start_beside(posed, *hooks.neighbour), out);
+      differentiate(posed, out);
     });
     if (beside.verified()) return beside;
     posed = pose(scene, options, hooks);  // the clock begins anew
   }
-  return within_limits(posed, [&](Solution& out) { solve_posed(posed, out); });
+  return within_limits(posed, [&](Solution& out) {
+    solve_posed(posed, out);
+    differentiate(posed, out);
+  });
 }
 
 namespace {
@@ -83,6 +88,18 @@ void solve_posed(const PosedProblem& posed, Solution& out) {
     return solve_by_discrete_system(posed, *system, out);
   }
   solve_program(posed, start_from_cycloid(posed), out);
+}
+
+/// What the time changes by with the scene.
+void differentiate(const PosedProblem& posed, Solution& out) {
+  const auto* program = posed.options.of<Collocation>();
+  if (program == nullptr || !out.verified() ||
+      program->sensitivities == SensitivityOrder::None) {
+    return;
+  }
+  const PhaseTimer timer(Phase::Diagnosis);
+  out.sensitivities =
+      sensitivities(out, program->sensitivities == SensitivityOrder::Second);
 }
 
 // ---- The ways, one for each kind of answer.

@@ -54,6 +54,29 @@ constexpr const char* kFigures[] = {
     "/message",
 };
 
+/// And of a sweep that asks for derivatives of the time.
+constexpr const char* kSlopes[] = {
+    "/sensitivities/eta_m/tau", "/sensitivities/theta_m/tau",
+    "/sensitivities/k/tau",     "/sensitivities/radius/tau",
+    "/sensitivities/L/tau",     "/sensitivities/H/tau",
+};
+
+std::vector<const char*> figures_of(const io::SweepFile& file) {
+  std::vector<const char*> figures(std::begin(kFigures), std::end(kFigures));
+  const bool swept =
+      std::ranges::any_of(file.keys(), [](const io::SweepKey& key) {
+        return key.path == "solver.sensitivities";
+      });
+  const bool asked =
+      file.num_scenes() > 0 &&
+      file.problem(0).options.or_default<Collocation>().sensitivities !=
+          SensitivityOrder::None;
+  if (swept || asked) {
+    figures.insert(figures.end(), std::begin(kSlopes), std::end(kSlopes));
+  }
+  return figures;
+}
+
 std::string column_name(const std::string& pointer) {
   std::string name = pointer.substr(1);
   std::replace(name.begin(), name.end(), '/', '.');
@@ -67,7 +90,9 @@ Json to_json(const io::SweepValue& value) {
 std::vector<std::string> column_names(const io::SweepFile& file) {
   std::vector<std::string> names{"scene"};
   for (const io::SweepKey& key : file.keys()) names.push_back(key.path);
-  for (const char* figure : kFigures) names.push_back(column_name(figure));
+  for (const char* figure : figures_of(file)) {
+    names.push_back(column_name(figure));
+  }
   return names;
 }
 
@@ -75,6 +100,7 @@ using RowVisitor = std::function<void(const std::vector<Json>&)>;
 
 std::size_t for_each_row(Store& store, const io::SweepFile& file,
                          const RowVisitor& visit) {
+  const std::vector<const char*> figures = figures_of(file);
   return store.for_each_result(
       [&](std::size_t scene, const std::string& document) {
         const Json result = Json::parse(document);
@@ -82,7 +108,7 @@ std::size_t for_each_row(Store& store, const io::SweepFile& file,
         for (const io::SweepValue& value : file.values(scene)) {
           row.push_back(to_json(value));
         }
-        for (const char* figure : kFigures) {
+        for (const char* figure : figures) {
           const Json::json_pointer pointer(figure);
           row.push_back(result.contains(pointer) ? result[pointer] : Json());
         }

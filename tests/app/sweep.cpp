@@ -66,6 +66,30 @@ TEST(Sweep, GivesWhatSolveGives) {
 const std::vector<std::string> kWarmStarts{"sweep.warm_start=false",
                                            "sweep.warm_start=true"};
 
+/// Columns, which other sweeps do not have.
+TEST(Sweep, HasTheSlopesOfTauIfTheyAreAskedFor) {
+  const ScratchDirectory scratch;
+  const auto rows_of = [&](const std::string& name) {
+    return json::parse(
+               run({"export", (scratch.path() / name).string(), "--json"}).out)
+        .at("rows");
+  };
+  ASSERT_EQ(sweep(scratch, "plain").code, 0);
+  ASSERT_EQ(
+      sweep(scratch, "slopes", {"--set", "solver.sensitivities=true"}).code, 0);
+  const json plain = rows_of("plain"), slopes = rows_of("slopes");
+
+  EXPECT_FALSE(plain[0].contains("sensitivities.k.tau"));
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    EXPECT_EQ(slopes[i]["tau"], plain[i]["tau"]);
+    for (const std::string name :
+         {"eta_m", "theta_m", "k", "radius", "L", "H"}) {
+      EXPECT_TRUE(slopes[i]["sensitivities." + name + ".tau"].is_number())
+          << slopes[i];
+    }
+  }
+}
+
 TEST(Sweep, DoesNotDependOnTheNumberOfWorkers) {
   for (const std::string& start : kWarmStarts) {
     const ScratchDirectory scratch;

@@ -162,7 +162,7 @@ TEST(Consistency, ShootingRefusesKeysItHasNoUseFor) {
   }
   for (const std::string key :
        {"search: global", "tolerance: 1e-9", "polish: false", "guess: random",
-        "linear_solver: mumps", "certify: extremal",
+        "linear_solver: mumps", "certify: extremal", "sensitivities: true",
         "limits: {iterations: 7}"}) {
     const std::string found =
         errors(kBead + "solver: {method: extremal, " + key + "}\n");
@@ -170,6 +170,17 @@ TEST(Consistency, ShootingRefusesKeysItHasNoUseFor) {
     EXPECT_NE(found.find(has), std::string::npos) << key << ": " << found;
     EXPECT_EQ(errors(kBead + "solver: {method: ipopt, " + key + "}\n"), "");
   }
+}
+
+TEST(Consistency, AGivenPathHasNoSensitivities) {
+  EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, path: "
+                   "{shape: straight}}\nsolver: {sensitivities: true}\n"),
+            "p.yaml:2:25: solver.sensitivities: is not allowed with "
+            "scene.path; what is evaluated and not optimised has no conditions "
+            "to follow");
+  EXPECT_EQ(errors(kBead + "solver: {sensitivities: first}\n"),
+            "p.yaml:2:25: solver.sensitivities: \"first\" was read; expected "
+            "false or true or second");
 }
 
 TEST(Consistency, ShootingMindsNoKeyThatSaysWhatHoldsAnyway) {
@@ -193,7 +204,7 @@ TEST(Consistency, TheDiscreteSystemRefusesKeysItHasNoUseFor) {
   }
   for (const std::string key :
        {"search: global", "tolerance: 1e-9", "polish: false", "guess: random",
-        "linear_solver: mumps", "certify: extremal"}) {
+        "linear_solver: mumps", "certify: extremal", "sensitivities: second"}) {
     const std::string found =
         errors(kBead + "solver: {method: fsolve, " + key + "}\n");
 

@@ -168,6 +168,7 @@ std::string effective(const ProblemFile& p) {
        << ' ' << static_cast<int>(program.linear_solver) << ' '
        << program.tolerance << ' ' << static_cast<int>(program.search) << ' '
        << program.polish << ' ' << static_cast<int>(program.certify) << ' '
+       << static_cast<int>(program.sensitivities) << ' '
        << static_cast<int>(program.guess) << ' ' << program.seed << ' '
        << p.options.limits.iterations << ' ' << p.options.limits.seconds;
   const auto system = p.options.or_default<DiscreteSystem>();

@@ -117,7 +117,7 @@ TEST(Overrides, DoNotHideThatTheFileHasNoMapThere) {
   EXPECT_EQ(errors(kBead + "solver: ipopt\n", {"solver.guess=straight"}),
             "p.yaml:2:9: solver: a single value was read; expected a map with "
             "the keys method, linear_solver, tolerance, search, polish, "
-            "certify, guess, seed, limits, fsolve");
+            "certify, sensitivities, guess, seed, limits, fsolve");
 }
 
 }  // namespace

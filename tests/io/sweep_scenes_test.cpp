@@ -98,7 +98,7 @@ TEST(SweepScenes, MistakesOfScenesStandBesideThoseOfTheFile) {
             "is not allowed: it must be > 0, for B lies to the right of A\n"
             "p.yaml:3:9: solver: a single value was read; expected a map with "
             "the keys method, linear_solver, tolerance, search, polish, "
-            "certify, guess, seed, limits, fsolve");
+            "certify, sensitivities, guess, seed, limits, fsolve");
 }
 
 TEST(SweepScenes, KeysUnderSomethingElseThanAMapAreNoHarm) {
@@ -108,7 +108,7 @@ TEST(SweepScenes, KeysUnderSomethingElseThanAMapAreNoHarm) {
                         "sweep: {solver.guess: [cycloid, straight]}\n"),
       "p.yaml:2:9: solver: a single value was read; expected a map with "
       "the keys method, linear_solver, tolerance, search, polish, "
-      "certify, guess, seed, limits, fsolve");
+      "certify, sensitivities, guess, seed, limits, fsolve");
 }
 
 TEST(SweepScenes, ValuesAreFinite) {

@@ -19,6 +19,7 @@ namespace {
 using nlohmann::json;
 using report::result_json;
 using testing::bead_solution;
+using testing::differentiated_solution;
 using testing::discrete_solution;
 using testing::impossible_solution;
 using testing::limited_solution;
@@ -245,6 +246,29 @@ TEST(ResultJson, TellsWhatLimitsMeanForThePath) {
   EXPECT_TRUE(limits[2]["bound"].is_null());
   EXPECT_EQ(limits[2]["active"], json::array());
   EXPECT_EQ(document["constraints"], solution.program()->constraints);
+}
+
+TEST(ResultJson, TellsHowTheTimeChangesIfItIsAsked) {
+  Solution solution = differentiated_solution();
+  const json first = json::parse(result_json(solution))["sensitivities"];
+  solution.sensitivities->second.emplace();
+  (*solution.sensitivities->second)[SceneParameter::EtaM][SceneParameter::H] =
+      0.5;
+  const json second = json::parse(result_json(solution))["sensitivities"];
+
+  EXPECT_EQ(first["H"], (json{{"tau", 6.0},
+                              {"transit_time", 1.5},
+                              {"tau_at_fixed_contacts", 3.0},
+                              {"transit_time_at_fixed_contacts", 0.75}}));
+  EXPECT_TRUE(first["k"].is_null());
+  EXPECT_EQ(first["eta_m_sin_theta_m"], first["theta_m"]);
+  EXPECT_FALSE(first.contains("second"));
+  EXPECT_EQ(second["second"][0][5], 0.5);
+  solution.sensitivities.reset();
+  EXPECT_EQ(json::parse(result_json(solution))["sensitivities"],
+            json::object());
+  EXPECT_FALSE(json::parse(result_json(off_centred_solution()))
+                   .contains("sensitivities"));
 }
 
 TEST(ResultJson, TellsOfLimitsWhereThereAreAnyAndThePathIsVerified) {

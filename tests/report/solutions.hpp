@@ -72,6 +72,25 @@ namespace brachisto::testing {
   }();
   return kSolution;
 }
+/// The same free solution with derivatives by hand, but by k, as if its body
+/// had none.
+[[nodiscard]] inline const Solution& differentiated_solution() {
+  static const Solution kSolution = [] {
+    Solution solution = off_centred_solution();
+    solution.options.use<Collocation>().sensitivities = SensitivityOrder::First;
+    Sensitivities& all = solution.sensitivities.emplace();
+    double tau = 0.0;
+    for (TimeDerivatives& by : all.by) {
+      tau += 1.0;
+      by = {tau, 0.25 * tau, 0.5 * tau, 0.125 * tau};
+    }
+    all.by[SceneParameter::K] = {};
+    all.by_offset = {all.by[SceneParameter::EtaM],
+                     all.by[SceneParameter::ThetaM]};
+    return solution;
+  }();
+  return kSolution;
+}
 /// Solved, but not to the wanted tolerance.
 [[nodiscard]] inline const Solution& unverified_solution() {
   static const Solution kSolution = [] {

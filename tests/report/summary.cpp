@@ -120,6 +120,23 @@ TEST(Summary, HasATableOfLimits) {
   EXPECT_FALSE(says(summary(testing::off_centred_solution()), "limits"));
 }
 
+TEST(Summary, TellsWhatSmallChangesDo) {
+  const std::string text = summary(testing::differentiated_solution());
+
+  // dT/dη_m = 1/4 s over r = 1/3 m; dT/dθ_m = 1/2 s over 57.3°; L, H in metres.
+  for (const char* row :
+       {"sensitivities +change +T \\[ms\\] +contacts held +dτ/d\\(number\\) "
+        "+contacts held\n",
+        "1 mm more offset \\(η_m\\) +\\+0.75 +\\+0.375 +1 +0.5\n",
+        "1° more θ_m +\\+8.73 +\\+4.36 +2 +1\n",
+        "1 mm more radius \\(r\\) +\\+1 +\\+0.5 +4 +2\n",
+        "1 mm more H +\\+1.5 +\\+0.75 +6 +3\n"}) {
+    EXPECT_THAT(text, ::testing::ContainsRegex(row));
+  }
+  EXPECT_FALSE(says(text, "more k")) << text;
+  EXPECT_FALSE(says(summary(testing::off_centred_solution()), "sensitivities"));
+}
+
 // A cross-check and other contacts are refused with limits.
 TEST(Summary, AdvisesNothingThatIsRefusedWithLimits) {
   Solution solution = testing::limited_solution();

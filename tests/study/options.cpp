@@ -120,6 +120,12 @@ INSTANTIATE_TEST_SUITE_P(
                   o.use<Collocation>().search = static_cast<Search>(2);
                 },
                 "search has no value 2"},
+        Spoiled{"sensitivities",
+                [](SolveOptions& o) {
+                  o.use<Collocation>().sensitivities =
+                      static_cast<SensitivityOrder>(3);
+                },
+                "sensitivities has no value 3"},
         Spoiled{"certify",
                 [](SolveOptions& o) {
                   o.use<Collocation>().certify = static_cast<Certify>(2);

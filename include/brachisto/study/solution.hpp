@@ -17,6 +17,7 @@
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"
+#include "brachisto/study/sensitivities.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/motion.hpp"
@@ -58,6 +59,8 @@ struct Solution {
   Certificate certificate;
   std::optional<CrossCheck> extremal;
   std::vector<LimitOnPath> limits;  ///< one for each bound of the scene
+  /// If they were asked for; see brachisto::sensitivities().
+  std::optional<Sensitivities> sensitivities;
 
   Effort effort;
   /// η_m at which the branch from the cycloid turned on its way to the scene's

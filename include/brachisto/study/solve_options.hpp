@@ -87,6 +87,9 @@ enum class Certify {
   Extremal,  ///< Pontryagin's conditions solved by multiple shooting
 };
 
+/// Which derivatives of the time by the scene are wanted.
+enum class SensitivityOrder { None, First, Second };
+
 /// Bounds on the work; reaching one ends the solve with Status::IterationLimit
 /// or Status::TimeLimit. A solve that cannot be done in this time, or in the
 /// memory that there is, is not begun.
@@ -114,6 +117,8 @@ struct Collocation {
   Search search = Search::Principal;
   bool polish = true;  ///< last digits by Newton's method on the whole system
   Certify certify = Certify::None;
+  /// Of a verified answer in the rolling time.
+  SensitivityOrder sensitivities = SensitivityOrder::None;
   Guess guess = Guess::Cycloid;
   std::uint64_t seed = 1;  ///< of Guess::Random
 };

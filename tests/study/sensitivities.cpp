@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Derivatives of τ by the scene against whole solves of other scenes.
+
+#include "brachisto/study/sensitivities.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+#include "model/cycloid.hpp"
+#include "support/limited_scenes.hpp"
+
+namespace brachisto {
+namespace {
+
+using namespace testing;
+
+constexpr std::array kParameters{SceneParameter::EtaM, SceneParameter::ThetaM,
+                                 SceneParameter::K,    SceneParameter::Radius,
+                                 SceneParameter::L,    SceneParameter::H};
+
+double& value_of(Scene& scene, SceneParameter parameter) {
+  switch (parameter) {
+    case SceneParameter::EtaM:
+      return scene.body.eta_m;
+    case SceneParameter::ThetaM:
+      return scene.body.theta_m;
+    case SceneParameter::K:
+      return scene.body.k;
+    case SceneParameter::Radius:
+      return scene.body.radius;
+    case SceneParameter::L:
+      return scene.L;
+    case SceneParameter::H:
+      return scene.H;
+  }
+  throw std::logic_error("no such parameter");
+}
+
+/// On a mesh that does not change with the scene, and whose τ is exact but for
+/// rounding, under limits for what a discretisation has with its derivatives in
+/// common.
+Solution solved(const Scene& scene) {
+  SolveOptions options;
+  auto& program = options.use<Collocation>();
+  program.discretisation.elements = scene.limits.any() ? 80 : 40;
+  Solution solution = solve(scene, options);
+  if (!solution.verified()) throw std::runtime_error(solution.message);
+  return solution;
+}
+
+/// Scene with a number changed by so much.
+using Change = std::function<void(Scene&, double by)>;
+
+/// Central differences with h, h/2, h/4 and Richardson's extrapolation, whose
+/// error is of order h⁶.
+double slope(const std::function<double(double by)>& f, double h) {
+  std::array<double, 3> rows{};
+  for (double& row : rows) {
+    row = (f(h) - f(-h)) / (2.0 * h);
+    h *= 0.5;
+  }
+  const double first = (4.0 * rows[1] - rows[0]) / 3.0;
+  const double second = (4.0 * rows[2] - rows[1]) / 3.0;
+  return (16.0 * second - first) / 15.0;
+}
+
+double slope_of_tau(const Scene& scene, const Change& change, double h) {
+  return slope(
+      [&](double by) {
+        Scene other = scene;
+        change(other, by);
+        return solved(other).motion()->tau();
+      },
+      h);
+}
+
+/// τ is exact to some 1e-14, which the differences divide by their smallest
+/// step, h/4, and extrapolation doubles: 1e-10 with room for Newton's method on
+/// another iterate. (h/ρ)⁶ is as little where a scene varies on a length ρ of
+/// 0.1.
+constexpr double kStep = 2e-3;
+constexpr double kAllowed = 1e-8;
+
+struct Case {
+  std::string test;
+  Scene scene;
+};
+std::ostream& operator<<(std::ostream& out, const Case& one) {
+  return out << one.test;
+}
+
+Scene scene_of(const Body& body, Contact contact = Contact::Smooth) {
+  Scene scene;
+  scene.body = body;
+  scene.L = 3.0;
+  scene.H = 1.0;
+  scene.contact = contact;
+  return scene;
+}
+
+Body reference_body(double theta_m = 0.0) {
+  return Body::cylinder(1.0 / 3.0, 2.0 / 3.0, theta_m, 0.5);
+}
+
+class OfTheScene : public ::testing::TestWithParam<Case> {};
+
+TEST_P(OfTheScene, AreTheSlopesOfWholeSolves) {
+  const Scene& scene = GetParam().scene;
+  const auto found = sensitivities(solved(scene));
+  ASSERT_TRUE(found);
+
+  for (const SceneParameter parameter : kParameters) {
+    if (!scene.body.rolls() && parameter < SceneParameter::L) {
+      EXPECT_TRUE(std::isnan(found->by[parameter].tau)) << name(parameter);
+      continue;
+    }
+    const double expected = slope_of_tau(
+        scene,
+        [&](Scene& other, double by) { value_of(other, parameter) += by; },
+        kStep);
+    EXPECT_NEAR(found->by[parameter].tau, expected,
+                kAllowed * std::max(1.0, std::abs(expected)))
+        << name(parameter);
+  }
+}
+
+/// τ has no unit, and T is as long as the square root of the scene's size.
+class OfTheFreeScene : public OfTheScene {};
+
+TEST_P(OfTheFreeScene, ObeyTheLawOfUnits) {
+  constexpr double kRounding = 1e-9;
+  const Scene& scene = GetParam().scene;
+  const Solution solution = solved(scene);
+  const auto found = sensitivities(solution);
+  ASSERT_TRUE(found);
+
+  double tau = 0.0, time = 0.0, tau_fixed = 0.0, time_fixed = 0.0;
+  for (const SceneParameter parameter :
+       {SceneParameter::Radius, SceneParameter::L, SceneParameter::H}) {
+    const TimeDerivatives& by = found->by[parameter];
+    if (std::isnan(by.tau)) continue;
+    Scene own = scene;
+    const double value = value_of(own, parameter);
+    tau += value * by.tau;
+    time += value * by.transit_time;
+    tau_fixed += value * by.tau_at_fixed_contacts;
+    time_fixed += value * by.transit_time_at_fixed_contacts;
+  }
+
+  const double half = 0.5 * solution.motion()->transit_time();
+  EXPECT_NEAR(tau, 0.0, kRounding);
+  EXPECT_NEAR(tau_fixed, 0.0, kRounding);
+  EXPECT_NEAR(time, half, kRounding);
+  EXPECT_NEAR(time_fixed, half, kRounding);
+}
+
+Scene bead() {
+  return scene_of(Body::bead());
+}
+Scene on_limits(Scene scene, const PathLimits& limits,
+                Contact contact = Contact::Smooth) {
+  return under(std::move(scene), limits, contact);
+}
+std::vector<Case> free_scenes() {
+  return {{"Reference", scene_of(reference_body())},
+          {"Backwards", scene_of(reference_body(-std::numbers::pi / 6.0))},
+          {"Centre", scene_of(reference_body(0.4), Contact::Centre)},
+          {"Bead", bead()}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OfTheScene, ::testing::ValuesIn(free_scenes()),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Scenes, OfTheFreeScene,
+                         ::testing::ValuesIn(free_scenes()),
+                         [](const auto& one) { return one.param.test; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Limited, OfTheScene,
+    ::testing::Values(
+        Case{"Friction", on_limits(scene_of(reference_body()), friction(1.0))},
+        Case{"Floor",
+             on_limits(scene_of(reference_body()), floor_at(0.9 + 1.0 / 3.0))},
+        Case{"Optimal", on_limits(scene_of(reference_body()), bends(2.0, 2.0),
+                                  Contact::Optimal)}),
+    [](const auto& one) { return one.param.test; });
+
+/// The figures of docs/theory.md: the slope of τ over η_m is not what it is
+/// between fixed ends.
+TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
+  const auto found = sensitivities(solved(scene_of(reference_body())));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, 0.6009, 5e-5);
+  EXPECT_NEAR(found->by[SceneParameter::EtaM].tau_at_fixed_contacts, 0.3904,
+              5e-5);
+}
+
+/// With both slopes held the ends of the centre's path follow from them.
+TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
+  const Scene scene = scene_of(reference_body(-0.5));
+  const Solution solution = solved(scene);
+  const auto found = sensitivities(solution);
+  ASSERT_TRUE(found);
+  const double beta_A = solution.motion()->start_angle();
+  const double beta_B = solution.motion()->end_angle();
+
+  for (const SceneParameter parameter : kParameters) {
+    const double expected = slope(
+        [&](double by) {
+          Scene other = scene;
+          value_of(other, parameter) += by;
+          const double r = other.body.radius, H = other.H;
+          other.contact = Contact::Centre;
+          other.L += r * (std::sin(beta_B) - std::sin(beta_A));
+          other.H -= r * (std::cos(beta_B) - std::cos(beta_A));
+          return solved(other).motion()->transit_time() *
+                 std::sqrt(2.0 * scene.gravity / H);
+        },
+        kStep);
+    EXPECT_NEAR(found->by[parameter].tau_at_fixed_contacts, expected,
+                kAllowed * std::max(1.0, std::abs(expected)))
+        << name(parameter);
+  }
+}
+
+/// T = √(1 + k) U along one cycloid for all k.
+TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
+  constexpr double kRounding = 1e-9;
+  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));
+  const Solution solution = solved(scene);
+  const auto found = sensitivities(solution, true);
+  ASSERT_TRUE(found && found->second);
+  const double tau = solution.motion()->tau();
+
+  EXPECT_NEAR(found->by[SceneParameter::K].tau, tau / 3.0, kRounding);
+  EXPECT_NEAR((*found->second)[SceneParameter::K][SceneParameter::K],
+              -tau / 9.0, kRounding);
+  for (const SceneParameter parameter :
+       {SceneParameter::Radius, SceneParameter::L, SceneParameter::H}) {
+    const double expected = slope(
+        [&](double by) {
+          Scene other = scene;
+          value_of(other, parameter) += by;
+          const auto cycloid = axisymmetric_optimum(other);
+          return std::sqrt(1.5 * cycloid->a / other.gravity) *
+                 cycloid->psi_end * std::sqrt(2.0 * other.gravity / other.H);
+        },
+        kStep);
+    EXPECT_NEAR(found->by[parameter].tau, expected, kRounding)
+        << name(parameter);
+  }
+}
+
+/// The static angle, which the track begins with, moves with k too.
+TEST(Sensitivities, OfAUniformCylinderWithLittleGripAreThoseOfTheClosedForm) {
+  const double mu = 0.5;
+  const Scene scene =
+      under(scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5)), friction(mu));
+  const auto found = sensitivities(solved(scene));
+  ASSERT_TRUE(found);
+
+  for (const SceneParameter parameter :
+       {SceneParameter::K, SceneParameter::Radius, SceneParameter::L,
+        SceneParameter::H}) {
+    const double expected = slope(
+        [&](double by) {
+          Scene other = scene;
+          value_of(other, parameter) += by;
+          return closed_incline(natural(other), static_slope(other.body, mu))
+                     .tau /
+                 std::sqrt(other.H);
+        },
+        kStep);
+    EXPECT_NEAR(found->by[parameter].tau, expected, kAllowed)
+        << name(parameter);
+  }
+}
+
+/// η_m = 0 is no corner: bodies to all sides of it are solved whole.
+TEST(Sensitivities, ByOffsetAreRegularAtNone) {
+  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5));
+  const auto found = sensitivities(solved(scene));
+  ASSERT_TRUE(found);
+  const auto along = [&](double theta_m) {
+    return slope_of_tau(
+        scene,
+        [&](Scene& other, double by) {
+          other.body.eta_m = std::abs(by);
+          other.body.theta_m = theta_m + (by < 0.0 ? std::numbers::pi : 0.0);
+        },
+        kStep);
+  };
+
+  EXPECT_NEAR(found->by_offset[0].tau, along(0.0), kAllowed);
+  EXPECT_NEAR(found->by_offset[1].tau, along(0.5 * std::numbers::pi), kAllowed);
+  EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, along(0.7), kAllowed);
+  EXPECT_EQ(found->by[SceneParameter::ThetaM].tau, 0.0);
+}
+
+/// Second derivatives, of whole solves' first ones: those are compared with
+/// whole solves above.
+class SecondDerivativesOf : public ::testing::TestWithParam<Case> {};
+
+TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
+  constexpr double kAllowedOfSecond = 1e-7;
+  const Scene& scene = GetParam().scene;
+  const auto found = sensitivities(solved(scene), true);
+  ASSERT_TRUE(found && found->second);
+
+  for (const SceneParameter one : kParameters) {
+    std::map<double, Sensitivities> known;
+    const auto first = [&](double by) -> const Sensitivities& {
+      Scene next = scene;
+      value_of(next, one) += by;
+      if (!known.contains(by)) {
+        known[by] = sensitivities(solved(next)).value();
+      }
+      return known[by];
+    };
+    for (const SceneParameter other : kParameters) {
+      const double expected =
+          slope([&](double by) { return first(by).by[other].tau; }, kStep);
+      EXPECT_NEAR((*found->second)[one][other], expected,
+                  kAllowedOfSecond * std::max(1.0, std::abs(expected)))
+          << name(one) << ", " << name(other);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SecondDerivativesOf,
+    ::testing::Values(Case{"Reference", scene_of(reference_body())},
+                      Case{"Backwards",
+                           scene_of(reference_body(-std::numbers::pi / 6.0))}),
+    [](const auto& one) { return one.param.test; });
+
+}  // namespace
+}  // namespace brachisto

@@ -71,4 +71,18 @@ Scene with_rotation(Scene scene) {
   return scene;
 }
 
+Scene between(const Scene& from, const Scene& to, double share) {
+  Scene scene = to;
+  scene.L = std::lerp(from.L, to.L, share);
+  scene.H = std::lerp(from.H, to.H, share);
+  const auto mix = [&](double Body::*number) {
+    scene.body.*number = std::lerp(from.body.*number, to.body.*number, share);
+  };
+  for (const auto number :
+       {&Body::radius, &Body::eta_m, &Body::theta_m, &Body::k}) {
+    mix(number);
+  }
+  return scene;
+}
+
 }  // namespace brachisto

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The numbers of a scene that its time is differentiated by.
+/// The numbers of a scene that its time is differentiated by, and scenes that
+/// differ in them.
 
 #pragma once
 
@@ -36,6 +37,10 @@ inline constexpr std::array kSceneCoordinates{
 /// side. k may become negative.
 [[nodiscard]] Scene moved(const Scene& scene, SceneCoordinate coordinate,
                           double by);
+
+/// On the straight line between two scenes that differ in numbers alone, in the
+/// units of both; limits and contacts are those of `to`.
+[[nodiscard]] Scene between(const Scene& from, const Scene& to, double share);
 
 /// A step of central differences of order six in formulas of the scene.
 ///

@@ -119,6 +119,11 @@ LimitRelaxation::LimitRelaxation(const Scene& scene,
   }
 }
 
+LimitRelaxation::LimitRelaxation(const std::vector<PathInequality>& from,
+                                 const std::vector<PathInequality>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) ways_.push_back({from[i], to[i]});
+}
+
 std::vector<PathInequality> LimitRelaxation::at(double share) const {
   std::vector<PathInequality> limits;
   for (const Way& way : ways_) {

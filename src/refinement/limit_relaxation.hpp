@@ -18,15 +18,19 @@ namespace brachisto {
 [[nodiscard]] TurningPoint<double> turning_point(const ExtremalCurve& curve,
                                                  double sigma);
 
-/// Interpolates limits, from some that the free extremal keeps.
+/// Interpolates limits, from some that the free extremal keeps or that another
+/// path does.
 class LimitRelaxation {
  public:
   /// \param free  must outlive this
   LimitRelaxation(const Scene& scene, const ExtremalCurve& free);
+  /// From other bounds of the same limits.
+  LimitRelaxation(const std::vector<PathInequality>& from,
+                  const std::vector<PathInequality>& to);
 
-  /// At share 0 the free extremal keeps them, but for u < 0.05 U, at 1 they are
-  /// the scene's. With Contact::Optimal, which has no meaning without it, the
-  /// bound of humps is the scene's throughout.
+  /// At share 0 the free extremal, or the other path, keeps them, but for u <
+  /// 0.05 U, at 1 they are the scene's. With Contact::Optimal, which has no
+  /// meaning without it, the bound of humps is the scene's throughout.
   [[nodiscard]] std::vector<PathInequality> at(double share) const;
 
  private:

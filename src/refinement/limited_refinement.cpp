@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "math/index.hpp"
+#include "model/scene_coordinate.hpp"
+#include "refinement/open_conditions.hpp"
 #include "refinement/tightening.hpp"
 
 namespace brachisto {
@@ -27,32 +31,59 @@ class LimitedSolve {
         limits_(inequalities(scene.body, scene.limits)),
         options_(options),
         protocol_(options.progress),
-        tightening_(scene, free, phi, options.ipopt, protocol_) {}
+        tightening_(std::in_place, scene, free, phi, options.ipopt, protocol_) {
+  }
+  /// Beside a path of another scene.
+  LimitedSolve(const Scene& scene, const Discretisation& wanted,
+               const MeshOptions& options)
+      : scene_(scene),
+        wanted_(wanted),
+        limits_(inequalities(scene.body, scene.limits)),
+        options_(options),
+        protocol_(options.progress) {}
 
   LimitedRefinement run() {
-    solve_and_refine();
-    return {std::move(protocol_).finished(), std::move(answer_)};
+    refine(find_arcs());
+    return finished();
+  }
+  LimitedRefinement run_beside(const FittedPath& neighbour) {
+    const Scene from = neighbour.curve.problem().scene();
+    const LimitRelaxation way(neighbour.curve.problem().limits(), limits_);
+    const auto stage_at = [&](double share) {
+      return Stage{way.at(share), between(from, scene_, share)};
+    };
+    refine(follow(neighbour, stage_at, 1.0));
+    return finished();
   }
 
  private:
-  void solve_and_refine() {
-    // Arcs are found with elements that follow them well, whatever is wanted.
-    constexpr int kDegree = 7;
+  /// Arcs are found with elements that follow them well, whatever is wanted.
+  static constexpr int kDegree = 7;
+
+  [[nodiscard]] LimitedRefinement finished() {
+    return {std::move(protocol_).finished(), std::move(answer_)};
+  }
+
+  [[nodiscard]] std::optional<FittedPath> find_arcs() {
     std::optional<FittedPath> path;
-    const bool tightened = tightening_.tighten();
+    const bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
-    if (!tightened && protocol_.status == Status::Infeasible) return;
-    if (protocol_.status == Status::NoFastestTrack) return;
+    if (!tightened && protocol_.status == Status::Infeasible) return path;
+    if (protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    if (!path && !stopped()) path = follow(kDegree);
+    if (!path && !stopped()) path = follow_from_loosest();
     if (!path && tightened && end_is_sought(scene_) && !stopped() &&
-        tightening_.bracket_contact()) {
+        tightening_->bracket_contact()) {
       path = read_off(kDegree);
     }
     if (!path && !stopped() && protocol_.status != Status::NoSmoothContact) {
       protocol_.fail(status, message);  // of the first attempt
     }
+    return path;
+  }
+
+  void refine(std::optional<FittedPath> path) {
     const int p = wanted_.degree.value_or(
         wanted_.fixed() ? wanted_.degree_of_fixed() : kDegree);
     if (path && wanted_.fixed()) {
@@ -121,8 +152,8 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> read_off(int degree) {
     constexpr int kMostMeshes = 2;
     for (int i = 0; i < kMostMeshes; ++i) {
-      if (i > 0 && !tightening_.solve_finer()) return std::nullopt;
-      const LimitedCurve& coarse = tightening_.last();
+      if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
+      const LimitedCurve& coarse = tightening_->last();
       const std::vector<Arc> arcs = arcs_of(coarse);
       if (kinks_at_rest(coarse, arcs)) {
         protocol_.fail(
@@ -142,24 +173,36 @@ class LimitedSolve {
     return std::nullopt;
   }
 
-  /// With the arcs known and corrected all along the way from the loosest
-  /// limits, where contacts are closed at every step.
-  [[nodiscard]] std::optional<FittedPath> follow(int degree) {
-    constexpr double kFirstStep = 0.05, kLargestStep = 0.2;
-    constexpr double kSmallestStep = 1e-3;
-    const LimitRelaxation& relaxation = tightening_.relaxation();
-    if (!tightening_.solve_loosest()) return std::nullopt;
-    const LimitedCurve loosest = tightening_.last();
-    auto path = fit_corrected(
-        loosest,
-        {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
-        degree);
+  /// A scene on the way, and its limits.
+  struct Stage {
+    std::vector<PathInequality> limits;
+    std::optional<Scene> scene = {};  ///< nothing: that of the path
+  };
+
+  /// The path that is solved for next to another one.
+  [[nodiscard]] std::optional<FittedPath> fit_beside(const FittedPath& path,
+                                                     Stage stage) {
+    PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
+    if (!stage.scene) {
+      return fit_corrected(path.curve, std::move(setting), kDegree);
+    }
+    PathSystem there(*stage.scene, setting, kDegree);
+    if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
+      return std::nullopt;
+    }
+    return fit_corrected(there.curve(), std::move(setting), kDegree);
+  }
+
+  /// With arcs known and corrected all along the way, where contacts are closed
+  /// at every step.
+  [[nodiscard]] std::optional<FittedPath> follow(
+      std::optional<FittedPath> path,
+      const std::function<Stage(double share)>& stage_at, double step) {
+    constexpr double kLargestStep = 0.2, kSmallestStep = 1e-3;
     double reached = 0.0;
-    double step = kFirstStep;
     while (path && reached < 1.0) {
       const double share = std::min(1.0, reached + step);
-      PathSetting setting{relaxation.at(share), path->arcs, path->ends};
-      auto next = fit_corrected(path->curve, std::move(setting), degree);
+      auto next = fit_beside(*path, stage_at(share));
       if (stopped()) return std::nullopt;
       if (next) {
         reached = share;
@@ -175,6 +218,20 @@ class LimitedSolve {
       }
     }
     return path;
+  }
+
+  /// From the loosest limits.
+  [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
+    constexpr double kFirstStep = 0.05;
+    const LimitRelaxation& relaxation = tightening_->relaxation();
+    if (!tightening_->solve_loosest()) return std::nullopt;
+    const LimitedCurve loosest = tightening_->last();
+    return follow(
+        fit_corrected(
+            loosest,
+            {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
+            kDegree),
+        [&](double share) { return Stage{relaxation.at(share)}; }, kFirstStep);
   }
 
   // ---- Accuracy.
@@ -284,7 +341,7 @@ class LimitedSolve {
   std::vector<PathInequality> limits_;
   MeshOptions options_;
   PassProtocol protocol_;
-  Tightening tightening_;
+  std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
 };
 
@@ -295,6 +352,55 @@ LimitedRefinement refine_limited(const Scene& scene,
                                  const ExtremalCurve& free, double phi,
                                  MeshOptions options) {
   return LimitedSolve(scene, wanted, free, phi, options).run();
+}
+
+std::optional<LimitedRefinement> refine_limited_beside(
+    const Scene& scene, const Discretisation& wanted,
+    const FittedPath& neighbour, MeshOptions options) {
+  const auto alike = [](const PathInequality& a, const PathInequality& b) {
+    const auto follows = [](double from, double to) {
+      return from == to || (std::isfinite(from) && std::isfinite(to));
+    };
+    return a.kind == b.kind && a.place.x == b.place.x &&
+           a.place.z == b.place.z && a.normal.x == b.normal.x &&
+           a.normal.z == b.normal.z && follows(a.lower, b.lower) &&
+           follows(a.upper, b.upper) && follows(a.number, b.number);
+  };
+  if (!std::ranges::equal(neighbour.curve.problem().limits(),
+                          inequalities(scene.body, scene.limits), alike)) {
+    return std::nullopt;
+  }
+  return LimitedSolve(scene, wanted, options).run_beside(neighbour);
+}
+
+std::optional<FittedPath> path_on_arcs(const Scene& scene,
+                                       std::vector<Arc> arcs,
+                                       const LimitedEnds& ends, int degree,
+                                       PrimalDual point) {
+  const std::vector<PathInequality> limits =
+      inequalities(scene.body, scene.limits);
+  double begin = 0.0;
+  const auto fits = [&](const Arc& arc) {
+    const bool behind = arc.end > std::exchange(begin, arc.end);
+    return behind && arc.elements() >= 1 && arc.cuts.front() == 0.0 &&
+           arc.cuts.back() == 1.0 &&
+           std::ranges::is_sorted(arc.cuts, std::less_equal<>()) &&
+           arc.held.size() == limits.size() &&
+           (!arc.touch || arc.touch->limit < limits.size());
+  };
+  if (arcs.empty() || !std::ranges::all_of(arcs, fits) || begin != 1.0) {
+    return std::nullopt;
+  }
+  const PathSetting setting{limits, arcs, ends};
+  PathSystem system(scene, setting, degree);
+  if (point.x.size() != at(system.problem().num_variables()) ||
+      point.lambda.size() != at(system.problem().num_constraints()) ||
+      !system.move_to(setting, std::move(point))) {
+    return std::nullopt;
+  }
+  LimitedCurve curve = system.curve();
+  const ContactMismatch mismatch = mismatch_of(curve, ends);
+  return FittedPath{std::move(arcs), ends, std::move(curve), mismatch};
 }
 
 }  // namespace brachisto

@@ -47,4 +47,23 @@ struct LimitedRefinement : RefinementProtocol {
                                                const ExtremalCurve& free,
                                                double phi, MeshOptions options);
 
+/// The same from the path of a neighbouring scene, whose arcs are fitted and
+/// corrected under the limits of this one, or all along the way there: arcs are
+/// born and die. Nothing if limits of other kinds or at other places hold
+/// there.
+///
+/// \param neighbour  of a scene in natural units
+[[nodiscard]] std::optional<LimitedRefinement> refine_limited_beside(
+    const Scene& scene, const Discretisation& wanted,
+    const FittedPath& neighbour, MeshOptions options);
+
+/// The path on arcs that point and ends are of; nothing if they do not belong
+/// together.
+/// \param scene  in natural units; its limits are those of the path
+[[nodiscard]] std::optional<FittedPath> path_on_arcs(const Scene& scene,
+                                                     std::vector<Arc> arcs,
+                                                     const LimitedEnds& ends,
+                                                     int degree,
+                                                     PrimalDual point);
+
 }  // namespace brachisto

@@ -14,6 +14,7 @@
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "math/index.hpp"
+#include "model/scene_coordinate.hpp"
 #include "model/units.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/branch_history.hpp"
@@ -280,18 +281,7 @@ Continuation continue_from_neighbour(const Scene& scene,
                                      const StopCondition& stop) {
   const Scene from = in_natural_units(neighbour.scene);
   const auto scene_at = [&](double fraction) {
-    Scene between = scene;
-    const auto mix = [fraction](double a, double b) {
-      return std::lerp(a, b, fraction);
-    };
-    between.L = mix(from.L, scene.L);
-    between.H = mix(from.H, scene.H);
-    Body& body = between.body;
-    body.radius = mix(from.body.radius, scene.body.radius);
-    body.eta_m = mix(from.body.eta_m, scene.body.eta_m);
-    body.theta_m = mix(from.body.theta_m, scene.body.theta_m);
-    body.k = mix(from.body.k, scene.body.k);
-    return between;
+    return between(from, scene, fraction);
   };
   // Beyond a few steps the way from the cycloid is the shorter one.
   constexpr double kSmallestStep = 1.0 / 8.0;

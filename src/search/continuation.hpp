@@ -18,6 +18,7 @@
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/progress.hpp"
 #include "model/cycloid.hpp"
+#include "refinement/arcs.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/mesh.hpp"
 
@@ -40,6 +41,10 @@ struct Neighbour {
   Mesh mesh;
   PrimalDual point;  ///< of the problem in natural units on that mesh
   double phi = 0.0;  ///< [rad]
+  /// Of a path under limits, whose mesh is theirs, and its slopes at the
+  /// contacts.
+  std::vector<Arc> arcs = {};
+  LimitedEnds ends = {};
 };
 
 /// Follows the extremal of `scene` from η_m = 0, where it is the given cycloid,

@@ -34,6 +34,8 @@ namespace brachisto {
 namespace {
 
 void solve_posed(const PosedProblem& posed, Solution& out);
+void solve_beside(const PosedProblem& posed, const Neighbour& neighbour,
+                  Solution& out);
 void differentiate(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
@@ -57,15 +59,17 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
 void conclude(const PosedProblem& posed, const LimitedAnswer& found,
               const std::string& message, Solution& out,
               std::optional<double> transit_time = std::nullopt);
+void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
+              Solution& out);
 
 }  // namespace
 
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
   PosedProblem posed = pose(scene, options, hooks);
-  if (hooks.neighbour != nullptr && can_start_beside(posed, *hooks.neighbour)) {
+  if (hooks.neighbour != nullptr) {
     Solution beside = within_limits(posed, [&](Solution& out) {
-      solve_program(posed, start_beside(posed, *hooks.neighbour), out);
+      solve_beside(posed, *hooks.neighbour, out);
       differentiate(posed, out);
     });
     if (beside.verified()) return beside;
@@ -88,6 +92,20 @@ void solve_posed(const PosedProblem& posed, Solution& out) {
     return solve_by_discrete_system(posed, *system, out);
   }
   solve_program(posed, start_from_cycloid(posed), out);
+}
+
+/// From a neighbour, if it is one.
+void solve_beside(const PosedProblem& posed, const Neighbour& neighbour,
+                  Solution& out) {
+  if (can_start_beside(posed, neighbour)) {
+    return solve_program(posed, start_beside(posed, neighbour), out);
+  }
+  const auto path = path_beside(posed, neighbour);
+  if (!path) return;
+  const auto refinement =
+      refine_limited_beside(*posed.limited, posed.program.discretisation, *path,
+                            posed.mesh_options_after(out.effort));
+  if (refinement) conclude(posed, *refinement, out);
 }
 
 /// What the time changes by with the scene.
@@ -285,12 +303,11 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
 /// The same under limits, which are tightened from what the extremal keeps.
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
-  LimitedRefinement refinement =
+  conclude(
+      posed,
       refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
-                     start.phi, posed.mesh_options_after(out.effort));
-  record(refinement, out);
-  if (!refinement.answer || posed.stop().met()) return;
-  conclude(posed, *refinement.answer, refinement.message, out);
+                     start.phi, posed.mesh_options_after(out.effort)),
+      out);
 }
 
 // ---- Answer, certify, verdict.
@@ -316,6 +333,13 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
   // Of a motion that stalls the certificate says so.
   if (!out.diagnostics) out.answer.reset();
   record(verdict(out, found.solution.message), out);
+}
+
+void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
+              Solution& out) {
+  record(refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
+  conclude(posed, *refinement.answer, refinement.message, out);
 }
 
 void conclude(const PosedProblem& posed, const LimitedAnswer& found,

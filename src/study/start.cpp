@@ -84,9 +84,23 @@ Start start_from_cycloid(const PosedProblem& posed) {
 }
 
 bool can_start_beside(const PosedProblem& posed, const Neighbour& neighbour) {
-  return !posed.scene.path && !posed.limited &&
+  return !posed.scene.path && !posed.limited && neighbour.arcs.empty() &&
          posed.options.follows_the_branch() &&
          can_continue(neighbour, posed.asked);
+}
+
+std::optional<FittedPath> path_beside(const PosedProblem& posed,
+                                      const Neighbour& neighbour) {
+  if (!posed.limited || neighbour.arcs.empty() ||
+      posed.options.of<Collocation>() == nullptr ||
+      neighbour.mesh.degree < kMinDegree ||
+      neighbour.mesh.degree > kMaxDegree ||
+      !validate(neighbour.scene).empty() ||
+      !comparable(posed.asked, neighbour.scene)) {
+    return std::nullopt;
+  }
+  return path_on_arcs(in_natural_units(neighbour.scene), neighbour.arcs,
+                      neighbour.ends, neighbour.mesh.degree, neighbour.point);
 }
 
 Start start_beside(const PosedProblem& posed, const Neighbour& neighbour) {

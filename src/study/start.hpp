@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "refinement/limited_refinement.hpp"
 #include "search/continuation.hpp"
 #include "study/pose.hpp"
 
@@ -31,6 +32,10 @@ struct Start : Continuation {
 
 [[nodiscard]] Start start_beside(const PosedProblem& posed,
                                  const Neighbour& neighbour);
+
+/// The neighbour's path, if both scenes have limits and are comparable().
+[[nodiscard]] std::optional<FittedPath> path_beside(const PosedProblem& posed,
+                                                    const Neighbour& neighbour);
 
 /// A start of Guess::Straight or Guess::Random and the work it took.
 struct OtherStart {

@@ -38,10 +38,38 @@ bool is_of(const Scene& scene, const Neighbour& neighbour) {
           lambda.size()) {
     return false;
   }
+  // Arcs tell their sizes themselves.
+  if (!neighbour.arcs.empty()) return true;
   const VariableLayout layout(neighbour.mesh.num_points(),
                               scene.body.off_centred());
   return x.size() == static_cast<std::size_t>(layout.num_variables()) &&
          lambda.size() == static_cast<std::size_t>(layout.num_constraints());
+}
+
+nlp::Held held_from(const Json& json) {
+  switch (const int value = json; value) {
+    case static_cast<int>(nlp::Held::No):
+    case static_cast<int>(nlp::Held::AtLower):
+    case static_cast<int>(nlp::Held::AtUpper):
+      return static_cast<nlp::Held>(value);
+    default:
+      throw std::invalid_argument("the state of no arc");
+  }
+}
+
+Arc arc_from(const Json& json) {
+  Arc arc;
+  for (const Json& where : json.at("held")) {
+    arc.held.push_back(held_from(where));
+  }
+  arc.end = json.at("end");
+  json.at("cuts").get_to(arc.cuts);
+  const Json& touch = json.at("touch");
+  if (!touch.is_null()) {
+    arc.touch = {touch.at("limit"), held_from(touch.at("at")),
+                 touch.at("multiplier")};
+  }
+  return arc;
 }
 
 }  // namespace
@@ -84,12 +112,33 @@ std::optional<Answer> answer_from_line(std::string_view line) {
 }
 
 std::string to_state(const Neighbour& neighbour) {
-  return Json{{"degree", neighbour.mesh.degree},
-              {"boundaries", neighbour.mesh.boundaries},
-              {"x", neighbour.point.x},
-              {"lambda", neighbour.point.lambda},
-              {"phi", neighbour.phi}}
-      .dump();
+  Json json{{"degree", neighbour.mesh.degree},
+            {"boundaries", neighbour.mesh.boundaries},
+            {"x", neighbour.point.x},
+            {"lambda", neighbour.point.lambda},
+            {"phi", neighbour.phi}};
+  if (neighbour.arcs.empty()) return json.dump();
+  const LimitedEnds& ends = neighbour.ends;
+  json["ends"] = {{"free_contacts", ends.free_contacts},
+                  {"start", ends.start ? Json(*ends.start) : Json()},
+                  {"start_slope_fixed", ends.start_slope_fixed}};
+  for (const Arc& arc : neighbour.arcs) {
+    Json touch;
+    if (arc.touch) {
+      touch = {{"limit", arc.touch->limit},
+               {"at", static_cast<int>(arc.touch->at)},
+               {"multiplier", arc.touch->multiplier}};
+    }
+    Json held = Json::array();
+    for (const nlp::Held where : arc.held) {
+      held.push_back(static_cast<int>(where));
+    }
+    json["arcs"].push_back({{"held", std::move(held)},
+                            {"end", arc.end},
+                            {"cuts", arc.cuts},
+                            {"touch", std::move(touch)}});
+  }
+  return json.dump();
 }
 
 Neighbour neighbour_from_state(const std::string& state, const Scene& scene) {
@@ -101,6 +150,16 @@ Neighbour neighbour_from_state(const std::string& state, const Scene& scene) {
   json.at("x").get_to(neighbour.point.x);
   json.at("lambda").get_to(neighbour.point.lambda);
   neighbour.phi = json.at("phi");
+  if (json.contains("arcs")) {
+    const Json& ends = json.at("ends");
+    neighbour.ends = {.free_contacts = ends.at("free_contacts"),
+                      .phi = neighbour.phi,
+                      .start_slope_fixed = ends.at("start_slope_fixed")};
+    if (!ends.at("start").is_null()) neighbour.ends.start = ends.at("start");
+    for (const Json& one : json.at("arcs")) {
+      neighbour.arcs.push_back(arc_from(one));
+    }
+  }
   if (!is_of(scene, neighbour)) {
     throw std::invalid_argument("the state of another scene");
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
+#include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
 #include "support/limited_scenes.hpp"
 #include "support/reference_values.hpp"
@@ -364,6 +365,68 @@ TEST(LimitedTracks, AreGivenUpInWordsWhereStepsLeadToRest) {
 
   EXPECT_NE(solution.status, Status::Solved);
   EXPECT_FALSE(solution.message.empty());
+}
+/// From one scene to the next an arc is born (at μ = 0.26154), two become one
+/// (at 0.2803) and one reaches B (at 0.5102).
+TEST(LimitedTracks, AreFollowedFromANeighbourThroughBirthsOfArcs) {
+  for (const auto& [from, to] :
+       {std::pair{0.27, 0.255}, std::pair{0.285, 0.275},
+        std::pair{0.49, 0.55}}) {
+    const Solution near = solve(under(off_centred_scene(), friction(from)));
+    ASSERT_TRUE(near.verified()) << near.message;
+    const auto neighbour = near.as_neighbour();
+    ASSERT_TRUE(neighbour);
+    const Scene scene = under(off_centred_scene(), friction(to));
+
+    const Solution beside = solve(scene, {}, {.neighbour = neighbour.get()});
+    const Solution alone = solve(scene);
+
+    ASSERT_TRUE(beside.verified()) << from << " to " << to;
+    EXPECT_EQ(beside.effort.iterations, 0) << "of Ipopt";
+    EXPECT_NEAR(beside.motion()->tau(), alone.motion()->tau(),
+                allowed(beside) + allowed(alone));
+  }
+}
+
+TEST(LimitedTracks, AreFollowedFromAnotherBodyAndFinish) {
+  const Scene scene = under(off_centred_scene(), friction(0.5));
+  Scene other = scene;
+  other.body.eta_m = 0.64;
+  other.L = 3.1;
+  const auto neighbour = solve(other).as_neighbour();
+  ASSERT_TRUE(neighbour);
+
+  const Solution beside = solve(scene, {}, {.neighbour = neighbour.get()});
+
+  ASSERT_TRUE(beside.verified()) << beside.message;
+  EXPECT_EQ(beside.effort.iterations, 0) << "of Ipopt";
+  EXPECT_NEAR(beside.motion()->tau(), 5.083389161786, allowed(beside));
+}
+
+TEST(LimitedTracks, AreNotFollowedFromWhatIsNoNeighbour) {
+  const Scene scene = under(off_centred_scene(), friction(1.0));
+  Scene near = scene;
+  near.limits.friction = 1.05;
+  const Neighbour sound = *solve(near).as_neighbour();
+  const auto unused = [&](auto spoil) {
+    Neighbour neighbour = sound;
+    spoil(neighbour);
+    const Solution solution = solve(scene, {}, {.neighbour = &neighbour});
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_GT(solution.effort.iterations, 0) << "of Ipopt, from the cycloid";
+  };
+  unused([](Neighbour& n) { n.arcs.clear(); });
+  unused([](Neighbour& n) { n.arcs.pop_back(); });
+  unused([](Neighbour& n) { n.arcs[0].held.pop_back(); });
+  unused([](Neighbour& n) { n.arcs[0].end = 2.0; });
+  unused([](Neighbour& n) { std::ranges::reverse(n.arcs[0].cuts); });
+  unused([](Neighbour& n) { n.arcs[0].touch = Touch{7, nlp::Held::AtUpper}; });
+  unused([](Neighbour& n) { n.mesh.degree = -2; });
+  unused([](Neighbour& n) { n.point.x.pop_back(); });
+  unused([](Neighbour& n) { n.point.x[5] = std::nan(""); });
+  unused([](Neighbour& n) { n.point.lambda.push_back(0.0); });
+  unused([](Neighbour& n) { n.scene.H = -1.0; });
+  unused([](Neighbour& n) { n.scene.limits.floor = 5.0; });
 }
 
 TEST(LimitedTracks, AreFollowedFromRestAsExactlyAsTheyAreSolved) {

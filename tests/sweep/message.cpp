@@ -61,6 +61,23 @@ TEST(State, LeadsToTheSameResultAsTheSolutionItself) {
   EXPECT_EQ(direct.as_neighbour()->point.x, resumed.as_neighbour()->point.x);
 }
 
+TEST(State, UnderLimitsLeadsToTheSameResultAsTheSolutionItself) {
+  Scene scene = off_centred(0.0);
+  scene.limits.friction = 0.5;
+  const Neighbour before = *solve(scene).as_neighbour();
+  ASSERT_FALSE(before.arcs.empty());
+  const Neighbour after = neighbour_from_state(to_state(before), before.scene);
+  scene.limits.friction = 0.51;
+
+  const Solution direct = solve(scene, {}, {.neighbour = &before});
+  const Solution resumed = solve(scene, {}, {.neighbour = &after});
+
+  ASSERT_TRUE(direct.verified());
+  EXPECT_EQ(direct.effort.iterations, 0);
+  EXPECT_EQ(direct.motion()->transit_time(), resumed.motion()->transit_time());
+  EXPECT_EQ(direct.as_neighbour()->point.x, resumed.as_neighbour()->point.x);
+}
+
 TEST(State, OfAnotherSceneIsRefused) {
   Scene uniform = off_centred(0.0);
   uniform.body.eta_m = 0.0;

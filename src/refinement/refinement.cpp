@@ -84,11 +84,8 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
                  of_finer / coarse.transit_time(), kSameSide);
   };
   if (slope_at_A_is_open(coarse.scene())) {
-    const MeshSolution solution =
-        close_start(finer, {prolong(coarse, finer), phi, -1.0}, options,
-                    [&](const MeshStart& start) {
-                      return stay_on_mesh(finer, start, options);
-                    });
+    const MeshSolution solution = close_start(
+        finer, {prolong(coarse, finer), phi, -1.0}, options, stay_on_mesh);
     answer.solution.polish.newton_steps += solution.polish.newton_steps;
     if (solution.solved()) judge_by(solution.point, solution.tangency.phi);
     return;
@@ -153,12 +150,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   if (open_start) problem.set_start_slope(start_angle(curve.scene()));
   MeshSolution& solution = answer.solution;
   const MeshStart start{prolong(curve, problem), phi, -1.0};
-  const auto closed = [&](auto&& solve) {
-    return close_start(problem, start, options, [&](const MeshStart& from) {
-      return solve(problem, from, options);
-    });
-  };
-  solution = closed(solve_near);
+  solution = close_start(problem, start, options, solve_near);
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
@@ -172,7 +164,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   if (away > kLargestDeparture && !options.newton_alone) {
     const std::optional<double> slope_found = problem.scene().world.start_slope;
     if (open_start) problem.set_start_slope(start_angle(curve.scene()));
-    MeshSolution stayed = closed(stay_on_mesh);
+    MeshSolution stayed = close_start(problem, start, options, stay_on_mesh);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
       take_instead(solution, std::move(stayed));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The contact at A of a body that starts with a speed.
+/// The contacts of a body that starts with a speed.
 
 #pragma once
 
@@ -13,13 +13,21 @@
 
 namespace brachisto {
 
-/// Solves a problem whose start is given.
-using SolveFromStart = std::function<MeshSolution(const MeshStart& start)>;
+/// solve_on_mesh(), solve_near() or stay_on_mesh().
+using SolveOnMesh =
+    std::function<MeshSolution(Transcription& problem, const MeshStart& start,
+                               const MeshOptions& options)>;
 
-/// What `solve` finds. Where slope_at_A_is_open() the slope α at A, from which
-/// the place C_A(α) and w = v₀ √A(θ_m, α) of the start are built, is closed
-/// around it: the extremal's own slope at its start has to be α. The first pass
-/// is `solve`, the others are Newton's method from the one before.
+/// What `solve` finds. Where slope_at_A_is_open() there is a slope α at A, from
+/// which the place C_A(α) and w = v₀ √A(θ_m, α) of the start are built, beside
+/// φ at B, and both are closed together,
+///
+///     β_start(α, φ) = α,  β_end(α, φ) = φ,
+///
+/// by Broyden's method around solutions between given ends; one of them closed
+/// inside of the other would meet folds that both together do not have. The
+/// first such solution is that of `solve`, the others Newton's method finds
+/// from the one before.
 ///
 /// \param problem  whose start has been built from a slope nearby; has that of
 ///                 the solution in the end
@@ -27,7 +35,7 @@ using SolveFromStart = std::function<MeshSolution(const MeshStart& start)>;
 [[nodiscard]] MeshSolution close_start(RollingTime& problem,
                                        const MeshStart& start,
                                        const MeshOptions& options,
-                                       const SolveFromStart& solve,
+                                       const SolveOnMesh& solve,
                                        double tolerance = 1e-12);
 
 /// dT/dα, by which the start moves and gets faster: with the costates there,

@@ -60,12 +60,9 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
       part.world.start_slope = out.curve->at(0.0).beta;
     }
     RollingTime problem(part, out.curve->mesh(), out.phi);
-    const MeshSolution found = close_start(
-        problem, {prolong(*out.curve, problem), out.phi, -1.0}, options,
-        [&](const MeshStart& start) {
-          return stay_on_mesh(problem, start, options);
-        },
-        kTolerance);
+    const MeshSolution found =
+        close_start(problem, {prolong(*out.curve, problem), out.phi, -1.0},
+                    options, stay_on_mesh, kTolerance);
     out.newton_steps += found.polish.newton_steps;
     if (stop.met()) {
       out.status = stopped_by(stop);

@@ -215,6 +215,23 @@ TEST(Worlds, ComeToTheOrdinaryOneWithTheirOrder) {
       1.0, [&](double v) { return with_push(scene, v); }, 0.01);
 }
 
+TEST(APush, ClosesBothContactsTogether) {
+  // At the α of the answer the slope at B alone, as a function of φ, is about
+  // to turn back; both slopes together are not.
+  Scene scene = with_push(
+      scene_of(Body::cylinder(0.5675941370730282, 0.5177675314934574,
+                              1.2774077108303699, 0.40837888516450316)),
+      1.72);
+  scene.L = 2.901447622862947;
+
+  const Solution solution = solve(scene);
+  const Solution other = solve(scene, by_shooting());
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  ASSERT_TRUE(other.verified()) << other.message;
+  EXPECT_NEAR(solution.motion()->tau() / other.motion()->tau(), 1.0, 1e-9);
+}
+
 class InEveryWorld : public ::testing::TestWithParam<Scene> {};
 INSTANTIATE_TEST_SUITE_P(
     Scenes, InEveryWorld,

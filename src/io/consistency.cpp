@@ -297,9 +297,13 @@ void check_scene(const YamlValue& root, const Draft& problem,
     }
   }
   const bool listed = find_entry(root, "scene.path.points") != nullptr;
+  const bool in_field = find_entry(root, "scene.field.uniform") != nullptr;
   for (SceneError& error : validate(marked.scene)) {
     if (listed && error.key == "scene.path.file") {
       error.key = "scene.path.points";
+    }
+    if (in_field && error.key == "scene.gravity") {
+      error.key = "scene.field.uniform";
     }
     if (std::ranges::count(unread, error.key) > 0) continue;
     const Position position = position_of(root, error.key);

@@ -17,6 +17,7 @@
 #include "brachisto/model/path_limits.hpp"
 #include "brachisto/model/point.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/model/world.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/paper/discrete_reading.hpp"

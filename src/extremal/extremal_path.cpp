@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "extremal/arc_integration.hpp"
+#include "extremal/world_flow.hpp"
 
 namespace brachisto {
 
@@ -40,13 +41,34 @@ ExtremalState ExtremalPath::at(double sigma) const {
       [](double value, const Knot& knot) { return value < knot.u; });
   const Knot& knot = *std::prev(next);
   if (knot.u == u) return in_si(knot);
+  if (!natural_.world.ordinary()) return in_si(in_world(knot, u - knot.u));
   const CanonicalFlow flow(natural_.body, natural_.gravity,
                            {p_x_, p_z_, natural_.body.eta_m});
   return in_si(shooting::step_from(flow, knot, u - knot.u));
 }
 
+ExtremalPath::Knot ExtremalPath::in_world(const Knot& knot, double span) const {
+  const auto& [x, z, theta, w, p_theta, p_w] = knot.y;
+  const worlds::Passed next =
+      worlds::step_from(worlds::WorldFlow(natural_),
+                        {knot.u,
+                         {x, z, theta, w, knot.p_x, knot.p_z, p_theta, p_w},
+                         knot.t,
+                         knot.beta},
+                        span);
+  const auto& y = next.y;
+  return {.u = next.u,
+          .y = {y[worlds::kX], y[worlds::kZ], y[worlds::kTheta], y[worlds::kW],
+                y[worlds::kPTheta], y[worlds::kPW]},
+          .t = next.t,
+          .beta = next.beta,
+          .p_x = y[worlds::kPX],
+          .p_z = y[worlds::kPZ]};
+}
+
 ExtremalState ExtremalPath::in_si(const Knot& knot) const {
   const bool rolls = natural_.body.rolls();
+  const bool ordinary = natural_.world.ordinary();
   return {.x = knot.y[shooting::kX] * units_.length,
           .z = knot.y[shooting::kZ] * units_.length,
           .theta = rolls ? knot.y[shooting::kTheta] : 0.0,
@@ -54,7 +76,9 @@ ExtremalState ExtremalPath::in_si(const Knot& knot) const {
           .p_theta = rolls ? knot.y[shooting::kPTheta] * units_.time : 0.0,
           .p_w = knot.y[shooting::kPW] * units_.time / units_.speed(),
           .beta = knot.beta,
-          .t = knot.t * units_.time};
+          .t = knot.t * units_.time,
+          .p_x = (ordinary ? p_x_ : knot.p_x) / units_.speed(),
+          .p_z = (ordinary ? p_z_ : knot.p_z) / units_.speed()};
 }
 
 Regularity ExtremalPath::regularity() const {
@@ -68,9 +92,20 @@ Regularity ExtremalPath::regularity() const {
   double max_w = 0.0;
   for (const Knot& knot : knots_) {
     const shooting::State& y = knot.y;
+    double legendre = -kInfinity;
     CanonicalFlow::Slope slope;
-    const bool minimal = flow.find_slope(y, knot.beta, slope);
-    const double legendre = minimal ? slope.legendre : -kInfinity;
+    if (!natural_.world.ordinary()) {
+      legendre = slope_hamiltonian(natural_,
+                                   {{y[shooting::kX], y[shooting::kZ]},
+                                    y[shooting::kTheta],
+                                    y[shooting::kW]},
+                                   {knot.p_x, knot.p_z, y[shooting::kPTheta],
+                                    y[shooting::kPW]},
+                                   knot.beta)
+                     .d2_beta;
+    } else if (flow.find_slope(y, knot.beta, slope)) {
+      legendre = slope.legendre;
+    }
     found.min_legendre = std::min(found.min_legendre, legendre);
     if (&knot != &knots_.front()) {
       found.min_w = std::min(found.min_w, y[shooting::kW]);

@@ -25,6 +25,8 @@ struct ExtremalState {
   double p_w = 0.0;      ///< [s²/m]
   double beta = 0.0;     ///< slope angle, continuous along the path [rad]
   double t = 0.0;        ///< time since the start [s]
+  double p_x = 0.0;      ///< [s/m]
+  double p_z = 0.0;      ///< [s/m]
 };
 
 /// What a path has to satisfy besides stationarity to be an answer.
@@ -50,6 +52,7 @@ class ExtremalPath {
     std::array<double, 6> y{};  ///< x, z, θ, w, p_θ, p_w in natural units
     double t = 0.0;
     double beta = 0.0;
+    double p_x = 0.0, p_z = 0.0;  ///< in other worlds; else constant
   };
 
   ExtremalPath() = default;
@@ -67,6 +70,8 @@ class ExtremalPath {
 
  private:
   [[nodiscard]] ExtremalState in_si(const Knot& knot) const;
+  /// One step of length `span` from a knot, in another world.
+  [[nodiscard]] Knot in_world(const Knot& knot, double span) const;
 
   Scene natural_;
   Units units_;

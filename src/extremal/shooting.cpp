@@ -13,9 +13,11 @@
 
 #include "extremal/boundary.hpp"
 #include "extremal/continuation.hpp"
+#include "extremal/world_shooting.hpp"
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
 #include "model/start_angle.hpp"
+#include "model/world_part.hpp"
 
 namespace brachisto {
 
@@ -327,12 +329,21 @@ bool ExtremalSolution::usable() const {
 
 ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
                                 const ExtremalOptions& options) {
+  if (!scene.world.ordinary()) {
+    return solve_extremal_in_world(scene, guess, options);
+  }
   Solve solve(scene, options, guess);
   return stoppable(solve, options.stop, [&] { solve.finish(); });
 }
 
 ExtremalSolution solve_extremal(const Scene& scene,
                                 const ExtremalOptions& options) {
+  if (!scene.world.ordinary()) {
+    ExtremalSolution ordinary =
+        solve_extremal(in_ordinary_world(scene), options);
+    return ordinary.usable() ? solve_extremal_in_world(scene, ordinary, options)
+                             : ordinary;
+  }
   const ExtremalGuess cycloid = cycloid_guess(scene);
   if (!cycloid.state) {
     ExtremalSolution none;

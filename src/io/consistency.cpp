@@ -154,6 +154,50 @@ void check_limited(const YamlValue& root, const Draft& problem,
   }
 }
 
+/// What is derived for a uniform field without air, left from rest.
+constexpr std::string_view kOrdinaryStarts =
+    "starts elsewhere are made for a body that leaves rest in a uniform field";
+constexpr std::array<OfFreeMotion, 5> kOfOrdinaryWorld{
+    {{"discretisation.formulation", "arc_length",
+      "its speed is that of the energy height, which knows neither losses nor "
+      "another potential"},
+     {"solver.method", "fsolve",
+      "the paper's discrete system is one of a uniform field, left from rest"},
+     {"solver.search", "global",
+      "the search goes back from B to rest with constant costates p_x and p_z, "
+      "as they are in a uniform field"},
+     {"solver.guess", "straight", kOrdinaryStarts},
+     {"solver.guess", "random", kOrdinaryStarts}}};
+
+void check_world(const YamlValue& root, const Draft& problem,
+                 Findings& findings) {
+  const Entry* uniform = find_entry(root, "scene.field.uniform");
+  const Entry* sphere = find_entry(root, "scene.field.sphere");
+  const Entry* gravity = find_entry(root, "scene.gravity");
+  const auto one_too_many = [&](const Entry* entry, const char* key) {
+    findings.add(entry->position, key,
+                 "says again what pulls the body; allowed is one of "
+                 "scene.gravity, scene.field.uniform and scene.field.sphere");
+  };
+  if (uniform != nullptr && (sphere != nullptr || gravity != nullptr)) {
+    one_too_many(uniform, "scene.field.uniform");
+  } else if (sphere != nullptr && gravity != nullptr) {
+    one_too_many(sphere, "scene.field.sphere");
+  }
+  if (problem.scene.world.ordinary()) return;
+  for (const auto& [key, word, reason] : kOfOrdinaryWorld) {
+    const KeySpec& spec = *find_key(key);
+    if (findings.concern(key) || !spec.used(problem) ||
+        spec.value.get(problem) != word) {
+      continue;
+    }
+    findings.add(position_of(root, key), std::string(key),
+                 fmt::format("{} is not allowed with a sphere's field, a start "
+                             "speed or air: {}",
+                             word, reason));
+  }
+}
+
 void check_arc_length(const YamlValue& root, const Draft& problem,
                       Findings& findings) {
   const Discretisation& mesh = problem.program.discretisation;
@@ -230,10 +274,10 @@ void check_mesh(const YamlValue& root, const Draft& problem,
                                      : fmt::format("{}", below + p)));
 }
 
-/// Whether every problem needs a key, not only those with the map it is in.
+/// Whether every problem needs a key, not only those with the maps it is in.
 bool is_required(const KeySpec& spec) {
   const KeySpec* map = find_key(spec.parent());
-  return spec.is_required() && (map == nullptr || map->is_required());
+  return spec.is_required() && (map == nullptr || is_required(*map));
 }
 
 void check_scene(const YamlValue& root, const Draft& problem,
@@ -256,9 +300,13 @@ void check_scene(const YamlValue& root, const Draft& problem,
     }
   }
   const bool listed = find_entry(root, "scene.path.points") != nullptr;
+  const bool in_field = find_entry(root, "scene.field.uniform") != nullptr;
   for (SceneError& error : validate(marked.scene)) {
     if (listed && error.key == "scene.path.file") {
       error.key = "scene.path.points";
+    }
+    if (in_field && error.key == "scene.gravity") {
+      error.key = "scene.field.uniform";
     }
     if (std::ranges::count(unread, error.key) > 0) continue;
     const Position position = position_of(root, error.key);
@@ -274,6 +322,7 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_mesh(root, problem, findings);
   check_solver(root, problem, findings);
   check_limited(root, problem, findings);
+  check_world(root, problem, findings);
   check_scene(root, problem, findings);
 }
 

@@ -46,9 +46,13 @@ struct Draft : ProblemFile {
            program.discretisation.formulation == Formulation::ArcLength;
   }
 
-  /// The problem with the options of its method alone.
+  /// The problem with the options of its method alone, and with the gravity at
+  /// A of its field.
   [[nodiscard]] ProblemFile problem() const {
     ProblemFile out = *this;
+    if (const auto& sphere = scene.world.sphere) {
+      out.scene.gravity = sphere->strength_at({0.0, 0.0});
+    }
     if (method == MethodWord::Extremal) {
       out.options.method = shooting;
     } else if (method == MethodWord::Fsolve) {

@@ -229,6 +229,113 @@ Keys limit_keys() {
   };
 }
 
+/// The sphere's field, made where one of its keys is.
+constexpr Place<Sphere> kSphere{[](const Draft& p) {
+                                  const auto& sphere = p.scene.world.sphere;
+                                  return sphere ? &*sphere : nullptr;
+                                },
+                                [](Draft& p) -> Sphere& {
+                                  auto& sphere = p.scene.world.sphere;
+                                  return sphere ? *sphere : sphere.emplace();
+                                }};
+constexpr Place<Point> kSphereCentre{
+    [](const Draft& p) {
+      const auto& sphere = p.scene.world.sphere;
+      return sphere ? &sphere->centre : nullptr;
+    },
+    [](Draft& p) -> Point& { return kSphere.make(p).centre; }};
+
+/// A part of the world, which is there if it is not as in an ordinary one.
+template <bool (*stated)(const World&)>
+constexpr Place<World> world_if() {
+  return {[](const Draft& p) {
+            return stated(p.scene.world) ? &p.scene.world : nullptr;
+          },
+          [](Draft& p) -> World& { return p.scene.world; }};
+}
+constexpr bool has_sphere(const World& world) {
+  return world.sphere.has_value();
+}
+constexpr bool has_speed(const World& world) {
+  return world.start_speed != 0.0;
+}
+constexpr bool has_air(const World& world) {
+  return world.air.linear != 0.0 || world.air.quadratic != 0.0;
+}
+constexpr auto kField = world_if<has_sphere>();
+constexpr auto kStart = world_if<has_speed>();
+constexpr auto kHasAir = world_if<has_air>();
+constexpr auto kAir = place([](auto& p) -> auto& { return p.scene.world.air; });
+
+/// A map that the echo leaves out where there is nothing to say.
+template <class Part>
+Binding silent_map(Place<Part> place) {
+  Binding binding = map(place);
+  binding.silent = true;
+  return binding;
+}
+
+/// Gravity, which the field of a sphere says in other words.
+Binding gravity() {
+  Binding binding = number(kScene, &Scene::gravity);
+  binding.get = [bare = binding.get](const Draft& p) {
+    return has_sphere(p.scene.world) ? Json() : bare(p);
+  };
+  return binding;
+}
+
+/// The same by another name, under which it is not echoed.
+Binding uniform_field() {
+  Binding binding = number(kScene, &Scene::gravity);
+  binding.get = [](const Draft&) { return Json(); };
+  binding.silent = true;
+  return binding;
+}
+
+Keys world_keys() {
+  constexpr Interval kNotNegative{.lower = 0.0};
+  return {
+      {"scene.field", silent_map(kField),
+       "what pulls the body; see [Other worlds](#other-worlds)"},
+      {"scene.field.uniform", uniform_field(),
+       "g, what `gravity` means: one of the two", positive("m/s²")},
+      {"scene.field.sphere", map(kField),
+       "a homogeneous sphere: its pull grows linearly from its centre to its "
+       "surface, and falls with the inverse square of the distance outside"},
+      {"scene.field.sphere.centre", map(kField), "where its centre is",
+       required()},
+      {"scene.field.sphere.centre.x",
+       number(kSphereCentre, &Point::x),
+       "to the right of A",
+       {.presence = Presence::Required, .unit = "m"}},
+      {"scene.field.sphere.centre.z",
+       number(kSphereCentre, &Point::z),
+       "below A",
+       {.presence = Presence::Required, .unit = "m"}},
+      {"scene.field.sphere.radius", number(kSphere, &Sphere::radius),
+       "R, its radius", required_length()},
+      {"scene.field.sphere.surface_gravity",
+       number(kSphere, &Sphere::surface_gravity),
+       "its pull at the distance R",
+       {.presence = Presence::Required, .unit = "m/s²", .physical = kPositive}},
+      {"scene.start", silent_map(kStart), "how the motion begins"},
+      {"scene.start.speed",
+       number(kStart, &World::start_speed),
+       "v_0, speed of the centre at A",
+       {.unit = "m/s", .fallback = "0", .physical = kNotNegative}},
+      {"scene.air", silent_map(kHasAir),
+       "drag on the centre, against its motion: c_1 v + c_2 v² per mass"},
+      {"scene.air.linear",
+       number(kAir, &Air::linear),
+       "c_1",
+       {.unit = "1/s", .physical = kNotNegative}},
+      {"scene.air.quadratic",
+       number(kAir, &Air::quadratic),
+       "c_2",
+       {.unit = "1/m", .physical = kNotNegative}},
+  };
+}
+
 Keys scene_keys() {
   using Curve = GivenPath::Curve;
   using Form = GivenPath::Shape;
@@ -271,8 +378,8 @@ Keys scene_keys() {
        "L, horizontal distance from A to B", required_length()},
       {"scene.finish.H", number(kScene, &Scene::H), "H, drop from A to B",
        required_length()},
-      {"scene.gravity", number(kScene, &Scene::gravity),
-       "g, acceleration of gravity", positive("m/s²")},
+      {"scene.gravity", gravity(), "g, acceleration of gravity",
+       positive("m/s²")},
       {"scene.contact", contact(),
        "whether A and B are points of the track, whose slopes there are the "
        "extremal's own (smooth), the best (optimal), or given at B (a map); or "
@@ -507,6 +614,7 @@ Keys all_keys() {
     std::ranges::move(part, std::back_inserter(keys));
   };
   add(scene_keys());
+  add(world_keys());
   add(limit_keys());
   add(discretisation_keys());
   add(solver_keys());

@@ -21,7 +21,7 @@ Point track_below(Point centre, double radius, double beta) {
 
 Point start_of_centre(const Scene& scene) {
   if (scene.contact == Contact::Centre) return {0.0, 0.0};
-  return centre_above({0.0, 0.0}, scene.body.radius, start_angle(scene.body));
+  return centre_above({0.0, 0.0}, scene.body.radius, start_angle(scene));
 }
 
 Point end_of_centre(const Scene& scene, double phi) {

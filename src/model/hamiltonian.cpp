@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numbers>
 
 namespace brachisto {
@@ -82,27 +81,11 @@ double slope_rate(const Body& body, double gravity, const RollingState& state,
 double minimising_slope(const Body& body, double gravity,
                         const RollingState& state, const Costates& p,
                         double near) {
-  // Newton's method, turned into descent where 𝓗 is not convex, and kept from
-  // jumping over a neighbouring maximum by a bound on the step.
-  constexpr double kLongestStep = 0.25;
-  constexpr int kMaxSteps = 100;
-  double beta = near;
-  double last_step = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMaxSteps; ++i) {
-    const SlopeHamiltonian h = slope_hamiltonian(body, gravity, state, p, beta);
-    double step = h.d2_beta > 0.0 ? -h.d_beta / h.d2_beta
-                                  : -std::copysign(kLongestStep, h.d_beta);
-    step = std::clamp(step, -kLongestStep, kLongestStep);
-    beta += step;
-    if (std::isnan(beta)) break;
-    // Converged once a Newton step is at rounding level, where it no longer
-    // shrinks.
-    const double size = std::abs(step);
-    if (h.d2_beta > 0.0 && size < 1e-14 + 1e-15 * std::abs(beta)) return beta;
-    if (h.d2_beta > 0.0 && size < 1e-11 && size >= last_step) return beta;
-    last_step = size;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
+  return nearest_minimum(
+      [&](double beta) {
+        return slope_hamiltonian(body, gravity, state, p, beta);
+      },
+      near);
 }
 
 }  // namespace brachisto

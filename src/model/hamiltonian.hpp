@@ -6,7 +6,9 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
@@ -76,6 +78,33 @@ struct SlopeHamiltonian {
 [[nodiscard]] double slope_rate(const Body& body, double gravity,
                                 const RollingState& state, const Costates& p,
                                 double beta);
+
+/// The minimum nearest to `near` of a function of β, told with its first two
+/// derivatives: Newton's method, turned into descent where the function is not
+/// convex, and kept from jumping over a neighbouring maximum by a bound on the
+/// step. NaN if none is reached.
+template <class Function>
+[[nodiscard]] double nearest_minimum(const Function& function, double near) {
+  constexpr double kLongestStep = 0.25;
+  constexpr int kMaxSteps = 100;
+  double beta = near;
+  double last_step = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const SlopeHamiltonian h = function(beta);
+    double step = h.d2_beta > 0.0 ? -h.d_beta / h.d2_beta
+                                  : -std::copysign(kLongestStep, h.d_beta);
+    step = std::clamp(step, -kLongestStep, kLongestStep);
+    beta += step;
+    if (std::isnan(beta)) break;
+    // Converged once a Newton step is at rounding level, where it no longer
+    // shrinks.
+    const double size = std::abs(step);
+    if (h.d2_beta > 0.0 && size < 1e-14 + 1e-15 * std::abs(beta)) return beta;
+    if (h.d2_beta > 0.0 && size < 1e-11 && size >= last_step) return beta;
+    last_step = size;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 /// The slope angle nearest to `near` that makes 𝓗 minimal: ∂𝓗/∂β = 0 with
 /// ∂²𝓗/∂β² > 0 [rad]. NaN if no minimum is reached from there.

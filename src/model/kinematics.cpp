@@ -7,12 +7,28 @@
 
 #include "model/contact.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
 
-Kinematics kinematics(const Body& body, double gravity,
-                      const PathState& state) {
+namespace {
+
+/// What acts beside the track, and what it does to w.
+struct Acting {
+  double pull_x, pull_z;  ///< forces per m g
+  double w_rate;          ///< dw/du
+};
+
+/// Sines and cosines of β and θ.
+struct Sines {
+  double sin_beta, cos_beta, sin_theta, cos_theta;
+};
+
+/// \param acts  what acts in those directions
+template <class Acts>
+Kinematics moved_by(const Acts& acts, const Body& body, double gravity,
+                    const PathState& state) {
   const double eta = body.eta_m;
   const double r = body.radius;
   const double w = state.w;
@@ -21,7 +37,7 @@ Kinematics kinematics(const Body& body, double gravity,
   const double cos_theta = std::cos(state.theta);
   const double sin_theta = std::sin(state.theta);
   const double A = inertia_factor(body, state.theta, state.beta);
-  const double a = energy_slope(body, state.theta, state.beta);
+  const Acting acting = acts(Sines{sin_beta, cos_beta, sin_theta, cos_theta});
 
   Kinematics out;
   out.mass_centre = {state.centre.x + r * eta * cos_theta,
@@ -36,7 +52,7 @@ Kinematics kinematics(const Body& body, double gravity,
 
   const double A_rate = -2.0 * eta * std::cos(state.theta - state.beta) *
                         (theta_rate - state.beta_rate);
-  const double v_dot = gravity * a / A - w * A_rate / (2.0 * A * A);
+  const double v_dot = acting.w_rate / A - w * A_rate / (2.0 * A * A);
   const double across = w * state.beta_rate / A;  // v_c² κ_c
   // r_m (θ̈, θ̇²) with r θ̈ = v̇, r θ̇² = v_c ω.
   const double swing = eta * v_dot;
@@ -45,8 +61,8 @@ Kinematics kinematics(const Body& body, double gravity,
                         swing * sin_theta - centripetal * cos_theta;
   const double z_ddot = v_dot * sin_beta + across * cos_beta +
                         swing * cos_theta - centripetal * sin_theta;
-  const double R_x = x_ddot / gravity;
-  const double R_z = z_ddot / gravity - 1.0;
+  const double R_x = x_ddot / gravity - acting.pull_x;
+  const double R_z = z_ddot / gravity - acting.pull_z;
   out.R_n = R_x * sin_beta - R_z * cos_beta;
   out.R_t = R_x * cos_beta + R_z * sin_beta;
 
@@ -55,6 +71,33 @@ Kinematics kinematics(const Body& body, double gravity,
   out.kappa_b = state.beta_rate / along_track;
   out.fold_margin = body.rolls() ? along_track / w : 1.0;
   return out;
+}
+
+}  // namespace
+
+Kinematics kinematics(const Body& body, double gravity,
+                      const PathState& state) {
+  const auto weight = [&](const Sines& d) {
+    return Acting{0.0, 1.0, gravity * (d.sin_beta + d.cos_theta * body.eta_m)};
+  };
+  return moved_by(weight, body, gravity, state);
+}
+
+Kinematics kinematics(const Scene& scene, const PathState& state) {
+  const Body& body = scene.body;
+  const double g = scene.gravity;
+  if (!scene.world.changes_rates()) return kinematics(body, g, state);
+  const auto world = [&](const Sines& d) {
+    const double root = root_of_inertia(body, state.theta, state.beta);
+    const Point heavy = mass_centre(body, state.centre, state.theta);
+    const Pull<double> G = field_at(scene, heavy.x, heavy.z);
+    const double brakes = drag(scene.world.air, state.w / root);
+    return Acting{(G.x - brakes * d.cos_beta) / g,
+                  (G.z - brakes * d.sin_beta) / g,
+                  speed_gain(scene, state.centre.x, state.centre.z, state.theta,
+                             state.w, state.beta, root)};
+  };
+  return moved_by(world, body, g, state);
 }
 
 }  // namespace brachisto

@@ -12,6 +12,7 @@
 #include "math/angle.hpp"
 #include "model/limits_check.hpp"
 #include "model/scene_checker.hpp"
+#include "model/world_check.hpp"
 
 namespace brachisto {
 
@@ -162,6 +163,7 @@ std::vector<SceneError> validate(const Scene& scene) {
                  "for it is what moves the body");
   if (scene.path) check_path(scene, check);
   check_limits(scene, check);
+  check_world(scene, check);
   return check.take();
 }
 

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "math/roots.hpp"
+#include "model/contact.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
@@ -33,6 +35,44 @@ double start_angle(const Body& body) {
   const double last = 2.0 * kHalfPi + margin;
   return math::find_root(stationarity, first, last, first_term(first),
                          first_term(last));
+}
+
+double start_angle(const Scene& scene) {
+  const World& world = scene.world;
+  if (world.start_slope) return *world.start_slope;
+  if (!world.sphere) return start_angle(scene.body);
+  // Fast, for the body is small beside the sphere; where it is not, bisecting
+  // steps would not help either, and the certificate tells.
+  constexpr int kMostSteps = 200;
+  double beta = 0.5 * std::numbers::pi;
+  for (int i = 0; i < kMostSteps; ++i) {
+    Point centre{};
+    if (scene.contact != Contact::Centre) {
+      centre = centre_above({0.0, 0.0}, scene.body.radius, beta);
+    }
+    const Point heavy = mass_centre(scene.body, centre, scene.body.theta_m);
+    const Pull<double> G = field_at(scene, heavy.x, heavy.z);
+    const double tilt = std::atan2(G.z, G.x) - 0.5 * std::numbers::pi;
+    Body turned = scene.body;
+    turned.theta_m -= tilt;
+    const double next = start_angle(turned) + tilt;
+    if (std::abs(next - beta) <= 4e-16) break;
+    beta = next;
+  }
+  return beta;
+}
+
+bool slope_at_A_is_open(const Scene& scene) {
+  return scene.world.start_speed > 0.0 &&
+         (scene.body.off_centred() ||
+          (scene.body.rolls() && scene.contact != Contact::Centre));
+}
+
+double initial_w(const Scene& scene) {
+  const double v_0 = scene.world.start_speed;
+  if (v_0 == 0.0) return 0.0;
+  return v_0 *
+         root_of_inertia(scene.body, scene.body.theta_m, start_angle(scene));
 }
 
 }  // namespace brachisto

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "brachisto/model/body.hpp"
+#include "brachisto/model/scene.hpp"
 
 namespace brachisto {
 
@@ -26,5 +27,20 @@ namespace brachisto {
 ///
 /// \pre the body is valid (validate() of its scene returns nothing)
 [[nodiscard]] double start_angle(const Body& body);
+
+/// Start angle in any world: the one that the start was built from, if that was
+/// chosen; otherwise the same law with the field's direction at the centre of
+/// mass in place of the vertical, which in the field of a sphere depends on
+/// where the centre stands above A and so on β₀ again.
+[[nodiscard]] double start_angle(const Scene& scene);
+
+/// Whether the slope at A is an unknown that the start is built from: with an
+/// initial speed the extremal chooses it, and by it the place of the centre
+/// above A, and where the centre of mass lies off the axis the energy that the
+/// speed v₀ stands for.
+[[nodiscard]] bool slope_at_A_is_open(const Scene& scene);
+
+/// w where the motion starts: v₀ √A(θ_m, β₀) [m/s].
+[[nodiscard]] double initial_w(const Scene& scene);
 
 }  // namespace brachisto

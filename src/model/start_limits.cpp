@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "model/contact.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
@@ -42,6 +45,34 @@ StartLimits start_limits(const Body& body, double beta_0, double beta_rate) {
   } else {
     out.curvature = std::copysign(kInfinity, beta_rate);
   }
+  return out;
+}
+
+StartLimits start_limits(const Scene& scene, const PathState& start) {
+  const Body& body = scene.body;
+  if (scene.world.ordinary()) {
+    return start_limits(body, start.beta, start.beta_rate);
+  }
+  if (scene.world.start_speed > 0.0) {
+    const Kinematics moving = kinematics(scene, start);
+    return {moving.R_n, 0.0, moving.kappa_b, moving.fold_margin};
+  }
+  // Where β₀ puts it: of a solution the place is right to its tolerance alone.
+  const Point heavy = mass_centre(body, start_of_centre(scene), body.theta_m);
+  const Pull<double> G = field_at(scene, heavy.x, heavy.z);
+  const double strength = std::hypot(G.x, G.z) / scene.gravity;
+  const double tilt = std::atan2(G.z, G.x) - 0.5 * std::numbers::pi;
+  Body turned = body;
+  turned.theta_m -= tilt;
+  StartLimits out = start_limits(turned, start.beta - tilt, start.beta_rate);
+  out.normal_force *= strength;
+  const double beta = start.beta - tilt;
+  const double A = inertia_factor(turned, turned.theta_m, beta);
+  const double a = strength * energy_slope(turned, turned.theta_m, beta);
+  out.normal_force_rate = out.normal_force_rate * strength +
+                          body.eta_m * scene.world.air.linear * a *
+                              std::cos(turned.theta_m - beta) /
+                              (A * std::sqrt(A));
   return out;
 }
 

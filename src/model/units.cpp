@@ -17,6 +17,20 @@ Units units_of(double length, const Scene& scene) {
   return {length, std::sqrt(length / (2.0 * scene.gravity))};
 }
 
+World in_units_of(const Units& units, World world) {
+  const double acceleration = units.length / (units.time * units.time);
+  if (world.sphere) {
+    world.sphere->centre.x /= units.length;
+    world.sphere->centre.z /= units.length;
+    world.sphere->radius /= units.length;
+    world.sphere->surface_gravity /= acceleration;
+  }
+  world.air.linear *= units.time;
+  world.air.quadratic *= units.length;
+  world.start_speed /= units.speed();
+  return world;
+}
+
 }  // namespace
 
 Units natural_units(const Scene& scene) {
@@ -30,6 +44,9 @@ Scene in_units_of(double length, const Scene& scene) {
   scaled.H /= length;
   scaled.gravity = 0.5;
   scaled.limits = in_units_of(units_of(length, scene), scene.limits);
+  if (!scene.world.ordinary()) {
+    scaled.world = in_units_of(units_of(length, scene), scene.world);
+  }
   return scaled;
 }
 

@@ -26,10 +26,10 @@ struct BetweenEnds {
   Transcription& problem;
   std::optional<ContactEquation> equation;
 
-  BetweenEnds(Transcription& transcription, double phi)
+  BetweenEnds(Transcription& transcription, double phi, bool fixed)
       : problem(transcription) {
     problem.set_end_angle(phi);
-    if (problem.scene().contact != Contact::Smooth) return;
+    if (fixed || problem.scene().contact != Contact::Smooth) return;
     equation.emplace(problem).set_parameter(phi);
   }
   [[nodiscard]] ContactEquation* contact() {
@@ -89,7 +89,7 @@ double reachable(double tolerance, const Transcription& problem,
 
 MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
                           const MeshOptions& options) {
-  BetweenEnds ends(problem, start.phi);
+  BetweenEnds ends(problem, start.phi, options.fixed_ends);
   MeshSolution solution;
   NewtonResult result = ends.newton(
       start.point, start.phi,
@@ -119,7 +119,7 @@ MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
 MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
                            const MeshOptions& options) {
   if (options.newton_alone) return stay_on_mesh(problem, start, options);
-  BetweenEnds ends(problem, start.phi);
+  BetweenEnds ends(problem, start.phi, options.fixed_ends);
   const bool smooth = ends.equation.has_value();
   MeshSolution solution;
   solution.point = start.point;

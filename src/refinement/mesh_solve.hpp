@@ -54,6 +54,7 @@ struct MeshOptions {
   IpoptOptions ipopt;
   bool polish = true;
   bool newton_alone = false;   ///< no Ipopt: stay_on_mesh() in place of passes
+  bool fixed_ends = false;     ///< φ stays: the contact is closed elsewhere
   ProgressHook progress = {};  ///< may be empty
 };
 

@@ -13,7 +13,9 @@
 
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "model/contact.hpp"
+#include "model/start_angle.hpp"
 #include "refinement/mesh_sequence.hpp"
+#include "refinement/start_closure.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/mesh.hpp"
@@ -51,7 +53,14 @@ double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
   // may have opposite signs; the estimate must not profit from it.
   const double difference = other.transit_time() - T;
   const double of_ends = ends.per_radian * (other_phi - tangency.phi);
-  const double apart = std::abs(of_ends) + std::abs(difference - of_ends);
+  double apart = std::abs(of_ends) + std::abs(difference - of_ends);
+  if (slope_at_A_is_open(curve.scene())) {
+    const double of_start =
+        time_per_start_slope(curve) *
+        (start_angle(other.scene()) - start_angle(curve.scene()));
+    apart = std::abs(of_ends) + std::abs(of_start) +
+            std::abs(difference - of_ends - of_start);
+  }
   return (std::max(weight * std::abs(difference), apart) + ends.open +
           ends.rounding) /
              T +
@@ -65,6 +74,22 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   mesh.degree += 1;
   const double phi = answer.solution.tangency.phi;
   RollingTime finer(coarse.scene(), mesh, phi);
+  const auto judge_by = [&](const PrimalDual& point, double finer_phi) {
+    answer.finer.emplace(finer, point);
+    answer.finer_phi = finer_phi;
+    constexpr double kSameSide = 2.0;
+    const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
+    answer.estimated_error =
+        estimate(answer, coarse, *answer.finer, finer_phi,
+                 of_finer / coarse.transit_time(), kSameSide);
+  };
+  if (slope_at_A_is_open(coarse.scene())) {
+    const MeshSolution solution = close_start(
+        finer, {prolong(coarse, finer), phi, -1.0}, options, stay_on_mesh);
+    answer.solution.polish.newton_steps += solution.polish.newton_steps;
+    if (solution.solved()) judge_by(solution.point, solution.tangency.phi);
+    return;
+  }
   const bool smooth = coarse.scene().contact == Contact::Smooth;
   std::optional<ContactEquation> contact;
   if (smooth) contact.emplace(finer);
@@ -81,13 +106,7 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   answer.solution.polish.newton_steps += result.iterations;
   if (result.residual > reachable(kRoundingResidual, finer, result.point.x))
     return;
-  answer.finer.emplace(finer, result.point);
-  answer.finer_phi = result.phi;
-  constexpr double kSameSide = 2.0;
-  const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
-  answer.estimated_error =
-      estimate(answer, coarse, *answer.finer, result.phi,
-               of_finer / coarse.transit_time(), kSameSide);
+  judge_by(result.point, result.phi);
 }
 
 /// How far a solution lies from the curve it started from: in T, relative, or
@@ -126,9 +145,12 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   // a tolerance.
   constexpr double kLargestDeparture = 3e-3;
   MeshAnswer answer{RollingTime(scene, mesh, phi), {}, {}, {}, phi};
+  RollingTime& problem = answer.problem;
+  const bool open_start = slope_at_A_is_open(scene);
+  if (open_start) problem.set_start_slope(start_angle(curve.scene()));
   MeshSolution& solution = answer.solution;
-  const MeshStart start{prolong(curve, answer.problem), phi, -1.0};
-  solution = solve_near(answer.problem, start, options);
+  const MeshStart start{prolong(curve, problem), phi, -1.0};
+  solution = close_start(problem, start, options, solve_near);
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
@@ -140,11 +162,14 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                           ? departure(answer.problem, solution, curve, phi)
                           : std::numeric_limits<double>::infinity();
   if (away > kLargestDeparture && !options.newton_alone) {
-    MeshSolution stayed = stay_on_mesh(answer.problem, start, options);
+    const std::optional<double> slope_found = problem.scene().world.start_slope;
+    if (open_start) problem.set_start_slope(start_angle(curve.scene()));
+    MeshSolution stayed = close_start(problem, start, options, stay_on_mesh);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
       take_instead(solution, std::move(stayed));
     } else {
+      if (slope_found) problem.set_start_slope(*slope_found);
       answer.problem.set_end_angle(solution.tangency.phi);
       if (solution.status == Status::IterationLimit) {
         solution.status = Status::NotConverged;

@@ -21,6 +21,24 @@ double in_degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 
+/// " at A of a sphere of 8 m about (1, 10), v_0 = 1 m/s"; "" if ordinary.
+std::string world_in_words(const World& world) {
+  std::string text;
+  if (world.sphere) {
+    const Sphere& sphere = *world.sphere;
+    text += fmt::format(" at A of a sphere of {:.6g} m about ({:.6g}, {:.6g})",
+                        sphere.radius, sphere.centre.x, sphere.centre.z);
+  }
+  if (world.start_speed != 0.0) {
+    text += fmt::format(", v_0 = {:.6g} m/s", world.start_speed);
+  }
+  if (world.air.any()) {
+    text += fmt::format(", drag {:.6g}/s v + {:.6g}/m v²", world.air.linear,
+                        world.air.quadratic);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string_view track_kind(const Scene& scene) {
@@ -58,6 +76,7 @@ std::string in_words(const Scene& scene) {
           : std::string("bead");
   text += fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²", scene.L,
                       scene.H, scene.gravity);
+  text += world_in_words(scene.world);
   if (scene.contact == Contact::Centre) {
     text += ", between points of the centre's path";
   }

@@ -252,7 +252,8 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
 
 bool comparable(const Scene& a, const Scene& b) {
   return a.body.shape == b.body.shape && a.contact == b.contact &&
-         a.body.off_centred() == b.body.off_centred();
+         a.body.off_centred() == b.body.off_centred() && a.world.ordinary() &&
+         b.world.ordinary();
 }
 
 bool can_continue(const Neighbour& neighbour, const Scene& scene) {

@@ -70,7 +70,8 @@ struct Neighbour {
                                                  const StopCondition& stop,
                                                  const ProgressHook& = {});
 
-/// True if the extremals of both scenes have the same unknowns.
+/// True if the extremals of both scenes have the same unknowns, and their
+/// worlds are ordinary.
 [[nodiscard]] bool comparable(const Scene& a, const Scene& b);
 
 /// True if the neighbour's scene is valid and comparable() and its mesh, point

@@ -158,6 +158,25 @@ std::vector<std::string> option_errors(const SolveOptions& options) {
   return check.take();
 }
 
+/// What is derived for an ordinary world alone; files have it said with its
+/// reasons before.
+std::vector<std::string> world_errors(const Scene& scene,
+                                      const SolveOptions& options) {
+  if (scene.world.ordinary()) return {};
+  const auto* program = options.of<Collocation>();
+  const bool known =
+      options.of<DiscreteSystem>() == nullptr &&
+      (program == nullptr ||
+       (program->search == Search::Principal &&
+        program->guess == Guess::Cycloid &&
+        program->discretisation.formulation == Formulation::RollingTime));
+  if (known) return {};
+  return {
+      "in a sphere's field, with a start speed or in air the formulation is "
+      "rolling_time, the search principal, the guess cycloid, and the "
+      "method not the discrete system"};
+}
+
 Collocation program_of(const SolveOptions& options) {
   auto program = options.or_default<Collocation>();
   if (const auto* shooting = options.of<Shooting>()) {
@@ -193,6 +212,7 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
                   const SolveHooks& hooks) {
   refuse("the scene is not valid", errors_of(scene));
   refuse("the options are not valid", option_errors(options));
+  refuse("the options do not fit the scene", world_errors(scene, options));
   PosedProblem out{PosedScene(scene), options, program_of(options), {}, {}, {},
                    warnings_of(scene)};
   MeshOptions& mesh = out.mesh_options;

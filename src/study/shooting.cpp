@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "brachisto/trajectory/certificate.hpp"
+#include "model/start_angle.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
@@ -50,7 +51,9 @@ ExtremalGuess as_guess(const ExtremalCurve& curve, const Units& units,
                          .p_theta = at.p.p_theta * units.time,
                          .p_w = at.p.p_w * units.time / units.speed(),
                          .beta = at.beta,
-                         .t = at.t * units.time};
+                         .t = at.t * units.time,
+                         .p_x = at.p.p_x * units.time / units.length,
+                         .p_z = at.p.p_z * units.time / units.length};
   };
   return guess;
 }
@@ -66,19 +69,24 @@ PrimalDual sample_extremal(const ExtremalSolution& extremal, const Units& units,
         point.theta = at.theta;
         point.w = at.w / units.speed();
         point.beta = at.beta;
-        point.p = {extremal.p_x / per_length, extremal.p_z / per_length,
+        point.p = {at.p_x / per_length, at.p_z / per_length,
                    at.p_theta / units.time,
                    at.p_w * units.speed() / units.time};
         return point;
       });
 }
 
-ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
+ExtremalSolution shoot(const Scene& scene, double tolerance,
+                       const StopCondition& stop) {
   ExtremalOptions options;
   options.follow_folds = true;
   options.tolerance = tolerance;
-  options.stop = posed.stop();
-  return solve_extremal(posed.scene, options);
+  options.stop = stop;
+  return solve_extremal(scene, options);
+}
+
+ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
+  return shoot(posed.scene, tolerance, posed.stop());
 }
 
 Outcome outcome_of(const ExtremalSolution& extremal) {
@@ -99,6 +107,9 @@ MeshAnswer answer_from_extremal(const PosedProblem& posed,
   const double phi = extremal.phi;
   const auto sampled_on = [&](const Mesh& mesh) {
     MeshAnswer answer{RollingTime(posed.natural, mesh, phi), {}, {}, {}, phi};
+    if (slope_at_A_is_open(posed.natural)) {
+      answer.problem.set_start_slope(extremal.start_angle);
+    }
     answer.solution.point =
         sample_extremal(extremal, posed.units, answer.problem);
     return answer;

@@ -28,6 +28,8 @@ namespace brachisto {
 
 /// The principal extremal, through folds, by the indirect method.
 /// \param tolerance  relative, of T
+[[nodiscard]] ExtremalSolution shoot(const Scene& scene, double tolerance,
+                                     const StopCondition& stop);
 [[nodiscard]] ExtremalSolution shoot(const PosedProblem& posed,
                                      double tolerance);
 

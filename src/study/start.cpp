@@ -10,7 +10,9 @@
 #include <numbers>
 #include <utility>
 
+#include "model/world_part.hpp"
 #include "refinement/turn_meshes.hpp"
+#include "search/world_continuation.hpp"
 #include "study/shooting.hpp"
 #include "trajectory/trajectory.hpp"
 #include "transcription/initial_guess.hpp"
@@ -40,7 +42,8 @@ std::string slow_at_end(const CycloidArc& arc) {
 
 void follow_folds(const PosedProblem& posed, Start& start) {
   constexpr double kEnoughToStartFrom = 1e-10;
-  const ExtremalSolution extremal = shoot(posed, kEnoughToStartFrom);
+  const ExtremalSolution extremal =
+      shoot(in_ordinary_world(posed.scene), kEnoughToStartFrom, posed.stop());
   start.newton_steps += extremal.newton_steps;
   if (!extremal.usable()) {
     start.message += ". By shooting: " + extremal.message;
@@ -49,8 +52,9 @@ void follow_folds(const PosedProblem& posed, Start& start) {
   start.folds = extremal.continuation.folds;
   start.phi = extremal.phi;
   const double length = extremal.centre_path_length / posed.units.length;
-  const RollingTime problem(
-      posed.natural, sampled_mesh(posed.natural.body, length), extremal.phi);
+  const RollingTime problem(in_ordinary_world(posed.natural),
+                            sampled_mesh(posed.natural.body, length),
+                            extremal.phi);
   start.curve.emplace(problem, sample_extremal(extremal, posed.units, problem));
 }
 
@@ -66,12 +70,18 @@ Start start_from_cycloid(const PosedProblem& posed) {
   const CycloidArc& arc = *posed.cycloid;
   Start start = [&] {
     const PhaseTimer timer(Phase::Start);
-    return Start{continue_from_cycloid(posed.natural, arc,
+    return Start{continue_from_cycloid(in_ordinary_world(posed.natural), arc,
                                        coarse_mesh(posed.natural, arc),
                                        posed.stop(), posed.progress()),
                  {}};
   }();
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
+  if (start.curve && !posed.natural.world.ordinary()) {
+    const PhaseTimer timer(Phase::Start);
+    static_cast<Continuation&>(start) = continue_into_world(
+        posed.natural, std::move(start), posed.stop(), posed.progress());
+    return start;
+  }
   if (start.curve) return start;
   const std::string slow = slow_at_end(arc);
   const std::string search = wider_search(posed.scene, posed.options);

@@ -47,7 +47,9 @@ struct CertificateThresholds {
 ///   kkt_residual     stationarity, in long double and by other derivatives
 ///   hamiltonian      max |𝓗| / √A between nodes; zero on an extremal
 ///   slope            max |∂𝓗/∂β| / √A of the interpolated slopes
-///   start_angle      slope of the curve at the start against β₀
+///   start_angle      slope of the curve at the start against β₀, from rest
+///   closure_at_A     the same against the slope that the start was built from,
+///                    with an initial speed
 ///   second_order     eigenvalues of the KKT matrix with the wrong sign or none
 ///   legendre         −min ∂²𝓗/∂β²; below zero on a minimum
 ///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b; zero, at
@@ -56,7 +58,8 @@ struct CertificateThresholds {
 ///   defects          equality constraints, in long double
 ///   contact_error    distance of the track's ends from A and B
 ///   closure           |β_end(φ) − φ|, for Contact::Smooth
-///   energy_drift     max |w²/2g − E| at element ends
+///   energy_drift     max |w²/2g − E| at element ends, in other worlds of
+///                    ½ w² + Φ and the work of the drag, over g
 ///   reintegrated_time  T of the motion from the equation of motion against T,
 ///                    to one and the same end point
 ///   reintegration_error  of that motion the largest relative error of T and

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "math/jet1.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
@@ -21,8 +23,10 @@ namespace {
 
 using enum StateComponent;
 using Real = long double;
-// Derivatives with respect to θ, w, β and U at a collocation point.
-using Jet = math::Jet1<Real, 4>;
+// Derivatives with respect to θ, w, β and U at a collocation point, and where
+// they matter to x and z.
+using OrdinaryJet = math::Jet1<Real, 4>;
+using WorldJet = math::Jet1<Real, 6>;
 
 /// Keeps the largest absolute value and its index; a NaN stays.
 struct Worst {
@@ -67,19 +71,26 @@ ExtendedResidual summarise(const nlp::Problem& problem, const PrimalDual& point,
   return out;
 }
 
+/// Where a collocation point is.
+struct PointState {
+  Real x, z, theta, w, beta, U;
+};
+
 /// Rates of the states and of time at a collocation point.
+template <class Jet>
 struct Rates {
   Jet x, z, theta, w, time;
 };
 
-Rates rates(const Scene& scene, bool has_theta, Real theta, Real w, Real beta,
-            Real U) {
+template <class Jet>
+Rates<Jet> rates(const Scene& scene, bool has_theta, const PointState& at) {
+  const auto& [x, z, theta, w, beta, U] = at;
   const Body& body = scene.body;
   const Jet jet_theta = Jet::variable(theta, 0);
   const Jet jet_w = Jet::variable(w, 1);
   const Jet jet_beta = Jet::variable(beta, 2);
   const Jet jet_U = Jet::variable(U, 3);
-  Rates out;
+  Rates<Jet> out;
   out.x = jet_U * jet_w * cos(jet_beta);
   out.z = jet_U * jet_w * sin(jet_beta);
   const Jet g(static_cast<Real>(scene.gravity));
@@ -92,6 +103,10 @@ Rates rates(const Scene& scene, bool has_theta, Real theta, Real w, Real beta,
     out.time =
         jet_U *
         Jet(std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
+  }
+  if constexpr (std::is_same_v<Jet, WorldJet>) {
+    out.w = jet_U * speed_gain(scene, Jet::variable(x, 4), Jet::variable(z, 5),
+                               jet_theta, jet_w, jet_beta, out.time / jet_U);
   }
   return out;
 }
@@ -110,10 +125,10 @@ NodeJet speed(const Scene& scene, const Node& node) {
               NodeJet(static_cast<Real>(2.0 * scene.gravity)));
 }
 
-}  // namespace
-
-ExtendedResidual extended_residual(const RollingTime& problem,
-                                   const PrimalDual& point) {
+template <class Jet>
+ExtendedResidual collocation_residual(const RollingTime& problem,
+                                      const PrimalDual& point) {
+  constexpr bool kPlaceMatters = std::is_same_v<Jet, WorldJet>;
   const VariableLayout& layout = problem.layout();
   const Mesh& mesh = problem.mesh();
   const CollocationScheme& scheme = problem.scheme();
@@ -129,15 +144,18 @@ ExtendedResidual extended_residual(const RollingTime& problem,
                    static_cast<Real>(mesh.boundaries[at(e)]);
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;
-      Real theta = 0.0L;
-      Real w = 0.0L;
+      PointState at_c{
+          0.0L, 0.0L, 0.0L, 0.0L, x(layout.beta(c)), x(layout.rolling_time())};
       for (int n = 0; n <= p; ++n) {
         const Real weight = scheme.interpolation(j, n);
-        w += weight * x(layout.state(e * p + n, W));
-        if (has_theta) theta += weight * x(layout.state(e * p + n, Theta));
+        at_c.w += weight * x(layout.state(e * p + n, W));
+        if (has_theta) at_c.theta += weight * x(layout.state(e * p + n, Theta));
+        if constexpr (kPlaceMatters) {
+          at_c.x += weight * x(layout.state(e * p + n, X));
+          at_c.z += weight * x(layout.state(e * p + n, Z));
+        }
       }
-      const Rates f = rates(problem.scene(), has_theta, theta, w,
-                            x(layout.beta(c)), x(layout.rolling_time()));
+      const Rates f = rates<Jet>(problem.scene(), has_theta, at_c);
 
       // Lagrangian of the point: h (b U √A − Σ λ_i U f_i) + λᵀ D X.
       Jet lagrangian =
@@ -168,6 +186,12 @@ ExtendedResidual extended_residual(const RollingTime& problem,
           gradient[at(layout.state(e * p + n, Theta))] +=
               weight * lagrangian.gradient[0];
         }
+        if constexpr (kPlaceMatters) {
+          gradient[at(layout.state(e * p + n, X))] +=
+              weight * lagrangian.gradient[4];
+          gradient[at(layout.state(e * p + n, Z))] +=
+              weight * lagrangian.gradient[5];
+        }
       }
       gradient[at(layout.beta(c))] += h * lagrangian.gradient[2];
       gradient[at(layout.rolling_time())] += h * lagrangian.gradient[3];
@@ -175,6 +199,15 @@ ExtendedResidual extended_residual(const RollingTime& problem,
   }
 
   return summarise(problem, point, gradient, defect);
+}
+
+}  // namespace
+
+ExtendedResidual extended_residual(const RollingTime& problem,
+                                   const PrimalDual& point) {
+  return problem.scene().world.changes_rates()
+             ? collocation_residual<WorldJet>(problem, point)
+             : collocation_residual<OrdinaryJet>(problem, point);
 }
 
 ExtendedResidual extended_residual(const ArcLength& problem,

@@ -12,6 +12,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
@@ -53,16 +54,23 @@ class PathByLength {
     double w, integral;
   };
   [[nodiscard]] Speed speed(int e, double t) const;
+  /// dβ/dt, of the place t in element e, along the polynomials.
+  [[nodiscard]] double rate_in_world(int e, double t,
+                                     const ExtremalPoint& point) const;
 
   const ExtremalCurve& curve_;
+  const bool in_world_;
   const CollocationScheme& scheme_;
   math::QuadratureRule rule_;  ///< exact for w
   std::vector<double> ends_;
   std::vector<double> theta_, w_, p_w_;  ///< at nodes
+  /// In other worlds, all states and costates at nodes.
+  std::array<std::vector<double>, 8> all_;
 };
 
 PathByLength::PathByLength(const ExtremalCurve& curve)
     : curve_(curve),
+      in_world_(curve.scene().world.changes_rates()),
       scheme_(collocation_scheme(curve.mesh().degree)),
       rule_(math::gauss_legendre((curve.mesh().degree + 2) / 2)) {
   const Mesh& mesh = curve.mesh();
@@ -71,6 +79,12 @@ PathByLength::PathByLength(const ExtremalCurve& curve)
     theta_.push_back(at.theta);
     w_.push_back(at.w);
     p_w_.push_back(at.p.p_w);
+    if (!in_world_) continue;
+    const std::array values{at.centre.x, at.centre.z, at.theta,     at.w,
+                            at.p.p_x,    at.p.p_z,    at.p.p_theta, at.p.p_w};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      all_[i].push_back(values[i]);
+    }
   }
   ends_.push_back(0.0);
   for (int e = 0; e < mesh.num_elements(); ++e) {
@@ -120,6 +134,9 @@ PathByLength::Place PathByLength::at(int e, double s) const {
   // ∂𝓗/∂β = 0 differentiated along the polynomials.
   const ExtremalPoint point = curve_.at(e, t);
   const Scene& scene = curve_.scene();
+  if (in_world_) {
+    return {point.beta, rate_in_world(e, t, point) / (hU * point.w)};
+  }
   const SlopeHamiltonian h = slope_hamiltonian(
       scene.body, scene.gravity, {point.theta, point.w}, point.p, point.beta);
   const double sine = std::sin(point.beta);
@@ -135,6 +152,18 @@ PathByLength::Place PathByLength::at(int e, double s) const {
        scene.gravity * cosine * combine(e, slopes, p_w_)) /
       h.d2_beta;
   return {point.beta, rate / (hU * point.w)};
+}
+
+double PathByLength::rate_in_world(int e, double t,
+                                   const ExtremalPoint& point) const {
+  std::vector<double> slopes(static_cast<std::size_t>(scheme_.nodes.size()));
+  scheme_.nodes.differentiate(t, slopes);
+  std::array<double, 8> rates{};
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    rates[i] = combine(e, slopes, all_[i]);
+  }
+  return in_world::slope_rate_along(curve_.scene(), point.state(), point.p,
+                                    point.beta, rates);
 }
 
 namespace odeint = boost::numeric::odeint;
@@ -159,6 +188,23 @@ double acceleration(const Scene& scene, double s, double v, double beta,
   return (scene.gravity * energy_slope(body, theta, beta) - 0.5 * A_s_v2) / A;
 }
 
+/// The same in any world, at a place of the centre: the force along the path of
+/// field and drag, per mass, in place of g (sin β + η cos θ).
+double acceleration_in_world(const Scene& scene, double s, double v, Point at,
+                             double beta, double v_kappa) {
+  const Body& body = scene.body;
+  const double theta = body.theta_m + s * turning(body);
+  const double A = inertia_factor(body, theta, beta);
+  const double A_s_v2 = -2.0 * body.eta_m * std::cos(theta - beta) * v *
+                        (v * turning(body) - v_kappa);
+  const Point heavy = mass_centre(body, at, theta);
+  const Pull<double> G = field_at(scene, heavy.x, heavy.z);
+  const double force = G.x * (std::cos(beta) - body.eta_m * std::sin(theta)) +
+                       G.z * (std::sin(beta) + body.eta_m * std::cos(theta)) -
+                       drag(scene.world.air, v);
+  return (force - 0.5 * A_s_v2) / A;
+}
+
 // s, ṡ, x, z
 using State = std::array<double, 4>;
 
@@ -167,6 +213,8 @@ struct EquationOfMotion {
   const Scene& scene;
   const PathByLength& path;
   double start_angle;
+  bool in_world = scene.world.changes_rates();
+  bool pushed = scene.world.start_speed > 0.0;
 
   /// Rates while the body is in element e.
   void rates(int e, const State& y, State& dy) const {
@@ -176,13 +224,16 @@ struct EquationOfMotion {
     // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
     // for κ_c ~ 1/ṡ.
     double v_kappa = v * turning(scene.body);
-    if (s > 0.0) {
+    if (s > 0.0 || pushed) {
       const PathByLength::Place place = path.at(e, s);
       beta = place.beta;
       v_kappa = v * place.kappa;
     }
-    dy = {v, acceleration(scene, s, v, beta, v_kappa), v * std::cos(beta),
-          v * std::sin(beta)};
+    const double s_ddot =
+        in_world
+            ? acceleration_in_world(scene, s, v, {y[2], y[3]}, beta, v_kappa)
+            : acceleration(scene, s, v, beta, v_kappa);
+    dy = {v, s_ddot, v * std::cos(beta), v * std::sin(beta)};
   }
 };
 
@@ -195,7 +246,7 @@ bool finite(const State& y) {
                      [](double value) { return std::isfinite(value); });
 }
 
-/// One motion from rest.
+/// One motion from the start, at rest or with its speed.
 class Journey {
  public:
   Journey(const EquationOfMotion& motion, const PathByLength& path, Point start,
@@ -203,7 +254,7 @@ class Journey {
       : motion_(motion),
         path_(path),
         duration_(duration),
-        q_{0.0, 0.0, start.x, start.z} {}
+        q_{0.0, motion.scene.world.start_speed, start.x, start.z} {}
 
   MotionEnd run() {
     MotionEnd end = leave();
@@ -255,7 +306,7 @@ MotionEnd Journey::leave() {
   };
   double t = 0.0;
   double dt = kFirstStep * duration_;
-  State y{0.0, 0.0, q_[2], q_[3]};
+  State y{0.0, q_[1], q_[2], q_[3]};
   while (y[0] < goal) {
     check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;

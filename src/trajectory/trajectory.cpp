@@ -20,27 +20,35 @@ Trajectory::Trajectory(ExtremalCurve curve, const Scene& scene,
           transit_time.value_or(curve_.transit_time() * units_.time)) {}
 
 double Trajectory::start_angle() const {
-  return brachisto::start_angle(scene_.body);
+  const World& world = scene_.world;
+  if (world.ordinary()) return brachisto::start_angle(scene_.body);
+  return world.start_speed > 0.0 ? curve_.at(0.0).beta
+                                 : brachisto::start_angle(curve_.scene());
 }
 
 StartLimits Trajectory::at_start() const {
   const Scene& natural = curve_.scene();
   const ExtremalPoint start = curve_.at(0.0);
   const double beta_rate =
-      slope_rate(natural.body, natural.gravity, {start.theta, start.w}, start.p,
-                 start.beta);
-  return start_limits(scene_.body, start_angle(), beta_rate / units_.time);
+      slope_rate(natural, start.state(), start.p, start.beta);
+  if (scene_.world.ordinary()) {
+    return start_limits(scene_.body, start_angle(), beta_rate / units_.time);
+  }
+  StartLimits limits = start_limits(
+      natural, {start.centre, start.theta, start_angle(), start.w, beta_rate});
+  limits.normal_force_rate /= units_.time;
+  limits.curvature /= units_.length;
+  return limits;
 }
 
 TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
                                     double sigma) const {
   const Scene& natural = curve_.scene();
   PathState state{point.centre, point.theta, point.beta, point.w, 0.0};
-  state.beta_rate = slope_rate(natural.body, natural.gravity,
-                               {point.theta, point.w}, point.p, point.beta);
+  state.beta_rate = slope_rate(natural, point.state(), point.p, point.beta);
   TrajectoryPoint out;
   out.sigma = sigma;
-  out.motion = kinematics(natural.body, natural.gravity, state);
+  out.motion = kinematics(natural, state);
   const auto scale = [&](Point& p) {
     p.x *= units_.length;
     p.z *= units_.length;

@@ -22,13 +22,18 @@ namespace brachisto {
 /// values of polynomials of degree p that satisfy the costate equations at the
 /// same points, start from p_θ = p_w = 0 at the end, and are right to order 2p
 /// at element ends.
+///
+/// p_x and p_z are constant along the path, unless the field depends on the
+/// place.
 struct CostateSolution {
-  double p_x = 0.0;                    ///< constant along the path
-  double p_z = 0.0;                    ///< constant along the path
+  double p_x = 0.0;                    ///< at the end
+  double p_z = 0.0;                    ///< at the end
   std::vector<double> p_theta_points;  ///< N p values; empty without θ
   std::vector<double> p_w_points;      ///< N p values
   std::vector<double> p_theta_nodes;   ///< N p + 1 values; empty without θ
   std::vector<double> p_w_nodes;       ///< N p + 1 values
+  std::vector<double> p_x_nodes;       ///< N p + 1 values; empty if constant
+  std::vector<double> p_z_nodes;       ///< N p + 1 values; empty if constant
 };
 
 /// \param x, lambda  a solution of `problem`

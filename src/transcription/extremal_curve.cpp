@@ -53,7 +53,7 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
   if (has_theta) nodes_.theta = nodal(problem, point, Theta);
 
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  double neighbour = start_angle(body);
+  double neighbour = start_angle(scene_);
   std::vector<double> ds(at_index(p));
   std::vector<double> dt(at_index(p));
   for (int e = 0; e < mesh_.num_elements(); ++e) {
@@ -111,6 +111,10 @@ ExtremalPoint ExtremalCurve::at(int element, double t) const {
   point.s = value(nodes_.s);
   point.t = value(nodes_.t);
   point.p = {costates_.p_x, costates_.p_z, 0.0, value(costates_.p_w_nodes)};
+  if (!costates_.p_x_nodes.empty()) {
+    point.p.p_x = value(costates_.p_x_nodes);
+    point.p.p_z = value(costates_.p_z_nodes);
+  }
   if (!nodes_.theta.empty()) {
     point.theta = value(nodes_.theta);
     point.p.p_theta = value(costates_.p_theta_nodes);
@@ -118,9 +122,8 @@ ExtremalPoint ExtremalCurve::at(int element, double t) const {
     point.theta = scene_.body.theta_m + point.s / scene_.body.radius;
   }
 
-  point.beta =
-      minimising_slope(scene_.body, scene_.gravity, {point.theta, point.w},
-                       point.p, interpolated_slope(element, t));
+  point.beta = minimising_slope(scene_, point.state(), point.p,
+                                interpolated_slope(element, t));
   return point;
 }
 
@@ -159,8 +162,7 @@ double mean_hamiltonian(const ExtremalCurve& curve, int element,
   double mean = 0.0;
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
     const ExtremalPoint at = curve.at(element, rule.points[i]);
-    mean += rule.weights[i] * hamiltonian(scene.body, scene.gravity,
-                                          {at.theta, at.w}, at.p, at.beta);
+    mean += rule.weights[i] * hamiltonian(scene, at.state(), at.p, at.beta);
   }
   return mean;
 }

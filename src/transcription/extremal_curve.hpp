@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
+#include "model/world_hamiltonian.hpp"
 #include "transcription/costates.hpp"
 #include "transcription/rolling_time.hpp"
 
@@ -23,6 +24,8 @@ struct ExtremalPoint {
   double t = 0.0;      ///< time
   Costates p;
   double beta = 0.0;  ///< slope angle, continuous along the path
+
+  [[nodiscard]] MovingState state() const { return {centre, theta, w}; }
 };
 
 /// The collocation polynomials of a solution, of order 2p at element ends and
@@ -39,6 +42,7 @@ class ExtremalCurve {
   [[nodiscard]] double rolling_time() const { return U_; }
   [[nodiscard]] double transit_time() const { return nodes_.t.back(); }
   [[nodiscard]] double arc_length() const { return nodes_.s.back(); }
+  /// At the end.
   [[nodiscard]] double p_x() const { return costates_.p_x; }
   [[nodiscard]] double p_z() const { return costates_.p_z; }
 

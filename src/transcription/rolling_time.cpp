@@ -9,6 +9,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 
@@ -22,11 +23,8 @@ RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
     : Transcription(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
                     {}, "collocation point"),
       scheme_(&collocation_scheme(mesh.degree)) {
-  const Point start = start_of_centre(scene);
-  fix(layout().state(0, X), start.x);
-  fix(layout().state(0, Z), start.z);
   if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
-  fix(layout().state(0, W), 0.0);
+  fix_start();
   set_end_angle(phi);
 
   for (auto* array : {&points_.w, &points_.cos_beta, &points_.sin_beta,
@@ -34,8 +32,23 @@ RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
                       &points_.eta_cos_theta, &points_.eta_sin_theta}) {
     array->assign(at(layout().num_points()), 0.0);
   }
+  if (scene.world.changes_rates()) {
+    world_points_.resize(at(layout().num_points()));
+  }
 
   build_patterns();
+}
+
+void RollingTime::fix_start() {
+  const Point start = start_of_centre(scene());
+  fix(layout().state(0, X), start.x);
+  fix(layout().state(0, Z), start.z);
+  fix(layout().state(0, W), initial_w(scene()));
+}
+
+void RollingTime::set_start_slope(double alpha) {
+  choose_start_slope(alpha);
+  fix_start();
 }
 
 nlp::EliminationOrder RollingTime::elimination_order() const {
@@ -62,6 +75,10 @@ nlp::EliminationOrder RollingTime::elimination_order() const {
 
 std::optional<Transcription::End> RollingTime::end(
     std::span<const double> x, std::span<const double> lambda) {
+  if (place_matters()) {
+    if (!set_point(x)) return std::nullopt;
+    return world_end(lambda);
+  }
   const int last = layout().num_points();
   const int row_x = layout().defect(last - 1, X);
   const int row_z = layout().defect(last - 1, Z);
@@ -84,6 +101,7 @@ std::optional<Transcription::End> RollingTime::end(
 }
 
 Costates RollingTime::end_costates(std::span<const double> lambda) const {
+  if (place_matters()) return world_end(lambda).p;
   Costates p;
   for (int c = 0; c < layout().num_points(); ++c) {
     const double h = mesh().length(c / mesh().degree);
@@ -96,6 +114,7 @@ Costates RollingTime::end_costates(std::span<const double> lambda) const {
 bool RollingTime::evaluate() {
   const int p = mesh().degree;
   const double eta = scene().body.eta_m;
+  const bool in_world = changes_rates();
   const double constant_root =
       std::sqrt(axisymmetric_inertia_factor(scene().body));
 
@@ -138,6 +157,7 @@ bool RollingTime::evaluate() {
       if (!std::isfinite(points_.cos_beta[c])) {
         return refuse(point, "the slope angle is not finite");
       }
+      if (in_world) evaluate_world(point, theta, beta);
     }
   }
   return true;
@@ -159,6 +179,7 @@ double RollingTime::do_eval_f() const {
 void RollingTime::do_eval_g(std::span<double> g) const {
   const int p = mesh().degree;
   const Body& body = scene().body;
+  const bool in_world = changes_rates();
   for (int e = 0; e < mesh().num_elements(); ++e) {
     const double hU = mesh().length(e) * x(layout().rolling_time());
     for (int j = 0; j < p; ++j) {
@@ -180,6 +201,11 @@ void RollingTime::do_eval_g(std::span<double> g) const {
       if (layout().has_theta()) {
         g[at(layout().defect(point, Theta))] =
             difference(Theta) - hU * w / body.radius;
+      }
+      if (in_world) {
+        g[at(layout().defect(point, W))] =
+            difference(W) - hU * world_points_[c].gain.value;
+        continue;
       }
       g[at(layout().defect(point, W))] =
           difference(W) - hU * scene().gravity *

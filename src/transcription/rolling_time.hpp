@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "math/jet2.hpp"
 #include "transcription/collocation.hpp"
 #include "transcription/transcription.hpp"
 
@@ -30,6 +31,11 @@ namespace brachisto {
 /// collocation points, are in integral form: a tolerance on them means the
 /// same on every mesh. VariableLayout tells the order of all of them.
 ///
+/// In another world the start has w = v₀ √A, and w' is U speed_gain(), which
+/// may depend on the place. Its derivatives and those of the Lagrangian are
+/// then those of one point function of (x, z, θ, w, β); rows and unknowns are
+/// the same.
+///
 /// A point is refused unless U > 0 and, at every collocation point, w > 0 and
 /// A > 0: the body moves on and its kinetic energy is positive.
 class RollingTime final : public Transcription {
@@ -40,15 +46,21 @@ class RollingTime final : public Transcription {
 
   [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
 
+  /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
+  void set_start_slope(double alpha);
+
   /// Along the path: β, node and multipliers of one collocation point after the
   /// other, U last. The pivots are the defects for the node they lead to.
   [[nodiscard]] nlp::EliminationOrder elimination_order() const override;
 
-  /// p_x = −λ_x/b and p_z likewise, read at the last collocation point.
+  /// p_x = −λ_x/b and p_z likewise, read at the last collocation point; in a
+  /// field that depends on the place as end_costates().
   [[nodiscard]] std::optional<End> end(std::span<const double> x,
                                        std::span<const double> lambda) override;
   /// The same at all collocation points, averaged over σ: they are constant but
-  /// for the solver's residual.
+  /// for the solver's residual. In a field that depends on the place they are
+  /// not, and are those that the last element's points, at the places c_j, and
+  /// the rates −∂𝓗/∂x there say of the end, Σ_j b_j (p_j − c_j hU ∂𝓗/∂x).
   [[nodiscard]] Costates end_costates(
       std::span<const double> lambda) const override;
 
@@ -62,6 +74,7 @@ class RollingTime final : public Transcription {
     std::vector<double> eta_cos_theta, eta_sin_theta;
   };
 
+  void fix_start();
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
   void do_eval_grad_f(std::span<double> grad_f) const override;
@@ -70,8 +83,33 @@ class RollingTime final : public Transcription {
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
 
+  /// In other worlds: x, z, θ, w, β.
+  static constexpr int kLocals = 5;
+  using Jet = math::Jet2<double, kLocals>;
+  struct WorldPoint {
+    Jet root;  ///< √A
+    Jet gain;  ///< dw/du
+  };
+  [[nodiscard]] bool changes_rates() const { return !world_points_.empty(); }
+  /// Whether the field depends on the place, so that p_x and p_z are not
+  /// constant.
+  [[nodiscard]] bool place_matters() const {
+    return scene().world.sphere.has_value();
+  }
+  [[nodiscard]] bool has_local(int number) const {
+    return number < 2 ? place_matters() : number > 2 || layout().has_theta();
+  }
+  [[nodiscard]] static StateComponent component_of(int local);
+  [[nodiscard]] double interpolated(int point, StateComponent component) const;
+  void evaluate_world(int point, double theta, double beta);
+  void put_world_gain(int point, Entries& put) const;
+  void put_world_hess_lag(double objective_factor,
+                          std::span<const double> lambda, Entries& put) const;
+  [[nodiscard]] End world_end(std::span<const double> lambda) const;
+
   const CollocationScheme* scheme_;
   Points points_;
+  std::vector<WorldPoint> world_points_;  ///< empty in an ordinary world
 };
 
 }  // namespace brachisto

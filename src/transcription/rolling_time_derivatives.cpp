@@ -25,6 +25,7 @@ void RollingTime::put_jac_g(Entries& put) const {
   const double U = x(layout().rolling_time());
   const double g = scene().gravity;
   const int col_U = layout().rolling_time();
+  const bool in_world = changes_rates();
   for (int e = 0; e < mesh().num_elements(); ++e) {
     check_stop(e);
     const double h = mesh().length(e);
@@ -75,6 +76,10 @@ void RollingTime::put_jac_g(Entries& put) const {
 
       const int row_w = layout().defect(point, W);
       put_difference(W);
+      if (in_world) {
+        put_world_gain(point, put);
+        continue;
+      }
       if (layout().has_theta()) {
         put_rate(W, Theta, -g * points_.eta_sin_theta[c]);
       }
@@ -87,6 +92,7 @@ void RollingTime::put_jac_g(Entries& put) const {
 void RollingTime::put_hess_lag(double objective_factor,
                                std::span<const double> lambda,
                                Entries& put) const {
+  if (changes_rates()) return put_world_hess_lag(objective_factor, lambda, put);
   // The Lagrangian is a sum over collocation points of
   //   h U { s b √A(θ, β) − λ_x w cos β − λ_z w sin β − λ_θ w/r
   //         − λ_w g (sin β + η cos θ) }

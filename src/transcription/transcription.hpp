@@ -135,6 +135,8 @@ class Transcription : public nlp::Problem {
   Transcription(const Scene& scene, Mesh mesh, VariableLayout layout,
                 Point origin, const char* place);
 
+  /// From now on the scene's start is built from the slope α at A.
+  void choose_start_slope(double alpha) { scene_.world.start_slope = alpha; }
   void fix(int variable, double value);
   void bound(int variable, double lower, double upper);
   void release(int variable);

@@ -79,14 +79,32 @@ template <class Scalar>
       out.g.push_back(slope[0] - hU * w * cos(beta));
       out.g.push_back(slope[1] - hU * w * sin(beta));
       Scalar A(1.0 + eta * eta + body.k);
-      Scalar gain = sin(beta);
+      // The pull of the field at the centre of mass, along its motion.
+      Scalar along_x = cos(beta), along_z = sin(beta);
+      Scalar x_cm = value[0], z_cm = value[1];
       if (has_theta) {
         const Scalar& theta = value[2];
         out.g.push_back(slope[2] - hU * w * (1.0 / body.radius));
         A -= 2.0 * eta * sin(theta - beta);
-        gain += eta * cos(theta);
+        along_x -= eta * sin(theta);
+        along_z += eta * cos(theta);
+        x_cm += body.radius * eta * cos(theta);
+        z_cm += body.radius * eta * sin(theta);
       }
-      out.g.push_back(slope.back() - hU * g * gain);
+      Scalar gain = g * along_z;
+      if (const auto& sphere = row.scene.world.sphere) {
+        const Scalar dx = x_cm - sphere->centre.x;
+        const Scalar dz = z_cm - sphere->centre.z;
+        const Scalar d = sqrt(dx * dx + dz * dz);
+        const bool inside = d.value < sphere->radius;
+        const double R = sphere->radius;
+        const Scalar ratio = inside ? Scalar(1.0 / R) : R * R / (d * d * d);
+        gain = -sphere->surface_gravity * ratio * (along_x * dx + along_z * dz);
+      }
+      const Air& air = row.scene.world.air;
+      const Scalar v = w / sqrt(A);
+      gain -= air.linear * v + air.quadratic * v * v;
+      out.g.push_back(slope.back() - hU * gain);
       out.f += hU * rule.weights[j] * sqrt(A);
     }
   }

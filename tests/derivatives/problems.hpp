@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/scenes.hpp"
+#include "support/world_scenes.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto::testing {
@@ -56,6 +57,21 @@ inline std::ostream& operator<<(std::ostream& out, const ProblemCase& row) {
                        uniform_mesh(p, num_elements)});
       cases.push_back({fmt::format("{}Degree{}Graded", name, p), scene,
                        graded_mesh(p, num_elements)});
+    }
+  }
+  // Other worlds.
+  const std::pair<const char*, Scene> worlds[] = {
+      {"PushedInAir",
+       natural(
+           in_air(with_push(off_centred_scene(-kPi / 6.0), 1.0), 0.3, 0.2))},
+      {"InASphere", natural(about_sphere(off_centred_scene(0.4), around()))},
+      {"BeadInAirAboveASphere",
+       natural(in_air(about_sphere(bead_scene(), below()), 0.3, 0.2))},
+  };
+  for (const auto& [name, scene] : worlds) {
+    for (int p = 1; p <= largest_degree; ++p) {
+      cases.push_back({fmt::format("{}Degree{}", name, p), scene,
+                       uniform_mesh(p, num_elements)});
     }
   }
   return cases;

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/effective_input.hpp"
 #include "io/reading.hpp"
 
 namespace brachisto::io {
@@ -282,6 +284,57 @@ TEST(Consistency, NoContactIsSearchedForBetweenEndsOfTheCentresPath) {
             "p.yaml:2:18: solver.search: global is not allowed with contact: "
             "centre; between fixed ends of the centre's path there is no "
             "contact to search for");
+}
+
+TEST(OtherWorlds, HaveOneFieldAlone) {
+  const std::string sphere =
+      "sphere: {centre: {x: 0, z: 9}, radius: 3, surface_gravity: 2}";
+  const std::string scene =
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, ";
+  const std::string again =
+      "says again what pulls the body; allowed is one of scene.gravity, "
+      "scene.field.uniform and scene.field.sphere";
+  EXPECT_EQ(errors(scene + "field: {uniform: 2, " + sphere + "}}\n"),
+            "p.yaml:1:60: scene.field.uniform: " + again);
+  EXPECT_EQ(errors(scene + "gravity: 2, field: {" + sphere + "}}\n"),
+            "p.yaml:1:72: scene.field.sphere: " + again);
+  EXPECT_EQ(errors(scene + "field: {uniform: -2}}\n"),
+            "p.yaml:1:69: scene.field.uniform: -2 m/s² is not allowed: it must "
+            "be > 0, for it is what moves the body");
+}
+
+TEST(OtherWorlds, AreRefusedByWhatIsDerivedForTheOrdinaryOne) {
+  const std::string scene =
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, air: {linear: 1}}\n";
+  for (const std::string stated :
+       {"discretisation: {formulation: arc_length}", "solver: {method: fsolve}",
+        "solver: {search: global}", "solver: {guess: straight}"}) {
+    EXPECT_NE(
+        errors(scene + stated + "\n")
+            .find("is not allowed with a sphere's field, a start speed or "
+                  "air: "),
+        std::string::npos)
+        << stated;
+  }
+}
+
+TEST(OtherWorlds, SurviveTheWayThroughTheirEcho) {
+  const ProblemFile problem = read(
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, start: {speed: 2}, "
+      "air: {quadratic: 0.1}, field: {sphere: {centre: {x: 1, z: 9}, radius: "
+      "3, "
+      "surface_gravity: 2}}}\n");
+  const Json echo = effective_input(problem.scene, problem.options);
+
+  const ProblemFile again = read(echo.dump());
+
+  EXPECT_EQ(again.scene.world.start_speed, 2.0);
+  EXPECT_EQ(again.scene.world.air.linear, 0.0);
+  EXPECT_EQ(again.scene.world.air.quadratic, 0.1);
+  ASSERT_TRUE(again.scene.world.sphere);
+  EXPECT_EQ(again.scene.world.sphere->centre, (Point{1.0, 9.0}));
+  EXPECT_EQ(again.scene.gravity,
+            again.scene.world.sphere->strength_at({0.0, 0.0}));
 }
 
 }  // namespace

@@ -62,16 +62,22 @@ TEST(Documentation, ExampleHasEveryKey) {
   const std::string example = between(documentation(), "```yaml\n", "```");
   const std::string paths = between(documentation(), "## Given paths", "\n## ");
   const std::string limits = between(documentation(), "## Limits", "\n## ");
+  const std::string worlds =
+      between(documentation(), "## Other worlds", "\n## ");
 
   for (const KeySpec& spec : key_table()) {
     if (spec.type() == KeyType::Reserved) continue;
     if (spec.type() == KeyType::Sweep) continue;  // makes it another file
-    // A given path makes it another problem, and so do limits, each of which
-    // has an example of its own.
+    // A given path makes it another problem, and so do limits and other worlds,
+    // each of which has an example of its own.
     const std::string& place = spec.path.starts_with("scene.path") ? paths
                                : spec.path.starts_with("scene.limits") ||
                                        spec.path.starts_with("scene.contact.")
                                    ? limits
+                               : spec.path.starts_with("scene.field") ||
+                                       spec.path.starts_with("scene.start") ||
+                                       spec.path.starts_with("scene.air")
+                                   ? worlds
                                    : example;
     EXPECT_NE(place.find(std::string(spec.name()) + ":"), std::string::npos)
         << spec.path;
@@ -81,6 +87,14 @@ TEST(Documentation, ExampleHasEveryKey) {
 TEST(Documentation, LimitsAreRead) {
   const std::string example = between(
       between(documentation(), "## Limits", "\n## "), "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  EXPECT_EQ(errors(example), "");
+}
+
+TEST(Documentation, OtherWorldsAreRead) {
+  const std::string example = between(
+      between(documentation(), "## Other worlds", "\n## "), "```yaml\n", "```");
 
   ASSERT_FALSE(example.empty());
   EXPECT_EQ(errors(example), "");

@@ -112,5 +112,15 @@ TEST_P(LimitedProblem, EndsAsItsCommentSays) {
   expect_promise(fs::path(BRACHISTO_LIMITS_DIR) / (GetParam() + ".yaml"));
 }
 
+class WorldProblem : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(
+    Files, WorldProblem,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_WORLDS_DIR)),
+    testing::file_name);
+
+TEST_P(WorldProblem, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_WORLDS_DIR) / (GetParam() + ".yaml"));
+}
+
 }  // namespace
 }  // namespace brachisto

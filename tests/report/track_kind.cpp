@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/scenes.hpp"
+#include "support/world_scenes.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -34,6 +35,16 @@ TEST(LimitsInWords, SayEveryBoundAndMakeTwoARange) {
   EXPECT_EQ(limits_in_words(scene),
             "R_n from 0.1 to 5 m g, κ_c from -2 to 3 1/m, clear of 2 "
             "half-planes");
+}
+
+TEST(TrackKind, TellsOfOtherWorlds) {
+  Scene scene = bead_scene();
+  EXPECT_EQ(report::in_words(scene), "bead; L = 3 m, H = 1 m, g = 9.81 m/s²");
+
+  scene = in_air(with_push(about_sphere(scene, below()), 1.5), 0.1, 0.2);
+  EXPECT_EQ(report::in_words(scene),
+            "bead; L = 3 m, H = 1 m, g = 8.64865 m/s² at A of a sphere of 4 m "
+            "about (1, 6), v_0 = 1.5 m/s, drag 0.1/s v + 0.2/m v²");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/model/point.hpp"
+#include "brachisto/model/scene.hpp"
 
 namespace brachisto {
 
@@ -46,6 +47,11 @@ struct Kinematics {
 [[nodiscard]] Kinematics kinematics(const Body& body, double gravity,
                                     const PathState& state);
 
+/// The same in any world: with the field G at the centre of mass in place of
+/// (0, g), and less the drag on the centre, which is no force of the track.
+/// Forces stay in m g, g being the scene's.
+[[nodiscard]] Kinematics kinematics(const Scene& scene, const PathState& state);
+
 /// What tends to a limit as u → 0 and is not defined, or says nothing, at the
 /// start itself.
 struct StartLimits {
@@ -74,6 +80,15 @@ struct StartLimits {
 /// \param beta_rate  β′ [rad/s]
 [[nodiscard]] StartLimits start_limits(const Body& body, double beta_0,
                                        double beta_rate);
+
+/// The same in any world. With an initial speed nothing is singular, and they
+/// are the values there. From rest the field's direction at the centre of mass
+/// takes the place of the vertical and its strength that of g; linear drag,
+/// which grows with the speed, adds η c₁ a cos δ/A^(3/2) to dR_n/du.
+///
+/// \param start  where the motion begins, with dβ/du there
+[[nodiscard]] StartLimits start_limits(const Scene& scene,
+                                       const PathState& start);
 
 /// The same on a path whose curvature κ_c [1/m] is finite there, β′ = 0.
 [[nodiscard]] StartLimits start_limits_of_curvature(const Body& body,

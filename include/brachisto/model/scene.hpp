@@ -16,6 +16,7 @@
 #include "brachisto/model/body.hpp"
 #include "brachisto/model/path_limits.hpp"
 #include "brachisto/model/point.hpp"
+#include "brachisto/model/world.hpp"
 
 namespace brachisto {
 
@@ -59,9 +60,12 @@ enum class Contact {
 /// Everything that determines the track. z points down.
 struct Scene {
   Body body;
-  double L = 0.0;         ///< horizontal distance from A to B [m]
-  double H = 0.0;         ///< drop from A to B [m]
-  double gravity = 9.81;  ///< g [m/s²]
+  double L = 0.0;  ///< horizontal distance from A to B [m]
+  double H = 0.0;  ///< drop from A to B [m]
+  /// g [m/s²], of the uniform field. In that of a sphere it is what τ and
+  /// forces in m g refer to: the strength at A.
+  double gravity = 9.81;
+  World world;
   Contact contact = Contact::Smooth;
   std::optional<double> end_slope;  ///< of Contact::EndSlope [rad]
   PathLimits limits;                ///< what the motion has to keep to

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "extremal/world_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brachisto::worlds {
+
+namespace {
+
+constexpr std::size_t kTime = kSize;      // position of t
+constexpr std::size_t kPath = kSize + 1;  // states, costates and t
+
+/// \tparam Columns  of derivatives by the start, kSize or none
+template <std::size_t Columns>
+struct WorldRates {
+  /// The path, then its derivatives by each component of the start.
+  using Stack = std::array<double, kPath*(1 + Columns)>;
+
+  const WorldFlow& flow;
+  double beta;  ///< near which the next slope is searched
+  bool failed = false;
+
+  void operator()(const Stack& stack, Stack& rates, double) {
+    State y;
+    std::copy_n(stack.begin(), kSize, y.begin());
+    PhaseJet h;
+    if (failed || !flow.find_slope(y, beta, h)) {
+      failed = true;
+      rates.fill(0.0);
+      return;
+    }
+    const State f = WorldFlow::rates(h);
+    std::copy(f.begin(), f.end(), rates.begin());
+    rates[kTime] = flow.time_rate(y, beta);
+    for (std::size_t j = 0; j < Columns; ++j) {
+      const std::size_t offset = kPath * (1 + j);
+      State v;
+      std::copy_n(stack.begin() + offset, kSize, v.begin());
+      const State df = WorldFlow::variation(h, v);
+      std::copy(df.begin(), df.end(), rates.begin() + offset);
+      rates[offset + kTime] = flow.time_variation(y, beta, h, v);
+    }
+  }
+
+  /// Of the path alone; p_θ is measured in units of r, its natural size.
+  [[nodiscard]] double relative_error(const Stack& now, const Stack& error,
+                                      double tolerance) const {
+    constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < kPath; ++i) {
+      const double weight = i == kPTheta ? flow.inverse_radius() : 1.0;
+      const double ratio = std::abs(error[i]) * weight /
+                           (tolerance + kRounding * std::abs(now[i]) * weight);
+      if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, ratio);
+    }
+    return largest;
+  }
+};
+
+template <std::size_t Columns>
+typename WorldRates<Columns>::Stack stack_of(const State& y, double t = 0.0) {
+  typename WorldRates<Columns>::Stack stack{};
+  std::copy(y.begin(), y.end(), stack.begin());
+  stack[kTime] = t;
+  for (std::size_t j = 0; j < Columns; ++j) stack[kPath * (1 + j) + j] = 1.0;
+  return stack;
+}
+
+template <class Stack>
+Passed passed(double u, const Stack& stack, double beta) {
+  Passed out{u, {}, stack[kTime], beta};
+  std::copy_n(stack.begin(), kSize, out.y.begin());
+  return out;
+}
+
+}  // namespace
+
+bool WorldFlow::find_slope(const State& y, double& beta, PhaseJet& h) const {
+  beta = minimising_slope(scene_, {{y[kX], y[kZ]}, y[kTheta], y[kW]},
+                          {y[kPX], y[kPZ], y[kPTheta], y[kPW]}, beta);
+  if (!std::isfinite(beta)) return false;
+  h = hamiltonian_jet(scene_, inverse_radius_,
+                      {y[kX], y[kZ], y[kTheta], y[kW], y[kPX], y[kPZ],
+                       y[kPTheta], y[kPW], beta});
+  return h.hessian[PhaseJet::pair(kPhaseBeta, kPhaseBeta)] > 0.0;
+}
+
+State WorldFlow::rates(const PhaseJet& h) {
+  State f;
+  for (std::size_t i = 0; i < kStates; ++i) {
+    f[i] = h.gradient[kStates + i];
+    f[kStates + i] = -h.gradient[i];
+  }
+  return f;
+}
+
+double WorldFlow::slope_variation(const PhaseJet& h, const State& v) {
+  double change = 0.0;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    change += h.hessian[PhaseJet::pair(kPhaseBeta, static_cast<int>(i))] * v[i];
+  }
+  return -change / h.hessian[PhaseJet::pair(kPhaseBeta, kPhaseBeta)];
+}
+
+State WorldFlow::variation(const PhaseJet& h, const State& v) {
+  const double d_beta = slope_variation(h, v);
+  State gradient;
+  for (int i = 0; i < static_cast<int>(kSize); ++i) {
+    double sum = h.hessian[PhaseJet::pair(kPhaseBeta, i)] * d_beta;
+    for (int j = 0; j < static_cast<int>(kSize); ++j) {
+      sum += h.hessian[PhaseJet::pair(std::max(i, j), std::min(i, j))] *
+             v[static_cast<std::size_t>(j)];
+    }
+    gradient[static_cast<std::size_t>(i)] = sum;
+  }
+  State out;
+  for (std::size_t i = 0; i < kStates; ++i) {
+    out[i] = gradient[kStates + i];
+    out[kStates + i] = -gradient[i];
+  }
+  return out;
+}
+
+double WorldFlow::time_rate(const State& y, double beta) const {
+  return root_of_inertia(scene_.body, y[kTheta], beta);
+}
+
+double WorldFlow::time_variation(const State& y, double beta, const PhaseJet& h,
+                                 const State& v) const {
+  // ∂√A/∂β = −∂√A/∂θ = η cos(θ − β)/√A
+  const double slope =
+      scene_.body.eta_m * std::cos(y[kTheta] - beta) / time_rate(y, beta);
+  return slope * (slope_variation(h, v) - v[kTheta]);
+}
+
+bool integrate_arc(const WorldFlow& flow, const State& start, double near,
+                   double span, const shooting::StepControl& control,
+                   double& step, ArcEnd& end) {
+  using Rates = WorldRates<kSize>;
+  shooting::AdaptiveIntegration<Rates> path(Rates{flow, near},
+                                            stack_of<kSize>(start));
+  end.steps = 0;
+  if (!shooting::advance(path, span, control, step,
+                         [&](double) { ++end.steps; })) {
+    return false;
+  }
+  const Passed last = passed(span, path.now(), path.beta());
+  end.y = last.y;
+  end.t = last.t;
+  end.beta = last.beta;
+  std::copy_n(path.slope().begin(), kSize, end.rates.begin());
+  end.time_rate = path.slope()[kTime];
+  for (std::size_t j = 0; j < kSize; ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    const double* derivatives = path.now().data() + kPath * (1 + j);
+    end.by_start.col(column) =
+        Eigen::Map<const Eigen::Matrix<double, ArcEnd::kWidth, 1>>(derivatives);
+    end.time_by_start(column) = derivatives[kTime];
+  }
+  return true;
+}
+
+bool follow_arc(const WorldFlow& flow, const State& start, double near,
+                double span, const shooting::StepControl& control,
+                const std::function<void(const Passed&)>& tell) {
+  using Rates = WorldRates<0>;
+  shooting::AdaptiveIntegration<Rates> path(Rates{flow, near},
+                                            stack_of<0>(start));
+  if (path.failed()) return false;
+  tell(passed(0.0, path.now(), path.beta()));
+  double step = 0.0;
+  return shooting::advance(path, span, control, step, [&](double u) {
+    tell(passed(u, path.now(), path.beta()));
+  });
+}
+
+Passed step_from(const WorldFlow& flow, const Passed& from, double span) {
+  using Rates = WorldRates<0>;
+  shooting::AdaptiveIntegration<Rates> path(Rates{flow, from.beta},
+                                            stack_of<0>(from.y, from.t));
+  path.step_unchecked(span);
+  return passed(from.u + span, path.now(), path.beta());
+}
+
+}  // namespace brachisto::worlds

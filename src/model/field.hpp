@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The field, the drag, and what they do to the speed, in any world: for
+/// numbers and jets.
+
+#pragma once
+
+#include <cmath>
+
+#include "brachisto/model/scene.hpp"
+#include "model/inertia.hpp"
+
+namespace brachisto {
+
+/// A force per mass.
+template <class Scalar>
+struct Pull {
+  Scalar x, z;
+};
+
+/// The number in a jet.
+template <class Scalar>
+[[nodiscard]] double plain(const Scalar& number) {
+  if constexpr (requires { number.value; }) {
+    return plain(number.value);
+  } else {
+    return static_cast<double>(number);
+  }
+}
+
+/// Force per mass of the field at a place: (0, g), or towards the centre of a
+/// sphere of radius R with the surface gravity g_s, at the distance d,
+///
+///     g_s d/R inside,  g_s (R/d)² outside.
+template <class Scalar>
+[[nodiscard]] Pull<Scalar> field_at(const Scene& scene, const Scalar& x,
+                                    const Scalar& z) {
+  using std::sqrt;
+  const World& world = scene.world;
+  if (!world.sphere) return {Scalar(0.0), Scalar(scene.gravity)};
+  const Sphere& sphere = *world.sphere;
+  const double R = sphere.radius;
+  const Scalar dx = x - Scalar(sphere.centre.x);
+  const Scalar dz = z - Scalar(sphere.centre.z);
+  const Scalar square = dx * dx + dz * dz;
+  const double share = world.sphere_share;
+  const double at_surface = share * sphere.surface_gravity / R;
+  Scalar per_length(-at_surface);
+  if (plain(square) > R * R) {
+    per_length = Scalar(-at_surface * R * R * R) / (square * sqrt(square));
+  }
+  return {dx * per_length,
+          dz * per_length + Scalar((1.0 - share) * scene.gravity)};
+}
+
+/// Potential of that field per mass [m²/s²]: −g z, or g_s (d² − 3 R²)/(2 R)
+/// inside and −g_s R²/d outside.
+[[nodiscard]] double potential_at(const Scene& scene, Point place);
+
+/// By how much it falls from one place to another, without the digits that the
+/// difference loses where the sphere is large beside their distance.
+[[nodiscard]] double potential_fall(const Scene& scene, Point from, Point to);
+
+/// The centre of mass, eqs. (2)–(3).
+[[nodiscard]] inline Point mass_centre(const Body& body, Point centre,
+                                       double theta) {
+  const double r_m = body.radius * body.eta_m;
+  return {centre.x + r_m * std::cos(theta), centre.z + r_m * std::sin(theta)};
+}
+
+/// Drag on the centre per mass, c₁ v + c₂ v².
+template <class Scalar>
+[[nodiscard]] Scalar drag(const Air& air, const Scalar& v) {
+  return v * (v * air.quadratic + Scalar(air.linear));
+}
+
+/// dw/du, from the work of the field G at the centre of mass and of the drag
+/// on the way ds = w du, which the kinetic energy ½ w² gains:
+///
+///     w' = G·(cos β − η sin θ, sin β + η cos θ) − c₁ w/√A − c₂ w²/A :
+///
+/// regular at rest, and g (sin β + η cos θ) in a uniform field without air.
+///
+/// \param root  √A(θ, β)
+template <class Scalar>
+[[nodiscard]] Scalar speed_gain(const Scene& scene, const Scalar& x,
+                                const Scalar& z, const Scalar& theta,
+                                const Scalar& w, const Scalar& beta,
+                                const Scalar& root) {
+  using std::cos;
+  using std::sin;
+  const Body& body = scene.body;
+  Scalar gain(0.0);
+  if (body.off_centred()) {
+    const Scalar cosine = cos(theta);
+    const Scalar sine = sin(theta);
+    const double r_m = body.radius * body.eta_m;
+    const Pull<Scalar> G =
+        field_at(scene, Scalar(x + cosine * r_m), Scalar(z + sine * r_m));
+    gain = G.x * (cos(beta) - sine * body.eta_m) +
+           G.z * (sin(beta) + cosine * body.eta_m);
+  } else {
+    const Pull<Scalar> G = field_at(scene, x, z);
+    gain = G.x * cos(beta) + G.z * sin(beta);
+  }
+  if (scene.world.air.any()) {
+    gain = gain - drag(scene.world.air, Scalar(w / root));
+  }
+  return gain;
+}
+
+/// √A of a scene's body; θ is of no matter unless it is off-centred.
+template <class Scalar>
+[[nodiscard]] Scalar root_of_inertia(const Body& body, const Scalar& theta,
+                                     const Scalar& beta) {
+  using std::sqrt;
+  if (!body.off_centred()) {
+    return Scalar(std::sqrt(axisymmetric_inertia_factor(body)));
+  }
+  return sqrt(inertia_factor(body, theta, beta));
+}
+
+}  // namespace brachisto

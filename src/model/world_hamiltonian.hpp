@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Pontryagin's Hamiltonian in any world. In an ordinary one the functions are
+/// those of model/hamiltonian.hpp.
+
+#pragma once
+
+#include <array>
+
+#include "math/jet2.hpp"
+#include "model/field.hpp"
+#include "model/hamiltonian.hpp"
+
+namespace brachisto {
+
+/// State of the motion at one u, on all of which rates may depend.
+struct MovingState {
+  Point centre;
+  double theta = 0.0;  ///< [rad]
+  double w = 0.0;      ///< of the kinetic energy ½ w² per mass
+};
+
+/// States, costates and slope, in the order of a jet's variables.
+template <class Scalar>
+struct PhasePoint {
+  Scalar x, z, theta, w, p_x, p_z, p_theta, p_w, beta;
+};
+
+/// 𝓗 = √A + w (p_x cos β + p_z sin β + p_θ/r) + p_w w', w' = speed_gain().
+///
+/// \param inverse_radius  1/r; 0 for a body that does not roll
+template <class Scalar>
+[[nodiscard]] Scalar hamiltonian_of(const Scene& scene, double inverse_radius,
+                                    const PhasePoint<Scalar>& at) {
+  using std::cos;
+  using std::sin;
+  const Scalar root = root_of_inertia(scene.body, at.theta, at.beta);
+  const Scalar gain =
+      speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
+  return root +
+         at.w * (at.p_x * cos(at.beta) + at.p_z * sin(at.beta) +
+                 at.p_theta * inverse_radius) +
+         at.p_w * gain;
+}
+
+/// 𝓗 with its first and second derivatives by all of PhasePoint.
+using PhaseJet = math::Jet2<double, 9>;
+inline constexpr std::size_t kPhaseBeta = 8;  ///< the place of β
+[[nodiscard]] PhaseJet hamiltonian_jet(const Scene& scene,
+                                       double inverse_radius,
+                                       const PhasePoint<double>& at);
+
+namespace in_world {
+
+/// 𝓗 as a function of β; the value is all of 𝓗.
+[[nodiscard]] SlopeHamiltonian slope_hamiltonian(const Scene& scene,
+                                                 const MovingState& state,
+                                                 const Costates& p,
+                                                 double beta);
+[[nodiscard]] double hamiltonian(const Scene& scene, const MovingState& state,
+                                 const Costates& p, double beta);
+[[nodiscard]] double gain_of_other_directions(const Scene& scene,
+                                              const MovingState& state,
+                                              const Costates& p, double beta);
+[[nodiscard]] double slope_rate(const Scene& scene, const MovingState& state,
+                                const Costates& p, double beta);
+[[nodiscard]] double minimising_slope(const Scene& scene,
+                                      const MovingState& state,
+                                      const Costates& p, double near);
+
+/// dβ/du along a path with other rates than the extremal's: of x, z, θ, w and
+/// the costates, in this order.
+[[nodiscard]] double slope_rate_along(const Scene& scene,
+                                      const MovingState& state,
+                                      const Costates& p, double beta,
+                                      const std::array<double, 8>& rates);
+
+/// The costates' rates −∂𝓗/∂(x, z, θ, w) along an extremal.
+[[nodiscard]] Costates costate_rates(const Scene& scene,
+                                     const MovingState& state,
+                                     const Costates& p, double beta);
+
+}  // namespace in_world
+
+// Of the same names and meanings as in model/hamiltonian.hpp.
+
+[[nodiscard]] inline SlopeHamiltonian slope_hamiltonian(
+    const Scene& scene, const MovingState& state, const Costates& p,
+    double beta) {
+  return scene.world.changes_rates()
+             ? in_world::slope_hamiltonian(scene, state, p, beta)
+             : slope_hamiltonian(scene.body, scene.gravity,
+                                 {state.theta, state.w}, p, beta);
+}
+
+[[nodiscard]] inline double hamiltonian(const Scene& scene,
+                                        const MovingState& state,
+                                        const Costates& p, double beta) {
+  return scene.world.changes_rates()
+             ? in_world::hamiltonian(scene, state, p, beta)
+             : hamiltonian(scene.body, scene.gravity, {state.theta, state.w}, p,
+                           beta);
+}
+
+[[nodiscard]] inline double gain_of_other_directions(const Scene& scene,
+                                                     const MovingState& state,
+                                                     const Costates& p,
+                                                     double beta) {
+  return scene.world.changes_rates()
+             ? in_world::gain_of_other_directions(scene, state, p, beta)
+             : gain_of_other_directions(scene.body, scene.gravity,
+                                        {state.theta, state.w}, p, beta);
+}
+
+[[nodiscard]] inline double slope_rate(const Scene& scene,
+                                       const MovingState& state,
+                                       const Costates& p, double beta) {
+  return scene.world.changes_rates()
+             ? in_world::slope_rate(scene, state, p, beta)
+             : slope_rate(scene.body, scene.gravity, {state.theta, state.w}, p,
+                          beta);
+}
+
+[[nodiscard]] inline double minimising_slope(const Scene& scene,
+                                             const MovingState& state,
+                                             const Costates& p, double near) {
+  return scene.world.changes_rates()
+             ? in_world::minimising_slope(scene, state, p, near)
+             : minimising_slope(scene.body, scene.gravity,
+                                {state.theta, state.w}, p, near);
+}
+
+}  // namespace brachisto

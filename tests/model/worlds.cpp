@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Fields, drag, and what they are to the Hamiltonian and the start.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "brachisto/model/scene.hpp"
+#include "model/field.hpp"
+#include "model/start_angle.hpp"
+#include "model/units.hpp"
+#include "model/world_hamiltonian.hpp"
+#include "support/world_scenes.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+TEST(AField, IsMinusTheGradientOfItsPotential) {
+  Scene scene = about_sphere(bead_scene(), around());
+  scene.world.sphere->radius = 5.5;  // some of the places are outside
+  constexpr double h = 1e-4;
+  for (const double share : {0.0, 0.3, 1.0}) {
+    scene.world.sphere_share = share;
+    for (const Point at : {Point{0.3, -0.7}, {2.0, 1.0}, {-1.0, 4.0}}) {
+      const Pull<double> G = field_at(scene, at.x, at.z);
+      const double by_x = (potential_at(scene, {at.x + h, at.z}) -
+                           potential_at(scene, {at.x - h, at.z})) /
+                          (2.0 * h);
+      const double by_z = (potential_at(scene, {at.x, at.z + h}) -
+                           potential_at(scene, {at.x, at.z - h})) /
+                          (2.0 * h);
+      // h² times a third derivative, and rounding of 1e2 over h.
+      EXPECT_NEAR(G.x, -by_x, 1e-8);
+      EXPECT_NEAR(G.z, -by_z, 1e-8);
+    }
+  }
+}
+
+TEST(AField, FallsInPotentialByTheDifferenceOfPotentials) {
+  Scene scene = about_sphere(bead_scene(), around());
+  scene.world.sphere->radius = 5.0;
+  const Point places[] = {{0.3, -0.7}, {2.0, 1.0}, {-1.0, 4.0}, {0.0, -2.0}};
+  for (const double share : {0.0, 0.3, 1.0}) {
+    scene.world.sphere_share = share;
+    for (const Point from : places) {
+      for (const Point to : places) {
+        // Some ulps of potentials up to 1e2.
+        EXPECT_NEAR(potential_fall(scene, from, to),
+                    potential_at(scene, from) - potential_at(scene, to), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(AField, OfASphereIsContinuousAtItsSurfaceAndHasItsStrengthThere) {
+  const Sphere sphere = below();
+  constexpr double kNext = 1e-12;
+  for (const double d : {sphere.radius - kNext, sphere.radius + kNext}) {
+    EXPECT_NEAR(sphere.strength_at({sphere.centre.x, sphere.centre.z + d}),
+                sphere.surface_gravity, 1e-9);
+  }
+  EXPECT_NEAR(sphere.strength_at(
+                  {sphere.centre.x, sphere.centre.z - 2.0 * sphere.radius}),
+              0.25 * sphere.surface_gravity, 1e-13);
+}
+
+TEST(WorldsHamiltonian, IsTheOrdinaryOneWhereNothingElseActs) {
+  const Scene scene = off_centred_scene(-0.5);
+  const MovingState state{{0.3, 0.2}, 0.7, 1.3};
+  const RollingState rolling{state.theta, state.w};
+  const Costates p{-0.4, 0.2, 0.05, -0.3};
+  for (const double beta : {-1.0, 0.3, 1.4}) {
+    const SlopeHamiltonian ordinary =
+        slope_hamiltonian(scene.body, scene.gravity, rolling, p, beta);
+    const SlopeHamiltonian any =
+        in_world::slope_hamiltonian(scene, state, p, beta);
+
+    // Some ulps of terms up to g.
+    constexpr double kRounding = 1e-14;
+    EXPECT_NEAR(any.value,
+                hamiltonian(scene.body, scene.gravity, rolling, p, beta),
+                kRounding);
+    EXPECT_NEAR(any.d_beta, ordinary.d_beta, kRounding);
+    EXPECT_NEAR(any.d2_beta, ordinary.d2_beta, kRounding);
+  }
+  const double beta =
+      minimising_slope(scene.body, scene.gravity, rolling, p, 0.3);
+  EXPECT_NEAR(in_world::minimising_slope(scene, state, p, 0.3), beta, 1e-13);
+  EXPECT_NEAR(in_world::slope_rate(scene, state, p, beta),
+              slope_rate(scene.body, scene.gravity, rolling, p, beta), 1e-12);
+  EXPECT_NEAR(
+      in_world::gain_of_other_directions(scene, state, p, 0.3),
+      gain_of_other_directions(scene.body, scene.gravity, rolling, p, 0.3),
+      1e-13);
+}
+
+TEST(StartAngle, InTheFieldOfASphereMakesTheSpeedGrowFastest) {
+  for (const Sphere& sphere : {around(), below()}) {
+    const Scene scene = about_sphere(off_centred_scene(0.4), sphere);
+    const double beta_0 = start_angle(scene);
+    const Point centre{scene.body.radius * std::sin(beta_0),
+                       -scene.body.radius * std::cos(beta_0)};
+    // Between fixed ends: with the start where β₀ puts it.
+    const auto growth = [&](double beta) {
+      const double root = root_of_inertia(scene.body, scene.body.theta_m, beta);
+      return speed_gain(scene, centre.x, centre.z, scene.body.theta_m, 0.0,
+                        beta, root) /
+             root;
+    };
+
+    for (const double other : {-1.0, -1e-3, 1e-3, 1.0}) {
+      EXPECT_LT(growth(beta_0 + other), growth(beta_0)) << other;
+    }
+    // Not the vertical's.
+    EXPECT_GT(std::abs(beta_0 - start_angle(scene.body)), 0.01);
+  }
+}
+
+TEST(NaturalUnits, ScaleWorldsWithTheirScenes) {
+  const Scene scene = in_air(
+      with_push(about_sphere(off_centred_scene(), around()), 0.7), 0.1, 0.05);
+  const Units units = natural_units(scene);
+  const Scene natural = in_natural_units(scene);
+  const double beta = 0.4, theta = 1.1, w = 2.0;
+  const double root = root_of_inertia(scene.body, theta, beta);
+
+  const double here = speed_gain(scene, 0.6, 0.3, theta, w, beta, root);
+  const double there =
+      speed_gain(natural, 0.6 / units.length, 0.3 / units.length, theta,
+                 w / units.speed(), beta, root);
+
+  EXPECT_NEAR(there * units.length / (units.time * units.time), here, 1e-13);
+  EXPECT_NEAR(initial_w(natural) * units.speed(), initial_w(scene), 1e-15);
+}
+
+bool refused(const Scene& scene, const std::string& key) {
+  const std::vector<SceneError> errors = validate(scene);
+  return std::any_of(errors.begin(), errors.end(),
+                     [&](const SceneError& e) { return e.key == key; });
+}
+
+TEST(AWorld, IsRefusedWhereItMeansNothing) {
+  const Scene scene = off_centred_scene();
+  EXPECT_TRUE(validate(about_sphere(scene, around())).empty());
+  EXPECT_TRUE(refused(with_push(scene, -1.0), "scene.start.speed"));
+  EXPECT_TRUE(refused(in_air(scene, -1.0, 0.0), "scene.air.linear"));
+  EXPECT_TRUE(refused(in_air(scene, 0.0, -1.0), "scene.air.quadratic"));
+  Sphere sphere = around();
+  sphere.radius = 0.0;
+  EXPECT_TRUE(
+      refused(about_sphere(scene, sphere), "scene.field.sphere.radius"));
+  Scene at_centre = scene;
+  at_centre.world.sphere = Sphere{{0.0, 0.0}, 8.0, 9.81};
+  EXPECT_TRUE(refused(at_centre, "scene.field.sphere.centre"));
+}
+
+TEST(AWorld, IsRefusedInCompanyItIsNotKnownIn) {
+  Scene limited = in_air(off_centred_scene(), 0.1, 0.0);
+  limited.limits.floor = 2.0;
+  EXPECT_TRUE(refused(limited, "scene.limits"));
+  Scene given = in_air(off_centred_scene(), 0.1, 0.0);
+  given.path = std::make_shared<GivenPath>();
+  EXPECT_TRUE(refused(given, "scene.path"));
+}
+
+TEST(AWorld, IsRefusedWhereEnergyDoesNotReachTheFinish) {
+  // B is farther from the centre than A.
+  Scene scene = bead_scene();
+  scene.H = 0.1;
+  EXPECT_TRUE(
+      refused(about_sphere(scene, {{-4.0, 3.0}, 2.0, 9.81}), "scene.finish"));
+  EXPECT_FALSE(
+      refused(with_push(about_sphere(scene, {{-4.0, 3.0}, 2.0, 9.81}), 8.0),
+              "scene.finish"));
+}
+
+}  // namespace
+}  // namespace brachisto::testing

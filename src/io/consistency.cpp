@@ -12,6 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/design_lists.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::io {
@@ -272,6 +273,7 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_solver(root, problem, findings);
   check_limited(root, problem, findings);
   check_scene(root, problem, findings);
+  check_design(root, problem, findings);
 }
 
 }  // namespace brachisto::io

@@ -78,7 +78,7 @@ const KeySpec* find_key(std::string_view path) {
 bool is_value_key(std::string_view path) {
   const KeySpec* spec = find_key(path);
   if (spec == nullptr || path == "version" ||
-      spec->parent() == "work_precision") {
+      spec->parent() == "work_precision" || spec->parent() == "design") {
     return false;
   }
   return spec->type() == KeyType::Number || spec->type() == KeyType::Angle ||

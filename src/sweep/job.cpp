@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "brachisto/report/result.hpp"
+#include "design/design_search.hpp"
+#include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 
 namespace brachisto::sweep {
@@ -25,6 +27,11 @@ using nlohmann::json;
 std::string effective_input(const io::SweepFile& file, std::size_t scene) {
   const io::ProblemFile problem = file.problem(scene);
   return report::input_json(problem.scene, problem.options);
+}
+
+/// The section `design`, which all scenes share.
+std::string design_of(const io::SweepFile& file) {
+  return io::effective_section(file.problem(0), "design").dump();
 }
 
 /// The given path if it has points, which all scenes share; nullptr if not.
@@ -60,12 +67,46 @@ Job read_job(const std::filesystem::path& path,
              const std::vector<std::string>& overrides) {
   std::string text = io::read_problem_bytes(path);
   io::SweepFile file = io::read_sweep_text(text, path.string(), overrides);
-  return {path.string(), std::move(text), overrides, std::move(file)};
+  return {path.string(), std::move(text), overrides, std::move(file), false};
+}
+
+Job read_design_job(const std::filesystem::path& path,
+                    const std::vector<std::string>& overrides) {
+  std::string text = io::read_problem_bytes(path);
+  const io::ProblemFile problem =
+      io::read_problem_text(text, path.string(), overrides);
+  if (problem.design.free.empty()) {
+    throw io::InputError({{.file = path.string(),
+                           .key = "design.free",
+                           .message = "missing; expected what the design may "
+                                      "choose, as in design: {free: [eta_m, "
+                                      "theta_m, k]}"}});
+  }
+  const std::vector<Body> starts = design_starts(problem.scene, problem.design);
+  json section;
+  const auto vary = [&](const char* key, double Body::*member) {
+    for (const Body& body : starts) section[key].push_back(body.*member);
+    section["zip"].push_back(key);
+  };
+  vary("scene.body.eta_m", &Body::eta_m);
+  vary("scene.body.theta_m", &Body::theta_m);
+  vary("scene.body.k", &Body::k);
+  vary("scene.body.radius", &Body::radius);
+  // An override of a key that varies would be idle; it has had its effect.
+  std::vector<std::string> all = overrides;
+  std::erase_if(all, [&](const std::string& one) {
+    return section.contains(one.substr(0, one.find('=')));
+  });
+  all.push_back("sweep=" + section.dump());
+  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
+  return {path.string(), std::move(text), std::move(all), std::move(file),
+          true};
 }
 
 std::string to_line(const Job& job) {
   json document = {
       {"name", job.name}, {"text", job.text}, {"overrides", job.overrides}};
+  if (job.of_design) document["design"] = true;
   if (const auto path = path_of_points(job.file)) {
     json& list = document["points"] = json::array();
     for (const Point& point : path->points) {
@@ -80,8 +121,10 @@ Job job_from_line(const std::string& line) {
   std::string name, text;
   std::vector<std::string> overrides;
   std::optional<std::vector<Point>> points;
+  bool of_design = false;
   try {
     const json document = json::parse(line);
+    of_design = document.value("design", false);
     document.at("name").get_to(name);
     document.at("text").get_to(text);
     document.at("overrides").get_to(overrides);
@@ -98,7 +141,7 @@ Job job_from_line(const std::string& line) {
   io::SweepFile file =
       io::read_sweep_text(text, name, overrides, points ? &*points : nullptr);
   return {std::move(name), std::move(text), std::move(overrides),
-          std::move(file)};
+          std::move(file), of_design};
 }
 
 std::string input_hash(const io::SweepFile& file) {
@@ -112,6 +155,7 @@ std::string input_hash(const io::SweepFile& file) {
   add(fmt::format("{} {} {}\n", file.num_scenes(),
                   file.axes().empty() ? 1 : file.axes().back().count,
                   file.warm_start()));
+  if (!file.problem(0).design.free.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     add(effective_input(file, scene));
   }
@@ -128,6 +172,7 @@ std::string difference(const io::SweepFile& stored,
   if (stored.warm_start() != wanted.warm_start()) {
     return "sweep.warm_start differs";
   }
+  if (design_of(stored) != design_of(wanted)) return "the design differs";
   if (std::string points = difference_of_points(stored, wanted);
       !points.empty()) {
     return points;

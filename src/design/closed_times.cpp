@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "design/closed_times.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/cpu_clock.hpp"
+#include "model/contact.hpp"
+#include "search/continuation.hpp"
+#include "study/pose.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// Of the free motion Newton's method alone gives the same digits in less time.
+SolveOptions of_inner_solves(SolveOptions options, const Scene& scene) {
+  if (options.of<Collocation>() != nullptr && !is_limited(scene)) {
+    options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
+    options.use<Collocation>().certify = Certify::None;
+  }
+  return options;
+}
+
+/// A range that numbers without bound are put into.
+double tamed(double margin) {
+  constexpr double kMost = 100.0;
+  return std::isnan(margin) ? -kMost : std::clamp(margin, -kMost, kMost);
+}
+
+}  // namespace
+
+Margins margins_of(const Solution& solution) {
+  const Scene& scene = solution.scene;
+  const PathDiagnostics& path = *solution.diagnostics;
+  const Point start = start_of_centre(scene);
+  const double distance =
+      std::hypot(scene.L - start.x, scene.H - start.z) - scene.body.radius;
+  return {tamed(path.normal_force_after_rise.value),
+          tamed(path.at_start.normal_force_rate *
+                std::sqrt(scene.H / scene.gravity)),
+          tamed(path.min_fold_margin.value),
+          tamed(distance / scene.body.radius)};
+}
+
+ClosedTimes::ClosedTimes(Scene scene, const SolveOptions& options,
+                         const std::atomic<int>* interrupt)
+    : scene_(std::move(scene)),
+      options_(of_inner_solves(options, scene_)),
+      interrupt_(interrupt) {}
+
+Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
+  ++solves_;
+  const double begin = thread_cpu_seconds();
+  Scene scene = scene_;
+  scene.body = body;
+  Solution solution =
+      solve(scene, options_, {.interrupt = interrupt_, .neighbour = neighbour});
+  cpu_seconds_ += thread_cpu_seconds() - begin;
+  if (solution.status == Status::Interrupted) throw Stopped();
+  return solution;
+}
+
+bool ClosedTimes::move_to(const Traits& traits) {
+  const Body& like = held_ ? held_->scene.body : scene_.body;
+  Scene scene = scene_;
+  scene.body = body_of(traits, like);
+  if (const auto errors = validate(scene); !errors.empty()) {
+    refusal_ = errors.front().message;
+    return false;
+  }
+  Solution solution = solved(scene.body, held_.get());
+  if (!solution.verified()) {
+    refusal_ = solution.status == Status::Solved
+                   ? "the track could not be verified"
+                   : solution.message;
+    return false;
+  }
+  // A solve that could not follow the neighbour went its own way from the
+  // cycloid, to the same branch or to another: a shorter step will tell.
+  const bool followed = !held_ || !held_->scene.body.off_centred() ||
+                        !scene.body.off_centred() ||
+                        (!solution.effort.continuation.empty() &&
+                         solution.effort.continuation.front().eta_m != 0.0);
+  if (!followed || !solution.folds.empty()) {
+    refusal_ = fmt::format(
+        "the branch cannot be followed to η_m = {:.6g}, θ_m = {:.6g}, k = "
+        "{:.6g}, r = {:.6g} m",
+        scene.body.eta_m, scene.body.theta_m, scene.body.k, scene.body.radius);
+    return false;
+  }
+  here_ = traits;
+  solution_ = std::move(solution);
+  return true;
+}
+
+void ClosedTimes::hold_on() {
+  held_ = solution_.as_neighbour();
+}
+
+/// Columns: d(figure)/d(trait), central where both sides are bodies, else
+/// one-sided to the second order.
+template <class Figure>
+Eigen::Matrix4d ClosedTimes::differences(const Traits& wanted, double step,
+                                         Figure figure) {
+  Eigen::Matrix4d out = Eigen::Matrix4d::Zero();
+  const std::shared_ptr<const Neighbour> beside = solution_.as_neighbour();
+  const auto at = [&](int trait,
+                      double shift) -> std::optional<Eigen::Vector4d> {
+    Traits moved = here_;
+    moved[trait] += shift;
+    Scene scene = scene_;
+    scene.body = body_of(moved, solution_.scene.body);
+    if (!validate(scene).empty()) return std::nullopt;
+    const Solution there = solved(scene.body, beside.get());
+    if (!there.verified()) return std::nullopt;
+    return figure(there);
+  };
+  const Eigen::Vector4d middle = figure(solution_);
+  for (int i = 0; i < 4; ++i) {
+    if (wanted[i] == 0.0) continue;
+    const double h = i == 3 ? step * here_[3] : step;
+    const auto above = at(i, h), below = at(i, -h);
+    if (above && below) {
+      out.col(i) = (*above - *below) / (2.0 * h);
+      continue;
+    }
+    const double inward = above ? h : -h;
+    const auto& near = above ? above : below;
+    const auto far = at(i, 2.0 * inward);
+    if (near && far) {
+      out.col(i) = (-3.0 * middle + 4.0 * *near - *far) / (2.0 * inward);
+    }
+  }
+  return out;
+}
+
+Traits ClosedTimes::gradient(const Traits& wanted) {
+  constexpr double kStep = 3e-4;
+  return differences(wanted, kStep,
+                     [](const Solution& s) {
+                       return Eigen::Vector4d(
+                           Eigen::Vector4d::Constant(s.motion()->tau()));
+                     })
+      .row(0)
+      .transpose();
+}
+
+Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
+  constexpr double kStep = 1e-4;
+  return differences(wanted, kStep,
+                     [](const Solution& s) { return margins_of(s); });
+}
+
+}  // namespace brachisto

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The lists of the section `design`, and what it asks of a scene.
+
+#pragma once
+
+#include "brachisto/study/design_plan.hpp"
+#include "io/findings.hpp"
+#include "io/key_spec.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace brachisto::io {
+
+/// `free`: names of properties, each once.
+[[nodiscard]] Binding free_list();
+
+/// `bounds.KEY`: the least and the greatest value.
+[[nodiscard]] Binding bounds_list(BodyKey key);
+
+/// Refuses designs without a best body, and ways of solving that a design does
+/// not go.
+void check_design(const YamlValue& root, const Draft& problem,
+                  Findings& findings);
+
+}  // namespace brachisto::io

@@ -30,6 +30,7 @@
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"
 #include "brachisto/study/progress.hpp"
+#include "brachisto/study/sensitivities.hpp"
 #include "brachisto/study/solution.hpp"
 #include "brachisto/study/solve.hpp"
 #include "brachisto/study/solve_options.hpp"

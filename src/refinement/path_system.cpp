@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/nlp/kkt_residual.hpp"
 #include "math/index.hpp"
 #include "refinement/open_conditions.hpp"
 #include "transcription/held_control.hpp"
@@ -117,10 +118,24 @@ bool PathSystem::linearise() {
 }
 
 LimitedTime PathSystem::problem_of(const PathSetting& changed) const {
+  if (changed.scene) {
+    return problem_with(*changed.scene, changed, problem_.mesh().degree);
+  }
   LimitedTime problem = problem_;
   problem.change(changed.limits, mesh_of(changed.arcs, problem.mesh().degree),
                  changed.ends);
   return problem;
+}
+
+PrimalDual PathSystem::turned(PrimalDual point,
+                              const PathSetting& changed) const {
+  const VariableLayout& layout = problem_.layout();
+  if (!changed.scene || !layout.has_theta()) return point;
+  const double turn = changed.scene->body.theta_m - scene_.body.theta_m;
+  for (int node = 0; node < layout.num_nodes(); ++node) {
+    point.x[at(layout.state(node, StateComponent::Theta))] += turn;
+  }
+  return point;
 }
 
 PathRates PathSystem::along(std::span<const double> rhs,
@@ -139,7 +154,7 @@ PathRates PathSystem::along(std::span<const double> rhs,
   const auto follow = [&](const PathSetting& changed, double by) {
     PrimalDual point = point_;
     move_along(point, rates.point, by);
-    LimitedCurve there(problem_of(changed), std::move(point));
+    LimitedCurve there(problem_of(changed), turned(std::move(point), changed));
     const double time = there.transit_time();
     return std::pair(time, open_at(std::move(there), changed));
   };
@@ -224,7 +239,8 @@ std::vector<PathRates> PathSystem::to_unknowns() {
 std::vector<double> PathSystem::residual_of(const PathSetting& changed) {
   LimitedTime problem = problem_of(changed);
   KktSystem other(problem, nullptr, system_->active());
-  if (!other.evaluate(point_.x, point_.lambda, 0.0)) {
+  const PrimalDual point = turned(point_, changed);
+  if (!other.evaluate(point.x, point.lambda, 0.0)) {
     return std::vector<double>(at(system_->size()), std::nan(""));
   }
   return {other.residual().begin(), other.residual().end()};
@@ -242,7 +258,7 @@ PathRates PathSystem::to(const PathSetting& less, const PathSetting& more,
 
 double PathSystem::lagrangian(const PathSetting& changed) const {
   LimitedTime problem = problem_of(changed);
-  if (!problem.set_point(point_.x)) return std::nan("");
+  if (!problem.set_point(turned(point_, changed).x)) return std::nan("");
   std::vector<double> g(point_.lambda.size());
   problem.eval_g(g);
   long double sum = problem.eval_f();
@@ -250,6 +266,21 @@ double PathSystem::lagrangian(const PathSetting& changed) const {
     const nlp::Range range = problem.constraint_range(static_cast<int>(i));
     if (!range.single()) continue;
     sum += static_cast<long double>(point_.lambda[i]) * (g[i] - range.lower);
+  }
+  return static_cast<double>(sum);
+}
+
+double PathSystem::of_fixed(const PathSetting& changed) const {
+  LimitedTime problem = problem_;
+  if (!problem.set_point(point_.x)) return std::nan("");
+  const std::vector<long double> pull =
+      nlp::lagrangian_gradient(problem, point_.lambda);
+  problem = problem_of(changed);
+  const PrimalDual point = turned(point_, changed);
+  long double sum = 0.0L;
+  for (int i = 0; i < problem.num_variables(); ++i) {
+    const nlp::Range range = problem.variable_range(i);
+    if (range.single()) sum += pull[at(i)] * (range.lower - point.x[at(i)]);
   }
   return static_cast<double>(sum);
 }

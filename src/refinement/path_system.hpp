@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct PathSetting {
   std::vector<PathInequality> limits;
   std::vector<Arc> arcs;
   LimitedEnds ends;
+  /// Another one than the system's, with which the point's θ turns as θ_m does:
+  /// only for to() and lagrangian().
+  std::optional<Scene> scene = {};
 };
 
 /// A direction of variables and multipliers, and the rates of the time and of
@@ -75,8 +79,8 @@ class PathSystem {
   /// is released, in the order of the open conditions that determine them, the
   /// optimality conditions being kept.
   [[nodiscard]] std::vector<PathRates> to_unknowns();
-  /// The same to bounds and ends, by central differences of residuals, which
-  /// are explicit in the setting.
+  /// The same to scene, bounds and ends, by central differences of residuals,
+  /// which are explicit in the setting.
   /// \param width  of the step from `less` to `more`, in whatever changes
   [[nodiscard]] PathRates to(const PathSetting& less, const PathSetting& more,
                              double width);
@@ -84,9 +88,14 @@ class PathSystem {
   /// f + λᵀ(g − bounds) of the point where the setting is another: its rate is
   /// that of the time, whatever the optimality conditions leave to move.
   [[nodiscard]] double lagrangian(const PathSetting& changed) const;
+  /// What the values that fixed variables have there add to it, to first order.
+  [[nodiscard]] double of_fixed(const PathSetting& changed) const;
 
  private:
   [[nodiscard]] LimitedTime problem_of(const PathSetting& changed) const;
+  /// A point, θ turned as in the scene of a setting.
+  [[nodiscard]] PrimalDual turned(PrimalDual point,
+                                  const PathSetting& changed) const;
   [[nodiscard]] std::vector<double> residual_of(const PathSetting& changed);
   void release(std::vector<int> rows);
   /// What is touched, and the place where the path ends.

@@ -4,6 +4,7 @@
 #include "refinement/prices.hpp"
 
 #include <Eigen/LU>
+#include <utility>
 
 #include "model/start_under_limits.hpp"
 
@@ -18,26 +19,35 @@ Sensitivity::Sensitivity(const FittedPath& path)
   if (regular()) unknowns_ = system_.to_unknowns();
 }
 
-Price Sensitivity::price(const std::vector<PathInequality>& less,
-                         const std::vector<PathInequality>& more,
-                         double width) {
+TimeRate Sensitivity::price(const std::vector<PathInequality>& less,
+                            const std::vector<PathInequality>& more,
+                            double width) {
   PathSetting before = system_.setting(), after = system_.setting();
   before.limits = less;
   after.limits = more;
-  Price out;
-  out.at_fixed_contacts =
-      (system_.lagrangian(after) - system_.lagrangian(before)) / width;
+  return along(std::move(before), std::move(after), width);
+}
+
+TimeRate Sensitivity::along(PathSetting less, PathSetting more, double width) {
+  TimeRate out;
+  double change = system_.lagrangian(more) - system_.lagrangian(less);
+  // Bounds alone move no variable that is fixed.
+  if (more.scene) change += system_.of_fixed(more) - system_.of_fixed(less);
+  out.at_fixed_contacts = change / width;
   const LimitedEnds& ends = system_.setting().ends;
   if (ends.start_slope_fixed && ends.start) {
-    // The static cone turns with the bound.
-    const auto first = start_angle_under(scene_.body, less);
-    const auto second = start_angle_under(scene_.body, more);
+    // The static cone turns with the bound, and with the body.
+    const auto start = [&](const PathSetting& changed) {
+      const Scene& scene = changed.scene ? *changed.scene : scene_;
+      return start_angle_under(scene.body, changed.limits);
+    };
+    const auto first = start(less), second = start(more);
     if (first && second) {
-      before.ends.start = first;
-      after.ends.start = second;
+      less.ends.start = first;
+      more.ends.start = second;
     }
   }
-  const PathRates direct = system_.to(before, after, width);
+  const PathRates direct = system_.to(less, more, width);
   out.total = direct.time;
   if (unknowns_.empty()) return out;
   // The open conditions go on to hold.

@@ -152,7 +152,8 @@ void BorderedChain::residual(std::span<const double> b,
       static_cast<long double>(system_.tangency_row().by_parameter) * x.back();
 }
 
-bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
+bool BorderedChain::solve(std::span<const double> b, std::span<double> x,
+                          double enough) {
   const PhaseTimer timer(Phase::Solution);
   const auto largest = [](std::span<const double> values) {
     double max = 0.0;
@@ -161,11 +162,8 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
     }
     return max;
   };
-  // A step of Newton's method need not be more exact than this: what it leaves
-  // of the residual is seen, and taken on, by the next.
-  // The condition may keep the residual of a rounded solution above that; then
-  // refinement does not help, and less must do.
-  constexpr double kEnough = 1e-6;
+  // The condition may keep the residual of a rounded solution above what is
+  // enough; then refinement does not help, and less must do.
   constexpr double kOfUse = 1e-2;
   constexpr int kRefinements = 4;
   solve_once(b, x);
@@ -178,7 +176,7 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x) {
     }
     const double left = largest(reduced_);
     if (!std::isfinite(left)) return false;
-    if (left <= kEnough * size) return true;
+    if (left <= enough * size) return true;
     if (left > 0.5 * last || refinement == kRefinements) {
       return left <= kOfUse * size;
     }

@@ -42,7 +42,12 @@ class BorderedChain {
   /// Solves for a step of Newton's method, with refinement where it is needed,
   /// residuals in long double. False if that does not help: then the
   /// factorisation is worthless.
-  [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x);
+  ///
+  /// \param enough  what may be left of b. A step of Newton's method need not
+  ///                be more exact than this: what it leaves of the residual is
+  ///                seen, and taken on, by the next.
+  [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x,
+                           double enough = 1e-6);
 
  private:
   struct Coupling {  ///< an entry of C

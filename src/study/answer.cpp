@@ -78,7 +78,9 @@ Answered answer_of(const PosedProblem& posed, const LimitedAnswer& found) {
               std::move(motion),
               {problem.mesh().num_nodes(), problem.num_variables(),
                problem.num_constraints(), problem.mesh().degree,
-               problem.mesh().num_elements()}}),
+               problem.mesh().num_elements()},
+              found.path.arcs,
+              found.path.ends}),
           found.estimated_error, std::move(diagnostics), std::move(limits)};
 }
 

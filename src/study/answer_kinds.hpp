@@ -8,9 +8,11 @@
 
 #include <memory>
 #include <variant>
+#include <vector>
 
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/study/solution.hpp"
+#include "refinement/arcs.hpp"
 #include "trajectory/arc_length_motion.hpp"
 #include "trajectory/limited_motion.hpp"
 #include "trajectory/prescribed_motion.hpp"
@@ -38,6 +40,8 @@ struct PiecewiseAnswer {
 struct LimitedPathAnswer {
   LimitedMotion motion;
   ProgramSize program;
+  std::vector<Arc> arcs;
+  LimitedEnds ends;  ///< in natural units, as the motion's curve
 };
 
 /// The answers there are: found by collocation, found on straight pieces, found

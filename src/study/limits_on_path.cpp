@@ -114,7 +114,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
       PathLimits less = natural.limits, more = natural.limits;
       scaled[i].move(less, -kStep);
       scaled[i].move(more, kStep);
-      const Price price =
+      const TimeRate price =
           sensitivity->price(inequalities(natural.body, less),
                              inequalities(natural.body, more), 2.0 * kStep);
       const double scale = tau * asked[i].natural;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// How the time of a free extremal changes with its scene.
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "refinement/time_rates.hpp"
+#include "solvers/bordered_chain.hpp"
+#include "transcription/contact_equation.hpp"
+#include "transcription/rolling_time.hpp"
+
+namespace brachisto {
+
+/// With F(y, p) = 0 the optimality conditions and the tangency condition, y
+/// being (x, λ, φ), 𝓛 the Lagrangian and v the values of fixed variables,
+///
+///     y_p = −F_y⁻¹ F_p,   dT/dp = 𝓛_p + (∂𝓛/∂x_fixed)·(v_p + v_φ φ_p).
+///
+/// F_p and 𝓛_p are differences of formulas at one and the same point, at which
+/// θ alone turns with the centre of mass: as a function of offset and θ − θ_m
+/// they are regular at η = 0.
+class FreeRates final : public TimeRates {
+ public:
+  /// \param point  x and λ of a solution of the scene on the mesh
+  FreeRates(const Scene& scene, const Mesh& mesh, const PrimalDual& point,
+            double phi);
+  FreeRates(const FreeRates&) = delete;
+  FreeRates& operator=(const FreeRates&) = delete;
+
+  [[nodiscard]] const Scene& scene() const override { return at_.scene(); }
+  [[nodiscard]] double time() const override { return time_; }
+  [[nodiscard]] bool regular() const override { return regular_; }
+  [[nodiscard]] TimeRate by(SceneCoordinate coordinate) override;
+  [[nodiscard]] std::unique_ptr<TimeRates> next(SceneCoordinate coordinate,
+                                                double by) override;
+
+ private:
+  /// The equations of a scene.
+  struct Equations {
+    RollingTime problem;
+    std::optional<ContactEquation> contact;
+    KktSystem system;
+
+    Equations(const Scene& scene, const Mesh& mesh, double phi);
+    [[nodiscard]] const Scene& scene() const { return problem.scene(); }
+    [[nodiscard]] nlp::TangencyCondition* tangency() {
+      return contact ? &*contact : nullptr;
+    }
+  };
+  /// The point, with θ turned as in another scene.
+  [[nodiscard]] PrimalDual turned_to(const Scene& scene) const;
+
+  Equations at_;
+  PrimalDual point_;
+  double phi_;
+  double time_ = 0.0;
+  bool regular_ = false;
+  std::vector<long double> pull_;  ///< ∂𝓛/∂x
+  std::unique_ptr<BorderedChain> chain_;
+};
+
+}  // namespace brachisto

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "brachisto/study/sensitivities.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/contact.hpp"
 #include "search/continuation.hpp"
@@ -68,6 +69,10 @@ Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
   return solution;
 }
 
+void ClosedTimes::use(const SolveOptions& options) {
+  options_ = of_inner_solves(options, scene_);
+}
+
 bool ClosedTimes::move_to(const Traits& traits) {
   const Body& like = held_ ? held_->scene.body : scene_.body;
   Scene scene = scene_;
@@ -96,6 +101,14 @@ bool ClosedTimes::move_to(const Traits& traits) {
         scene.body.eta_m, scene.body.theta_m, scene.body.k, scene.body.radius);
     return false;
   }
+  const std::optional<Sensitivities> slopes = sensitivities(solution);
+  if (!slopes) {
+    refusal_ = "the branch turns there, and τ has no derivatives";
+    return false;
+  }
+  gradient_ = {slopes->by_offset[0].tau, slopes->by_offset[1].tau,
+               slopes->by[SceneParameter::K].tau,
+               slopes->by[SceneParameter::Radius].tau};
   here_ = traits;
   solution_ = std::move(solution);
   return true;
@@ -105,15 +118,13 @@ void ClosedTimes::hold_on() {
   held_ = solution_.as_neighbour();
 }
 
-/// Columns: d(figure)/d(trait), central where both sides are bodies, else
-/// one-sided to the second order.
-template <class Figure>
-Eigen::Matrix4d ClosedTimes::differences(const Traits& wanted, double step,
-                                         Figure figure) {
+/// Central where both sides are bodies, else one-sided to the second order.
+Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
+  // Margins are good to 1e-9 or so where their place is smooth in the body.
+  constexpr double kStep = 1e-4;
   Eigen::Matrix4d out = Eigen::Matrix4d::Zero();
   const std::shared_ptr<const Neighbour> beside = solution_.as_neighbour();
-  const auto at = [&](int trait,
-                      double shift) -> std::optional<Eigen::Vector4d> {
+  const auto at = [&](int trait, double shift) -> std::optional<Margins> {
     Traits moved = here_;
     moved[trait] += shift;
     Scene scene = scene_;
@@ -121,12 +132,12 @@ Eigen::Matrix4d ClosedTimes::differences(const Traits& wanted, double step,
     if (!validate(scene).empty()) return std::nullopt;
     const Solution there = solved(scene.body, beside.get());
     if (!there.verified()) return std::nullopt;
-    return figure(there);
+    return margins_of(there);
   };
-  const Eigen::Vector4d middle = figure(solution_);
+  const Margins middle = margins();
   for (int i = 0; i < 4; ++i) {
     if (wanted[i] == 0.0) continue;
-    const double h = i == 3 ? step * here_[3] : step;
+    const double h = i == 3 ? kStep * here_[3] : kStep;
     const auto above = at(i, h), below = at(i, -h);
     if (above && below) {
       out.col(i) = (*above - *below) / (2.0 * h);
@@ -140,23 +151,6 @@ Eigen::Matrix4d ClosedTimes::differences(const Traits& wanted, double step,
     }
   }
   return out;
-}
-
-Traits ClosedTimes::gradient(const Traits& wanted) {
-  constexpr double kStep = 3e-4;
-  return differences(wanted, kStep,
-                     [](const Solution& s) {
-                       return Eigen::Vector4d(
-                           Eigen::Vector4d::Constant(s.motion()->tau()));
-                     })
-      .row(0)
-      .transpose();
-}
-
-Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
-  constexpr double kStep = 1e-4;
-  return differences(wanted, kStep,
-                     [](const Solution& s) { return margins_of(s); });
 }
 
 }  // namespace brachisto

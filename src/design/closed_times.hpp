@@ -42,16 +42,18 @@ class ClosedTimes {
   [[nodiscard]] bool move_to(const Traits& traits);
   /// Bodies that come are followed from here.
   void hold_on();
+  /// Solves with other options from now on.
+  void use(const SolveOptions& options);
   /// Forgets what it holds on to: the next body is solved from the cycloid.
   void let_go() { held_.reset(); }
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double tau() const { return solution_.motion()->tau(); }
   [[nodiscard]] Margins margins() const { return margins_of(solution_); }
-  /// dτ/d(traits), the contacts moving along; of the traits that `wanted` is
-  /// nonzero for, others 0.
-  [[nodiscard]] Traits gradient(const Traits& wanted);
-  /// d(margins)/d(traits) by central differences of whole solves.
+  /// dτ/d(traits), the contacts moving along.
+  [[nodiscard]] const Traits& gradient() const { return gradient_; }
+  /// d(margins)/d(traits) by central differences of whole solves, of the traits
+  /// that `wanted` is nonzero for.
   [[nodiscard]] Eigen::Matrix4d margin_gradient(const Traits& wanted);
 
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
@@ -60,15 +62,13 @@ class ClosedTimes {
 
  private:
   [[nodiscard]] Solution solved(const Body& body, const Neighbour* neighbour);
-  template <class Figure>
-  [[nodiscard]] Eigen::Matrix4d differences(const Traits& wanted, double step,
-                                            Figure figure);
 
   Scene scene_;
   SolveOptions options_;
   const std::atomic<int>* interrupt_;
   Traits here_ = Traits::Zero();
   Solution solution_;
+  Traits gradient_ = Traits::Zero();
   std::shared_ptr<const Neighbour> held_;
   std::string refusal_;
   int solves_ = 0;

@@ -74,7 +74,19 @@ bool DesignProblem::do_set_point(std::span<const double> x) {
   y_ = Eigen::Map<const Eigen::VectorXd>(x.data(), num_variables());
   gradient_.reset();
   margin_rows_.reset();
-  return times_.move_to(space_.traits(y_));
+  if (times_.move_to(space_.traits(y_))) {
+    refused_in_a_row_ = 0;
+    return true;
+  }
+  // Steps are halved, so that the last one was a thousandth of the first.
+  constexpr int kMostRefused = 10;
+  if (++refused_in_a_row_ > kMostRefused) {
+    throw NoWayOn(
+        "no body near the one that the search has come to is "
+        "accepted, the last because " +
+        times_.refusal());
+  }
+  return false;
 }
 
 Traits DesignProblem::wanted_traits() const {
@@ -84,8 +96,7 @@ Traits DesignProblem::wanted_traits() const {
 void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
   if (!gradient_) {
     times_.hold_on();
-    gradient_ = space_.traits_jacobian(y_).transpose() *
-                times_.gradient(wanted_traits());
+    gradient_ = space_.traits_jacobian(y_).transpose() * times_.gradient();
     path_.push_back({space_.values(y_), times_.tau()});
   }
   std::ranges::copy(*gradient_, grad_f.begin());

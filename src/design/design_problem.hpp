@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,19 @@
 
 namespace brachisto {
 
+/// All bodies around the one that a search has come to are refused.
+class NoWayOn : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// min τ(y) over a DesignSpace, and where that is asked for with all margins
 /// positive. Its functions are closed solutions; none of their unknowns is a
 /// variable here, for the contacts are conditions and not choices
-/// (docs/theory.md, section 12). It has no second derivatives.
+/// (docs/theory.md, "The quickest body"). It has no second derivatives.
+///
+/// Where so many bodies in a row are refused that no step is left it throws
+/// NoWayOn.
 ///
 /// Gradients belong to points that a search accepts: there the times hold on.
 class DesignProblem final : public nlp::Problem {
@@ -82,6 +92,7 @@ class DesignProblem final : public nlp::Problem {
   std::vector<double> row_lower_, row_upper_;
   nlp::SparsityPattern jacobian_, no_hessian_;
   Eigen::VectorXd y_;
+  int refused_in_a_row_ = 0;
   // Made when they are asked for, at most once at a point.
   mutable std::optional<Eigen::VectorXd> gradient_;
   mutable std::optional<Eigen::MatrixXd> margin_rows_;

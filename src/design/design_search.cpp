@@ -15,6 +15,7 @@
 #include "design/closed_times.hpp"
 #include "design/design_problem.hpp"
 #include "design/design_space.hpp"
+#include "math/portable_random.hpp"
 #include "solvers/few_variables.hpp"
 
 namespace brachisto {
@@ -24,6 +25,17 @@ namespace {
 /// Minima that agree to this, relative to τ, and in coordinates, are one.
 constexpr double kSameTau = 1e-8;
 constexpr double kSamePlace = 1e-5;
+
+/// A search needs few digits before its end.
+SolveOptions on_the_way(SolveOptions options) {
+  constexpr double kEnough = 1e-7;
+  if (options.of<Collocation>() == nullptr) return options;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  if (!mesh.fixed()) {
+    mesh.tolerance = std::max(kEnough, mesh.wanted_tolerance());
+  }
+  return options;
+}
 
 /// Solves the track of a minimum anew, from the cycloid, and says what comes of
 /// it.
@@ -55,8 +67,9 @@ class Searcher {
            const DesignPlan& plan, const std::atomic<int>* interrupt)
       : scene_(scene),
         options_(options),
+        plan_(plan),
         space_(design_space(plan, scene.body)),
-        times_(scene, options, interrupt) {
+        times_(scene, on_the_way(options), interrupt) {
     ipopt_.tolerance = kTolerance;
     ipopt_.max_iterations = kMostIterations;
     ipopt_.linear_solver = LinearSolver::Mumps;
@@ -65,10 +78,10 @@ class Searcher {
     }
   }
 
-  [[nodiscard]] DesignSearch search(bool require_feasible) {
-    const Eigen::VectorXd start = space_->coordinates(scene_.body);
+  [[nodiscard]] DesignSearch search(int number) {
+    const Eigen::VectorXd start = reachable_start(number);
     run({start.begin(), start.end()}, false);
-    if (require_feasible && !out_.minima.empty() &&
+    if (plan_.require_feasible && !out_.minima.empty() &&
         !out_.minima.back().feasible) {
       run({start.begin(), start.end()}, true);
     }
@@ -84,19 +97,50 @@ class Searcher {
   // Errors of gradients over it, and its square, are below 1e-5.
   static constexpr double kStepOfHessian = 1e-3;
 
-  void run(std::vector<double> start, bool require_feasible) {
-    times_.let_go();
-    DesignProblem problem(*space_, times_, require_feasible);
-    const SolverResult found =
-        solve_with_ipopt(problem, {std::move(start), {}}, ipopt_);
-    std::ranges::copy(problem.path(), std::back_inserter(out_.path));
-    if (found.status != Status::Solved) {
-      out_.message = found.message;
-      return;
+  [[nodiscard]] Eigen::VectorXd start_of(int number) const {
+    if (number == 1) return space_->first();
+    const RandomStream stream(plan_.seed, "design");
+    SplitMix64 random(static_cast<std::uint64_t>(
+        stream.draw(static_cast<std::uint64_t>(number))));
+    return space_->random(random);
+  }
+
+  /// A start, drawn towards the axis if the branch of the cycloid, which begins
+  /// there, does not reach it.
+  [[nodiscard]] Eigen::VectorXd reachable_start(int number) {
+    constexpr int kMostSteps = 6;
+    Eigen::VectorXd y = start_of(number);
+    for (int i = 0; i < kMostSteps; ++i) {
+      if (times_.move_to(space_->traits(y))) break;
+      y = space_->nearer_to_the_axis(y);
     }
-    const FewVariablesPoint refined =
-        refine_few_variables(problem, found.point, kStepOfHessian);
-    take(problem, refined.converged ? refined.point : found.point, refined);
+    return y;
+  }
+
+  void run(std::vector<double> start, bool require_feasible) {
+    DesignProblem problem(*space_, times_, require_feasible);
+    try {
+      times_.let_go();
+      times_.use(on_the_way(options_));
+      const SolverResult found =
+          solve_with_ipopt(problem, {std::move(start), {}}, ipopt_);
+      keep_path(problem);
+      if (found.status != Status::Solved) {
+        out_.message = found.message;
+      } else {
+        times_.use(options_);
+        const FewVariablesPoint refined =
+            refine_few_variables(problem, found.point, kStepOfHessian);
+        take(problem, refined.converged ? refined.point : found.point, refined);
+      }
+    } catch (const NoWayOn& error) {
+      keep_path(problem);
+      out_.message = error.what();
+    }
+  }
+
+  void keep_path(const DesignProblem& problem) {
+    std::ranges::copy(problem.path(), std::back_inserter(out_.path));
   }
 
   void take(DesignProblem& problem, const PrimalDual& point,
@@ -108,10 +152,10 @@ class Searcher {
     const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(
         point.x.data(), static_cast<Eigen::Index>(point.x.size()));
     DesignMinimum minimum;
-    minimum.body = times_.solution().scene.body;
+    minimum.body = space_->body(y);
     minimum.values = space_->values(y);
     minimum.tau = times_.tau();
-    minimum.gradient = space_->slopes(y, times_.gradient(Traits::Ones()));
+    minimum.gradient = space_->slopes(y, times_.gradient());
     if (refined.converged) {
       minimum.bounds_active = problem.bounds_that_hold(refined.point);
       minimum.curvatures = refined.curvatures;
@@ -122,6 +166,7 @@ class Searcher {
 
   Scene scene_;
   SolveOptions options_;
+  DesignPlan plan_;
   std::unique_ptr<DesignSpace> space_;
   ClosedTimes times_;
   IpoptOptions ipopt_;
@@ -135,37 +180,15 @@ bool same(const DesignMinimum& a, const DesignMinimum& b) {
 
 }  // namespace
 
-std::vector<Body> design_starts(const Scene& scene, const DesignPlan& plan) {
-  constexpr double kOffTheAxis = 1e-2;
-  const std::unique_ptr<DesignSpace> space = design_space(plan, scene.body);
-  const RandomStream stream(plan.seed, "design");
-  std::vector<Body> starts;
-  for (int i = 0; i < plan.starts; ++i) {
-    Body body = scene.body;
-    if (i > 0) {
-      SplitMix64 random(static_cast<std::uint64_t>(
-          stream.draw(static_cast<std::uint64_t>(i))));
-      body = body_of(space->traits(space->random(random)), scene.body);
-    } else if (body.eta_m == 0.0 && plan.is_free(BodyKey::EtaM)) {
-      // A body on its axis has a track of another kind, without θ.
-      body.eta_m = kOffTheAxis;
-    }
-    starts.push_back(body);
-  }
-  return starts;
-}
-
 DesignSearch search_design(const Scene& scene, const SolveOptions& options,
-                           const DesignPlan& plan,
+                           const DesignPlan& plan, int start,
                            const std::atomic<int>* interrupt) {
-  return Searcher(scene, options, plan, interrupt)
-      .search(plan.require_feasible);
+  return Searcher(scene, options, plan, interrupt).search(start);
 }
 
 DesignAnswer gather_designs(const DesignPlan& plan,
                             std::vector<DesignSearch> searches) {
   DesignAnswer out;
-  out.plan = plan;
   for (DesignSearch& search : searches) {
     for (DesignMinimum& minimum : search.minima) {
       const auto known = std::ranges::find_if(

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/design_plan.hpp"
 #include "brachisto/study/solve.hpp"
 
@@ -29,20 +30,16 @@ struct DesignSearch {
   double cpu_seconds = 0.0;
 };
 
-/// The bodies that searches of a plan start from: that of the scene, then
-/// random ones, each of which depends on the seed and its number alone.
-[[nodiscard]] std::vector<Body> design_starts(const Scene& scene,
-                                              const DesignPlan& plan);
-
-/// Searches from a body. If feasibility is required it is asked for where the
-/// quickest body lacks it: most do not, and margins cost eight solves a
-/// gradient.
+/// Searches from one of the starts of a plan: the first is the body of the
+/// scene, the others are random and depend on the seed and their number alone.
+/// If feasibility is required it is asked for where the quickest body lacks it:
+/// most do not, and margins cost up to eight solves a gradient.
 ///
-/// \param scene  with the body to start from, whose track can be solved for
+/// \param start  its number, from 1 on
 /// \throws Stopped  if the interrupt tells so
 [[nodiscard]] DesignSearch search_design(const Scene& scene,
                                          const SolveOptions& options,
-                                         const DesignPlan& plan,
+                                         const DesignPlan& plan, int start,
                                          const std::atomic<int>* interrupt);
 
 /// The different minima of several searches, quickest first, and the best one.

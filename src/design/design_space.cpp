@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "brachisto/model/mass_distribution.hpp"
+#include "design/parts_space.hpp"
 
 namespace brachisto {
 
@@ -27,7 +28,12 @@ double angle_next_to(double angle, double other) {
 class OffsetSpace final : public DesignSpace {
  public:
   OffsetSpace(const DesignPlan& plan, const Body& body)
-      : plan_(plan), body_(body) {
+      : DesignSpace(body), plan_(plan), body_(body) {
+    if (plan.is_free(BodyKey::ThetaM)) {
+      const DesignBounds angle = plan.bounds_of(BodyKey::ThetaM);
+      like_.theta_m =
+          std::isfinite(angle.lower) ? 0.5 * (angle.lower + angle.upper) : 0.0;
+    }
     const bool eta = plan.is_free(BodyKey::EtaM);
     const bool theta = plan.is_free(BodyKey::ThetaM);
     if (eta && theta) {
@@ -191,7 +197,7 @@ class OffsetSpace final : public DesignSpace {
   }
 
   [[nodiscard]] NamedNumbers values(const Eigen::VectorXd& y) const override {
-    const Body body = body_of(traits(y), body_);
+    const Body body = this->body(y);
     NamedNumbers out;
     for (const BodyKey key : kBodyKeys) {
       if (!plan_.is_free(key)) continue;
@@ -206,7 +212,7 @@ class OffsetSpace final : public DesignSpace {
 
   [[nodiscard]] NamedNumbers slopes(const Eigen::VectorXd& y,
                                     const Traits& gradient) const override {
-    const Body body = body_of(traits(y), body_);
+    const Body body = this->body(y);
     const double c = std::cos(body.theta_m), s = std::sin(body.theta_m);
     NamedNumbers out;
     for (const BodyKey key : kBodyKeys) {
@@ -222,7 +228,23 @@ class OffsetSpace final : public DesignSpace {
     return out;
   }
 
-  [[nodiscard]] Eigen::VectorXd coordinates(const Body& body) const override {
+  [[nodiscard]] Eigen::VectorXd first() const override {
+    return coordinates(body_);
+  }
+
+  [[nodiscard]] Eigen::VectorXd nearer_to_the_axis(
+      const Eigen::VectorXd& y) const override {
+    Eigen::VectorXd out = y;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const Axis axis = axes_[i];
+      if (axis == Axis::X || axis == Axis::Z || axis == Axis::Eta) {
+        out[at(i)] = std::max(0.5 * y[at(i)], lower_[i]);
+      }
+    }
+    return out;
+  }
+
+  [[nodiscard]] Eigen::VectorXd coordinates(const Body& body) const {
     Eigen::VectorXd y(size());
     const Traits t = traits_of(body);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -249,35 +271,33 @@ class OffsetSpace final : public DesignSpace {
   }
 
   [[nodiscard]] Eigen::VectorXd random(SplitMix64& random) const override {
-    // Of its room below the rim an offset takes this share at most.
+    // Of the room below the rim, η² + k ≤ 1, about this share is taken.
     constexpr double kAwayFromRim = 0.95;
-    const auto within = [&](DesignBounds bounds) {
-      return random.uniform(bounds.lower, bounds.upper);
+    const auto within = [&](DesignBounds bounds, double room) {
+      return random.uniform(
+          bounds.lower, std::max(bounds.lower, std::min(bounds.upper, room)));
     };
     Body body = body_;
     if (plan_.is_free(BodyKey::Radius)) {
-      body.radius = within(plan_.bounds_of(BodyKey::Radius));
-    }
-    if (plan_.is_free(BodyKey::K)) {
-      DesignBounds k = plan_.bounds_of(BodyKey::K);
-      const double eta = plan_.is_free(BodyKey::EtaM)
-                             ? plan_.bounds_of(BodyKey::EtaM).lower
-                             : body.eta_m;
-      k.upper = std::max(k.lower, std::min(k.upper, largest_k(eta)));
-      body.k = within(k);
+      body.radius = within(plan_.bounds_of(BodyKey::Radius), kUnbounded);
     }
     if (plan_.is_free(BodyKey::EtaM)) {
-      DesignBounds eta = plan_.bounds_of(BodyKey::EtaM);
-      const double room = kAwayFromRim * std::sqrt(std::max(0.0, 1.0 - body.k));
-      eta.upper = std::max(eta.lower, std::min(eta.upper, room));
-      body.eta_m = within(eta);
+      const double k = plan_.is_free(BodyKey::K)
+                           ? plan_.bounds_of(BodyKey::K).lower
+                           : body.k;
+      body.eta_m = within(plan_.bounds_of(BodyKey::EtaM),
+                          kAwayFromRim * std::sqrt(std::max(0.0, 1.0 - k)));
+    }
+    if (plan_.is_free(BodyKey::K)) {
+      body.k = within(plan_.bounds_of(BodyKey::K),
+                      kAwayFromRim * largest_k(body.eta_m));
     }
     if (plan_.is_free(BodyKey::ThetaM)) {
       DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
       if (!std::isfinite(angle.lower)) {
         angle = {-std::numbers::pi, std::numbers::pi};
       }
-      body.theta_m = within(angle);
+      body.theta_m = within(angle, kUnbounded);
     }
     return coordinates(body);
   }
@@ -336,6 +356,7 @@ Body body_of(const Traits& traits, const Body& like) {
 
 std::unique_ptr<DesignSpace> design_space(const DesignPlan& plan,
                                           const Body& body) {
+  if (!plan.free_parts.empty()) return std::make_unique<PartsSpace>(plan, body);
   return std::make_unique<OffsetSpace>(plan, body);
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
+#include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/design_plan.hpp"
 #include "math/portable_random.hpp"
 
@@ -46,6 +47,10 @@ class DesignSpace {
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
+  /// The body, θ_m as its bounds have it or from −π to π.
+  [[nodiscard]] Body body(const Eigen::VectorXd& y) const {
+    return body_of(traits(y), like_);
+  }
   [[nodiscard]] virtual Traits traits(const Eigen::VectorXd& y) const = 0;
   /// ∂(traits)/∂y.
   [[nodiscard]] virtual Eigen::Matrix4Xd traits_jacobian(
@@ -68,16 +73,23 @@ class DesignSpace {
   [[nodiscard]] virtual NamedNumbers slopes(const Eigen::VectorXd& y,
                                             const Traits& gradient) const = 0;
 
-  /// The coordinates of a body; of one outside, of one nearby and inside.
-  [[nodiscard]] virtual Eigen::VectorXd coordinates(const Body& body) const = 0;
+  /// The coordinates of the body that the scene has; if it lies outside, of one
+  /// nearby and inside.
+  [[nodiscard]] virtual Eigen::VectorXd first() const = 0;
+  /// Halfway from a body to one whose centre of mass lies on its axis, as far
+  /// as it is free.
+  [[nodiscard]] virtual Eigen::VectorXd nearer_to_the_axis(
+      const Eigen::VectorXd& y) const = 0;
   /// A body of the box that keeps the rows, away from them.
   [[nodiscard]] virtual Eigen::VectorXd random(SplitMix64& random) const = 0;
 
  protected:
-  DesignSpace() = default;
+  /// \param like  has what is not free
+  explicit DesignSpace(const Body& like) : like_(like) {}
   DesignSpace(const DesignSpace&) = default;
   DesignSpace& operator=(const DesignSpace&) = default;
 
+  Body like_;
   std::vector<double> lower_, upper_;
   std::vector<std::string> names_;
   std::vector<Row> rows_;

@@ -8,12 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "brachisto/model/mass_distribution.hpp"
 #include "io/field_reader.hpp"
+#include "io/mass_part_text.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -21,6 +25,7 @@ namespace brachisto::io {
 namespace {
 
 constexpr double kMostOfADirection = std::numbers::pi;
+constexpr double kLeastRoom = 1e-3;  // of the radius
 
 std::vector<std::string_view> free_names() {
   std::vector<std::string_view> names;
@@ -28,11 +33,76 @@ std::vector<std::string_view> free_names() {
   return names;
 }
 
+/// An item {part: 2, key: at}.
+class FreePartReader {
+ public:
+  FreePartReader(Draft& problem, const KeySpec& spec, Findings& findings)
+      : problem_(problem), key_(spec.path), findings_(findings) {}
+
+  void read(const YamlValue& item) {
+    const FieldReader fields(item, key_, item.position, findings_);
+    fields.allow_only({"part", "key", "bounds"});
+    const auto part = fields.integer("part", kParts, kExpectedPart);
+    const std::string_view word = fields.word("key", {"at", "mass"});
+    if (!part) return;
+    FreePart free{static_cast<std::size_t>(*part) - 1, FreePart::Key::At, {}};
+    if (word == "mass") free.key = FreePart::Key::Mass;
+    const bool known =
+        std::ranges::any_of(problem_.design.free_parts, [&](const auto& other) {
+          return other.part == free.part && other.key == free.key;
+        });
+    if (known) fields.refuse("part", "this key of the part is free already");
+    const Entry* bounds = item.find("bounds");
+    if (free.key == FreePart::Key::At && bounds != nullptr) {
+      fields.refuse("bounds",
+                    "the place of a part has no bounds but the cylinder");
+    } else if (free.key == FreePart::Key::Mass) {
+      free.bounds = masses(bounds, item);
+    }
+    problem_.design.free_parts.push_back(free);
+  }
+
+ private:
+  static constexpr Interval kParts{1, 1000};
+  static constexpr std::string_view kExpectedPart =
+      "the number of a part in scene.body.parts, from 1 on";
+  static constexpr std::string_view kExpectedMasses =
+      "bounds of the mass, two numbers > 0, the greater one last";
+
+  [[nodiscard]] DesignBounds masses(const Entry* entry,
+                                    const YamlValue& item) const {
+    constexpr Interval kPositive{.lower = 0.0, .lower_allowed = false};
+    const std::string key = key_ + ".bounds";
+    std::vector<double> ends;
+    if (entry != nullptr && entry->value.kind == YamlValue::Kind::List) {
+      for (const YamlValue& end : entry->value.items) {
+        if (end.kind != YamlValue::Kind::Scalar) continue;
+        const auto value = read_number(end, key, KeyType::Number, kPositive,
+                                       kExpectedMasses, findings_);
+        if (value) ends.push_back(*value);
+      }
+    }
+    if (ends.size() == 2 && ends[0] < ends[1]) return {ends[0], ends[1]};
+    findings_.add(entry == nullptr ? item.position : entry->value.position, key,
+                  fmt::format("expected {}", kExpectedMasses));
+    return {};
+  }
+
+  Draft& problem_;
+  std::string key_;
+  Findings& findings_;
+};
+
 void read_free(Draft& problem, const KeySpec& spec, const YamlValue& list,
                Findings& findings) {
-  std::vector<BodyKey> free;
+  problem.design.free.clear();
+  problem.design.free_parts.clear();
+  std::vector<BodyKey>& free = problem.design.free;
   const std::string key(spec.path), wanted = expected(spec);
   for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
+    if (item.kind == YamlValue::Kind::Map) {
+      return FreePartReader(problem, spec, findings).read(item);
+    }
     if (item.kind != YamlValue::Kind::Scalar) {
       return refuse_kind(item, key, wanted, findings);
     }
@@ -49,7 +119,52 @@ void read_free(Draft& problem, const KeySpec& spec, const YamlValue& list,
       free.push_back(*named);
     }
   });
-  problem.design.free = std::move(free);
+}
+
+Json free_json(const Draft& problem) {
+  Json list = Json::array();
+  for (const BodyKey key : problem.design.free) list.push_back(name(key));
+  for (const auto& [part, key, bounds] : problem.design.free_parts) {
+    Json item = {{"part", part + 1},
+                 {"key", key == FreePart::Key::At ? "at" : "mass"}};
+    if (key == FreePart::Key::Mass) {
+      item["bounds"] = {bounds.lower, bounds.upper};
+    }
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+Json free_schema() {
+  const Json number = {{"type", {"number", "string"}}};
+  return {{"anyOf",
+           {{{"enum", free_names()}},
+            {{"type", "object"},
+             {"properties",
+              {{"part", {{"type", "integer"}, {"minimum", 1}}},
+               {"key", {{"enum", {"at", "mass"}}}},
+               {"bounds",
+                {{"type", "array"},
+                 {"items", number},
+                 {"minItems", 2},
+                 {"maxItems", 2}}}}},
+             {"required", {"part"}},
+             {"additionalProperties", false}}}}};
+}
+
+constexpr const char* kPartsKey = "scene.body.parts";
+
+/// Texts, which stand for parts until the radius is known.
+void read_parts(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                Findings& findings) {
+  const std::string key(spec.path), wanted = expected(spec);
+  problem.design.parts.clear();
+  for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
+    if (item.kind != YamlValue::Kind::Scalar) {
+      return refuse_kind(item, key, wanted, findings);
+    }
+    problem.design.parts.emplace_back().name = item.text;
+  });
 }
 
 /// What a body may have, for the bounds of a design.
@@ -151,6 +266,45 @@ void check_ways(const YamlValue& root, const Draft& problem,
   }
 }
 
+/// Free parts are parts that can move, and nothing else is free beside them.
+void check_free_parts(const YamlValue& root, const Draft& problem,
+                      Findings& findings) {
+  const DesignPlan& plan = problem.design;
+  const auto refuse = [&](std::string message) {
+    findings.add(position_of(root, "design.free"), "design.free",
+                 std::move(message));
+  };
+  if (plan.free_parts.empty()) {
+    if (!plan.parts.empty()) {
+      refuse("of a body of parts, parts are free, as in {part: 2, key: at}");
+    }
+    return;
+  }
+  if (!plan.free.empty()) {
+    refuse(
+        fmt::format("{} follows from the parts and cannot be free beside "
+                    "them",
+                    name(plan.free.front())));
+  }
+  for (const FreePart& free : plan.free_parts) {
+    if (free.part >= plan.parts.size()) {
+      refuse(fmt::format("there is no part {}; scene.body.parts has {}",
+                         free.part + 1, plan.parts.size()));
+      continue;
+    }
+    if (free.key != FreePart::Key::At) continue;
+    const MassPart& part = plan.parts[free.part];
+    if (part.name.starts_with("rod")) {
+      refuse(fmt::format("part {} is a rod, whose place is not one point",
+                         free.part + 1));
+    } else if (!(problem.scene.body.radius - part.extent() >
+                 kLeastRoom * problem.scene.body.radius)) {
+      refuse(fmt::format("part {} fills the cylinder and cannot move",
+                         free.part + 1));
+    }
+  }
+}
+
 /// Bounds of keys that are not free, and free keys that need some.
 void check_bounds(const YamlValue& root, const Draft& problem,
                   Findings& findings) {
@@ -201,19 +355,59 @@ void check_radius(const YamlValue& root, const Draft& problem,
 
 Binding free_list() {
   return {.type = KeyType::List,
-          .get =
-              [](const Draft& p) {
-                Json list = Json::array();
-                for (const BodyKey key : p.design.free) {
-                  list.push_back(name(key));
-                }
-                return list;
-              },
+          .get = free_json,
           .read_list = read_free,
-          .items =
-              [] {
-                return Json{{"enum", free_names()}};
-              }};
+          .items = free_schema};
+}
+
+Binding parts_list() {
+  // Not echoed: eta_m, theta_m and k say what matters of them.
+  return {.type = KeyType::List, .read_list = read_parts, .items = [] {
+            return Json{{"type", "string"}};
+          }};
+}
+
+void read_body_parts(const YamlValue& root, Draft& problem,
+                     Findings& findings) {
+  const Entry* entry = find_entry(root, kPartsKey);
+  if (entry == nullptr || findings.concern(kPartsKey)) return;
+  const auto refuse = [&](std::string_view key, const std::string& message) {
+    findings.add(position_of(root, key), std::string(key), message);
+  };
+  for (const KeySpec& spec : key_table()) {
+    if (!follows_from_parts(spec) || find_entry(root, spec.path) == nullptr) {
+      continue;
+    }
+    refuse(spec.path, "not allowed beside parts, from which it follows");
+  }
+  constexpr const char* kRadiusKey = "scene.body.radius";
+  const Entry* radius = find_entry(root, kRadiusKey);
+  if (radius == nullptr || findings.concern(kRadiusKey)) return;
+  if (radius->value.kind == YamlValue::Kind::Refused) {
+    return refuse(kPartsKey,
+                  "a body of parts has one radius, which cannot "
+                  "vary");
+  }
+  Body& body = problem.scene.body;
+  std::vector<MassPart>& parts = problem.design.parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string text = parts[i].name;
+    try {
+      parts[i] = read_mass_part(text, body.radius);
+    } catch (const std::invalid_argument& error) {
+      findings.add(entry->value.items[i].position, kPartsKey,
+                   fmt::format("{}: {}", text, error.what()));
+    }
+  }
+  if (findings.concern(kPartsKey)) return;
+  try {
+    const MassProperties found = mass_properties(parts, body.radius);
+    body.eta_m = found.eta_m;
+    body.theta_m = found.theta_m;
+    body.k = found.k;
+  } catch (const std::invalid_argument& error) {
+    refuse(kPartsKey, error.what());
+  }
 }
 
 Binding bounds_list(BodyKey key) {
@@ -233,8 +427,11 @@ Binding bounds_list(BodyKey key) {
 void check_design(const YamlValue& root, const Draft& problem,
                   Findings& findings) {
   if (find_entry(root, "design") == nullptr) return;
-  if (problem.design.free.empty() && !findings.concern("design.free")) return;
+  if (problem.design.empty()) return;
   check_ways(root, problem, findings);
+  if (!findings.concern(kPartsKey) && !findings.concern("scene.body.radius")) {
+    check_free_parts(root, problem, findings);
+  }
   check_bounds(root, problem, findings);
   check_radius(root, problem, findings);
 }

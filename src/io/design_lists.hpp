@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The lists of the section `design`, and what it asks of a scene.
+/// The lists of the section `design`, the parts of a body, and what a design
+/// asks of a scene.
 
 #pragma once
 
@@ -13,8 +14,15 @@
 
 namespace brachisto::io {
 
-/// `free`: names of properties, each once.
+/// `free`: names of properties, each once, or maps with a part and its key.
 [[nodiscard]] Binding free_list();
+
+/// scene.body.parts: parts as `brachisto body` takes them.
+[[nodiscard]] Binding parts_list();
+
+/// Makes parts of the texts that were read, now that the radius is known, and
+/// from them the body.
+void read_body_parts(const YamlValue& root, Draft& problem, Findings& findings);
 
 /// `bounds.KEY`: the least and the greatest value.
 [[nodiscard]] Binding bounds_list(BodyKey key);

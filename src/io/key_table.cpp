@@ -264,6 +264,13 @@ Keys scene_keys() {
        {.presence = Presence::RequiredOfCylinder,
         .bounds = "0 ≤ k ≤ 1 − η_m²",
         .physical = {.lower = 0.0, .upper = 1.0}}},
+      {"scene.body.parts",
+       parts_list(),
+       "what the body consists of, in place of eta_m, theta_m and k; see [A "
+       "body from its parts](#a-body-from-its-parts)",
+       {.presence = Presence::OptionalOfCylinder,
+        .bounds = "a list of parts, as in [\"ring:m=2\", "
+                  "\"point:m=1,at=0.3@-30deg\"]"}},
       {"scene.body.mass", number(kBody, &Body::mass),
        "m, only needed for forces in newtons", positive("kg")},
       {"scene.finish", map(), "the point B to be reached from A = (0, 0)",
@@ -502,7 +509,8 @@ Keys design_keys() {
       {"design.free",
        free_list(),
        "what the design chooses; what is not free stays as in scene.body",
-       {.bounds = "a list of eta_m, theta_m, k and r, each once"}},
+       {.bounds = "a list of eta_m, theta_m, k and r, or of {part: 2, key: at} "
+                  "and {part: 2, key: mass, bounds: [0.1, 2]}"}},
       {"design.bounds", map(),
        "least and greatest values of what is free; a body is within 0 ≤ k ≤ 1 "
        "− η_m² besides"},
@@ -534,6 +542,11 @@ Keys design_keys() {
        within(1, kMostDesignStarts)},
       {"design.seed", number(kDesign, &DesignPlan::seed),
        "of the random bodies", within(0, kMaxInt)},
+      {"design.start",
+       number(kDesign, &DesignPlan::start),
+       "the one that is searched from, in place of all",
+       {.bounds = "an integer from 1 to starts",
+        .interval = {1, kMostDesignStarts}}},
   };
 }
 

@@ -10,11 +10,11 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "brachisto/report/result.hpp"
-#include "design/design_search.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 
@@ -75,29 +75,22 @@ Job read_design_job(const std::filesystem::path& path,
   std::string text = io::read_problem_bytes(path);
   const io::ProblemFile problem =
       io::read_problem_text(text, path.string(), overrides);
-  if (problem.design.free.empty()) {
+  if (problem.design.empty()) {
     throw io::InputError({{.file = path.string(),
                            .key = "design.free",
                            .message = "missing; expected what the design may "
                                       "choose, as in design: {free: [eta_m, "
                                       "theta_m, k]}"}});
   }
-  const std::vector<Body> starts = design_starts(problem.scene, problem.design);
-  json section;
-  const auto vary = [&](const char* key, double Body::*member) {
-    for (const Body& body : starts) section[key].push_back(body.*member);
-    section["zip"].push_back(key);
-  };
-  vary("scene.body.eta_m", &Body::eta_m);
-  vary("scene.body.theta_m", &Body::theta_m);
-  vary("scene.body.k", &Body::k);
-  vary("scene.body.radius", &Body::radius);
+  std::vector<int> starts(static_cast<std::size_t>(problem.design.starts));
+  std::iota(starts.begin(), starts.end(), 1);
+  if (problem.design.start) starts = {*problem.design.start};
   // An override of a key that varies would be idle; it has had its effect.
   std::vector<std::string> all = overrides;
-  std::erase_if(all, [&](const std::string& one) {
-    return section.contains(one.substr(0, one.find('=')));
+  std::erase_if(all, [](const std::string& one) {
+    return one.starts_with("design.start=");
   });
-  all.push_back("sweep=" + section.dump());
+  all.push_back("sweep=" + json{{"design.start", starts}}.dump());
   io::SweepFile file = io::read_sweep_text(text, path.string(), all);
   return {path.string(), std::move(text), std::move(all), std::move(file),
           true};
@@ -155,7 +148,7 @@ std::string input_hash(const io::SweepFile& file) {
   add(fmt::format("{} {} {}\n", file.num_scenes(),
                   file.axes().empty() ? 1 : file.axes().back().count,
                   file.warm_start()));
-  if (!file.problem(0).design.free.empty()) add(design_of(file));
+  if (!file.problem(0).design.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     add(effective_input(file, scene));
   }

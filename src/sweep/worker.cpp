@@ -29,7 +29,8 @@ Answer search_from_scene(const io::SweepFile& file, std::size_t scene) {
   try {
     const io::ProblemFile problem = file.problem(scene);
     answer.result = outcome_json(
-        search_design(problem.scene, problem.options, problem.design, nullptr));
+        search_design(problem.scene, problem.options, problem.design,
+                      problem.design.start.value_or(1), nullptr));
   } catch (const std::exception& error) {
     answer.result = failure_json("internal_error", error.what());
   }

@@ -14,7 +14,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/study/sensitivities.hpp"
@@ -16,6 +17,7 @@
 #include "model/contact.hpp"
 #include "search/continuation.hpp"
 #include "study/pose.hpp"
+#include "study/solve_beside.hpp"
 
 namespace brachisto {
 
@@ -28,6 +30,17 @@ SolveOptions of_inner_solves(SolveOptions options, const Scene& scene) {
     options.use<Collocation>().certify = Certify::None;
   }
   return options;
+}
+
+/// Whether every check has passed, but for that of the second order: a search
+/// may pass through extremals that are no minima between their fixed ends.
+bool is_extremal(const Solution& solution) {
+  const std::vector<Check>& checks = solution.certificate.checks;
+  return solution.status == Status::Solved && solution.motion() != nullptr &&
+         std::isfinite(solution.motion()->tau()) && !checks.empty() &&
+         std::ranges::all_of(checks, [](const Check& check) {
+           return check.passed || check.name == "second_order";
+         });
 }
 
 /// A range that numbers without bound are put into.
@@ -62,8 +75,10 @@ Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
   const double begin = thread_cpu_seconds();
   Scene scene = scene_;
   scene.body = body;
-  Solution solution =
-      solve(scene, options_, {.interrupt = interrupt_, .neighbour = neighbour});
+  const SolveHooks hooks{.interrupt = interrupt_, .neighbour = neighbour};
+  const bool follows = neighbour != nullptr && can_continue(*neighbour, scene);
+  Solution solution = follows ? solve_beside(scene, options_, hooks)
+                              : solve(scene, options_, hooks);
   cpu_seconds_ += thread_cpu_seconds() - begin;
   if (solution.status == Status::Interrupted) throw Stopped();
   return solution;
@@ -82,19 +97,7 @@ bool ClosedTimes::move_to(const Traits& traits) {
     return false;
   }
   Solution solution = solved(scene.body, held_.get());
-  if (!solution.verified()) {
-    refusal_ = solution.status == Status::Solved
-                   ? "the track could not be verified"
-                   : solution.message;
-    return false;
-  }
-  // A solve that could not follow the neighbour went its own way from the
-  // cycloid, to the same branch or to another: a shorter step will tell.
-  const bool followed = !held_ || !held_->scene.body.off_centred() ||
-                        !scene.body.off_centred() ||
-                        (!solution.effort.continuation.empty() &&
-                         solution.effort.continuation.front().eta_m != 0.0);
-  if (!followed || !solution.folds.empty()) {
+  if (!is_extremal(solution) || !solution.folds.empty()) {
     refusal_ = fmt::format(
         "the branch cannot be followed to η_m = {:.6g}, θ_m = {:.6g}, k = "
         "{:.6g}, r = {:.6g} m",
@@ -131,7 +134,7 @@ Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
     scene.body = body_of(moved, solution_.scene.body);
     if (!validate(scene).empty()) return std::nullopt;
     const Solution there = solved(scene.body, beside.get());
-    if (!there.verified()) return std::nullopt;
+    if (!is_extremal(there)) return std::nullopt;
     return margins_of(there);
   };
   const Margins middle = margins();

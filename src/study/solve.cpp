@@ -24,6 +24,7 @@
 #include "study/record.hpp"
 #include "study/shooting.hpp"
 #include "study/size.hpp"
+#include "study/solve_beside.hpp"
 #include "study/start.hpp"
 #include "study/within_limits.hpp"
 
@@ -31,6 +32,7 @@ namespace brachisto {
 
 namespace {
 
+Solution beside(const PosedProblem& posed, const Neighbour& neighbour);
 void solve_posed(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
@@ -53,20 +55,29 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
 
 }  // namespace
 
+Solution solve_beside(const Scene& scene, const SolveOptions& options,
+                      const SolveHooks& hooks) {
+  return beside(pose(scene, options, hooks), *hooks.neighbour);
+}
+
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
   PosedProblem posed = pose(scene, options, hooks);
   if (hooks.neighbour != nullptr && can_start_beside(posed, *hooks.neighbour)) {
-    Solution beside = within_limits(posed, [&](Solution& out) {
-      solve_program(posed, start_beside(posed, *hooks.neighbour), out);
-    });
-    if (beside.verified()) return beside;
+    Solution found = beside(posed, *hooks.neighbour);
+    if (found.verified()) return found;
     posed = pose(scene, options, hooks);  // the clock begins anew
   }
   return within_limits(posed, [&](Solution& out) { solve_posed(posed, out); });
 }
 
 namespace {
+
+Solution beside(const PosedProblem& posed, const Neighbour& neighbour) {
+  return within_limits(posed, [&](Solution& out) {
+    solve_program(posed, start_beside(posed, neighbour), out);
+  });
+}
 
 void solve_posed(const PosedProblem& posed, Solution& out) {
   if (posed.scene.path) return follow_given_path(posed, out);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <exception>
 #include <memory>
@@ -22,17 +23,23 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "design/design_search.hpp"
-#include "io/visible_text.hpp"
+#include "report/design_map.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/scratch_directory.hpp"
+#include "sweep/table.hpp"
 
 namespace brachisto::app {
 
 namespace {
 
-struct DesignFlags : CommonFlags, SweepRun {};
+struct DesignFlags : CommonFlags, SweepRun {
+  int map = 0;  ///< values of each of its axes; 0: none
+};
+
+constexpr std::array kMapFiles{"design_map.csv", "design_map.gp",
+                               "design_map.svg"};
 
 /// The searches of a design by worker processes, as far as they got.
 /// \param failures  gets those of workers, in words
@@ -65,6 +72,27 @@ std::vector<DesignSearch> searches(const DesignFlags& flags,
   return found;
 }
 
+/// τ over two numbers of the body, the ways of the searches over it. A picture
+/// that is missing becomes a warning.
+std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
+                                         const DesignAnswer& answer,
+                                         const Body& best,
+                                         const std::atomic<int>& signal,
+                                         std::vector<std::string>& warnings) {
+  const sweep::Job job =
+      sweep::read_design_map_job(flags.file, flags.overrides, best, flags.map);
+  const sweep::ScratchDirectory scratch;
+  sweep::Store store = sweep::Store::create(
+      scratch.path(), sweep::store_info(job, sweep::Shard{}.name()));
+  run_manager(job, store, manager_options(flags, job, signal),
+              [](const sweep::Counts&) {});
+  report::DrawnFigure drawn = report::draw(
+      report::design_map_figure(sweep::read_table(store, job), answer.paths),
+      report::Format::Svg, &signal);
+  if (!drawn.missing.empty()) warnings.push_back(drawn.missing);
+  return std::move(drawn.files);
+}
+
 /// The quickest body that may be shown: the best, or where none is feasible the
 /// quickest there is.
 const DesignMinimum* shown(const DesignAnswer& answer) {
@@ -80,8 +108,10 @@ int run(const DesignFlags& flags) {
       io::read_problem_file(flags.file, flags.overrides);
   const sweep::Job job = sweep::read_design_job(flags.file, flags.overrides);
   if (!flags.out.empty()) {
-    report::check_writable(flags.out, solution_files(),
-                           flags.force || flags.resume);
+    std::vector<std::string> names = solution_files();
+    if (flags.map > 0)
+      names.insert(names.end(), kMapFiles.begin(), kMapFiles.end());
+    report::check_writable(flags.out, names, flags.force || flags.resume);
   }
   for (const io::Diagnostic& warning : problem.warnings) {
     warn(io::to_string(warning));
@@ -106,6 +136,11 @@ int run(const DesignFlags& flags) {
     solution.status = Status::NotConverged;
     solution.message = "no search came to a minimum";
   }
+  std::vector<report::OutputFile> further;
+  if (flags.map > 0 && solution.verified() && signal.load() == 0) {
+    further =
+        draw_map(flags, answer, solution.scene.body, signal, solution.warnings);
+  }
   for (const std::string& failure : failures) {
     solution.warnings.push_back("no minimum from " + failure);
   }
@@ -128,6 +163,13 @@ Verb design_verb() {
                           "Write the files of `solve` for the best body there, "
                           "and keep the searches in DIR/sweep.sqlite"),
            jobs_flag(flags->jobs),
+           {.name = "--map",
+            .value = &flags->map,
+            .text = "Draw τ of N × N bodies over the first two numbers that "
+                    "are free, with the ways of the searches: design_map.svg",
+            .placeholder = "N",
+            .check = integer_within(2, 1000),
+            .needs = "--out"},
            {.name = "--resume",
             .value = &flags->resume,
             .text = "Go on with the searches in DIR, if there are any",

@@ -122,6 +122,7 @@ void read_free(Draft& problem, const KeySpec& spec, const YamlValue& list,
 }
 
 Json free_json(const Draft& problem) {
+  if (problem.design.empty()) return {};
   Json list = Json::array();
   for (const BodyKey key : problem.design.free) list.push_back(name(key));
   for (const auto& [part, key, bounds] : problem.design.free_parts) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -94,6 +95,55 @@ Job read_design_job(const std::filesystem::path& path,
   io::SweepFile file = io::read_sweep_text(text, path.string(), all);
   return {path.string(), std::move(text), std::move(all), std::move(file),
           true};
+}
+
+Job read_design_map_job(const std::filesystem::path& path,
+                        const std::vector<std::string>& overrides,
+                        const Body& best, int count) {
+  std::string text = io::read_problem_bytes(path);
+  const DesignPlan plan =
+      io::read_problem_text(text, path.string(), overrides).design;
+  std::vector<BodyKey> axes = plan.free;
+  std::ranges::sort(axes);
+  if (axes.size() < 2) {
+    throw io::InputError({{.file = path.string(),
+                           .key = "design.free",
+                           .message = "a map is over two of eta_m, theta_m, k "
+                                      "and r; less are free"}});
+  }
+  axes.resize(2);
+  std::vector<std::string> all = overrides;
+  json section;
+  const auto add = [&](BodyKey key, const char* path_of_key, double value) {
+    if (std::ranges::count(axes, key) == 0) {
+      all.push_back(fmt::format("{}={}", path_of_key, value));
+      return;
+    }
+    std::erase_if(all, [&](const std::string& one) {
+      return one.starts_with(std::string(path_of_key) + "=");
+    });
+    json range = {{"count", count}};
+    const DesignBounds bounds = plan.bounds_of(key);
+    range["from"] =
+        std::isfinite(bounds.lower) ? json(bounds.lower) : json("-180 deg");
+    range["to"] =
+        std::isfinite(bounds.upper) ? json(bounds.upper) : json("180 deg");
+    if (key == BodyKey::EtaM) {
+      // The smaller one of the bound and the room below the rim.
+      range["to"] =
+          fmt::format("({0} + 0.999*sqrt(1-k) - abs({0} - 0.999*sqrt(1-k)))/2",
+                      bounds.upper);
+    }
+    section[path_of_key] = std::move(range);
+  };
+  add(BodyKey::EtaM, "scene.body.eta_m", best.eta_m);
+  add(BodyKey::ThetaM, "scene.body.theta_m", best.theta_m);
+  add(BodyKey::K, "scene.body.k", best.k);
+  add(BodyKey::Radius, "scene.body.radius", best.radius);
+  all.push_back("sweep=" + section.dump());
+  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
+  return {path.string(), std::move(text), std::move(all), std::move(file),
+          false};
 }
 
 std::string to_line(const Job& job) {

@@ -41,6 +41,15 @@ class JobError : public std::invalid_argument {
 [[nodiscard]] Job read_design_job(const std::filesystem::path& path,
                                   const std::vector<std::string>& overrides);
 
+/// A sweep over two numbers that a design leaves free, the offset and its
+/// direction if they are among them, within their bounds.
+/// \param best   has all other numbers
+/// \param count  values of each
+/// \throws io::InputError  if the design has less than two such numbers
+[[nodiscard]] Job read_design_map_job(const std::filesystem::path& path,
+                                      const std::vector<std::string>& overrides,
+                                      const Body& best, int count);
+
 /// The job as one line of JSON, and back. It has the points of scene.path with
 /// it, so that no other file is wanted any more.
 [[nodiscard]] std::string to_line(const Job& job);

@@ -145,10 +145,10 @@ int run(const DesignFlags& flags) {
     solution.warnings.push_back("no minimum from " + failure);
   }
   solution.design = std::move(answer);
-  return hand_out(
-      solution,
-      {flags.out, flags.force || flags.resume, flags.json, flags.quiet},
-      signal);
+  return hand_out(solution,
+                  {flags.out, flags.force || flags.resume, flags.json,
+                   flags.quiet, std::move(further)},
+                  signal);
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ std::vector<double> eigenvalues_along(const MatrixXd& hessian,
 }
 
 /// Whether multipliers push towards the bounds that they belong to.
-bool signs_are_right(const FewVariablesPoint& found) {
+bool signs_are_right(const nlp::Problem& problem,
+                     const FewVariablesPoint& found) {
   for (std::size_t i = 0; i < found.active.variables.size(); ++i) {
     if (found.point.z_lower[i] < 0.0 || found.point.z_upper[i] < 0.0) {
       return false;
@@ -116,6 +117,7 @@ bool signs_are_right(const FewVariablesPoint& found) {
   for (std::size_t i = 0; i < found.active.constraints.size(); ++i) {
     const double lambda = found.point.lambda[i];
     const Held held = found.active.constraints[i];
+    if (problem.constraint_range(static_cast<int>(i)).single()) continue;
     if ((held == Held::AtLower && lambda > 0.0) ||
         (held == Held::AtUpper && lambda < 0.0)) {
       return false;
@@ -187,7 +189,7 @@ FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
   out.point.z_lower.assign(out.point.x.size(), 0.0);
   out.point.z_upper.assign(out.point.x.size(), 0.0);
   nlp::set_bound_multipliers(problem, out.active, out.point);
-  out.converged = out.converged && signs_are_right(out);
+  out.converged = out.converged && signs_are_right(problem, out);
   return out;
 }
 

@@ -26,13 +26,16 @@ TEST(StrictKeys, UnknownOnesAreRefusedWithTheNearestKnown) {
 
 TEST(StrictKeys, MisplacedOnesAreSentHome) {
   EXPECT_EQ(errors(kBead + "k: 1/2\n"),
-            "p.yaml:2:1: k: misplaced key; it belongs in scene.body; allowed "
+            "p.yaml:2:1: k: misplaced key; it belongs in scene.body or "
+            "design.bounds; allowed "
             "at the top level: version, scene, discretisation, solver, sweep, "
             "work_precision, design");
-  EXPECT_EQ(errors("scene: {eta_m: 0, body: {shape: bead}, "
-                   "finish: {L: 3, H: 1}}\n"),
-            "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body; "
-            "allowed in scene: body, finish, gravity, contact, path, limits");
+  EXPECT_EQ(
+      errors("scene: {eta_m: 0, body: {shape: bead}, "
+             "finish: {L: 3, H: 1}}\n"),
+      "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body or "
+      "design.bounds; "
+      "allowed in scene: body, finish, gravity, contact, path, limits");
   EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
             "p.yaml:2:1: tolerance: misplaced key; it belongs in "
             "discretisation or solver; allowed at the top level: version, "

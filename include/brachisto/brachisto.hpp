@@ -27,6 +27,8 @@
 #include "brachisto/solvers/linear_solver.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/solvers/status.hpp"
+#include "brachisto/study/design_answer.hpp"
+#include "brachisto/study/design_plan.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"

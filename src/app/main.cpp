@@ -69,9 +69,10 @@ CommandLine command_line() {
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.",
       version_text,
-      {solve_verb(), validate_verb(), schema_verb(), sweep_verb(),
-       export_verb(), merge_verb(), report_verb(), paper_verb(), body_verb(),
-       compare_verb(), work_precision_verb(), worker_verb(), measure_verb()}};
+      {solve_verb(), design_verb(), validate_verb(), schema_verb(),
+       sweep_verb(), export_verb(), merge_verb(), report_verb(), paper_verb(),
+       body_verb(), compare_verb(), work_precision_verb(), worker_verb(),
+       measure_verb()}};
 }
 
 int run(int argc, char** argv) {

@@ -4,7 +4,6 @@
 // brachisto sweep FILE: a family of scenes, by several processes.
 
 #include <fmt/format.h>
-#include <sys/sysinfo.h>
 #include <memory>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/sweep_run.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
@@ -31,96 +31,14 @@ namespace brachisto::app {
 namespace {
 
 using sweep::Counts;
-using sweep::Database;
 using sweep::Job;
 using sweep::Shard;
 using sweep::Store;
-using sweep::StoreError;
 using sweep::StoreInfo;
 
-struct SweepFlags : CommonFlags {
-  std::string out;
-  std::string shard = "1/1";
-  std::string program;
-  int jobs = 0;
-  double timeout = 0.0;
-  double memory = -1.0;
-  bool resume = false;
+struct SweepFlags : CommonFlags, SweepRun {
   bool retry = false;
-  bool force = false;
 };
-
-/// Refuses to go on with a store of something else.
-void check_same(const Store& store, const StoreInfo& wanted, const Job& job,
-                const std::string& directory) {
-  const StoreInfo& stored = store.info();
-  const auto refuse = [&](const std::string& reason) {
-    throw StoreError(fmt::format(
-        "{}: cannot be resumed: {}. Use another --out, or --force to begin "
-        "again",
-        directory, reason));
-  };
-  if (stored.version != wanted.version) {
-    refuse(fmt::format("it was made by brachisto {}, this is {}",
-                       stored.version, wanted.version));
-  }
-  if (stored.input_hash != wanted.input_hash) {
-    refuse(sweep::difference(store.job().file, job.file));
-  }
-  if (!stored.shard.empty() && stored.shard != wanted.shard &&
-      stored.shard != sweep::kMerged) {
-    refuse(fmt::format("it is shard {}, not {}", stored.shard, wanted.shard));
-  }
-}
-
-Store open_store(const SweepFlags& flags, const Job& job,
-                 const StoreInfo& wanted) {
-  if (flags.force) Store::remove(flags.out);
-  if (!Store::exists(flags.out)) return Store::create(flags.out, wanted);
-  if (!flags.resume) {
-    throw StoreError(fmt::format(
-        "{}: has a sweep already; --resume goes on with it, --force begins "
-        "again",
-        flags.out));
-  }
-  Store store = Store::open(flags.out, Database::Access::ReadWrite);
-  check_same(store, wanted, job, flags.out);
-  store.check();
-  tell_damage(store, "What is damaged or lost is solved again.\n");
-  store.mend(wanted);
-  return store;
-}
-
-/// A solve stops itself at its own limit, give or take an iteration; a scene
-/// may be solved warm, cold, and by a second method.
-double generous_timeout(const io::SweepFile& file) {
-  double limit = 0.0;
-  for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
-    limit = std::max(limit, file.problem(scene).options.limits.seconds);
-  }
-  return 3.0 * limit + 60.0;
-}
-
-sweep::ManagerOptions manager_options(const SweepFlags& flags, const Job& job,
-                                      const std::atomic<int>& signal) {
-  sweep::ManagerOptions options;
-  options.program = flags.program.empty() ? "/proc/self/exe" : flags.program;
-  options.jobs = jobs_or_cores(flags.jobs);
-  options.seconds_per_scene =
-      flags.timeout > 0.0 ? flags.timeout : generous_timeout(job.file);
-  constexpr double kMebibyte = 1024.0 * 1024.0;
-  if (flags.memory >= 0.0) {
-    options.memory = static_cast<std::size_t>(flags.memory * kMebibyte);
-  } else {
-    struct sysinfo machine {};
-    ::sysinfo(&machine);
-    options.memory = machine.totalram * machine.mem_unit /
-                     static_cast<std::size_t>(options.jobs);
-  }
-  options.shard = Shard::parse(flags.shard);
-  options.interrupt = &signal;
-  return options;
-}
 
 /// Scenes that failed, the first few with their reasons.
 std::string failures(const Counts& counts) {

@@ -30,9 +30,10 @@ constexpr std::size_t kShownAtEachEnd = 3;
 
 Json effective_input(const io::ProblemFile& problem) {
   Json json = Json::parse(report::input_json(problem.scene, problem.options));
-  const char* const section = "work_precision";
-  const Json plan = io::effective_section(problem, section);
-  if (plan != io::effective_section({}, section)) json[section] = plan;
+  for (const char* const section : {"work_precision", "design"}) {
+    const Json plan = io::effective_section(problem, section);
+    if (plan != io::effective_section({}, section)) json[section] = plan;
+  }
   return json;
 }
 

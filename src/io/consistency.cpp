@@ -12,6 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/design_lists.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::io {
@@ -44,9 +45,11 @@ void check_bead(const YamlValue& root, Findings& findings) {
 
 void check_cylinder(const YamlValue& root, Findings& findings) {
   const Entry* body = find_entry(root, "scene.body");
+  const bool has_parts = find_entry(root, "scene.body.parts") != nullptr;
   for (const KeySpec& spec : key_table()) {
     if (spec.presence != Presence::RequiredOfCylinder) continue;
     if (find_entry(root, spec.path) != nullptr) continue;
+    if (has_parts && follows_from_parts(spec)) continue;
     findings.add(body->position, std::string(spec.path),
                  fmt::format("missing; expected {} ({})", expected(spec),
                              spec.description));
@@ -286,11 +289,13 @@ void check_scene(const YamlValue& root, const Draft& problem,
   // that no bound is checked against a value nobody gave.
   Draft marked = problem;
   std::vector<std::string_view> unread;
+  const bool has_parts = find_entry(root, "scene.body.parts") != nullptr;
   for (const KeySpec& spec : key_table()) {
     const bool of_scene = spec.path.starts_with("scene.");
     const bool of_other_body = spec.presence == Presence::RequiredOfCylinder &&
                                !problem.scene.body.rolls();
-    const bool absent = is_required(spec) && !of_other_body &&
+    const bool of_parts = has_parts && follows_from_parts(spec);
+    const bool absent = is_required(spec) && !of_other_body && !of_parts &&
                         find_entry(root, spec.path) == nullptr;
     if (of_scene && (findings.concern(spec.path) || absent)) {
       if (spec.type() == KeyType::Number || spec.type() == KeyType::Angle) {
@@ -324,6 +329,7 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_limited(root, problem, findings);
   check_world(root, problem, findings);
   check_scene(root, problem, findings);
+  check_design(root, problem, findings);
 }
 
 }  // namespace brachisto::io

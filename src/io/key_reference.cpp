@@ -265,16 +265,19 @@ Json required_of_problems() {
     }
     (*map)["required"].push_back(spec.name());
   };
-  Json of_cylinder;
+  Json of_cylinder, unless_parts;
   for (const KeySpec& spec : key_table()) {
     if (spec.presence == Presence::Required) need(spec);
     if (spec.presence == Presence::RequiredOfCylinder) {
-      of_cylinder.push_back(spec.name());
+      (follows_from_parts(spec) ? unless_parts : of_cylinder)
+          .push_back(spec.name());
     }
   }
   Json& body = needed["properties"]["scene"]["properties"]["body"];
   body["if"] = {{"properties", {{"shape", {{"const", "cylinder"}}}}}};
-  body["then"] = {{"required", of_cylinder}};
+  body["then"] = {
+      {"required", of_cylinder},
+      {"anyOf", {{{"required", unless_parts}}, {{"required", {"parts"}}}}}};
   return needed;
 }
 

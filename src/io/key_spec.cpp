@@ -75,10 +75,16 @@ const KeySpec* find_key(std::string_view path) {
   return found == table.end() ? nullptr : &*found;
 }
 
+bool follows_from_parts(const KeySpec& spec) {
+  return spec.path == "scene.body.eta_m" || spec.path == "scene.body.theta_m" ||
+         spec.path == "scene.body.k";
+}
+
 bool is_value_key(std::string_view path) {
   const KeySpec* spec = find_key(path);
   if (spec == nullptr || path == "version" ||
-      spec->parent() == "work_precision") {
+      spec->parent() == "work_precision" ||
+      (spec->parent() == "design" && spec->name() != "start")) {
     return false;
   }
   return spec->type() == KeyType::Number || spec->type() == KeyType::Angle ||

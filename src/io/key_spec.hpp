@@ -132,6 +132,9 @@ struct KeySpec : KeyRules {
 /// The key with this path, or nullptr.
 [[nodiscard]] const KeySpec* find_key(std::string_view path);
 
+/// Whether scene.body.parts says what this key would.
+[[nodiscard]] bool follows_from_parts(const KeySpec& spec);
+
 /// True if a key of the problem has a number or a word as its value, so that a
 /// sweep may vary it. Not so `version`, which is no part of the problem.
 [[nodiscard]] bool is_value_key(std::string_view path);

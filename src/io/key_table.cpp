@@ -14,6 +14,7 @@
 
 #include "io/binding.hpp"
 #include "io/clear_of_list.hpp"
+#include "io/design_lists.hpp"
 #include "io/path_points.hpp"
 #include "io/work_precision_lists.hpp"
 
@@ -76,6 +77,7 @@ constexpr auto kIterations = place(
     // Under limits shooting has its arcs from a program.
     [](const Draft& d) { return !is_shooting(d) || d.scene.limits.any(); });
 constexpr auto kPlan = place([](auto& p) -> auto& { return p.work_precision; });
+constexpr auto kDesign = place([](auto& p) -> auto& { return p.design; });
 
 // Rules that several keys have.
 KeyRules required() {
@@ -370,6 +372,13 @@ Keys scene_keys() {
        {.presence = Presence::RequiredOfCylinder,
         .bounds = "0 ≤ k ≤ 1 − η_m²",
         .physical = {.lower = 0.0, .upper = 1.0}}},
+      {"scene.body.parts",
+       parts_list(),
+       "what the body consists of, in place of eta_m, theta_m and k; see [A "
+       "body from its parts](#a-body-from-its-parts)",
+       {.presence = Presence::OptionalOfCylinder,
+        .bounds = "a list of parts, as in [\"ring:m=2\", "
+                  "\"point:m=1,at=0.3@-30deg\"]"}},
       {"scene.body.mass", number(kBody, &Body::mass),
        "m, only needed for forces in newtons", positive("kg")},
       {"scene.finish", map(), "the point B to be reached from A = (0, 0)",
@@ -603,6 +612,57 @@ Keys work_precision_keys() {
   };
 }
 
+Keys design_keys() {
+  using Minimised = DesignPlan::Minimised;
+  return {
+      {"design", map(),
+       "which body `brachisto design` looks for; other verbs read it and go "
+       "their way"},
+      {"design.minimise",
+       choice(kDesign, &DesignPlan::minimised, {{"tau", Minimised::Tau}}),
+       "what the body is to make least: τ of its own fastest track"},
+      {"design.free",
+       free_list(),
+       "what the design chooses; what is not free stays as in scene.body",
+       {.bounds = "a list of eta_m, theta_m, k and r, or of {part: 2, key: at} "
+                  "and {part: 2, key: mass, bounds: [0.1, 2]}"}},
+      {"design.bounds", map(),
+       "least and greatest values of what is free; a body is within 0 ≤ k ≤ 1 "
+       "− η_m² besides"},
+      {"design.bounds.eta_m",
+       bounds_list(BodyKey::EtaM),
+       "of η_m; from 0 to 0.99 if absent",
+       {.bounds = "two numbers from 0 to below 1"}},
+      {"design.bounds.theta_m",
+       bounds_list(BodyKey::ThetaM),
+       "of θ_m; all directions if absent",
+       {.unit = "rad", .bounds = "two angles from −2π to 2π"}},
+      {"design.bounds.k",
+       bounds_list(BodyKey::K),
+       "of k; from 0 to 1 if absent",
+       {.bounds = "two numbers from 0 to 1"}},
+      {"design.bounds.r",
+       bounds_list(BodyKey::Radius),
+       "of the radius; required if it is free, the greatest below (L² + "
+       "H²)/(2L)",
+       {.unit = "m", .bounds = "two numbers > 0"}},
+      {"design.require_feasible",
+       yes_or_no(kDesign, &DesignPlan::require_feasible),
+       "whether the body has to be able to run on its track, without lift-off "
+       "and folds"},
+      {"design.starts", number(kDesign, &DesignPlan::starts),
+       "searches: the first from scene.body, the others from random bodies",
+       within(1, kMostDesignStarts)},
+      {"design.seed", number(kDesign, &DesignPlan::seed),
+       "of the random bodies", within(0, kMaxInt)},
+      {"design.start",
+       number(kDesign, &DesignPlan::start),
+       "the one that is searched from, in place of all",
+       {.bounds = "an integer from 1 to starts",
+        .interval = {1, kMostDesignStarts}}},
+  };
+}
+
 Keys all_keys() {
   Keys keys{{"version",
              {.type = KeyType::Integer, .set = [](Draft&, const Json&) {}},
@@ -624,6 +684,7 @@ Keys all_keys() {
                   "keys that vary, which makes one scene into many; see "
                   "[Sweeps](#sweeps)"});
   add(work_precision_keys());
+  add(design_keys());
   keys.push_back({"constraints", {}, ""});
 
   // What is not said in words, the values say.

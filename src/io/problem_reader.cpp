@@ -12,6 +12,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/consistency.hpp"
+#include "io/design_lists.hpp"
 #include "io/expression.hpp"
 #include "io/field_reader.hpp"
 #include "io/findings.hpp"
@@ -179,6 +180,7 @@ ProblemFile read_problem_text(std::string_view text, const std::string& name,
   const InputTree input = read_input_tree(text, name, overrides, findings);
   Draft draft = ProblemReader(findings).read(input.root);
   read_path_points(input, nullptr, draft, findings);
+  read_body_parts(input.root, draft, findings);
   check_all(input.root, draft, findings);
   findings.throw_if_any(input.sources);
   draft.warnings = findings.warnings(input.sources);

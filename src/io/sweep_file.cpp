@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/consistency.hpp"
+#include "io/design_lists.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"
@@ -216,6 +217,7 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
   mark_swept(section, input.root);
   Draft base = ProblemReader(findings).read(input.root);
   read_path_points(input, points, base, findings);
+  read_body_parts(input.root, base, findings);
   check_shared(section, input.root, base, findings);
   std::optional<SweepNames> names =
       resolve_names(section, input.root, findings);

@@ -308,6 +308,72 @@ Field<Solution> branches_field() {
        {"remarks", "", "checks that failed, why infeasible", &B::remarks}});
 }
 
+Json numbers_json(const NamedNumbers& numbers) {
+  Json json = Json::object();
+  for (const auto& [name, value] : numbers) json[name] = value;
+  return json;
+}
+
+/// Numbers by the names of what is free.
+Field<DesignMinimum> numbers_field(std::string_view name,
+                                   std::string_view meaning,
+                                   NamedNumbers DesignMinimum::*numbers) {
+  return {{name, "object", "", meaning, {}, true},
+          [=](const DesignMinimum& m) { return numbers_json(m.*numbers); }};
+}
+
+/// What is told of the best body at the top, and of each minimum.
+Fields<DesignMinimum> choice_fields() {
+  using B = BoundOfDesign;
+  return {
+      numbers_field("values", "of what is free, in SI units and rad",
+                    &DesignMinimum::values),
+      list("bounds_active", "bounds that hold", &DesignMinimum::bounds_active,
+           {{"name", "", "of what, or of which margin", &B::name},
+            {"bound", "", "its value", &B::bound},
+            {"multiplier", "", "dτ/d(bound), the contacts moving along",
+             &B::multiplier}}),
+      numbers_field("gradient", "dτ/d(value), the contacts moving along",
+                    &DesignMinimum::gradient),
+      {"curvatures", "",
+       "eigenvalues of the second derivative of τ along the bounds that hold; "
+       "all positive at a strict minimum",
+       &DesignMinimum::curvatures}};
+}
+
+/// Of `brachisto design`; no key of another result.
+Field<Solution> design_field() {
+  using A = DesignAnswer;
+  using M = DesignMinimum;
+  const Field<Solution> all = object<Solution>(
+      "design", "", "the choice of the body; no key without a design",
+      &Solution::design,
+      joined<A>(
+          {of_part<A>(&A::best, choice_fields()),
+           {list("minima",
+                 "bodies that none near them is quicker than, quickest first; "
+                 "the first that is verified and, if that is required, "
+                 "feasible is the best",
+                 &A::minima,
+                 joined<M>({{{"tau", "", "τ", &M::tau},
+                             {"feasible", "", "the body can run on its track",
+                              &M::feasible},
+                             {"verified", "",
+                              "solved anew from the cycloid, its track passed "
+                              "every check and has this τ",
+                              &M::verified},
+                             {"remarks", "", "why not feasible or verified",
+                              &M::remarks}},
+                            choice_fields(),
+                            {{"found_from", "", "so many searches led here",
+                              &M::found_from}}})),
+            {"searches", "", "that ended",
+             [](const A& a) { return a.paths.size(); }},
+            {"solves", "", "closed solutions in all searches", &A::solves},
+            {"cpu_seconds", "s", "processor time of them", &A::cpu_seconds}}}));
+  return {all.text, all.write, true};
+}
+
 template <class Value>
 std::optional<Value> only_if(bool there, const Value& value) {
   return there ? std::optional(value) : std::nullopt;
@@ -516,7 +582,7 @@ const Fields<Solution>& result_fields() {
        {mesh_field()},
        of_part<Solution>(&Solution::effort, effort_fields()),
        search_fields(),
-       {seconds_field(), certificate_field()},
+       {design_field(), seconds_field(), certificate_field()},
        origin_fields()});
   return table;
 }

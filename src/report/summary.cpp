@@ -304,6 +304,53 @@ void add_branches(std::string& out, const Solution& solution) {
   }
 }
 
+/// "η_m = 0.77096, θ_m = −11.076°, k = 0".
+std::string body_in_words(const NamedNumbers& values) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : values) {
+    parts.push_back(name == "theta_m"
+                        ? fmt::format("θ_m = {:.6f}°", degrees(value))
+                        : fmt::format("{} = {:.8g}{}",
+                                      name == "eta_m" ? "η_m" : name, value,
+                                      name == "r" ? " m" : ""));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Of one minimum, without the body: "τ = 3.9775616, feasible, from 5 starts".
+std::string minimum_in_words(const DesignMinimum& minimum) {
+  return fmt::format("τ = {:.10g}{}{}, from {} start{}", minimum.tau,
+                     minimum.verified ? "" : ", NOT VERIFIED",
+                     minimum.feasible ? ", feasible" : ", INFEASIBLE",
+                     minimum.found_from, minimum.found_from == 1 ? "" : "s");
+}
+
+void add_design(std::string& out, const Solution& solution) {
+  if (!solution.design) return;
+  const DesignAnswer& design = *solution.design;
+  if (design.best) {
+    line(out, "quickest body", body_in_words(design.best->values));
+    for (const auto& [name, bound, multiplier] : design.best->bounds_active) {
+      line(out, "",
+           fmt::format("at its bound {} = {:.6g}: dτ/d(bound) = {:.6g}", name,
+                       bound, multiplier));
+    }
+  } else if (!design.minima.empty()) {
+    line(out, "quickest body", "none that is verified and feasible");
+  }
+  std::string_view label = "minima";
+  for (const DesignMinimum& minimum : design.minima) {
+    line(out, label,
+         fmt::format("{}: {}", minimum_in_words(minimum),
+                     body_in_words(minimum.values)));
+    label = "";
+    for (const std::string& why : minimum.remarks) line(out, "", "  " + why);
+  }
+  line(out, "searched",
+       fmt::format("{} starts, {} closed solutions, {:.2f} s CPU",
+                   design.paths.size(), design.solves, design.cpu_seconds));
+}
+
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -381,6 +428,7 @@ std::string summary(const Solution& solution) {
   add_cross_check(out, solution);
   add_discrete_system(out, solution);
   add_branches(out, solution);
+  add_design(out, solution);
   line(out, "found", found(solution));
   if (const std::string what = next(solution); !what.empty()) {
     line(out, "to try", what);

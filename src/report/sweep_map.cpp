@@ -82,6 +82,32 @@ class Picture {
              digest_.missing);
   }
 
+  /// Lines from dot to dot, white where they start.
+  void ways(std::string_view style) {
+    const auto shown = [&](std::size_t column, double value) {
+      return shown_number({table_.columns[column].key, {value}, {}}, 0);
+    };
+    for (std::size_t i = 0; i < map_.ways.size(); ++i) {
+      if (map_.ways[i].empty()) continue;
+      put("$way{} << END\n", i);
+      for (const auto& [first, second] : map_.ways[i]) {
+        double x = shown(map_.first, first), y = shown(map_.second, second);
+        if (x_ != map_.first) std::swap(x, y);
+        put("{:.12g},{:.12g}\n", x, y);
+      }
+      put("END\n");
+      layer(
+          fmt::format("$way{} using 1:2:(middle) with linespoints pt 7 ps 0.5 "
+                      "lw 1.4 lc rgb '#d62728'{}",
+                      i, style),
+          i == 0 ? "ways of the searches" : "");
+      layer(
+          fmt::format("$way{} every ::0::0 using 1:2:(middle) with points pt "
+                      "7 ps 0.9 lc rgb '#ffffff'{}",
+                      i, style));
+    }
+  }
+
   void minima(std::string_view style) {
     for (const MarkedScene& marked : marked_scenes(table_, map_.scenes)) {
       const double x = shown_number(table_.columns[x_], marked.scene);
@@ -270,6 +296,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
         std::max<std::size_t>(20, map.n_first + map.n_second));
   }
   picture.others(" nocontour");
+  picture.ways(" nocontour");
   picture.minima(" nocontour");
   return picture.figure("splot", range, any);
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/figure.hpp"
@@ -52,6 +53,9 @@ struct XyPlot {
                                                      const XyPlot& plot,
                                                      std::size_t curve);
 
+/// A way across a map: values of its first and its second column.
+using MapWay = std::vector<std::pair<double, double>>;
+
 /// Two ordered axes of a sweep: scene (i, j) is scenes[i · n_second + j] and
 /// lies where its own values of two numeric columns put it; see in_map_order().
 /// Which of them lies to the right their rank says, so that all maps have one
@@ -61,6 +65,7 @@ struct SweepMap {
   std::size_t first = 0, second = 0;      ///< columns
   std::size_t n_first = 0, n_second = 0;  ///< both at least 2
   Scenes scenes;
+  std::vector<MapWay> ways = {};  ///< drawn over the colours
 };
 
 /// Colours of τ between the scenes with lines of equal τ, the smallest value of

@@ -15,6 +15,7 @@
 
 #include "reproduction/bent_track.hpp"
 #include "reproduction/cases.hpp"
+#include "sweep/scratch_directory.hpp"
 #include "sweep/table.hpp"
 
 namespace brachisto::reproduction {
@@ -191,37 +192,13 @@ std::vector<std::string> needed_cases() {
   return names;
 }
 
-/// A directory of its own that goes with the object.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "brachisto-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), name);
-    }
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// Solves a sweep with the program's own workers, by all cores and without
 /// leaving files.
 SweepTable solve_family(const sweep::Job& job, int jobs,
                         const Interrupt& interrupt,
                         const sweep::ProgressSink& progress) {
   constexpr double kSecondsPerScene = 120.0;
-  const ScratchDirectory scratch;
+  const sweep::ScratchDirectory scratch;
   sweep::Store store =
       sweep::Store::create(scratch.path(), sweep::store_info(job, "1/1"));
   const sweep::ManagerOptions options{.program = "/proc/self/exe",

@@ -101,6 +101,10 @@ void set_options(Ipopt::OptionsList& list, const IpoptOptions& options,
   // Problems come in natural units and with scaled defects.
   list.SetStringValue("nlp_scaling_method", "none");
   list.SetStringValue("fixed_variable_treatment", "make_parameter");
+  if (problem.hess_lag_pattern().num_entries() == 0) {
+    // Second derivatives that nobody knows are built up from gradients.
+    list.SetStringValue("hessian_approximation", "limited-memory");
+  }
   // Without it a NaN in the Hessian surfaces as a failed restoration.
   list.SetStringValue("check_derivatives_for_naninf", "yes");
   if (problem.has_inequalities()) {

@@ -13,7 +13,7 @@ namespace brachisto {
 
 namespace {
 
-std::timed_mutex place;
+std::recursive_timed_mutex place;
 
 // The reference BLAS has no such functions; OpenBLAS does.
 template <class Function>

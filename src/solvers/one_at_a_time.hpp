@@ -12,7 +12,9 @@
 namespace brachisto {
 
 /// The place in which these libraries may be called, held as long as it lives.
-/// Not to be asked for again by a thread that holds it.
+/// A thread that holds it may ask again: the functions of an outer problem may
+/// be solves themselves, and runs within runs do not meet, for each has its own
+/// instance of either library.
 ///
 /// A threaded BLAS, if that is what is loaded, has one thread meanwhile: the
 /// matrices are small, more would only burn processor time and blur its
@@ -27,7 +29,7 @@ class OneAtATime {
   OneAtATime& operator=(const OneAtATime&) = delete;
 
  private:
-  std::unique_lock<std::timed_mutex> lock_;
+  std::unique_lock<std::recursive_timed_mutex> lock_;
   int blas_threads_ = 0;  ///< to go back to; 0: none that can be set
 };
 

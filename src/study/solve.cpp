@@ -26,6 +26,7 @@
 #include "study/record.hpp"
 #include "study/shooting.hpp"
 #include "study/size.hpp"
+#include "study/solve_beside.hpp"
 #include "study/start.hpp"
 #include "study/within_limits.hpp"
 
@@ -33,9 +34,10 @@ namespace brachisto {
 
 namespace {
 
+Solution beside(const PosedProblem& posed, const Neighbour& neighbour);
 void solve_posed(const PosedProblem& posed, Solution& out);
-void solve_beside(const PosedProblem& posed, const Neighbour& neighbour,
-                  Solution& out);
+void follow_neighbour(const PosedProblem& posed, const Neighbour& neighbour,
+                      Solution& out);
 void differentiate(const PosedProblem& posed, Solution& out);
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out);
@@ -64,15 +66,17 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 
 }  // namespace
 
+Solution solve_beside(const Scene& scene, const SolveOptions& options,
+                      const SolveHooks& hooks) {
+  return beside(pose(scene, options, hooks), *hooks.neighbour);
+}
+
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
   PosedProblem posed = pose(scene, options, hooks);
   if (hooks.neighbour != nullptr) {
-    Solution beside = within_limits(posed, [&](Solution& out) {
-      solve_beside(posed, *hooks.neighbour, out);
-      differentiate(posed, out);
-    });
-    if (beside.verified()) return beside;
+    Solution found = beside(posed, *hooks.neighbour);
+    if (found.verified()) return found;
     posed = pose(scene, options, hooks);  // the clock begins anew
   }
   return within_limits(posed, [&](Solution& out) {
@@ -82,6 +86,13 @@ Solution solve(const Scene& scene, const SolveOptions& options,
 }
 
 namespace {
+
+Solution beside(const PosedProblem& posed, const Neighbour& neighbour) {
+  return within_limits(posed, [&](Solution& out) {
+    follow_neighbour(posed, neighbour, out);
+    differentiate(posed, out);
+  });
+}
 
 void solve_posed(const PosedProblem& posed, Solution& out) {
   if (posed.scene.path) return follow_given_path(posed, out);
@@ -95,8 +106,8 @@ void solve_posed(const PosedProblem& posed, Solution& out) {
 }
 
 /// From a neighbour, if it is one.
-void solve_beside(const PosedProblem& posed, const Neighbour& neighbour,
-                  Solution& out) {
+void follow_neighbour(const PosedProblem& posed, const Neighbour& neighbour,
+                      Solution& out) {
   if (can_start_beside(posed, neighbour)) {
     return solve_program(posed, start_beside(posed, neighbour), out);
   }

@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "brachisto/report/result.hpp"
+#include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 
 namespace brachisto::sweep {
@@ -25,6 +28,11 @@ using nlohmann::json;
 std::string effective_input(const io::SweepFile& file, std::size_t scene) {
   const io::ProblemFile problem = file.problem(scene);
   return report::input_json(problem.scene, problem.options);
+}
+
+/// The section `design`, which all scenes share.
+std::string design_of(const io::SweepFile& file) {
+  return io::effective_section(file.problem(0), "design").dump();
 }
 
 /// The given path if it has points, which all scenes share; nullptr if not.
@@ -60,12 +68,88 @@ Job read_job(const std::filesystem::path& path,
              const std::vector<std::string>& overrides) {
   std::string text = io::read_problem_bytes(path);
   io::SweepFile file = io::read_sweep_text(text, path.string(), overrides);
-  return {path.string(), std::move(text), overrides, std::move(file)};
+  return {path.string(), std::move(text), overrides, std::move(file), false};
+}
+
+Job read_design_job(const std::filesystem::path& path,
+                    const std::vector<std::string>& overrides) {
+  std::string text = io::read_problem_bytes(path);
+  const io::ProblemFile problem =
+      io::read_problem_text(text, path.string(), overrides);
+  if (problem.design.empty()) {
+    throw io::InputError({{.file = path.string(),
+                           .key = "design.free",
+                           .message = "missing; expected what the design may "
+                                      "choose, as in design: {free: [eta_m, "
+                                      "theta_m, k]}"}});
+  }
+  std::vector<int> starts(static_cast<std::size_t>(problem.design.starts));
+  std::iota(starts.begin(), starts.end(), 1);
+  if (problem.design.start) starts = {*problem.design.start};
+  // An override of a key that varies would be idle; it has had its effect.
+  std::vector<std::string> all = overrides;
+  std::erase_if(all, [](const std::string& one) {
+    return one.starts_with("design.start=");
+  });
+  all.push_back("sweep=" + json{{"design.start", starts}}.dump());
+  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
+  return {path.string(), std::move(text), std::move(all), std::move(file),
+          true};
+}
+
+Job read_design_map_job(const std::filesystem::path& path,
+                        const std::vector<std::string>& overrides,
+                        const Body& best, int count) {
+  std::string text = io::read_problem_bytes(path);
+  const DesignPlan plan =
+      io::read_problem_text(text, path.string(), overrides).design;
+  std::vector<BodyKey> axes = plan.free;
+  std::ranges::sort(axes);
+  if (axes.size() < 2) {
+    throw io::InputError({{.file = path.string(),
+                           .key = "design.free",
+                           .message = "a map is over two of eta_m, theta_m, k "
+                                      "and r; less are free"}});
+  }
+  axes.resize(2);
+  std::vector<std::string> all = overrides;
+  json section;
+  const auto add = [&](BodyKey key, const char* path_of_key, double value) {
+    if (std::ranges::count(axes, key) == 0) {
+      all.push_back(fmt::format("{}={}", path_of_key, value));
+      return;
+    }
+    std::erase_if(all, [&](const std::string& one) {
+      return one.starts_with(std::string(path_of_key) + "=");
+    });
+    json range = {{"count", count}};
+    const DesignBounds bounds = plan.bounds_of(key);
+    range["from"] =
+        std::isfinite(bounds.lower) ? json(bounds.lower) : json("-180 deg");
+    range["to"] =
+        std::isfinite(bounds.upper) ? json(bounds.upper) : json("180 deg");
+    if (key == BodyKey::EtaM) {
+      // The smaller one of the bound and the room below the rim.
+      range["to"] =
+          fmt::format("({0} + 0.999*sqrt(1-k) - abs({0} - 0.999*sqrt(1-k)))/2",
+                      bounds.upper);
+    }
+    section[path_of_key] = std::move(range);
+  };
+  add(BodyKey::EtaM, "scene.body.eta_m", best.eta_m);
+  add(BodyKey::ThetaM, "scene.body.theta_m", best.theta_m);
+  add(BodyKey::K, "scene.body.k", best.k);
+  add(BodyKey::Radius, "scene.body.radius", best.radius);
+  all.push_back("sweep=" + section.dump());
+  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
+  return {path.string(), std::move(text), std::move(all), std::move(file),
+          false};
 }
 
 std::string to_line(const Job& job) {
   json document = {
       {"name", job.name}, {"text", job.text}, {"overrides", job.overrides}};
+  if (job.of_design) document["design"] = true;
   if (const auto path = path_of_points(job.file)) {
     json& list = document["points"] = json::array();
     for (const Point& point : path->points) {
@@ -80,8 +164,10 @@ Job job_from_line(const std::string& line) {
   std::string name, text;
   std::vector<std::string> overrides;
   std::optional<std::vector<Point>> points;
+  bool of_design = false;
   try {
     const json document = json::parse(line);
+    of_design = document.value("design", false);
     document.at("name").get_to(name);
     document.at("text").get_to(text);
     document.at("overrides").get_to(overrides);
@@ -98,7 +184,7 @@ Job job_from_line(const std::string& line) {
   io::SweepFile file =
       io::read_sweep_text(text, name, overrides, points ? &*points : nullptr);
   return {std::move(name), std::move(text), std::move(overrides),
-          std::move(file)};
+          std::move(file), of_design};
 }
 
 std::string input_hash(const io::SweepFile& file) {
@@ -112,6 +198,7 @@ std::string input_hash(const io::SweepFile& file) {
   add(fmt::format("{} {} {}\n", file.num_scenes(),
                   file.axes().empty() ? 1 : file.axes().back().count,
                   file.warm_start()));
+  if (!file.problem(0).design.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     add(effective_input(file, scene));
   }
@@ -128,6 +215,7 @@ std::string difference(const io::SweepFile& stored,
   if (stored.warm_start() != wanted.warm_start()) {
     return "sweep.warm_start differs";
   }
+  if (design_of(stored) != design_of(wanted)) return "the design differs";
   if (std::string points = difference_of_points(stored, wanted);
       !points.empty()) {
     return points;

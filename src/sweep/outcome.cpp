@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "brachisto/report/result.hpp"
+#include "design/design_record.hpp"
 
 namespace brachisto::sweep {
 
@@ -82,6 +83,18 @@ std::string outcome_json(const Solution& solution) {
     json["message"] = failed_checks(solution);
   }
   return compact(json);
+}
+
+std::string outcome_json(const DesignSearch& search) {
+  Json json = Json::parse(search.answer
+                              ? outcome_json(*search.answer)
+                              : failure_json("not_converged", search.message));
+  json["design"] = to_json(search);
+  return compact(json);
+}
+
+DesignSearch read_design_search(const std::string& document) {
+  return design_search_from_json(Json::parse(document).at("design"));
 }
 
 std::string failure_json(std::string_view status, std::string_view message) {

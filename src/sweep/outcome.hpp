@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "brachisto/study/solve.hpp"
+#include "design/design_search.hpp"
 #include "report/sweep_table.hpp"
 
 namespace brachisto::sweep {
@@ -20,6 +21,13 @@ namespace brachisto::sweep {
 /// The result document of a solve, compact, without what all scenes of a sweep
 /// share.
 [[nodiscard]] std::string outcome_json(const Solution& solution);
+
+/// The document of a search: that of its answer, or of its failure, and the
+/// search itself under the key `design`.
+[[nodiscard]] std::string outcome_json(const DesignSearch& search);
+/// The search in such a document.
+/// \throws std::exception  of nlohmann::json, if there is none
+[[nodiscard]] DesignSearch read_design_search(const std::string& document);
 
 /// The document of a scene that no worker could answer for.
 [[nodiscard]] std::string failure_json(std::string_view status,

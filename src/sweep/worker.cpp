@@ -23,6 +23,20 @@ namespace brachisto::sweep {
 
 namespace {
 
+/// Searches from the body of a scene.
+Answer search_from_scene(const io::SweepFile& file, std::size_t scene) {
+  Answer answer{scene, {}, {}};
+  try {
+    const io::ProblemFile problem = file.problem(scene);
+    answer.result = outcome_json(
+        search_design(problem.scene, problem.options, problem.design,
+                      problem.design.start.value_or(1), nullptr));
+  } catch (const std::exception& error) {
+    answer.result = failure_json("internal_error", error.what());
+  }
+  return answer;
+}
+
 /// Solves one scene; `neighbour` becomes what the next may start from.
 Answer solve_scene(const io::SweepFile& file, std::size_t scene,
                    std::shared_ptr<const Neighbour>& neighbour) {
@@ -64,7 +78,9 @@ void run_worker(std::istream& in, std::ostream& out) {
       }
     }
     for (std::size_t i = request.first; i < request.last; ++i) {
-      out << to_line(solve_scene(job.file, i, neighbour)) << std::flush;
+      out << to_line(job.of_design ? search_from_scene(job.file, i)
+                                   : solve_scene(job.file, i, neighbour))
+          << std::flush;
     }
   }
 }

@@ -68,7 +68,7 @@ TEST(Overrides, ErrorsNameTheOverrideBehindThoseOfTheFile) {
   EXPECT_EQ(errors(kBead + "q: 1\n", {"solver.guess=strait", "scene.finish.H=0",
                                       "solver.limits.second=3"}),
             "p.yaml:2:1: q: unknown key; allowed at the top level: version, "
-            "scene, discretisation, solver, sweep, work_precision\n"
+            "scene, discretisation, solver, sweep, work_precision, design\n"
             "--set solver.guess=strait: solver.guess: \"strait\" was read; "
             "expected cycloid or straight or random; did you mean straight?\n"
             "--set scene.finish.H=0: scene.finish.H: 0 m is not allowed: it "

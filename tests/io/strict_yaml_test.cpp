@@ -140,7 +140,7 @@ TEST(StrictYaml, MessagesCutLongTextsAndEscapeControls) {
   EXPECT_EQ(errors(kBead + key + ": 1\n"),
             "p.yaml:2:1: \\x1b[31m" + std::string(35, 'x') +
                 "…: unknown key; allowed at the top level: version, scene, "
-                "discretisation, solver, sweep, work_precision");
+                "discretisation, solver, sweep, work_precision, design");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/study/design_plan.hpp"
 #include "brachisto/study/solve_options.hpp"
 
 namespace brachisto {
@@ -89,6 +90,7 @@ struct ProblemFile {
   SolveOptions options;
   std::string points_file;  ///< of scene.path, as the file names it, or empty
   WorkPrecisionPlan work_precision;  ///< for comparisons alone
+  DesignPlan design;                 ///< for designs alone
   std::vector<Diagnostic> warnings;  ///< of what is read, but hardly meant
 };
 

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -24,6 +25,11 @@ struct MassPart {
   double own_inertia = 0.0;  ///< about that, over its mass [length²]
   double reach = 0.0;        ///< of the point farthest from the axis
   std::string name = {};     ///< how messages call it
+
+  /// How far it extends from its own centre, if it is a point, ring or disc.
+  [[nodiscard]] double extent() const {
+    return reach - std::hypot(centre.x, centre.z);
+  }
 
   [[nodiscard]] static MassPart point(double mass, Point at);
   /// A thin ring, I = m a².

@@ -142,7 +142,8 @@ class Problem {
   [[nodiscard]] virtual std::span<const double> weights() const { return {}; }
 
   [[nodiscard]] virtual const SparsityPattern& jac_g_pattern() const = 0;
-  /// Lower triangle of the Hessian of the Lagrangian.
+  /// Lower triangle of the Hessian of the Lagrangian. Empty if there is none,
+  /// or nobody knows it: then Ipopt builds one up from gradients.
   [[nodiscard]] virtual const SparsityPattern& hess_lag_pattern() const = 0;
 
   /// For factorisations of the KKT matrix. By default variables, then

@@ -14,6 +14,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
+#include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"
@@ -71,6 +72,7 @@ struct Solution {
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
   /// What Search::Global left undone, its work being bounded; empty if nothing.
   std::string search_remark;
+  std::optional<DesignAnswer> design;  ///< that chose the body, if one did
 
   /// The motion, found or given; null if there is none.
   [[nodiscard]] const Motion* motion() const;

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto design FILE: the body that is the quickest on its track.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/solution_output.hpp"
+#include "app/sweep_run.hpp"
+#include "app/terminal.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "design/design_search.hpp"
+#include "report/design_map.hpp"
+#include "sweep/directory_lock.hpp"
+#include "sweep/manager.hpp"
+#include "sweep/outcome.hpp"
+#include "sweep/scratch_directory.hpp"
+#include "sweep/table.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+struct DesignFlags : CommonFlags, SweepRun {
+  int map = 0;  ///< values of each of its axes; 0: none
+};
+
+constexpr std::array kMapFiles{"design_map.csv", "design_map.gp",
+                               "design_map.svg"};
+
+/// The searches of a design by worker processes, as far as they got.
+/// \param failures  gets those of workers, in words
+std::vector<DesignSearch> searches(const DesignFlags& flags,
+                                   const sweep::Job& job,
+                                   const std::atomic<int>& signal,
+                                   std::vector<std::string>& failures) {
+  // Without --out the searches are kept for this run alone.
+  std::optional<sweep::ScratchDirectory> own;
+  SweepRun run = flags;
+  if (run.out.empty()) run.out = own.emplace().path().string();
+  const sweep::DirectoryLock lock(run.out);
+  sweep::Store store =
+      open_store(run, job, sweep::store_info(job, sweep::Shard{}.name()));
+  run_manager(job, store, manager_options(run, job, signal),
+              [](const sweep::Counts&) {});
+  std::vector<DesignSearch> found;
+  store.for_each_result([&](std::size_t start, const std::string& document) {
+    try {
+      found.push_back(sweep::read_design_search(document));
+      if (found.back().minima.empty()) {
+        failures.push_back(
+            fmt::format("start {}: {}", start + 1, found.back().message));
+      }
+    } catch (const std::exception&) {
+      failures.push_back(fmt::format("start {}: {}", start + 1,
+                                     sweep::read_outcome(document).message));
+    }
+  });
+  return found;
+}
+
+/// τ over two numbers of the body, the ways of the searches over it. A picture
+/// that is missing becomes a warning.
+std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
+                                         const DesignAnswer& answer,
+                                         const Body& best,
+                                         const std::atomic<int>& signal,
+                                         std::vector<std::string>& warnings) {
+  const sweep::Job job =
+      sweep::read_design_map_job(flags.file, flags.overrides, best, flags.map);
+  const sweep::ScratchDirectory scratch;
+  sweep::Store store = sweep::Store::create(
+      scratch.path(), sweep::store_info(job, sweep::Shard{}.name()));
+  run_manager(job, store, manager_options(flags, job, signal),
+              [](const sweep::Counts&) {});
+  report::DrawnFigure drawn = report::draw(
+      report::design_map_figure(sweep::read_table(store, job), answer.paths),
+      report::Format::Svg, &signal);
+  if (!drawn.missing.empty()) warnings.push_back(drawn.missing);
+  return std::move(drawn.files);
+}
+
+/// The quickest body that may be shown: the best, or where none is feasible the
+/// quickest there is.
+const DesignMinimum* shown(const DesignAnswer& answer) {
+  if (answer.best) return &*answer.best;
+  for (const DesignMinimum& minimum : answer.minima) {
+    if (minimum.verified) return &minimum;
+  }
+  return nullptr;
+}
+
+int run(const DesignFlags& flags) {
+  const io::ProblemFile problem =
+      io::read_problem_file(flags.file, flags.overrides);
+  const sweep::Job job = sweep::read_design_job(flags.file, flags.overrides);
+  if (!flags.out.empty()) {
+    std::vector<std::string> names = solution_files();
+    if (flags.map > 0)
+      names.insert(names.end(), kMapFiles.begin(), kMapFiles.end());
+    report::check_writable(flags.out, names, flags.force || flags.resume);
+  }
+  for (const io::Diagnostic& warning : problem.warnings) {
+    warn(io::to_string(warning));
+  }
+  const std::atomic<int>& signal = catch_signals();
+  std::vector<std::string> failures;
+  DesignAnswer answer =
+      gather_designs(problem.design, searches(flags, job, signal, failures));
+
+  Solution solution;
+  solution.scene = problem.scene;
+  solution.options = problem.options;
+  if (signal.load() != 0) {
+    solution.status = Status::Interrupted;
+    solution.message = "stopped before all searches had ended";
+    if (!flags.out.empty()) solution.message += "; --resume goes on";
+  } else if (const DesignMinimum* minimum = shown(answer)) {
+    Scene scene = problem.scene;
+    scene.body = minimum->body;
+    solution = solve(scene, problem.options, {.interrupt = &signal});
+  } else {
+    solution.status = Status::NotConverged;
+    solution.message = "no search came to a minimum";
+  }
+  std::vector<report::OutputFile> further;
+  if (flags.map > 0 && solution.verified() && signal.load() == 0) {
+    further =
+        draw_map(flags, answer, solution.scene.body, signal, solution.warnings);
+  }
+  for (const std::string& failure : failures) {
+    solution.warnings.push_back("no minimum from " + failure);
+  }
+  solution.design = std::move(answer);
+  return hand_out(solution,
+                  {flags.out, flags.force || flags.resume, flags.json,
+                   flags.quiet, std::move(further)},
+                  signal);
+}
+
+}  // namespace
+
+Verb design_verb() {
+  const auto flags = std::make_shared<DesignFlags>();
+  return {
+      .name = "design",
+      .text = "Find the body that is the quickest on its own fastest track",
+      .flags = flags->with(
+          {directory_flag("--out", flags->out,
+                          "Write the files of `solve` for the best body there, "
+                          "and keep the searches in DIR/sweep.sqlite"),
+           jobs_flag(flags->jobs),
+           {.name = "--map",
+            .value = &flags->map,
+            .text = "Draw τ of N × N bodies over the first two numbers that "
+                    "are free, with the ways of the searches: design_map.svg",
+            .placeholder = "N",
+            .check = integer_within(2, 1000),
+            .needs = "--out"},
+           {.name = "--resume",
+            .value = &flags->resume,
+            .text = "Go on with the searches in DIR, if there are any",
+            .needs = "--out"},
+           {.name = "--force",
+            .value = &flags->force,
+            .text = "Replace the results in DIR",
+            .excludes = "--resume"},
+           {.name = "--worker",
+            .value = &flags->program,
+            .text = "Program to run as worker, for tests",
+            .placeholder = "PROGRAM",
+            .check = existing_file(),
+            .hidden = true}}),
+      .footer =
+          R"(The section design of the file says what is free and within what
+bounds; the body of its scene is the first start.
+Examples:
+  brachisto design problems/design/quickest.yaml
+  brachisto design problems/design/quickest.yaml --set design.bounds.k=[0.1,1]
+  brachisto design problems/design/ring_with_weight.yaml --out weight
+Exit codes: 0 the best body and its track are verified, 3 bad input
+file, 4 no minimum found or not verified, 5 no feasible body found,
+6 I/O, 7 limit reached, 130/143 after SIGINT/SIGTERM.)",
+      .run = [flags] { return run(*flags); }};
+}
+
+}  // namespace brachisto::app

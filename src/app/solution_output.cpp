@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "app/solution_output.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "app/exit_code.hpp"
+#include "app/terminal.hpp"
+#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/report/result.hpp"
+#include "report/path_figure.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+constexpr const char* kResultFile = "result.json";
+constexpr const char* kTrajectoryFile = "trajectory.csv";
+/// The picture of the path, its table and script.
+constexpr std::array kPathFiles{"path.csv", "path.gp", "path.svg"};
+
+/// The files of --out but the result; without a verified path none. A picture
+/// that is missing becomes a warning of the solution. Of a million nodes this
+/// takes seconds, so that a signal ends it.
+std::vector<report::OutputFile> path_files(Solution& solution,
+                                           const std::atomic<int>& signal) {
+  if (!solution.verified()) return {};
+  report::DrawnFigure picture =
+      report::draw(report::path_figure(solution), report::Format::Svg, &signal);
+  if (!picture.missing.empty()) {
+    warn(picture.missing);
+    solution.warnings.push_back(picture.missing);
+  }
+  picture.files.push_back({kTrajectoryFile, report::trajectory_csv(solution)});
+  return std::move(picture.files);
+}
+
+/// No path of an earlier result stays beside one that has none; the result
+/// comes last.
+void write_results(const SolutionOutput& output,
+                   std::vector<report::OutputFile> files,
+                   const std::string& json) {
+  std::vector<std::string> obsolete = solution_files();
+  files.push_back({kResultFile, json});
+  for (const report::OutputFile& file : files) {
+    std::erase(obsolete, file.name);
+  }
+  report::write_files(output.out, files, output.force, obsolete);
+}
+
+/// Why the exit code is not zero, for those who see nothing else.
+std::string complaint(const Solution& solution) {
+  if (solution.status != Status::Solved) return solution.message;
+  for (const Check& check : solution.certificate.checks) {
+    if (check.passed) continue;
+    const std::string advice = solution.advice();
+    return "not verified: failed check " + check.name +
+           (advice.empty() ? "" : "; to try: " + advice);
+  }
+  for (const std::string& reason : solution.infeasible_because()) {
+    return "verified, but infeasible: " + reason;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> solution_files() {
+  std::vector<std::string> names{kResultFile, kTrajectoryFile};
+  names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
+  return names;
+}
+
+int hand_out(Solution& solution, SolutionOutput output,
+             const std::atomic<int>& signal) {
+  std::string json;
+  if (output.out.empty()) {
+    json = report::result_json(solution);
+  } else {
+    // What a signal has ended already is written all the same.
+    std::optional<StopScope> scope;
+    if (solution.verified()) {
+      scope.emplace(
+          StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    }
+    std::vector<report::OutputFile> files = path_files(solution, signal);
+    std::ranges::move(output.further, std::back_inserter(files));
+    json = report::result_json(solution);
+    write_results(output, std::move(files), json);
+  }
+  if (output.json) {
+    print_data(json);
+  } else if (!output.quiet) {
+    print_with_verdict(report::summary(solution),
+                       !solution.verified()  ? Colour::Red
+                       : solution.feasible() ? Colour::Green
+                                             : Colour::Yellow);
+  }
+  const std::string why = complaint(solution);
+  if (output.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
+  return exit_code(solution, signal.load());
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What a command with one solution as its result writes and prints.
+
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto::app {
+
+/// Where a solution goes.
+struct SolutionOutput {
+  std::string out;  ///< directory; empty: none
+  bool force = false, json = false, quiet = false;
+  /// Files of the command besides, which --out writes too.
+  std::vector<report::OutputFile> further = {};
+};
+
+/// All files of a solution in --out.
+[[nodiscard]] std::vector<std::string> solution_files();
+
+/// Writes and prints a solution. \return the exit code
+/// \param signal  that was received, or 0
+int hand_out(Solution& solution, SolutionOutput output,
+             const std::atomic<int>& signal);
+
+}  // namespace brachisto::app

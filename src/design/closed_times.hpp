@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// τ as a function of the body: each value is a whole closed solution, its
+/// contacts where they belong.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <atomic>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "brachisto/study/solve.hpp"
+#include "design/design_space.hpp"
+
+namespace brachisto {
+
+/// How far a body is from not being able to run on its track, all > 0 where
+/// it can: the smallest R_n after its first rise [m g], how it rises at the
+/// start, dR_n/du √(H/g) [m g], the smallest 1 − r κ_c, and the distance of B
+/// from the body at its start [r]. That tracks cross themselves has no number.
+inline constexpr std::array<std::string_view, 4> kMargins{
+    "normal_force", "start", "fold_margin", "room"};
+using Margins = Eigen::Vector4d;
+
+[[nodiscard]] Margins margins_of(const Solution& solution);
+
+/// Solves a scene for one body after the other, and stays on one branch: what
+/// cannot be followed from the body that it holds on to is refused.
+class ClosedTimes {
+ public:
+  /// \param options    of every solve
+  /// \param interrupt  nonzero: stop; may be null
+  ClosedTimes(Scene scene, const SolveOptions& options,
+              const std::atomic<int>* interrupt);
+
+  /// Moves to a body. False if it is refused: refusal() says why.
+  [[nodiscard]] bool move_to(const Traits& traits);
+  /// Bodies that come are followed from here.
+  void hold_on();
+  /// Solves with other options from now on.
+  void use(const SolveOptions& options);
+  /// Forgets what it holds on to: the next body is solved from the cycloid.
+  void let_go() { held_.reset(); }
+
+  [[nodiscard]] const Solution& solution() const { return solution_; }
+  [[nodiscard]] double tau() const { return solution_.motion()->tau(); }
+  [[nodiscard]] Margins margins() const { return margins_of(solution_); }
+  /// dτ/d(traits), the contacts moving along.
+  [[nodiscard]] const Traits& gradient() const { return gradient_; }
+  /// d(margins)/d(traits) by central differences of whole solves, of the traits
+  /// that `wanted` is nonzero for.
+  [[nodiscard]] Eigen::Matrix4d margin_gradient(const Traits& wanted);
+
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  [[nodiscard]] int solves() const { return solves_; }
+  [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
+
+ private:
+  [[nodiscard]] Solution solved(const Body& body, const Neighbour* neighbour);
+
+  Scene scene_;
+  SolveOptions options_;
+  const std::atomic<int>* interrupt_;
+  Traits here_ = Traits::Zero();
+  Solution solution_;
+  Traits gradient_ = Traits::Zero();
+  std::shared_ptr<const Neighbour> held_;
+  std::string refusal_;
+  int solves_ = 0;
+  double cpu_seconds_ = 0.0;
+};
+
+}  // namespace brachisto

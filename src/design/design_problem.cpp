@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "design/design_problem.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "math/index.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// What is asked of a margin: more than nothing, by what solves leave open.
+constexpr double kLeastMargin = 1e-6;
+
+}  // namespace
+
+DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
+                             bool require_feasible)
+    : space_(space), times_(times), require_feasible_(require_feasible) {
+  for (const DesignSpace::Row& row : space.rows()) {
+    row_lower_.push_back(row.lower);
+    row_upper_.push_back(row.upper);
+  }
+  if (require_feasible) {
+    row_lower_.insert(row_lower_.end(), kMargins.size(), kLeastMargin);
+    row_upper_.insert(row_upper_.end(), kMargins.size(),
+                      std::numeric_limits<double>::infinity());
+  }
+  for (int row = 0; row < num_constraints(); ++row) {
+    for (int column = 0; column < num_variables(); ++column) {
+      jacobian_.rows.push_back(row);
+      jacobian_.cols.push_back(column);
+    }
+  }
+}
+
+std::string DesignProblem::variable_name(int index) const {
+  return space_.names()[at(index)];
+}
+
+std::string DesignProblem::constraint_name(int index) const {
+  const std::size_t row = at(index), own = space_.rows().size();
+  return row < own ? space_.rows()[row].name : std::string(kMargins[row - own]);
+}
+
+std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
+    const PrimalDual& point) const {
+  std::vector<BoundOfDesign> out;
+  for (std::size_t i = 0; i < point.x.size(); ++i) {
+    // Derivatives of the least τ are z_l by x_l and −z_u by x_u.
+    if (point.z_lower[i] != 0.0) {
+      out.push_back({space_.names()[i], lower()[i], point.z_lower[i]});
+    } else if (point.z_upper[i] != 0.0) {
+      out.push_back({space_.names()[i], upper()[i], -point.z_upper[i]});
+    }
+  }
+  for (std::size_t i = 0; i < point.lambda.size(); ++i) {
+    if (point.lambda[i] == 0.0) continue;
+    const bool of_margin = i >= space_.rows().size();
+    const DesignSpace::Stated stated =
+        of_margin ? DesignSpace::Stated{0.0, 1.0}
+                  : space_.stated(i, point.lambda[i] > 0.0, y_);
+    out.push_back({constraint_name(static_cast<int>(i)), stated.bound,
+                   -point.lambda[i] * stated.slope});
+  }
+  return out;
+}
+
+bool DesignProblem::do_set_point(std::span<const double> x) {
+  y_ = Eigen::Map<const Eigen::VectorXd>(x.data(), num_variables());
+  gradient_.reset();
+  margin_rows_.reset();
+  if (times_.move_to(space_.traits(y_))) {
+    refused_in_a_row_ = 0;
+    return true;
+  }
+  // Steps are halved, so that the last one was a thousandth of the first.
+  constexpr int kMostRefused = 10;
+  if (++refused_in_a_row_ > kMostRefused) {
+    throw NoWayOn(
+        "no body near the one that the search has come to is "
+        "accepted, the last because " +
+        times_.refusal());
+  }
+  return false;
+}
+
+Traits DesignProblem::wanted_traits() const {
+  return space_.traits_jacobian(y_).cwiseAbs().rowwise().sum();
+}
+
+void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
+  if (!gradient_) {
+    times_.hold_on();
+    gradient_ = space_.traits_jacobian(y_).transpose() * times_.gradient();
+    path_.push_back({space_.values(y_), times_.tau()});
+  }
+  std::ranges::copy(*gradient_, grad_f.begin());
+}
+
+void DesignProblem::do_eval_g(std::span<double> g) const {
+  std::ranges::copy(space_.row_values(y_), g.begin());
+  if (require_feasible_) {
+    std::ranges::copy(times_.margins(), g.end() - kMargins.size());
+  }
+}
+
+void DesignProblem::do_eval_jac_g(std::span<double> values) const {
+  const auto num_own = static_cast<Eigen::Index>(space_.rows().size());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(
+      num_constraints(), num_variables());
+  rows.topRows(num_own) = space_.row_jacobian(y_);
+  if (require_feasible_) {
+    if (!margin_rows_) {
+      margin_rows_ =
+          times_.margin_gradient(wanted_traits()) * space_.traits_jacobian(y_);
+    }
+    rows.bottomRows(static_cast<Eigen::Index>(kMargins.size())) = *margin_rows_;
+  }
+  std::copy_n(rows.data(), rows.size(), values.begin());
+}
+
+}  // namespace brachisto

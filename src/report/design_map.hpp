@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// τ over two numbers of the body, and how the searches of a design went there.
+
+#pragma once
+
+#include <vector>
+
+#include "brachisto/study/design_answer.hpp"
+#include "report/figure.hpp"
+#include "report/sweep_table.hpp"
+
+namespace brachisto::report {
+
+/// The key of the scene that a number of a design is the value of; empty if it
+/// is none, as the place of a part.
+[[nodiscard]] std::string key_of_design(const std::string& name);
+
+/// A map with the ways of the searches across it.
+/// \param table  a product of two axes with one numeric column each, keys of
+///               the scene's body
+[[nodiscard]] Figure design_map_figure(
+    const SweepTable& table, const std::vector<std::vector<DesignStep>>& paths);
+
+}  // namespace brachisto::report

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "solvers/few_variables.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace brachisto {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using nlp::Held;
+
+/// Gradient, rows and their Jacobian at a point.
+struct Linearised {
+  VectorXd gradient, values;
+  MatrixXd jacobian;
+
+  [[nodiscard]] VectorXd of_lagrangian(const VectorXd& lambda) const {
+    return gradient + jacobian.transpose() * lambda;
+  }
+};
+
+std::optional<Linearised> linearise(nlp::Problem& problem, const VectorXd& y) {
+  const auto span = [](auto& vector) {
+    return std::span(vector.data(), static_cast<std::size_t>(vector.size()));
+  };
+  if (!problem.set_point(span(y))) return std::nullopt;
+  const int n = problem.num_variables(), m = problem.num_constraints();
+  Linearised out{VectorXd(n), VectorXd(m), {}};
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(
+      m, n);
+  problem.eval_grad_f(span(out.gradient));
+  problem.eval_g(span(out.values));
+  problem.eval_jac_g(span(rows));
+  out.jacobian = rows;
+  return out;
+}
+
+/// Column i of the Hessian of the Lagrangian; one-sided where the problem is
+/// not defined on the other side.
+std::optional<VectorXd> hessian_column(nlp::Problem& problem,
+                                       const Linearised& here,
+                                       const VectorXd& y,
+                                       const VectorXd& lambda, Eigen::Index i,
+                                       double step) {
+  const auto at = [&](double shift) -> std::optional<VectorXd> {
+    VectorXd moved = y;
+    moved[i] += shift;
+    const auto there = linearise(problem, moved);
+    if (!there) return std::nullopt;
+    return there->of_lagrangian(lambda);
+  };
+  const auto above = at(step), below = at(-step);
+  if (above && below) return (*above - *below) / (2.0 * step);
+  const VectorXd middle = here.of_lagrangian(lambda);
+  if (above) return (*above - middle) / step;
+  if (below) return (middle - *below) / step;
+  return std::nullopt;
+}
+
+VectorXd as_vector(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(),
+                                    static_cast<Eigen::Index>(values.size()));
+}
+std::vector<double> as_list(const VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+/// The held ones by index, the others by index.
+struct Split {
+  std::vector<Eigen::Index> free, held;
+};
+Split split(const std::vector<Held>& states) {
+  Split out;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    (states[i] == Held::No ? out.free : out.held)
+        .push_back(static_cast<Eigen::Index>(i));
+  }
+  return out;
+}
+
+double bound_of(const nlp::Range& range, Held held) {
+  return held == Held::AtUpper ? range.upper : range.lower;
+}
+
+std::vector<double> eigenvalues_along(const MatrixXd& hessian,
+                                      const MatrixXd& held_rows) {
+  MatrixXd along = MatrixXd::Identity(hessian.rows(), hessian.rows());
+  if (held_rows.rows() > 0) {
+    const Eigen::FullPivLU<MatrixXd> lu(held_rows);
+    if (lu.rank() == hessian.rows()) return {};
+    // An orthonormal basis, so that lengths stay what they are.
+    const MatrixXd kernel = lu.kernel();
+    along = kernel.householderQr().householderQ() *
+            MatrixXd::Identity(kernel.rows(), kernel.cols());
+  }
+  if (along.cols() == 0) return {};
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(along.transpose() *
+                                                      hessian * along);
+  return as_list(eigen.eigenvalues());
+}
+
+/// Whether multipliers push towards the bounds that they belong to.
+bool signs_are_right(const nlp::Problem& problem,
+                     const FewVariablesPoint& found) {
+  for (std::size_t i = 0; i < found.active.variables.size(); ++i) {
+    if (found.point.z_lower[i] < 0.0 || found.point.z_upper[i] < 0.0) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < found.active.constraints.size(); ++i) {
+    const double lambda = found.point.lambda[i];
+    const Held held = found.active.constraints[i];
+    if (problem.constraint_range(static_cast<int>(i)).single()) continue;
+    if ((held == Held::AtLower && lambda > 0.0) ||
+        (held == Held::AtUpper && lambda < 0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
+                                       double step) {
+  constexpr int kMostSteps = 6;
+  constexpr double kAtRest = 1e-7;
+  FewVariablesPoint out;
+  out.active = nlp::active_set(problem, start);
+  const Split variables = split(out.active.variables);
+  const Split rows = split(out.active.constraints);
+  VectorXd y = as_vector(start.x), lambda = as_vector(start.lambda);
+  for (const Eigen::Index i : variables.held) {
+    y[i] = bound_of(problem.variable_range(static_cast<int>(i)),
+                    out.active.variables[static_cast<std::size_t>(i)]);
+  }
+  for (const Eigen::Index i : rows.free) lambda[i] = 0.0;
+  out.point = std::move(start);
+
+  const auto num_free = static_cast<Eigen::Index>(variables.free.size());
+  const auto num_rows = static_cast<Eigen::Index>(rows.held.size());
+  std::optional<Linearised> here = linearise(problem, y);
+  if (!here) return out;
+  MatrixXd hessian(num_free, num_free);
+  for (Eigen::Index j = 0; j < num_free; ++j) {
+    const auto column =
+        hessian_column(problem, *here, y, lambda,
+                       variables.free[static_cast<std::size_t>(j)], step);
+    if (!column) return out;
+    hessian.col(j) = (*column)(variables.free);
+  }
+  hessian = (0.5 * (hessian + hessian.transpose())).eval();
+
+  // [W Jᵀ; J 0] [Δy; λ] = −[∇f; c − b] on what is free and what is held.
+  for (int count = 0; count < kMostSteps && here && !out.converged; ++count) {
+    const MatrixXd jacobian = here->jacobian(rows.held, variables.free);
+    MatrixXd kkt = MatrixXd::Zero(num_free + num_rows, num_free + num_rows);
+    kkt.topLeftCorner(num_free, num_free) = hessian;
+    kkt.bottomLeftCorner(num_rows, num_free) = jacobian;
+    kkt.topRightCorner(num_free, num_rows) = jacobian.transpose();
+    VectorXd right(num_free + num_rows);
+    right.head(num_free) = -here->gradient(variables.free);
+    for (Eigen::Index i = 0; i < num_rows; ++i) {
+      const Eigen::Index row = rows.held[static_cast<std::size_t>(i)];
+      right[num_free + i] =
+          bound_of(problem.constraint_range(static_cast<int>(row)),
+                   out.active.constraints[static_cast<std::size_t>(row)]) -
+          here->values[row];
+    }
+    const VectorXd change = kkt.fullPivLu().solve(right);
+    if (!change.allFinite()) return out;
+    y(variables.free) += change.head(num_free);
+    lambda(rows.held) = change.tail(num_rows);
+    here = linearise(problem, y);
+    out.converged = here && change.head(num_free).norm() <= kAtRest;
+  }
+  if (!here) return out;
+  out.curvatures =
+      eigenvalues_along(hessian, here->jacobian(rows.held, variables.free));
+  out.point.x = as_list(y);
+  out.point.lambda = as_list(lambda);
+  out.point.z_lower.assign(out.point.x.size(), 0.0);
+  out.point.z_upper.assign(out.point.x.size(), 0.0);
+  nlp::set_bound_multipliers(problem, out.active, out.point);
+  out.converged = out.converged && signs_are_right(problem, out);
+  return out;
+}
+
+}  // namespace brachisto

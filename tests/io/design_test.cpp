@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What the section `design` and the parts of a body may be.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "io/reading.hpp"
+
+namespace brachisto::io {
+namespace {
+
+const std::string kScene = cylinder("radius: 1/3, eta_m: 0.2, k: 1/2");
+
+std::string with(const std::string& section) {
+  return kScene + "design: " + section + "\n";
+}
+
+DesignPlan plan(const std::string& section) {
+  return read(with(section)).design;
+}
+
+bool refused(const std::string& text, const std::string& reason) {
+  const std::string found = errors(text);
+  if (found.find(reason) != std::string::npos) return true;
+  ADD_FAILURE() << '"' << found << "\" does not say: " << reason;
+  return false;
+}
+
+TEST(DesignSection, HasDefaults) {
+  const DesignPlan absent = read(kScene).design;
+
+  EXPECT_TRUE(absent.empty());
+  EXPECT_TRUE(absent.require_feasible);
+  EXPECT_EQ(absent.starts, 5);
+  EXPECT_EQ(absent.seed, 1U);
+  EXPECT_FALSE(absent.start);
+  EXPECT_EQ(absent.bounds_of(BodyKey::EtaM).upper, kLargestOffset);
+  EXPECT_EQ(absent.bounds_of(BodyKey::K).upper, 1.0);
+  EXPECT_TRUE(std::isinf(absent.bounds_of(BodyKey::ThetaM).lower));
+}
+
+TEST(DesignSection, IsRead) {
+  const DesignPlan stated = plan(
+      "{minimise: tau, free: [k, theta_m, r], bounds: {k: [0.1, 3/4], theta_m: "
+      "[-30 deg, 1], r: [0.1, 1/2]}, require_feasible: false, starts: 7, seed: "
+      "3, start: 2}");
+
+  EXPECT_EQ(stated.free, (std::vector<BodyKey>{BodyKey::K, BodyKey::ThetaM,
+                                               BodyKey::Radius}));
+  EXPECT_EQ(stated.bounds_of(BodyKey::K).lower, 0.1);
+  EXPECT_EQ(stated.bounds_of(BodyKey::K).upper, 0.75);
+  EXPECT_DOUBLE_EQ(stated.bounds_of(BodyKey::ThetaM).lower,
+                   -std::numbers::pi / 6.0);
+  EXPECT_EQ(stated.bounds_of(BodyKey::Radius).upper, 0.5);
+  EXPECT_FALSE(stated.require_feasible);
+  EXPECT_EQ(stated.starts, 7);
+  EXPECT_EQ(stated.seed, 3U);
+  EXPECT_EQ(stated.start, 2);
+}
+
+TEST(DesignSection, RefusesWhatIsNoBodyKey) {
+  refused(with("{free: [eta]}"), "eta_m");
+  refused(with("{free: [k, k]}"), "repeated");
+  refused(with("{free: []}"), "empty list");
+  refused(with("{minimise: mass, free: [k]}"), "tau");
+  refused(with("{free: [k], bounds: {k: [0.5]}}"), "1 values were read");
+  refused(with("{free: [k], bounds: {k: [0.5, 0.5]}}"), "no room");
+  refused(with("{free: [k], bounds: {k: [-0.1, 0.5]}}"), "from 0 to 1");
+  refused(with("{free: [k], bounds: {eta_m: [0, 0.5]}}"), "not free");
+  refused(with("{free: [k], starts: 0}"), "from 1 to 1000");
+}
+
+TEST(DesignSection, RefusesARadiusWithoutABound) {
+  // (L² + H²)/(2L) = 5/3.
+  const std::string reason = "(L² + H²)/(2L) = 1.66667 m";
+  refused(with("{free: [r]}"), reason);
+  refused(with("{free: [r], bounds: {r: [0.1, 5/3]}}"), reason);
+  EXPECT_EQ(errors(with("{free: [r], bounds: {r: [0.1, 1.66]}}")), "");
+}
+
+TEST(DesignSection, RefusesWaysOfSolvingThatItDoesNotGo) {
+  const std::string design = "design: {free: [k]}\n";
+  refused(kScene + "solver: {method: extremal}\n" + design, "design");
+  refused(kScene + "solver: {search: global}\n" + design, "principal branch");
+  refused(kScene + "discretisation: {formulation: arc_length}\n" + design,
+          "straight pieces");
+  refused(kBead + design, "a bead has nothing to design");
+}
+
+TEST(DesignSection, RefusesDirectionsThatAreNotConvexWithOffsets) {
+  const std::string wide = "bounds: {theta_m: [-120 deg, 120 deg]}}";
+  refused(with("{free: [eta_m, theta_m], " + wide), "half a turn");
+  EXPECT_EQ(errors(with("{free: [theta_m], " + wide)), "");
+}
+
+TEST(BodyParts, GiveTheNumbersOfTheBody) {
+  // A ring of 2 and a weight of 1 on its rim: η = 1/3, k = 1 − 1/9.
+  const Body body = read(cylinder("radius: 1/3, parts: [\"ring:m=2\", "
+                                  "\"point:m=1,at=1/3@-30deg\"]"))
+                        .scene.body;
+
+  constexpr double kRounding = 1e-15;
+  EXPECT_NEAR(body.eta_m, 1.0 / 3.0, kRounding);
+  EXPECT_NEAR(body.theta_m, -std::numbers::pi / 6.0, kRounding);
+  EXPECT_NEAR(body.k, 8.0 / 9.0, kRounding);
+}
+
+TEST(BodyParts, StandInPlaceOfNumbersAndNotBesideThem) {
+  refused(cylinder("radius: 1/3, k: 1/2, parts: [ring]"),
+          "scene.body.k: not allowed beside parts");
+  refused(cylinder("radius: 1/3, parts: [hoop]"), "not a kind of part");
+  refused(cylinder("radius: 1/3, parts: [\"point:at=0.4@0\"]"),
+          "beyond the cylinder");
+  refused(cylinder("radius: 1/3"), "scene.body.k: missing");
+}
+
+TEST(BodyParts, MayBeFree) {
+  const std::string parts = cylinder(
+      "radius: 1/3, parts: [\"ring:m=2\", \"point:at=0.1@0\", "
+      "\"rod:from=0.1@0,to=0.2@0\"]");
+  const DesignPlan stated =
+      read(parts +
+           "design: {free: [{part: 2, key: at}, {part: 1, key: mass, bounds: "
+           "[1, 3]}]}\n")
+          .design;
+
+  ASSERT_EQ(stated.free_parts.size(), 2U);
+  EXPECT_EQ(stated.free_parts[0].part, 1U);
+  EXPECT_EQ(stated.free_parts[1].key, FreePart::Key::Mass);
+  EXPECT_EQ(stated.free_parts[1].bounds.upper, 3.0);
+  refused(parts + "design: {free: [{part: 4}]}\n", "there is no part 4");
+  refused(parts + "design: {free: [{part: 3}]}\n", "is a rod");
+  refused(parts + "design: {free: [{part: 1}]}\n", "cannot move");
+  refused(parts + "design: {free: [{part: 1, key: mass}]}\n", "bounds");
+  refused(parts + "design: {free: [k]}\n", "parts are free");
+  refused(with("{free: [{part: 1}]}"), "there is no part 1");
+}
+
+}  // namespace
+}  // namespace brachisto::io

@@ -35,7 +35,8 @@ TEST(StrictKeys, MisplacedOnesAreSentHome) {
              "finish: {L: 3, H: 1}}\n"),
       "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body or "
       "design.bounds; "
-      "allowed in scene: body, finish, gravity, contact, path, field, start, air, limits");
+      "allowed in scene: body, finish, gravity, contact, path, field, start, "
+      "air, limits");
   EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
             "p.yaml:2:1: tolerance: misplaced key; it belongs in "
             "discretisation or solver; allowed at the top level: version, "

@@ -36,7 +36,8 @@ TEST(StrictValues, NumbersAreNeitherMapsNorListsNorNothing) {
 TEST(StrictValues, MapsAreMaps) {
   EXPECT_EQ(errors("scene: 3\n"),
             "p.yaml:1:8: scene: a single value was read; expected a map with "
-            "the keys body, finish, gravity, contact, path, field, start, air, limits");
+            "the keys body, finish, gravity, contact, path, field, start, air, "
+            "limits");
   EXPECT_EQ(
       errors("- scene\n"),
       "p.yaml:1:1: a list was read; expected a map with the keys "

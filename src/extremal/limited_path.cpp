@@ -45,9 +45,11 @@ std::string ArcPath::objection(
   for (std::size_t a = 0; a < arcs_.size(); ++a) {
     const LimitedFlow& flow = arcs_[a].flow;
     double largest = 1.0, wrong = 0.0;
-    // The start of an arc is the end of the one before, or rest.
-    for (auto knot = arcs_[a].knots.begin() + 1; knot != arcs_[a].knots.end();
-         ++knot) {
+    // The start of an arc is the end of the one before, or rest, where a path
+    // that leaves it freely may break limits at once.
+    const auto rest = arcs_[a].knots.begin();
+    for (auto knot = a == 0 && !blind(a) ? rest : rest + 1;
+         knot != arcs_[a].knots.end(); ++knot) {
       const double u = start_of_arc + knot->u;
       for (const PathInequality& limit : limits) {
         const double value = flow.value(limit, knot->y);
@@ -57,6 +59,7 @@ std::string ArcPath::objection(
         out = fmt::format("{} is exceeded by {:.1e} at u = {:.6g}",
                           name(limit.kind), excess, u);
       }
+      if (knot == rest) continue;
       if (!(knot->y[kW] > 0.0)) {
         return fmt::format("the body comes to rest at u = {:.6g}", u);
       }

@@ -158,8 +158,11 @@ class Correction {
       // the other one tells nothing there.
       const bool before_touch = arc.touch && e + 1 == end;
       for (const double t : curve_.places(e, kPlaces)) {
-        if (t == 0.0 || t == 1.0) continue;  // junctions belong to two arcs
-        look_at(arc, e, t, given_up, !before_touch);
+        // Junctions belong to two arcs. At rest multipliers say nothing, but
+        // limits may be exceeded for the first moment alone.
+        const bool at_rest = e == 0 && t == 0.0;
+        if ((t == 0.0 && !at_rest) || t == 1.0) continue;
+        look_at(arc, e, t, given_up, !before_touch && !at_rest);
       }
     }
     if (arc.touch) keep_touch(arc, end);

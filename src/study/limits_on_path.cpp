@@ -109,8 +109,9 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
         if (!(slack >= least)) least = slack;  // a NaN stays
       }
       limit.least_slack = least;
-      limit.price = limit.price_at_fixed_contacts = 0.0;
-    } else if (sensitivity->regular()) {
+    }
+    // One that holds nowhere may still decide the direction at A.
+    if (sensitivity->regular()) {
       PathLimits less = natural.limits, more = natural.limits;
       scaled[i].move(less, -kStep);
       scaled[i].move(more, kStep);

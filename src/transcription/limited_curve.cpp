@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "math/index.hpp"
+#include "math/minima.hpp"
 #include "model/inertia.hpp"
 #include "nlp/active_set.hpp"
 
@@ -126,17 +127,40 @@ std::vector<double> LimitedCurve::places(int element, int count) const {
 
 Excess LimitedCurve::excess_on(int element, double& sigma) const {
   constexpr int kPlaces = 20;
+  constexpr double kLooked = 1e-9;  // well below what matters
+  // What holds from rest on does so there, to what polynomials of its states
+  // and its control differ by next to the points.
+  const auto limits_at = [&](double t) {
+    std::vector<PathInequality> limits = problem_.limits();
+    if (element == 0 && t == 0.0 && problem_.held()) {
+      const std::vector<nlp::Held>& held = problem_.held()->in_element.front();
+      for (std::size_t i = limits.size(); i-- > 0;) {
+        if (held[i] != nlp::Held::No) {
+          limits.erase(limits.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+      }
+    }
+    return limits;
+  };
   Excess worst;
-  for (const double t : places(element, kPlaces)) {
-    if (element == 0 && t == 0.0) continue;
+  const auto look = [&](double t) {
     const Excess here =
-        worst_excess(problem_.limits(), problem_.scene().body,
+        worst_excess(limits_at(t), problem_.scene().body,
                      problem_.scene().gravity, at(element, t).state);
-    if (here.value <= worst.value) continue;
-    worst = here;
-    sigma = problem_.mesh().sigma(element, t);
-    if (std::isnan(here.value)) break;
+    // Written so that a NaN stays.
+    if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
+      worst = here;
+      sigma = problem_.mesh().sigma(element, t);
+    }
+    return -here.value;
+  };
+  std::vector<math::Sample> slack;
+  for (const double t : places(element, kPlaces)) {
+    if (element == 0 && t == 0.0 && !problem_.held()) continue;
+    slack.push_back({t, look(t)});
   }
+  // Between the places too.
+  static_cast<void>(math::minima_below(-kLooked, slack, look));
   return worst;
 }
 

@@ -48,9 +48,9 @@ class LimitedCurve {
   /// at equal distances, and where it is next to each disc, which may be
   /// smaller than these distances are.
   [[nodiscard]] std::vector<double> places(int element, int count) const;
-  /// Of the limits between the points of an element, the start itself left out,
-  /// which forces alone depend on. The control there is the slope of β: both
-  /// polynomials agree.
+  /// Of the limits along an element, at its points and where they are exceeded
+  /// most between them; at rest of those that do not hold from there on. The
+  /// control between points is the slope of β: both polynomials agree.
   [[nodiscard]] Excess excess_on(int element, double& sigma) const;
   /// The slope at the end by transversality with the costates there [rad]; see
   /// Transcription::end_slope().

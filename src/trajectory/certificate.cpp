@@ -275,6 +275,29 @@ void check_energy(const ExtremalCurve& curve, double threshold,
   certificate.add("energy_drift", drift.value, threshold, drift.where());
 }
 
+/// No costate is constant in the field of a sphere, but what all may be turned
+/// by about its centre is: p_z (x − x₀) − p_x (z − z₀) + p_θ, here over T and
+/// the distance from there. The uniform field's costates need no such check,
+/// for they are read as constants.
+void check_turning(const ExtremalCurve& curve, double threshold,
+                   Certificate& certificate) {
+  const auto& sphere = curve.scene().world.sphere;
+  if (!sphere) return;
+  const auto costate = [&](const ExtremalPoint& at) {
+    return at.p.p_z * (at.centre.x - sphere->centre.x) -
+           at.p.p_x * (at.centre.z - sphere->centre.z) + at.p.p_theta;
+  };
+  const double distance = std::hypot(sphere->centre.x, sphere->centre.z);
+  const double scale = curve.transit_time() * std::max(1.0, distance);
+  const double end = costate(curve.at(1.0));
+  Largest drift;
+  for (int e = 0; e < curve.mesh().num_elements(); ++e) {
+    drift.see(std::abs(costate(curve.at(e, 0.0)) - end) / scale,
+              curve.mesh().boundaries[static_cast<std::size_t>(e)]);
+  }
+  certificate.add("turning_costate", drift.value, threshold, drift.where());
+}
+
 void check_second_order(Transcription& problem, const PrimalDual& point,
                         Certificate& certificate) {
   int free = 0;
@@ -416,8 +439,9 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
                     slopes, certificate);
   check_weierstrass(curve, kThresholds.weierstrass, certificate);
   check_start(curve, slopes, certificate);
-  check_energy(curve, at_most(kThresholds.largest_at_end, factor * error),
-               certificate);
+  const double at_ends = at_most(kThresholds.largest_at_end, factor * error);
+  check_energy(curve, at_ends, certificate);
+  check_turning(curve, at_ends, certificate);
   check_second_order(problem, point, certificate);
   check_motion(curve, kThresholds.time_factor * error,
                at_most(kThresholds.largest_at_end, interior), certificate);

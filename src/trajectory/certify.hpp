@@ -50,6 +50,8 @@ struct CertificateThresholds {
 ///   start_angle      slope of the curve at the start against β₀, from rest
 ///   closure_at_A     the same against the slope that the start was built from,
 ///                    with an initial speed
+///   turning_costate  in the field of a sphere, where p_x and p_z vary: the one
+///                    of turning about its centre, which does not
 ///   second_order     eigenvalues of the KKT matrix with the wrong sign or none
 ///   legendre         −min ∂²𝓗/∂β²; below zero on a minimum
 ///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b; zero, at

@@ -14,6 +14,7 @@
 #include "math/gauss.hpp"
 #include "math/roots.hpp"
 #include "model/field.hpp"
+#include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
 #include "support/world_scenes.hpp"
 
@@ -259,6 +260,27 @@ TEST_P(InEveryWorld, BothMethodsAgreeAndTheMotionIntegratedInTimeWithThem) {
   const Check* time = solution.certificate.find("reintegrated_time");
   ASSERT_NE(time, nullptr);
   EXPECT_LE(time->value, 1e-10);
+}
+
+TEST_P(InEveryWorld, WhatMayBeTurnedOrMovedHasAConstantCostate) {
+  // About the centre of a sphere, x, z, θ and β by the same angle; in a uniform
+  // field, the place.
+  const Solution solution = solve(GetParam(), accurate());
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const ExtremalCurve& curve =
+      std::get<CollocationAnswer>(*solution.answer).trajectory.curve();
+  const auto& sphere = curve.scene().world.sphere;
+  const auto constant = [&](double sigma) {
+    const ExtremalPoint at = curve.at(sigma);
+    if (!sphere) return at.p.p_x;
+    return at.p.p_z * (at.centre.x - sphere->centre.x) -
+           at.p.p_x * (at.centre.z - sphere->centre.z) + at.p.p_theta;
+  };
+  const double end = constant(1.0);
+  for (const double boundary : curve.mesh().boundaries) {
+    // The order of T, at element ends.
+    EXPECT_NEAR(constant(boundary), end, 1e-10 * std::abs(end)) << boundary;
+  }
 }
 
 TEST_P(InEveryWorld, ForcesAreThoseOfNewtonsLaw) {

@@ -30,6 +30,14 @@ constexpr std::size_t kShownAtEachEnd = 3;
 
 Json effective_input(const io::ProblemFile& problem) {
   Json json = Json::parse(report::input_json(problem.scene, problem.options));
+  if (!problem.design.parts.empty()) {
+    // In the place of what follows from them, or the file would be another.
+    Json& body = json["scene"]["body"];
+    for (const char* const key : {"eta_m", "theta_m", "k"}) body.erase(key);
+    for (const MassPart& part : problem.design.parts) {
+      body["parts"].push_back(part.name);
+    }
+  }
   for (const char* const section : {"work_precision", "design"}) {
     const Json plan = io::effective_section(problem, section);
     if (plan != io::effective_section({}, section)) json[section] = plan;

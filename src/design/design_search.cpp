@@ -173,6 +173,16 @@ class Searcher {
   DesignSearch out_;
 };
 
+/// Whether only the end that a design has without a bound of its own holds
+/// η_m back.
+bool runs_away(const DesignPlan& plan, const DesignMinimum& minimum) {
+  return !plan.bounds[static_cast<std::size_t>(BodyKey::EtaM)] &&
+         std::ranges::any_of(minimum.bounds_active, [](const auto& held) {
+           return held.name == name(BodyKey::EtaM) &&
+                  held.bound == kLargestOffset;
+         });
+}
+
 bool same(const DesignMinimum& a, const DesignMinimum& b) {
   return std::abs(a.tau / b.tau - 1.0) <= kSameTau &&
          (traits_of(a.body) - traits_of(b.body)).norm() <= kSamePlace;
@@ -206,9 +216,18 @@ DesignAnswer gather_designs(const DesignPlan& plan,
     out.cpu_seconds += search.cpu_seconds;
   }
   std::ranges::stable_sort(out.minima, {}, &DesignMinimum::tau);
+  for (DesignMinimum& minimum : out.minima) {
+    if (!runs_away(plan, minimum)) continue;
+    minimum.remarks.push_back(fmt::format(
+        "it leans on η_m = {}, where a design ends that states no bound: "
+        "towards η_m = 1, k = 0 bodies grow ever quicker, and there is no "
+        "quickest one; state design.bounds.eta_m",
+        kLargestOffset));
+  }
   const auto best =
       std::ranges::find_if(out.minima, [&](const DesignMinimum& minimum) {
-        return minimum.verified && (minimum.feasible || !plan.require_feasible);
+        return minimum.verified && !runs_away(plan, minimum) &&
+               (minimum.feasible || !plan.require_feasible);
       });
   if (best != out.minima.end()) out.best = *best;
   return out;

@@ -15,7 +15,7 @@ namespace brachisto {
 
 namespace {
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kOpenEnd = std::numeric_limits<double>::infinity();
 
 /// The angle of a direction that lies next to another angle.
 double angle_next_to(double angle, double other) {
@@ -23,8 +23,8 @@ double angle_next_to(double angle, double other) {
 }
 
 /// Bodies by their offset, inertia and radius. An offset that is free in size
-/// and direction has the coordinates a = η cos θ_m and b = η sin θ_m, or η = 0
-/// would be a place that no search leaves in the right direction.
+/// and direction has the coordinates e_x = η cos θ_m and e_z = η sin θ_m, or η
+/// = 0 would be a place that no search leaves in the right direction.
 class OffsetSpace final : public DesignSpace {
  public:
   OffsetSpace(const DesignPlan& plan, const Body& body)
@@ -53,7 +53,7 @@ class OffsetSpace final : public DesignSpace {
       add(Axis::Radius, "r", plan.bounds_of(BodyKey::Radius));
     }
     if (eta || plan.is_free(BodyKey::K)) {
-      rows_.push_back({"rim", -kUnbounded, 1.0});
+      rows_.push_back({"rim", -kOpenEnd, 1.0});
       kinds_.push_back(Kind::Rim);
     }
   }
@@ -122,8 +122,8 @@ class OffsetSpace final : public DesignSpace {
   }
 
   /// η² ≤ the square of its bound; a direction that turns from θ_l to θ_u, less
-  /// than half a turn, −a sin θ_l + b cos θ_l ≥ 0 and a sin θ_u − b cos θ_u ≥
-  /// 0; the rim, a² + b² + k ≤ 1.
+  /// than half a turn, −e_x sin θ_l + e_z cos θ_l ≥ 0 and e_x sin θ_u − e_z cos
+  /// θ_u ≥ 0; the rim, e_x² + e_z² + k ≤ 1.
   [[nodiscard]] Eigen::VectorXd row_values(
       const Eigen::VectorXd& y) const override {
     const Traits t = traits(y);
@@ -279,7 +279,7 @@ class OffsetSpace final : public DesignSpace {
     };
     Body body = body_;
     if (plan_.is_free(BodyKey::Radius)) {
-      body.radius = within(plan_.bounds_of(BodyKey::Radius), kUnbounded);
+      body.radius = within(plan_.bounds_of(BodyKey::Radius), kOpenEnd);
     }
     if (plan_.is_free(BodyKey::EtaM)) {
       const double k = plan_.is_free(BodyKey::K)
@@ -297,7 +297,7 @@ class OffsetSpace final : public DesignSpace {
       if (!std::isfinite(angle.lower)) {
         angle = {-std::numbers::pi, std::numbers::pi};
       }
-      body.theta_m = within(angle, kUnbounded);
+      body.theta_m = within(angle, kOpenEnd);
     }
     return coordinates(body);
   }
@@ -319,12 +319,12 @@ class OffsetSpace final : public DesignSpace {
 
   void add_offset_rows() {
     const DesignBounds eta = plan_.bounds_of(BodyKey::EtaM);
-    const double least = eta.lower > 0.0 ? eta.lower * eta.lower : -kUnbounded;
+    const double least = eta.lower > 0.0 ? eta.lower * eta.lower : -kOpenEnd;
     rows_.push_back({"eta_m", least, eta.upper * eta.upper});
     kinds_.push_back(Kind::Size);
     if (!std::isfinite(plan_.bounds_of(BodyKey::ThetaM).lower)) return;
     for (const Kind kind : {Kind::From, Kind::To}) {
-      rows_.push_back({"theta_m", 0.0, kUnbounded});
+      rows_.push_back({"theta_m", 0.0, kOpenEnd});
       kinds_.push_back(kind);
     }
   }

@@ -12,13 +12,13 @@
 
 namespace brachisto {
 
-/// Bodies of the plan's parts. With M = Σ m_i, (x, z) the centre of mass and
-/// j_i own inertias [radii²], all places in radii,
+/// Bodies of the plan's parts. With M = Σ m_i, (e_x, e_z) the centre of mass
+/// and j_i own inertias [radii²], all places in radii,
 ///
-///     a = Σ m_i x_i / M,  b = Σ m_i z_i / M,
-///     k = Σ m_i (j_i + (x_i − x)² + (z_i − z)²) / M,
+///     e_x = Σ m_i x_i / M,  e_z = Σ m_i z_i / M,
+///     k = Σ m_i (j_i + (x_i − e_x)² + (z_i − e_z)²) / M,
 ///
-/// whose derivatives are simple because Σ m_i (x_i − x) = 0. Coordinates are
+/// whose derivatives are simple because Σ m_i (x_i − e_x) = 0. Coordinates are
 /// places in radii, and masses as multiples of the stated ones.
 class PartsSpace final : public DesignSpace {
  public:

@@ -336,7 +336,7 @@ void add_design(std::string& out, const Solution& solution) {
                        bound, multiplier));
     }
   } else if (!design.minima.empty()) {
-    line(out, "quickest body", "none that is verified and feasible");
+    line(out, "quickest body", "none; why, the remarks on the minima say");
   }
   std::string_view label = "minima";
   for (const DesignMinimum& minimum : design.minima) {

@@ -138,7 +138,14 @@ TEST(Design, AQuickerBodyThatLiftsOffIsFoundAndRefused) {
   EXPECT_FALSE(beyond.feasible());
   // And the best of both is the one that can run.
   EXPECT_EQ(gather_designs(plan, {found}).best->tau, feasible.tau);
+
+  // Without that there is no quickest body but with a bound that is stated.
   plan.require_feasible = false;
+  const DesignAnswer unbounded = gather_designs(plan, {found});
+  EXPECT_EQ(unbounded.best->tau, feasible.tau);
+  EXPECT_NE(unbounded.minima[0].remarks.back().find("no quickest one"),
+            std::string::npos);
+  plan.bounds[static_cast<std::size_t>(EtaM)] = {0.0, kLargestOffset};
   EXPECT_EQ(gather_designs(plan, {found}).best->tau, free.tau);
 }
 

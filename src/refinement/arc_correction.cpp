@@ -160,12 +160,20 @@ class Correction {
       for (const double t : curve_.places(e, kPlaces)) {
         // Junctions belong to two arcs. At rest multipliers say nothing, but
         // limits may be exceeded for the first moment alone.
-        const bool at_rest = e == 0 && t == 0.0;
+        const bool at_rest = e == 0 && t == 0.0 && !turns_at_rest(arc);
         if ((t == 0.0 && !at_rest) || t == 1.0) continue;
         look_at(arc, e, t, given_up, !before_touch && !at_rest);
       }
     }
     if (arc.touch) keep_touch(arc, end);
+  }
+
+  /// Held by a limit of curvature: then q vanishes at rest, and what its
+  /// polynomial leaves there is nothing to judge others by.
+  [[nodiscard]] bool turns_at_rest(const Arc& arc) const {
+    const auto& limits = curve_.problem().limits();
+    const int held = held_of_control(arc.held, limits);
+    return held >= 0 && !limits[at(held)].bounds_force();
   }
 
   [[nodiscard]] bool pulls_wrong(const Arc& arc, const LimitedPoint& place,

@@ -14,6 +14,7 @@
 #include "math/minima.hpp"
 #include "model/inertia.hpp"
 #include "nlp/active_set.hpp"
+#include "transcription/held_control.hpp"
 
 namespace brachisto {
 
@@ -128,25 +129,30 @@ std::vector<double> LimitedCurve::places(int element, int count) const {
 Excess LimitedCurve::excess_on(int element, double& sigma) const {
   constexpr int kPlaces = 20;
   constexpr double kLooked = 1e-9;  // well below what matters
-  // What holds from rest on does so there, to what polynomials of its states
-  // and its control differ by next to the points.
-  const auto limits_at = [&](double t) {
-    std::vector<PathInequality> limits = problem_.limits();
-    if (element == 0 && t == 0.0 && problem_.held()) {
-      const std::vector<nlp::Held>& held = problem_.held()->in_element.front();
-      for (std::size_t i = limits.size(); i-- > 0;) {
-        if (held[i] != nlp::Held::No) {
-          limits.erase(limits.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-      }
+  // What holds from rest on does so there, to what polynomials of states and
+  // control differ by next to the points; if it is a limit of curvature q
+  // vanishes, and others of curvature hold too.
+  std::vector<PathInequality> at_rest;
+  if (element == 0 && problem_.held()) {
+    const std::vector<nlp::Held>& held = problem_.held()->in_element.front();
+    const int control = held_of_control(held, problem_.limits());
+    const auto turns = [&](std::size_t i) {
+      return problem_.limits()[i].bounds_control() &&
+             !problem_.limits()[i].bounds_force();
+    };
+    const bool turning = control >= 0 && turns(brachisto::at(control));
+    at_rest = problem_.limits();
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      if (held[i] == nlp::Held::No && !(turning && turns(i))) continue;
+      at_rest[i].lower = -std::numeric_limits<double>::infinity();
+      at_rest[i].upper = std::numeric_limits<double>::infinity();
     }
-    return limits;
-  };
+  }
   Excess worst;
   const auto look = [&](double t) {
-    const Excess here =
-        worst_excess(limits_at(t), problem_.scene().body,
-                     problem_.scene().gravity, at(element, t).state);
+    const Excess here = worst_excess(
+        t > 0.0 || at_rest.empty() ? problem_.limits() : at_rest,
+        problem_.scene().body, problem_.scene().gravity, at(element, t).state);
     // Written so that a NaN stays.
     if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
       worst = here;
@@ -156,7 +162,7 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   };
   std::vector<math::Sample> slack;
   for (const double t : places(element, kPlaces)) {
-    if (element == 0 && t == 0.0 && !problem_.held()) continue;
+    if (element == 0 && t == 0.0 && at_rest.empty()) continue;
     slack.push_back({t, look(t)});
   }
   // Between the places too.

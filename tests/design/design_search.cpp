@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "brachisto/model/mass_distribution.hpp"
-#include "math/cpu_clock.hpp"
 
 namespace brachisto {
 namespace {
@@ -331,23 +330,6 @@ TEST(Design, TheBestPlaceOfAWeightIsThatOfASweepOverPlaces) {
               best.tau);
   }
   EXPECT_GT(at(0.97 * x, 0.97 * z), best.tau);
-}
-
-TEST(Design, FiveStartsTakeLessThanASecond) {
-#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
-  GTEST_SKIP() << "of optimised programs alone";
-#endif
-  DesignPlan plan;
-  plan.free = {EtaM, ThetaM, K};
-  double seconds = 0.0;
-  for (int start = 1; start <= 5; ++start) {
-    const double begin = thread_cpu_seconds();
-    (void)search_design(base(), {}, plan, start, nullptr);
-    seconds += thread_cpu_seconds() - begin;
-  }
-  // A goal of a quiet machine; busy ones take up to four times as long.
-  EXPECT_LT(seconds, 4.0);
-  RecordProperty("cpu_seconds", std::to_string(seconds));
 }
 
 }  // namespace

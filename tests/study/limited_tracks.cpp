@@ -366,6 +366,33 @@ TEST(LimitedTracks, AreGivenUpInWordsWhereStepsLeadToRest) {
   EXPECT_NE(solution.status, Status::Solved);
   EXPECT_FALSE(solution.message.empty());
 }
+/// No bound of valleys lets the path set out like the free one, whose curvature
+/// is infinite at rest: the arc there, of a length like 1/K², costs a time like
+/// 1/K, with a next term that is smaller by that factor again.
+TEST(LimitedTracks, KeepBoundsOfValleysFromRestOnHoweverSharpTheseAre) {
+  const Scene base = off_centred_scene();
+  const double free = solve(base).motion()->tau();
+  const auto cost = [&](double K) {
+    const Solution solution = solve(under(base, bends({}, K)));
+    EXPECT_TRUE(solution.verified()) << K << ": " << solution.message;
+    EXPECT_FALSE(solution.limits.front().active.empty()) << K;
+    return K * (free - solution.motion()->tau());
+  };
+  const double sharp = cost(1e3), sharper = cost(1e4);
+  EXPECT_NEAR(sharp, sharper, 1e-2 * sharper);
+  EXPECT_NEAR(cost(700.0), sharper, 2e-2 * sharper);
+}
+
+/// A free path leaves rest where the normal force vanishes, outside every cone.
+TEST(LimitedTracks, AreNotVerifiedByAnExtremalThatSlipsAtRest) {
+  const SolveOptions shooting{.method = Shooting{}};
+  const Solution solution =
+      solve(under(uniform_scene(), friction(1000.0)), shooting);
+  EXPECT_FALSE(solution.verified());
+  EXPECT_NE(solution.message.find("friction is exceeded"), std::string::npos)
+      << solution.message;
+}
+
 /// From one scene to the next an arc is born (at μ = 0.26154), two become one
 /// (at 0.2803) and one reaches B (at 0.5102).
 TEST(LimitedTracks, AreFollowedFromANeighbourThroughBirthsOfArcs) {

@@ -154,6 +154,9 @@ std::vector<Bound> bounds() {
       {"Friction03", "friction", under(base, friction(0.3)), move_friction},
       {"LeastForce", "normal_force.min", under(base, least_force(0.1)),
        move_least_force},
+      // Too small for an arc, but the direction at A is its.
+      {"LeastForceAtRest", "normal_force.min", under(base, least_force(1e-4)),
+       move_least_force, 1e-6},
       {"ValleyOfTheTrack", "curvature.valley",
        under(base, valley_of_track(1.2)), move_valley},
       {"FloorOfABead", "floor", under(bead_scene(), floor_at(1.1)), move_floor},

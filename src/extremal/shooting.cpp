@@ -13,6 +13,7 @@
 
 #include "extremal/boundary.hpp"
 #include "extremal/continuation.hpp"
+#include "extremal/extremal_attempt.hpp"
 #include "extremal/world_shooting.hpp"
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
@@ -45,12 +46,12 @@ namespace {
 using namespace shooting;
 
 /// What the two ways to a solution share.
-class Solve {
+class Solve : public ExtremalAttempt {
  public:
   Solve(const Scene& scene, const ExtremalOptions& options,
         const ExtremalGuess& guess)
-      : scene_(scene),
-        options_(options),
+      : ExtremalAttempt(options),
+        scene_(scene),
         units_(natural_units(scene)),
         natural_(in_natural_units(scene)),
         system_(natural_, choose_arcs(natural_, guess, options.arcs),
@@ -66,21 +67,8 @@ class Solve {
   /// Newton's method to full accuracy, and the result.
   void finish();
 
-  void stop(std::string_view where) {
-    fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
-                                     : ExtremalStatus::TimeLimit,
-         where);
-  }
-
-  [[nodiscard]] ExtremalSolution take() { return std::move(solution_); }
-
  private:
-  void fail(ExtremalStatus status, std::string_view details) {
-    solution_.status = status;
-    solution_.message = fmt::format("{}: {}", describe(status), details);
-  }
   void fill(const ShootingResult& result);
-  void judge();
   /// T, corrected for the matching errors left [natural units].
   [[nodiscard]] double time_of(const ShootingResult& result) const {
     return result.at.transit_time +
@@ -91,13 +79,11 @@ class Solve {
   [[nodiscard]] double rounding_error(const ShootingResult& result) const;
 
   const Scene& scene_;
-  const ExtremalOptions& options_;
   Units units_;
   Scene natural_;
   ShootingSystem system_;
   ChainVector start_;
   ChainScale scale_;
-  ExtremalSolution solution_;
 };
 
 bool Solve::continue_in_offset() {
@@ -276,49 +262,6 @@ double Solve::rounding_error(const ShootingResult& result) const {
          T;
 }
 
-void Solve::judge() {
-  Regularity& found = solution_.regularity;
-  found = solution_.path.regularity();
-  if (!found.keeps_moving()) {
-    fail(ExtremalStatus::Stalls,
-         fmt::format("its speed falls to {:.3g} of the largest; try another "
-                     "guess",
-                     found.min_w));
-  } else if (!found.free_of_loops()) {
-    fail(ExtremalStatus::Loop,
-         fmt::format("its slope angle runs from {:.4g} to {:.4g}; try another "
-                     "guess",
-                     found.min_beta, found.max_beta));
-  } else if (!found.legendre_holds()) {
-    fail(ExtremalStatus::NotMinimal,
-         fmt::format("∂²𝓗/∂β² falls to {:.3g}; try another guess",
-                     found.min_legendre));
-  } else if (!(solution_.error_estimate <=
-               std::max(options_.tolerance, 1e-14))) {
-    fail(ExtremalStatus::AccuracyNotReached,
-         fmt::format("the relative error of T is about {:.1e} instead of "
-                     "{:.1e}, because of rounding or a sharply bent path",
-                     solution_.error_estimate, options_.tolerance));
-  } else {
-    solution_.status = ExtremalStatus::Solved;
-    solution_.message = describe(ExtremalStatus::Solved);
-  }
-}
-
-/// Runs `ways` of `solve` within its own stop condition.
-template <class Ways>
-ExtremalSolution stoppable(Solve& solve, const StopCondition& stop,
-                           Ways&& ways) {
-  const StopScope scope(stop);
-  try {
-    ways();
-  } catch (const Stopped&) {
-    if (!stop.met()) throw;
-    solve.stop("within an arc");
-  }
-  return solve.take();
-}
-
 }  // namespace
 
 bool ExtremalSolution::usable() const {
@@ -333,7 +276,7 @@ ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
     return solve_extremal_in_world(scene, guess, options);
   }
   Solve solve(scene, options, guess);
-  return stoppable(solve, options.stop, [&] { solve.finish(); });
+  return solve.within_its_stop([&] { solve.finish(); });
 }
 
 ExtremalSolution solve_extremal(const Scene& scene,
@@ -355,7 +298,7 @@ ExtremalSolution solve_extremal(const Scene& scene,
     return none;
   }
   Solve solve(scene, options, cycloid);
-  return stoppable(solve, options.stop, [&] {
+  return solve.within_its_stop([&] {
     if (solve.continue_in_offset()) solve.finish();
   });
 }

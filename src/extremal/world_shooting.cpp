@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "extremal/extremal_attempt.hpp"
 #include "extremal/shooting_system.hpp"
 #include "extremal/world_system.hpp"
 #include "math/index.hpp"
@@ -64,11 +65,11 @@ WorldRoot find_world_root(const WorldSystem& system, Eigen::VectorXd start,
 }
 
 /// What a solve has and does, in natural units.
-class SolveInWorld {
+class SolveInWorld : public shooting::ExtremalAttempt {
  public:
   SolveInWorld(const Scene& scene, const ExtremalOptions& options, int arcs)
-      : scene_(scene),
-        options_(options),
+      : ExtremalAttempt(options),
+        scene_(scene),
         units_(natural_units(scene)),
         natural_(in_natural_units(scene)),
         // The number of arcs squared is the size of the matrix.
@@ -80,27 +81,14 @@ class SolveInWorld {
   /// From the ordinary world's extremal to the scene's; nothing if it fails.
   bool follow_into_world(Eigen::VectorXd& point);
   void finish(const Eigen::VectorXd& start);
-  void stop(std::string_view where) {
-    fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
-                                     : ExtremalStatus::TimeLimit,
-         where);
-  }
-  [[nodiscard]] ExtremalSolution take() { return std::move(solution_); }
 
  private:
-  void fail(ExtremalStatus status, std::string_view details) {
-    solution_.status = status;
-    solution_.message = fmt::format("{}: {}", describe(status), details);
-  }
   void fill(const WorldSystem& system, const WorldRoot& root);
-  void judge();
 
   const Scene& scene_;
-  const ExtremalOptions& options_;
   Units units_;
   Scene natural_;
   int arcs_;
-  ExtremalSolution solution_;
 };
 
 Eigen::VectorXd SolveInWorld::unknowns_of(const ExtremalGuess& guess) const {
@@ -241,44 +229,6 @@ void SolveInWorld::fill(const WorldSystem& system, const WorldRoot& root) {
   solution_.residual = root.residual;
 }
 
-void SolveInWorld::judge() {
-  Regularity& found = solution_.regularity;
-  found = solution_.path.regularity();
-  if (!found.keeps_moving()) {
-    fail(ExtremalStatus::Stalls,
-         fmt::format("its speed falls to {:.3g} of the largest", found.min_w));
-  } else if (!found.free_of_loops()) {
-    fail(ExtremalStatus::Loop,
-         fmt::format("its slope angle runs from {:.4g} to {:.4g}",
-                     found.min_beta, found.max_beta));
-  } else if (!found.legendre_holds()) {
-    fail(ExtremalStatus::NotMinimal,
-         fmt::format("∂²𝓗/∂β² falls to {:.3g}", found.min_legendre));
-  } else if (!(solution_.error_estimate <=
-               std::max(options_.tolerance, 1e-14))) {
-    fail(ExtremalStatus::AccuracyNotReached,
-         fmt::format("the relative error of T is about {:.1e} instead of "
-                     "{:.1e}",
-                     solution_.error_estimate, options_.tolerance));
-  } else {
-    solution_.status = ExtremalStatus::Solved;
-    solution_.message = describe(ExtremalStatus::Solved);
-  }
-}
-
-template <class Ways>
-ExtremalSolution stoppable_in_world(SolveInWorld& solve,
-                                    const StopCondition& stop, Ways&& ways) {
-  const StopScope scope(stop);
-  try {
-    ways();
-  } catch (const Stopped&) {
-    if (!stop.met()) throw;
-    solve.stop("within an arc");
-  }
-  return solve.take();
-}
-
 }  // namespace
 
 ExtremalSolution solve_extremal_in_world(const Scene& scene,
@@ -287,8 +237,7 @@ ExtremalSolution solve_extremal_in_world(const Scene& scene,
   SolveInWorld solve(
       scene, options,
       shooting::choose_arcs(in_natural_units(scene), guess, options.arcs));
-  return stoppable_in_world(solve, options.stop,
-                            [&] { solve.finish(solve.unknowns_of(guess)); });
+  return solve.within_its_stop([&] { solve.finish(solve.unknowns_of(guess)); });
 }
 
 ExtremalSolution solve_extremal_in_world(const Scene& scene,
@@ -303,7 +252,7 @@ ExtremalSolution solve_extremal_in_world(const Scene& scene,
   SolveInWorld solve(
       scene, options,
       shooting::choose_arcs(in_natural_units(scene), guess, options.arcs));
-  return stoppable_in_world(solve, options.stop, [&] {
+  return solve.within_its_stop([&] {
     Eigen::VectorXd point = solve.unknowns_of(guess);
     if (solve.follow_into_world(point)) solve.finish(point);
   });

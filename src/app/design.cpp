@@ -157,7 +157,7 @@ Verb design_verb() {
   const auto flags = std::make_shared<DesignFlags>();
   return {
       .name = "design",
-      .text = "Find the body that is the quickest on its own fastest track",
+      .text = "Find the body that is the quickest on its own extremal",
       .flags = flags->with(
           {directory_flag("--out", flags->out,
                           "Write the files of `solve` for the best body there, "

@@ -620,7 +620,7 @@ Keys design_keys() {
        "their way"},
       {"design.minimise",
        choice(kDesign, &DesignPlan::minimised, {{"tau", Minimised::Tau}}),
-       "what the body is to make least: τ of its own fastest track"},
+       "what the body is to make least: τ of its own extremal"},
       {"design.free",
        free_list(),
        "what the design chooses; what is not free stays as in scene.body",

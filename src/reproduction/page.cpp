@@ -122,6 +122,46 @@ std::string orientation_table(const std::vector<OrientationRow>& fastest) {
                     rows);
 }
 
+/// "What is the quickest brachistochrone ever achievable by any object?"
+std::string open_question(const std::vector<QuickestBody>& bodies) {
+  std::string rows;
+  for (const QuickestBody& row : bodies) {
+    rows += fmt::format("<tr><td>{:g}</td><td>{}</td>", row.L,
+                        html_words(row.any_k ? "any" : "1/2"));
+    if (!row.found) {
+      rows += "<td>–</td><td>–</td><td>–</td><td>–</td><td>0</td></tr>\n";
+      continue;
+    }
+    const Body& body = row.found->body;
+    rows += with_minus_signs(fmt::format(
+        "<td>{:.9f}</td><td>{:.5f}</td><td>{:.5f}</td><td>{:.5f}</td>"
+        "<td>{}</td></tr>\n",
+        row.found->tau, body.eta_m, body.theta_m, body.k,
+        row.found->found_from));
+  }
+  return fmt::format(
+             "<p>The paper ends with the question what the quickest "
+             "brachistochrone "
+             "ever achievable by any object between two given points is. For "
+             "the "
+             "radius of the reference case these are the quickest bodies that "
+             "were "
+             "found, each on its own extremal, able to run on it, and a local "
+             "minimum "
+             "of the first and second order along the bounds that hold. That "
+             "no other "
+             "body is quicker is not proven, nor that {} is always best. With "
+             "the "
+             "radius free there is none: τ falls to zero as the body grows to "
+             "(L² + H²)/(2L). Where there is no row all of {} searches ended "
+             "at folds "
+             "of the principal branch. docs/validation.md has more.</p>\n",
+             html_words("k = 0"), kDesignStarts) +
+         html_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
+                     "searches that led there"},
+                    rows);
+}
+
 std::string introduction(const Results& found) {
   const Case& reference = found.cases["fig04_reference_case"];
   return fmt::format(
@@ -161,6 +201,7 @@ std::string page(const Results& found, const Reproduction& made,
   out += figures;
   out += "<h2>The initial orientation of the smallest τ</h2>\n" +
          orientation_table(found.orientations);
+  out += "<h2>The quickest body</h2>\n" + open_question(found.quickest);
   out += "<h2>All cases</h2>\n" + cases_table(found.cases);
   const report::Provenance with = report::provenance();
   return out + fmt::format(

@@ -289,6 +289,8 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   out.boundary = bead_boundary(fast.scene(), eta_m, false, interrupt);
   hooks.announce("the same, put down best");
   out.best_boundary = bead_boundary(fast.scene(), eta_m, true, interrupt);
+  hooks.announce("the quickest bodies");
+  out.quickest = quickest_bodies(reference, interrupt);
   hooks.announce("map of transit times");
   out.map = solve_family(map, hooks.jobs, interrupt, hooks.progress);
   hooks.announce("figures");

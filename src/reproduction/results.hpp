@@ -16,6 +16,7 @@
 #include "reproduction/bead_boundary.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/orientation.hpp"
+#include "reproduction/quickest.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::reproduction {
@@ -107,6 +108,7 @@ struct Results {
   /// With a kink, φ downwards from the smooth contact to the least time and a
   /// little farther; and with an arc, all of one radius, the least bend first.
   std::vector<BentTrack> kinked = {}, arched = {};
+  std::vector<QuickestBody> quickest = {};
 
   /// τ of a case.
   [[nodiscard]] double tau(const std::string& name) const {

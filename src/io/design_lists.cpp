@@ -19,6 +19,7 @@
 #include "io/field_reader.hpp"
 #include "io/mass_part_text.hpp"
 #include "io/visible_text.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto::io {
 
@@ -251,6 +252,9 @@ void check_ways(const YamlValue& root, const Draft& problem,
     findings.add(position_of(root, key), std::string(key),
                  fmt::format("not allowed beside design: {}", reason));
   };
+  if (slope_at_A_is_open(problem.scene)) {
+    refuse("scene.start.speed", kNoRatesFromSpeed);
+  }
   if (!problem.poses_the_program()) {
     return refuse("solver.method",
                   "a design needs the derivatives of the nonlinear program; "
@@ -432,6 +436,12 @@ void check_design(const YamlValue& root, const Draft& problem,
   check_ways(root, problem, findings);
   if (!findings.concern(kPartsKey) && !findings.concern("scene.body.radius")) {
     check_free_parts(root, problem, findings);
+  }
+  const DesignPlan& plan = problem.design;
+  if (plan.start && *plan.start > plan.starts) {
+    findings.add(position_of(root, "design.start"), "design.start",
+                 fmt::format("{} is not allowed; there are {} starts",
+                             *plan.start, plan.starts));
   }
   check_bounds(root, problem, findings);
   check_radius(root, problem, findings);

@@ -66,7 +66,7 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
           residual[i] += weight * other.system.residual()[i];
         }
         objective += weight * other.problem.eval_f();
-        start += weight * start_angle(there.body);
+        start += weight * start_angle(there);
       });
 
   // 𝓛_p, the values of fixed variables moving along.
@@ -85,7 +85,7 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
     // C_A turns about A with β₀.
     const VariableLayout& layout = at_.problem.layout();
     const double r = scene().body.radius;
-    const double beta_0 = start_angle(scene().body);
+    const double beta_0 = start_angle(scene());
     const auto x = pull_[at(layout.state(0, StateComponent::X))];
     const auto z = pull_[at(layout.state(0, StateComponent::Z))];
     rate.at_fixed_contacts -= static_cast<double>(

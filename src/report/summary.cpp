@@ -346,9 +346,15 @@ void add_design(std::string& out, const Solution& solution) {
     label = "";
     for (const std::string& why : minimum.remarks) line(out, "", "  " + why);
   }
+  std::size_t arrived = 0;
+  for (const DesignMinimum& minimum : design.minima) {
+    arrived += static_cast<std::size_t>(minimum.found_from);
+  }
   line(out, "searched",
-       fmt::format("{} starts, {} closed solutions, {:.2f} s CPU",
-                   design.paths.size(), design.solves, design.cpu_seconds));
+       fmt::format("{} starts, of which {} led to a minimum, {} closed "
+                   "solutions, {:.2f} s CPU",
+                   design.paths.size(), arrived, design.solves,
+                   design.cpu_seconds));
 }
 
 std::string counted(std::size_t count, std::string_view what) {

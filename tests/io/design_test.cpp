@@ -93,6 +93,22 @@ TEST(DesignSection, RefusesWaysOfSolvingThatItDoesNotGo) {
   refused(kBead + design, "a bead has nothing to design");
 }
 
+TEST(DesignSection, RefusesAStartThatThereIsNot) {
+  EXPECT_TRUE(refused(with("{free: [eta_m], starts: 5, start: 6}"),
+                      "design.start: 6 is not allowed; there are 5 starts"));
+}
+
+/// The slope at A is an unknown then, of which the derivatives know nothing.
+TEST(DesignSection, RefusesAStartWithASpeed) {
+  const std::string pushed =
+      "scene: {body: {shape: cylinder, radius: 1/3, eta_m: 0.2, k: 1/2}, "
+      "finish: {L: 3, H: 1}, start: {speed: 1}}\n";
+  EXPECT_TRUE(refused(pushed + "design: {free: [eta_m]}\n",
+                      "scene.start.speed: not allowed beside design"));
+  EXPECT_TRUE(refused(pushed + "solver: {sensitivities: true}\n",
+                      "is not allowed with scene.start.speed"));
+}
+
 TEST(DesignSection, RefusesDirectionsThatAreNotConvexWithOffsets) {
   const std::string wide = "bounds: {theta_m: [-120 deg, 120 deg]}}";
   refused(with("{free: [eta_m, theta_m], " + wide), "half a turn");

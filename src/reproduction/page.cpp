@@ -139,27 +139,20 @@ std::string open_question(const std::vector<QuickestBody>& bodies) {
         row.found->tau, body.eta_m, body.theta_m, body.k,
         row.found->found_from));
   }
-  return fmt::format(
-             "<p>The paper ends with the question what the quickest "
-             "brachistochrone "
-             "ever achievable by any object between two given points is. For "
-             "the "
-             "radius of the reference case these are the quickest bodies that "
-             "were "
-             "found, each on its own extremal, able to run on it, and a local "
-             "minimum "
-             "of the first and second order along the bounds that hold. That "
-             "no other "
-             "body is quicker is not proven, nor that {} is always best. With "
-             "the "
-             "radius free there is none: τ falls to zero as the body grows to "
-             "(L² + H²)/(2L). Where there is no row all of {} searches ended "
-             "at folds "
-             "of the principal branch. docs/validation.md has more.</p>\n",
-             html_words("k = 0"), kDesignStarts) +
-         html_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
-                     "searches that led there"},
-                    rows);
+  const std::string words = fmt::format(
+      "<p>The paper ends with the question what the quickest brachistochrone "
+      "ever achievable by any object between two given points is. For the "
+      "radius of the reference case these are the quickest bodies that were "
+      "found, each on its own extremal, able to run on it, and a local minimum "
+      "of the first and second order along the bounds that hold. That no other "
+      "body is quicker is not proven, nor that {} is always best. With the "
+      "radius free there is none: τ falls to zero as the body grows to "
+      "(L² + H²)/(2L). Where there is no row none of {} searches came to such "
+      "a body on the principal branch. docs/validation.md has more.</p>\n",
+      html_words("k = 0"), kDesignStarts);
+  return words + html_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
+                             "searches that led there"},
+                            rows);
 }
 
 std::string introduction(const Results& found) {

@@ -174,7 +174,9 @@ FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
                    out.active.constraints[static_cast<std::size_t>(row)]) -
           here->values[row];
     }
-    const VectorXd change = kkt.fullPivLu().solve(right);
+    // Bounds may hold every variable: then no step is left to solve for.
+    VectorXd change = right;
+    if (change.size() > 0) change = kkt.fullPivLu().solve(right);
     if (!change.allFinite()) return out;
     y(variables.free) += change.head(num_free);
     lambda(rows.held) = change.tail(num_rows);

@@ -25,6 +25,9 @@ constexpr double kOfHessian = 10.0 * kStep * kStep;
 /// derivatives nothing is told. x = 1 holds and 2 (y + 1) + x/2 = 0: y = −5/4.
 class NearestPointWithBound final : public nlp::Problem {
  public:
+  explicit NearestPointWithBound(double least_y = -10.0)
+      : lower_{-10.0, least_y} {}
+
   [[nodiscard]] int num_variables() const override { return 2; }
   [[nodiscard]] int num_constraints() const override { return 1; }
   [[nodiscard]] std::span<const double> lower() const override {
@@ -73,7 +76,7 @@ class NearestPointWithBound final : public nlp::Problem {
                         std::span<double>) const override {}
 
   std::array<double, 2> x_{};
-  std::array<double, 2> lower_{-10.0, -10.0}, upper_{1.0, 10.0};
+  std::array<double, 2> lower_, upper_{1.0, 10.0};
   std::array<double, 1> row_lower_{-1.0}, row_upper_{10.0};
   nlp::SparsityPattern pattern_{{0, 0}, {0, 1}}, none_;
 };
@@ -126,6 +129,19 @@ TEST(FewVariables, HoldsWhatLeansOnABoundAndTellsItsMultiplier) {
   EXPECT_EQ(found.point.lambda[0], 0.0) << "the row does not hold";
   ASSERT_EQ(found.curvatures.size(), 1U);
   EXPECT_NEAR(found.curvatures[0], 2.0, kOfHessian);
+}
+
+TEST(FewVariables, MayBeHeldInEveryDirection) {
+  NearestPointWithBound problem(0.0);
+  const PrimalDual start{{1.0, 1e-9}, {0.0}, {0.0, 2.5}, {2.0, 0.0}};
+
+  const FewVariablesPoint found = refine_few_variables(problem, start, kStep);
+
+  ASSERT_TRUE(found.converged);
+  EXPECT_EQ(found.point.x, (std::vector{1.0, 0.0}));
+  EXPECT_NEAR(found.point.z_upper[0], 2.0, kAtRest);
+  EXPECT_NEAR(found.point.z_lower[1], 2.5, kAtRest);
+  EXPECT_TRUE(found.curvatures.empty());
 }
 
 TEST(FewVariables, DoesNotTakeAMaximumForABoundMinimum) {

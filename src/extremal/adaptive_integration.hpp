@@ -12,6 +12,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "extremal/canonical_flow.hpp"
@@ -180,7 +181,8 @@ class AdaptiveIntegration {
   Stepper<Stack> stepper_;
 };
 
-/// Steps from 0 to `span` with error control; tells `on_step` of every step.
+/// Steps from 0 to `span` with error control; tells `on_step` of every step,
+/// which ends the way there by returning false.
 template <class Rates, class OnStep>
 [[nodiscard]] bool advance(AdaptiveIntegration<Rates>& path, double span,
                            const StepControl& control, double& step,
@@ -205,7 +207,11 @@ template <class Rates, class OnStep>
     u = rest <= step ? span : u + h;
     step = h < step ? std::max(step, h * path.factor()) : h * path.factor();
     if (path.failed()) return false;
-    on_step(u);
+    if constexpr (std::is_same_v<decltype(on_step(u)), bool>) {
+      if (!on_step(u)) return true;
+    } else {
+      on_step(u);
+    }
   }
   return true;
 }

@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "math/roots.hpp"
+#include "model/field.hpp"
 
 namespace brachisto::worlds {
 
@@ -71,6 +75,87 @@ typename WorldRates<Columns>::Stack stack_of(const State& y, double t = 0.0) {
   return stack;
 }
 
+/// Where a way has led.
+template <std::size_t Columns>
+struct Arrived {
+  typename WorldRates<Columns>::Stack now, slope;
+  double beta;
+};
+
+/// Goes from 0 to `span`, in pieces that end where the surface of a sphere is
+/// passed; tells `on_step` of every step.
+template <std::size_t Columns, class OnStep>
+std::optional<Arrived<Columns>> travel(const WorldFlow& flow,
+                                       const State& start, double near,
+                                       double span,
+                                       const shooting::StepControl& control,
+                                       double& step, OnStep&& on_step) {
+  using Rates = WorldRates<Columns>;
+  using Path = shooting::AdaptiveIntegration<Rates>;
+  if (!flow.has_surface()) {
+    Path path(Rates{flow, near}, stack_of<Columns>(start));
+    if (!shooting::advance(path, span, control, step, [&](double u) {
+          on_step(u, path.now(), path.beta());
+        })) {
+      return std::nullopt;
+    }
+    return Arrived<Columns>{path.now(), path.slope(), path.beta()};
+  }
+  constexpr int kMostPassages = 50;
+  const auto height = [&](const typename Rates::Stack& stack) {
+    State y;
+    std::copy_n(stack.begin(), kSize, y.begin());
+    return flow.height(y);
+  };
+  // The last place that is known to be on the side of a piece.
+  double u = 0.0;
+  typename Rates::Stack now = stack_of<Columns>(start);
+  double beta = near;
+  bool outside = height(now) > 0.0;
+  for (int passages = 0; passages <= kMostPassages; ++passages) {
+    const WorldFlow here =
+        flow.on_side(outside ? SphereSide::Outside : SphereSide::Inside);
+    const double from = u;
+    double beyond = 0.0;  // length of the step that led over the surface
+    Path path(Rates{here, beta}, now);
+    const bool went =
+        u >= span ||
+        shooting::advance(path, span - from, control, step, [&](double v) {
+          if ((height(path.now()) > 0.0) != outside) {
+            beyond = from + v - u;
+            return false;
+          }
+          u = from + v;
+          now = path.now();
+          beta = path.beta();
+          on_step(u, now, beta);
+          return true;
+        });
+    if (!went) return std::nullopt;
+    if (beyond == 0.0) return Arrived<Columns>{now, path.slope(), beta};
+    const auto after = [&](double h) {
+      Path part(Rates{here, beta}, now);
+      part.step_unchecked(h);
+      return part;
+    };
+    // At its beginning a piece may lie on the surface but for rounding.
+    const double side = outside ? 1.0 : -1.0;
+    const double at_first = std::max(0.0, side * height(now));
+    if (at_first > 0.0) {
+      const double h = math::find_root(
+          [&](double part) { return side * height(after(part).now()); }, 0.0,
+          beyond, at_first, std::min(0.0, side * height(path.now())));
+      const Path on_surface = after(h);
+      u += h;
+      now = on_surface.now();
+      beta = on_surface.beta();
+      on_step(u, now, beta);
+    }
+    outside = !outside;
+  }
+  return std::nullopt;
+}
+
 template <class Stack>
 Passed passed(double u, const Stack& stack, double beta) {
   Passed out{u, {}, stack[kTime], beta};
@@ -79,6 +164,17 @@ Passed passed(double u, const Stack& stack, double beta) {
 }
 
 }  // namespace
+
+WorldFlow WorldFlow::on_side(SphereSide side) const {
+  Scene there = scene_;
+  there.world.side = side;
+  return WorldFlow(std::move(there));
+}
+
+double WorldFlow::height(const State& y) const {
+  return height_above_surface(
+      scene_, mass_centre(scene_.body, {y[kX], y[kZ]}, y[kTheta]));
+}
 
 bool WorldFlow::find_slope(const State& y, double& beta, PhaseJet& h) const {
   beta = minimising_slope(scene_, {{y[kX], y[kZ]}, y[kTheta], y[kW]},
@@ -141,23 +237,20 @@ double WorldFlow::time_variation(const State& y, double beta, const PhaseJet& h,
 bool integrate_arc(const WorldFlow& flow, const State& start, double near,
                    double span, const shooting::StepControl& control,
                    double& step, ArcEnd& end) {
-  using Rates = WorldRates<kSize>;
-  shooting::AdaptiveIntegration<Rates> path(Rates{flow, near},
-                                            stack_of<kSize>(start));
   end.steps = 0;
-  if (!shooting::advance(path, span, control, step,
-                         [&](double) { ++end.steps; })) {
-    return false;
-  }
-  const Passed last = passed(span, path.now(), path.beta());
+  const auto arrived =
+      travel<kSize>(flow, start, near, span, control, step,
+                    [&](double, const auto&, double) { ++end.steps; });
+  if (!arrived) return false;
+  const Passed last = passed(span, arrived->now, arrived->beta);
   end.y = last.y;
   end.t = last.t;
   end.beta = last.beta;
-  std::copy_n(path.slope().begin(), kSize, end.rates.begin());
-  end.time_rate = path.slope()[kTime];
+  std::copy_n(arrived->slope.begin(), kSize, end.rates.begin());
+  end.time_rate = arrived->slope[kTime];
   for (std::size_t j = 0; j < kSize; ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    const double* derivatives = path.now().data() + kPath * (1 + j);
+    const double* derivatives = arrived->now.data() + kPath * (1 + j);
     end.by_start.col(column) =
         Eigen::Map<const Eigen::Matrix<double, ArcEnd::kWidth, 1>>(derivatives);
     end.time_by_start(column) = derivatives[kTime];
@@ -168,15 +261,16 @@ bool integrate_arc(const WorldFlow& flow, const State& start, double near,
 bool follow_arc(const WorldFlow& flow, const State& start, double near,
                 double span, const shooting::StepControl& control,
                 const std::function<void(const Passed&)>& tell) {
-  using Rates = WorldRates<0>;
-  shooting::AdaptiveIntegration<Rates> path(Rates{flow, near},
-                                            stack_of<0>(start));
-  if (path.failed()) return false;
-  tell(passed(0.0, path.now(), path.beta()));
+  PhaseJet unused;
+  double beta = near;
+  if (!flow.find_slope(start, beta, unused)) return false;
+  tell(passed(0.0, stack_of<0>(start), beta));
   double step = 0.0;
-  return shooting::advance(path, span, control, step, [&](double u) {
-    tell(passed(u, path.now(), path.beta()));
-  });
+  return travel<0>(flow, start, near, span, control, step,
+                   [&](double u, const auto& stack, double slope) {
+                     tell(passed(u, stack, slope));
+                   })
+      .has_value();
 }
 
 Passed step_from(const WorldFlow& flow, const Passed& from, double span) {

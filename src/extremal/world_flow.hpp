@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <utility>
 
 #include "extremal/adaptive_integration.hpp"
 #include "model/world_hamiltonian.hpp"
@@ -34,11 +35,19 @@ using State = std::array<double, kSize>;
 /// one jet of 𝓗, whose second derivatives are its linearisation.
 class WorldFlow {
  public:
-  /// \param natural  in natural units; must outlive this. A bead gets 1/r = 1,
-  ///                 which turns its θ into the arc length
-  explicit WorldFlow(const Scene& natural)
-      : scene_(natural),
-        inverse_radius_(shooting::inverse_radius(natural.body)) {}
+  /// \param natural  in natural units. A bead gets 1/r = 1, which turns its θ
+  ///                 into the arc length
+  explicit WorldFlow(Scene natural)
+      : scene_(std::move(natural)),
+        inverse_radius_(shooting::inverse_radius(scene_.body)) {}
+
+  /// The same with the law of one side of the sphere's surface on both.
+  [[nodiscard]] WorldFlow on_side(SphereSide side) const;
+  [[nodiscard]] bool has_surface() const {
+    return scene_.world.sphere.has_value();
+  }
+  /// How far the centre of mass is above that surface.
+  [[nodiscard]] double height(const State& y) const;
 
   /// 𝓗 with its derivatives where its minimum nearest to the slope angle
   /// `beta` is, which becomes β; false if there is none.
@@ -59,7 +68,7 @@ class WorldFlow {
   [[nodiscard]] double inverse_radius() const { return inverse_radius_; }
 
  private:
-  const Scene& scene_;
+  Scene scene_;
   double inverse_radius_;
 };
 
@@ -77,7 +86,9 @@ struct ArcEnd {
   Eigen::Matrix<double, 1, kWidth> time_by_start;
 };
 
-/// Integrates from u = 0 to `span` with the derivatives.
+/// Integrates from u = 0 to `span` with the derivatives. Where the centre of
+/// mass passes the surface of a sphere, on which the field has a kink, a step
+/// ends: an error estimate from stages on both sides would see little of it.
 /// \param near  slope angle near the start
 /// \param step  [in,out] step to try first; the last one taken
 [[nodiscard]] bool integrate_arc(const WorldFlow& flow, const State& start,

@@ -30,6 +30,13 @@ template <class Scalar>
   }
 }
 
+/// On which side of the surface of the scene's sphere a place is; on the
+/// surface itself inside.
+[[nodiscard]] SphereSide side_of_surface(const Scene& scene, Point place);
+
+/// d − R, how far a place is beyond the surface of the scene's sphere.
+[[nodiscard]] double height_above_surface(const Scene& scene, Point place);
+
 /// Force per mass of the field at a place: (0, g), or towards the centre of a
 /// sphere of radius R with the surface gravity g_s, at the distance d,
 ///
@@ -48,7 +55,9 @@ template <class Scalar>
   const double share = world.sphere_share;
   const double at_surface = share * sphere.surface_gravity / R;
   Scalar per_length(-at_surface);
-  if (plain(square) > R * R) {
+  const bool outside =
+      world.side ? *world.side == SphereSide::Outside : plain(square) > R * R;
+  if (outside) {
     per_length = Scalar(-at_surface * R * R * R) / (square * sqrt(square));
   }
   return {dx * per_length,

@@ -16,6 +16,7 @@
 #include "model/start_angle.hpp"
 #include "refinement/mesh_sequence.hpp"
 #include "refinement/start_closure.hpp"
+#include "refinement/surface_passages.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/mesh.hpp"
@@ -270,6 +271,7 @@ class Elements {
   Elements(const Scene& scene, const Discretisation& wanted,
            const ExtremalCurve& curve, double phi)
       : scene_(scene),
+        is_fixed_(wanted.fixed()),
         degree_is_fixed_(wanted.degree.has_value()),
         tolerance_(wanted.tolerance.value_or(kDefaultTolerance)),
         left_(wanted.fixed() ? 1 : kMaxMeshes),
@@ -277,6 +279,10 @@ class Elements {
                              : first_mesh(wanted, tolerance_, curve)),
         from_(curve),
         phi_(phi) {
+    if (!is_fixed_) {
+      surface_.learn(curve);
+      mesh_ = surface_.fit(std::move(mesh_));
+    }
     // A large mesh starts from the solution on a much coarser one.
     constexpr int kManyElements = 4000;
     constexpr int kTimesCoarser = 8;
@@ -315,6 +321,18 @@ class Elements {
       mesh_ = stretch(mesh_, 2 * mesh_.num_elements());
       return left_ > 0;
     }
+    if (!is_fixed_) {
+      surface_.learn(answer.curve());
+      if (!surface_.settled()) {
+        // Degree p + 1 errs alike where ends are not on the surface.
+        answer.estimated_error.reset();
+        mesh_ = surface_.fit(answer.problem.mesh());
+        start_from(answer.curve(), solution.tangency.phi);
+        if (!out.answer) out.answer.emplace(std::move(answer));
+        return left_ > 0;
+      }
+      if (answer.estimated_error) *answer.estimated_error += surface_.error();
+    }
     const bool improved =
         !out.answer || !out.answer->estimated_error ||
         (answer.estimated_error &&
@@ -327,7 +345,7 @@ class Elements {
       return false;
     }
     if (left_ == 0) return false;
-    mesh_ = next_mesh(best, tolerance_, degree_is_fixed_);
+    mesh_ = surface_.fit(next_mesh(best, tolerance_, degree_is_fixed_));
     if (best.finer) {
       start_from(*best.finer, best.finer_phi);
     } else {
@@ -347,6 +365,7 @@ class Elements {
   }
 
   const Scene& scene_;
+  bool is_fixed_;
   bool degree_is_fixed_;
   double tolerance_;
   int left_;  ///< so many meshes may be tried yet
@@ -355,6 +374,7 @@ class Elements {
   ExtremalCurve from_;
   double phi_;
   std::optional<MeshAnswer> coarser_;
+  SurfaceEnds surface_;
 };
 
 }  // namespace

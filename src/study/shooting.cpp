@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "brachisto/trajectory/certificate.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
+#include "refinement/surface_passages.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
@@ -105,7 +107,14 @@ MeshAnswer answer_from_extremal(const PosedProblem& posed,
   constexpr double kFalls = 0.5;
   constexpr int kMostHalvings = 6;
   const double phi = extremal.phi;
-  const auto sampled_on = [&](const Mesh& mesh) {
+  const auto heavy_at = [&](double sigma) -> Point {
+    const ExtremalState at = extremal.path.at(sigma);
+    const double length = posed.units.length;
+    return mass_centre(posed.natural.body, {at.x / length, at.z / length},
+                       at.theta);
+  };
+  const auto sampled_on = [&](Mesh mesh) {
+    mesh = with_ends_at(mesh, surface_passages(posed.natural, mesh, heavy_at));
     MeshAnswer answer{RollingTime(posed.natural, mesh, phi), {}, {}, {}, phi};
     if (slope_at_A_is_open(posed.natural)) {
       answer.problem.set_start_slope(extremal.start_angle);

@@ -42,6 +42,10 @@ class PathByLength {
   [[nodiscard]] double end(int e) const {
     return ends_[static_cast<std::size_t>(e)];
   }
+  /// The scene as element e sees it.
+  [[nodiscard]] const Scene& scene_in(int e) const {
+    return curve_.scene_in(e);
+  }
   /// In element e; beyond its ends the path goes on with its polynomials.
   /// \pre s > 0
   [[nodiscard]] Place at(int e, double s) const;
@@ -162,7 +166,7 @@ double PathByLength::rate_in_world(int e, double t,
   for (std::size_t i = 0; i < rates.size(); ++i) {
     rates[i] = combine(e, slopes, all_[i]);
   }
-  return in_world::slope_rate_along(curve_.scene(), point.state(), point.p,
+  return in_world::slope_rate_along(curve_.scene_in(e), point.state(), point.p,
                                     point.beta, rates);
 }
 
@@ -230,9 +234,9 @@ struct EquationOfMotion {
       v_kappa = v * place.kappa;
     }
     const double s_ddot =
-        in_world
-            ? acceleration_in_world(scene, s, v, {y[2], y[3]}, beta, v_kappa)
-            : acceleration(scene, s, v, beta, v_kappa);
+        in_world ? acceleration_in_world(path.scene_in(e), s, v, {y[2], y[3]},
+                                         beta, v_kappa)
+                 : acceleration(scene, s, v, beta, v_kappa);
     dy = {v, s_ddot, v * std::cos(beta), v * std::sin(beta)};
   }
 };

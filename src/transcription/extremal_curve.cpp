@@ -10,6 +10,7 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/gauss.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -89,6 +90,34 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
       }
     }
   }
+  if (scene_.world.sphere) find_sides();
+}
+
+void ExtremalCurve::find_sides() {
+  for (const SphereSide side : {SphereSide::Inside, SphereSide::Outside}) {
+    sides_.push_back(scene_);
+    sides_.back().world.side = side;
+  }
+  const auto side_at = [&](int e, double t) {
+    const ExtremalPoint there = at(e, t);
+    return side_of_surface(scene_,
+                           mass_centre(scene_.body, there.centre, there.theta));
+  };
+  for (int e = 0; e < mesh_.num_elements(); ++e) {
+    std::optional<SphereSide> common;
+    bool same = true;
+    for (const double t : scheme_->points.nodes()) {
+      const SphereSide side = side_at(e, t);
+      same = same && side == common.value_or(side);
+      common = side;
+    }
+    side_.push_back(same ? common : std::nullopt);
+  }
+}
+
+const Scene& ExtremalCurve::scene_in(int element) const {
+  if (side_.empty() || !side_[at_index(element)]) return scene_;
+  return sides_[*side_[at_index(element)] == SphereSide::Inside ? 0 : 1];
 }
 
 ExtremalPoint ExtremalCurve::at(int element, double t) const {

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
@@ -38,6 +39,10 @@ class ExtremalCurve {
   ExtremalCurve(const RollingTime& problem, const PrimalDual& point);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// The scene as element e sees it: where all its collocation points lie on
+  /// one side of a sphere's surface, with the field of that side alone, which
+  /// is smooth up to both ends of the element.
+  [[nodiscard]] const Scene& scene_in(int element) const;
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] double rolling_time() const { return U_; }
   [[nodiscard]] double transit_time() const { return nodes_.t.back(); }
@@ -68,6 +73,8 @@ class ExtremalCurve {
   }
 
  private:
+  void find_sides();
+
   struct Nodes {
     std::vector<double> x, z, theta, w, s, t;
   };
@@ -79,6 +86,9 @@ class ExtremalCurve {
   Nodes nodes_;
   CostateSolution costates_;
   std::vector<double> beta_points_, w_points_;
+  /// With a sphere: the scenes of both sides, and what each element sees.
+  std::vector<Scene> sides_;
+  std::vector<std::optional<SphereSide>> side_;
 };
 
 /// Share of each element in the error of T between the given end points.

@@ -23,6 +23,9 @@ struct Sphere {
   [[nodiscard]] double strength_at(Point place) const;
 };
 
+/// Where a homogeneous sphere attracts by which law.
+enum class SphereSide { Inside, Outside };
+
 /// Drag on the centre, against its motion: c₁ v + c₂ v² per mass.
 struct Air {
   double linear = 0.0;     ///< c₁ [1/s]
@@ -43,6 +46,9 @@ struct World {
   /// Of the field, the rest being uniform: on the way from the uniform field to
   /// the sphere's. Otherwise 1.
   double sphere_share = 1.0;
+  /// The law of the sphere on both sides of its surface, for a piece of path
+  /// that lies on this one: it is smooth there. Otherwise nothing.
+  std::optional<SphereSide> side;
   /// The slope of the track at A that the start was built from [rad], where it
   /// is an unknown and has been chosen; see slope_at_A_is_open().
   std::optional<double> start_slope;

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/surface_passages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/roots.hpp"
+#include "model/field.hpp"
+
+namespace brachisto {
+
+std::vector<double> surface_passages(
+    const Scene& scene, const Mesh& mesh,
+    const std::function<Point(double)>& heavy_at) {
+  std::vector<double> out;
+  if (!scene.world.sphere) return out;
+  const auto height = [&](double sigma) {
+    return height_above_surface(scene, heavy_at(sigma));
+  };
+  // Between so many places of an element a path is as good as straight.
+  const int parts = 2 * mesh.degree;
+  double before = 0.0, at_before = height(0.0);
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    for (int i = 1; i <= parts; ++i) {
+      const double sigma = mesh.sigma(e, static_cast<double>(i) / parts);
+      const double at = height(sigma);
+      if ((at > 0.0) != (at_before > 0.0)) {
+        out.push_back(math::find_root(height, before, sigma, at_before, at));
+      }
+      before = sigma;
+      at_before = at;
+    }
+  }
+  return out;
+}
+
+Mesh with_ends_at(Mesh mesh, const std::vector<double>& places) {
+  constexpr double kNear = 0.3;  // of the element that it is in
+  // A itself may lie on the surface; no element begins and ends there.
+  constexpr double kNoLength = 1e-9;
+  for (const double sigma : places) {
+    if (std::min(sigma, 1.0 - sigma) < kNoLength) continue;
+    const auto [e, t] = mesh.locate(sigma);
+    const auto after = static_cast<std::size_t>(e) + 1;
+    std::vector<double>& ends = mesh.boundaries;
+    if (t < kNear && e > 0) {
+      ends[after - 1] = sigma;
+    } else if (t > 1.0 - kNear && after + 1 < ends.size()) {
+      ends[after] = sigma;
+    } else {
+      ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(after), sigma);
+    }
+  }
+  return mesh;
+}
+
+void SurfaceEnds::learn(const ExtremalCurve& solution) {
+  constexpr double kPlaced = 1e-13;
+  // Where rounding keeps the two apart they come no closer.
+  constexpr double kAlmost = 1e-9, kCloser = 0.5;
+  const Mesh& mesh = solution.mesh();
+  const Scene& scene = solution.scene();
+  Solution now;
+  now.passages = surface_passages(scene, mesh, [&](double sigma) {
+    const ExtremalPoint at = solution.at(sigma);
+    return mass_centre(scene.body, at.centre, at.theta);
+  });
+  now.T = solution.transit_time();
+  for (const double passage : now.passages) {
+    const auto [e, t] = mesh.locate(passage);
+    const auto nearest = static_cast<std::size_t>(t < 0.5 ? e : e + 1);
+    now.ends.push_back(mesh.boundaries[nearest]);
+    now.apart = std::max(now.apart, std::abs(passage - now.ends.back()));
+  }
+  next_ = now.passages;
+  error_ = 0.0;
+  const bool again = last_ && last_->ends.size() == now.ends.size();
+  settled_ = now.apart <= kPlaced || (again && now.apart <= kAlmost &&
+                                      now.apart > kCloser * last_->apart);
+  // A secant for each: an end moved by 1 moves its passage by c.
+  constexpr double kFitted = 1e-3, kSteepest = 0.8;
+  if (again && last_->apart <= kFitted) {
+    double moved = 0.0;
+    for (std::size_t i = 0; i < next_.size(); ++i) {
+      const double by = now.ends[i] - last_->ends[i];
+      moved = std::max(moved, std::abs(by));
+      const double c = (now.passages[i] - last_->passages[i]) / by;
+      if (!(c < kSteepest)) continue;
+      next_[i] = now.ends[i] + (now.passages[i] - now.ends[i]) / (1.0 - c);
+    }
+    if (moved > 0.0) {
+      error_ = std::abs(now.T / last_->T - 1.0) / moved * now.apart;
+    }
+  }
+  last_ = std::move(now);
+}
+
+}  // namespace brachisto

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Meshes for paths that pass the surface of a sphere, on which its field has a
+/// kink: with element ends there every element sees a smooth field, and
+/// collocation keeps its order.
+
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "transcription/extremal_curve.hpp"
+#include "transcription/mesh.hpp"
+
+namespace brachisto {
+
+/// σ where a path passes the surface of the scene's sphere, ascending; nothing
+/// where there is no sphere.
+///
+/// \param mesh     on whose elements the path is smooth
+/// \param heavy_at  the centre of mass at σ
+[[nodiscard]] std::vector<double> surface_passages(
+    const Scene& scene, const Mesh& mesh,
+    const std::function<Point(double)>& heavy_at);
+
+/// The mesh with an element end at each of these σ: the nearest one is moved
+/// there where it is near, otherwise there is one more.
+[[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places);
+
+/// Moves element ends to where the path passes the surface, from solution to
+/// solution, for the path depends on where they are: in between a field is
+/// taken for its continuation from the other side, and the costates, whose
+/// rates jump on the surface, are off by the distance; so is the slope at the
+/// end, and with it a smooth contact and T.
+class SurfaceEnds {
+ public:
+  /// What a solution says of the ends of its mesh.
+  void learn(const ExtremalCurve& solution);
+  /// The mesh with ends where the next solution should pass.
+  [[nodiscard]] Mesh fit(Mesh mesh) const {
+    return with_ends_at(std::move(mesh), next_);
+  }
+  /// Whether the ends of the last solution were where it passes, as well as
+  /// rounding allows.
+  [[nodiscard]] bool settled() const { return settled_; }
+  /// What the distance between the two means for its T, relative.
+  [[nodiscard]] double error() const { return error_; }
+
+ private:
+  struct Solution {
+    std::vector<double> ends, passages;
+    double apart = 0.0;  ///< largest distance of an end from its passage
+    double T = 0.0;
+  };
+  std::optional<Solution> last_;
+  std::vector<double> next_;
+  bool settled_ = true;
+  double error_ = 0.0;
+};
+
+}  // namespace brachisto

@@ -41,27 +41,38 @@ ExtremalState ExtremalPath::at(double sigma) const {
       [](double value, const Knot& knot) { return value < knot.u; });
   const Knot& knot = *std::prev(next);
   if (knot.u == u) return in_si(knot);
-  if (!natural_.world.ordinary()) return in_si(in_world(knot, u - knot.u));
+  if (!natural_.world.ordinary()) {
+    return in_si(in_world(knot, *next, u - knot.u));
+  }
   const CanonicalFlow flow(natural_.body, natural_.gravity,
                            {p_x_, p_z_, natural_.body.eta_m});
   return in_si(shooting::step_from(flow, knot, u - knot.u));
 }
 
-ExtremalPath::Knot ExtremalPath::in_world(const Knot& knot, double span) const {
-  const auto& [x, z, theta, w, p_theta, p_w] = knot.y;
-  const worlds::Passed next =
-      worlds::step_from(worlds::WorldFlow(natural_),
-                        {knot.u,
-                         {x, z, theta, w, knot.p_x, knot.p_z, p_theta, p_w},
-                         knot.t,
-                         knot.beta},
-                        span);
-  const auto& y = next.y;
-  return {.u = next.u,
+ExtremalPath::Knot ExtremalPath::in_world(const Knot& knot, const Knot& next,
+                                          double span) const {
+  const auto phase_of = [](const Knot& at) -> worlds::State {
+    const auto& [x, z, theta, w, p_theta, p_w] = at.y;
+    return {x, z, theta, w, at.p_x, at.p_z, p_theta, p_w};
+  };
+  worlds::WorldFlow flow(natural_);
+  if (flow.has_surface()) {
+    // Paths have knots on the surface, and only one of two that follow on each
+    // other is there.
+    const double first = flow.height(phase_of(knot));
+    const double last = flow.height(phase_of(next));
+    const double height = std::abs(first) > std::abs(last) ? first : last;
+    flow =
+        flow.on_side(height > 0.0 ? SphereSide::Outside : SphereSide::Inside);
+  }
+  const worlds::Passed there = worlds::step_from(
+      flow, {knot.u, phase_of(knot), knot.t, knot.beta}, span);
+  const auto& y = there.y;
+  return {.u = there.u,
           .y = {y[worlds::kX], y[worlds::kZ], y[worlds::kTheta], y[worlds::kW],
                 y[worlds::kPTheta], y[worlds::kPW]},
-          .t = next.t,
-          .beta = next.beta,
+          .t = there.t,
+          .beta = there.beta,
           .p_x = y[worlds::kPX],
           .p_z = y[worlds::kPZ]};
 }

@@ -70,8 +70,9 @@ class ExtremalPath {
 
  private:
   [[nodiscard]] ExtremalState in_si(const Knot& knot) const;
-  /// One step of length `span` from a knot, in another world.
-  [[nodiscard]] Knot in_world(const Knot& knot, double span) const;
+  /// One step of length `span` from a knot towards the next, in another world.
+  [[nodiscard]] Knot in_world(const Knot& knot, const Knot& next,
+                              double span) const;
 
   Scene natural_;
   Units units_;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -142,37 +143,60 @@ TEST(ASphere, BendsTheCycloidToAHypocycloid) {
   expect_time(scene, std::sqrt(1.5) * T);
 }
 
-TEST(ASphere, PullsFromOutsideAsQuadratureSays) {
-  // With the speed v(d) of the energy and Snell's law d sin α = c v, α being
-  // the angle to the radius, dt = d/(v √(d² − c² v²)) dd and the polar angle
-  // grows by c v/(d √(d² − c² v²)) dd: falling from d₀, to a place before the
-  // path turns outwards again.
-  const double R = 4.0, g_s = 20.0, d_0 = 6.0, d_1 = 4.6, c = 0.5;
-  const auto speed = [&](double d) {
-    return std::sqrt(2.0 * g_s * R * R * (1.0 / d - 1.0 / d_0));
-  };
-  // d = d₀ − s², for v grows like s.
-  const auto integral = [&](auto&& rate) {
+/// A fall from rest at d₀ above the centre of a sphere to d₁, before the path
+/// turns outwards again. With the speed v(d) of the energy and Snell's law
+/// d sin α = c v, α being the angle to the radius, dt = d/(v √(d² − c² v²)) dd,
+/// and the polar angle grows by c v/(d √(d² − c² v²)) dd.
+struct Fall {
+  double R, g_s, d_0, d_1, c;
+
+  [[nodiscard]] double speed(double d) const {
+    const double above = std::max(d, R), below = std::min(d, R);
+    return std::sqrt(2.0 * g_s * R * R * (1.0 / above - 1.0 / d_0) +
+                     g_s * (R * R - below * below) / R);
+  }
+  /// Of a rate by d, in pieces that are smooth.
+  template <class Rate>
+  [[nodiscard]] double integral(const Rate& rate) const {
+    // d = d₀ − s², for v grows like s.
+    const double surface = std::sqrt(d_0 - std::clamp(R, d_1, d_0));
+    return part(rate, 0.0, surface) + part(rate, surface, std::sqrt(d_0 - d_1));
+  }
+  template <class Rate>
+  [[nodiscard]] double part(const Rate& rate, double from, double to) const {
     const math::QuadratureRule rule = math::gauss_legendre(40);
-    const double whole = std::sqrt(d_0 - d_1);
     double sum = 0.0;
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
-      const double s = whole * rule.points[i];
+      const double s = from + (to - from) * rule.points[i];
       const double d = d_0 - s * s;
       const double v = speed(d);
-      sum += whole * rule.weights[i] * 2.0 * s * rate(d, v) /
+      sum += (to - from) * rule.weights[i] * 2.0 * s * rate(d, v) /
              std::sqrt(d * d - c * c * v * v);
     }
     return sum;
-  };
-  const double angle = integral([&](double d, double v) { return c * v / d; });
-  const double T = integral([&](double d, double v) { return d / v; });
-  Scene scene = about_sphere(bead_scene(), {{0.0, d_0}, R, g_s});
-  scene.L = d_1 * std::sin(angle);
-  scene.H = d_0 - d_1 * std::cos(angle);
-  ASSERT_GT(scene.H, 0.0);
+  }
 
-  expect_time(scene, T);
+  void expect_of_a_bead() const {
+    const double angle =
+        integral([&](double d, double v) { return c * v / d; });
+    const double T = integral([](double d, double v) { return d / v; });
+    Scene scene = about_sphere(bead_scene(), {{0.0, d_0}, R, g_s});
+    scene.L = d_1 * std::sin(angle);
+    scene.H = d_0 - d_1 * std::cos(angle);
+    ASSERT_GT(scene.H, 0.0);
+
+    expect_time(scene, T);
+  }
+};
+
+TEST(ASphere, PullsFromOutsideAsQuadratureSays) {
+  Fall{.R = 4.0, .g_s = 20.0, .d_0 = 6.0, .d_1 = 4.6, .c = 0.5}
+      .expect_of_a_bead();
+}
+
+TEST(ASphere, LetsABeadThroughItsSurfaceAsQuadratureSays) {
+  Fall{.R = 5.3, .g_s = 20.0, .d_0 = 6.0, .d_1 = 4.6, .c = 0.5}
+      .expect_of_a_bead();
 }
 
 /// How τ differs from the ordinary world's, for worlds ever nearer to it.
@@ -241,6 +265,8 @@ INSTANTIATE_TEST_SUITE_P(
         in_air(off_centred_scene(-kPi / 6.0), 0.1, 0.05),
         about_sphere(off_centred_scene(0.4), around()),
         about_sphere(off_centred_scene(0.4), below()),
+        // Through the surface on the way down and again on the way up.
+        about_sphere(off_centred_scene(0.4), {{1.0, 10.0}, 9.3, 9.81}),
         in_air(with_push(about_sphere(off_centred_scene(0.4), around()), 0.7),
                0.1, 0.05),
         in_air(bead_scene(), 0.3, 0.1), in_air(uniform_scene(), 0.3, 0.1)));

@@ -9,26 +9,42 @@
 #include <cmath>
 #include <utility>
 
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "model/world_part.hpp"
 #include "refinement/start_closure.hpp"
+#include "refinement/surface_passages.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
 
 namespace {
 
-/// By how much a slope at a collocation point turned.
+/// By how much the slope turned at the collocation points of `after`.
 double largest_turn(const ExtremalCurve& before, const ExtremalCurve& after) {
   double largest = 0.0;
-  const std::vector<double>& from = before.continuous_slope();
-  const std::vector<double>& to = after.continuous_slope();
-  for (std::size_t c = 0; c < to.size(); ++c) {
-    // Written so that a NaN is the largest of all.
-    const double turn = std::abs(to[c] - from[c]);
-    if (!(turn <= largest)) largest = turn;
+  const Mesh& mesh = after.mesh();
+  const auto places = collocation_scheme(mesh.degree).points.nodes();
+  auto slope = after.continuous_slope().begin();
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    for (const double t : places) {
+      // Written so that a NaN is the largest of all.
+      const double turn =
+          std::abs(*slope++ - before.interpolated_slope(mesh.sigma(e, t)));
+      if (!(turn <= largest)) largest = turn;
+    }
   }
   return largest;
+}
+
+/// The curve's mesh for a scene whose field has a kink on the surface of its
+/// sphere: with ends where the curve passes it.
+Mesh mesh_for(const Scene& scene, const ExtremalCurve& curve) {
+  const Mesh& mesh = curve.mesh();
+  return with_ends_at(mesh, surface_passages(scene, mesh, [&](double sigma) {
+                        const ExtremalPoint at = curve.at(sigma);
+                        return mass_centre(scene.body, at.centre, at.theta);
+                      }));
 }
 
 bool keeps_moving(const ExtremalCurve& curve) {
@@ -59,7 +75,7 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
     if (slope_at_A_is_open(part)) {
       part.world.start_slope = out.curve->at(0.0).beta;
     }
-    RollingTime problem(part, out.curve->mesh(), out.phi);
+    RollingTime problem(part, mesh_for(part, *out.curve), out.phi);
     const MeshSolution found =
         close_start(problem, {prolong(*out.curve, problem), out.phi, -1.0},
                     options, stay_on_mesh, kTolerance);

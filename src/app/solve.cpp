@@ -4,8 +4,12 @@
 // brachisto solve FILE: the track of one scene.
 
 #include <fmt/format.h>
-#include <memory>
 
+#include <algorithm>
+#include <locale>
+#include <memory>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +23,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/study/solve.hpp"
+#include "report/cutting_template.hpp"
 
 namespace brachisto::app {
 
@@ -29,7 +34,48 @@ struct SolveFlags : CommonFlags {
   std::string certify;
   bool verbose = false;
   bool force = false;
+  std::string track_svg, track_dxf;
+  std::string sheet = "600x400";
 };
+
+/// "WIDTHxHEIGHT" in mm; nothing if it is not that.
+std::optional<report::Sheet> sheet_of(const std::string& text) {
+  report::Sheet sheet;
+  char x = 0;
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  if (!(in >> sheet.width >> x >> sheet.height) || x != 'x' ||
+      in.peek() != std::istringstream::traits_type::eof() ||
+      !(std::min(sheet.width, sheet.height) >= 50.0) ||
+      !(std::max(sheet.width, sheet.height) <= 1e5)) {
+    return std::nullopt;
+  }
+  return sheet;
+}
+
+/// What --track-svg and --track-dxf ask for.
+void write_templates(const SolveFlags& flags, const Solution& solution,
+                     const std::vector<MassPart>& parts) {
+  if (flags.track_svg.empty() && flags.track_dxf.empty()) return;
+  std::vector<report::Drawing> drawings;
+  try {
+    drawings =
+        report::cutting_template(solution, parts, *sheet_of(flags.sheet));
+  } catch (const report::TemplateError& error) {
+    throw UsageError("brachisto solve", error.what());
+  }
+  const auto write = [&](const std::string& directory, const char* ending,
+                         std::string (*in_format)(const report::Drawing&)) {
+    if (directory.empty()) return;
+    std::vector<report::OutputFile> files;
+    for (const report::Drawing& drawing : drawings) {
+      files.push_back({drawing.name + ending, in_format(drawing)});
+    }
+    report::write_files(directory, files, flags.force);
+  };
+  write(flags.track_svg, ".svg", report::as_svg);
+  write(flags.track_dxf, ".dxf", report::as_dxf);
+}
 
 int run(const SolveFlags& flags) {
   // --certify is short for the key of that name.
@@ -66,8 +112,10 @@ int run(const SolveFlags& flags) {
     solution.warnings.push_back(io::to_string(warning));
   }
   if (flags.verbose) tell(solution.effort.log);
-  return hand_out(solution, {flags.out, flags.force, flags.json, flags.quiet},
-                  signal);
+  const int code = hand_out(
+      solution, {flags.out, flags.force, flags.json, flags.quiet}, signal);
+  if (code == kSuccess) write_templates(flags, solution, problem.design.parts);
+  return code;
 }
 
 }  // namespace
@@ -88,6 +136,22 @@ Verb solve_verb() {
             .text = "Cross-check: none or extremal (solver.certify)",
             .placeholder = "METHOD",
             .check = not_empty()},
+           directory_flag("--track-svg", flags->track_svg,
+                          "Write the track there at true scale for a cutter, "
+                          "if it is verified and feasible"),
+           directory_flag("--track-dxf", flags->track_dxf, "The same as DXF"),
+           {.name = "--sheet",
+            .value = &flags->sheet,
+            .text = "Size of the sheets to cut [mm]",
+            .placeholder = "WIDTHxHEIGHT",
+            .check = {[](const std::string& text) -> std::string {
+                        return sheet_of(text)
+                                   ? ""
+                                   : "expected two numbers from 50 to 100000, "
+                                     "as in 600x400";
+                      },
+                      "WIDTHxHEIGHT"},
+            .shows_default = true},
            {"--force", &flags->force, "Replace existing results in DIR"},
            {"--verbose", &flags->verbose, "Print the solver's log"}}),
       .footer =
@@ -96,6 +160,7 @@ Verb solve_verb() {
   brachisto solve case.yaml --json | jq .tau
   brachisto solve case.yaml --certify extremal
   brachisto solve case.yaml --set scene.finish.L=4 --out results
+  brachisto solve case.yaml --track-svg sheets --sheet 800x500
 Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or
 not verified, 5 verified but physically infeasible, 6 I/O, 7 limit
 reached, 130/143 after SIGINT/SIGTERM.)",

@@ -89,7 +89,8 @@ class Sweep:
         A column for the number of the scene, for each key of the sweep, and for each single
         value of results that any of the scenes has, such as "normal_force.min".
         """
-        paths = [path for path in _scalars(SCHEMA) if path[0] != "provenance"]
+        of_all_alike = "schema_version", "provenance"
+        paths = [path for path in _scalars(SCHEMA) if path[0] not in of_all_alike]
         columns = {}
         for row in self:
             document = row.result.to_dict()

@@ -19,8 +19,8 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
 )
-# Of the tests alone: a validator of others for the schemas.
-test_packages=(python3-jsonschema python3-yaml)
+# Of the tests alone: a validator of others for the schemas, and the Python module.
+test_packages=(python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy)
 # Of the benchmarks alone, the programs of others that they run among them.
 bench_packages=(libbenchmark-dev octave python3-scipy)
 
@@ -69,7 +69,9 @@ case "${1:-}" in
   test)
     packages+=("${test_packages[@]}")
     install_packages
-    build -DBRACHISTO_BUILD_TESTS=ON
+    # The Python whose packages these are, whatever else is in the PATH.
+    build -DBRACHISTO_BUILD_TESTS=ON -DBRACHISTO_BUILD_PYTHON=ON \
+      -DPython3_EXECUTABLE=/usr/bin/python3
     say "testing"
     ctest --preset release
     ;;

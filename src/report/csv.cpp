@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/result.hpp"
@@ -40,22 +41,66 @@ std::string in_full(double value) {
   return fmt::format("{:.17g}", value);
 }
 
-constexpr std::string_view kColumns =
-    "u,t,x_c,z_c,x_cm,z_cm,x_b,z_b,theta,beta,v_c,omega,R_n,R_t,kappa_b";
+/// A column that every trajectory has.
+struct Column {
+  TrajectoryColumnText text;
+  double (*value)(const TrajectoryPoint&);
+  bool rolling = false;  ///< a bead has none
+};
+
+constexpr Column kColumns[] = {
+    {{"u", "s", "rolling time"}, [](const TrajectoryPoint& p) { return p.u; }},
+    {{"t", "s", "time"}, [](const TrajectoryPoint& p) { return p.t; }},
+    {{"x_c", "m", "x of the centre"},
+     [](const TrajectoryPoint& p) { return p.centre.x; }},
+    {{"z_c", "m", "z of the centre, down"},
+     [](const TrajectoryPoint& p) { return p.centre.z; }},
+    {{"x_cm", "m", "x of the centre of mass"},
+     [](const TrajectoryPoint& p) { return p.motion.mass_centre.x; }},
+    {{"z_cm", "m", "z of the centre of mass"},
+     [](const TrajectoryPoint& p) { return p.motion.mass_centre.z; }},
+    {{"x_b", "m", "x of the track"},
+     [](const TrajectoryPoint& p) { return p.motion.contact.x; }},
+    {{"z_b", "m", "z of the track"},
+     [](const TrajectoryPoint& p) { return p.motion.contact.z; }},
+    {{"theta", "rad", "θ"},
+     [](const TrajectoryPoint& p) { return p.theta; },
+     true},
+    {{"beta", "rad", "β, continuous slope angle"},
+     [](const TrajectoryPoint& p) { return p.beta; }},
+    {{"v_c", "m/s", "speed of the centre"},
+     [](const TrajectoryPoint& p) { return p.motion.v_c; }},
+    {{"omega", "rad/s", "ω, angular speed"},
+     [](const TrajectoryPoint& p) { return p.motion.omega; },
+     true},
+    {{"R_n", "m g", "normal force, which presses body and track"},
+     [](const TrajectoryPoint& p) { return p.motion.R_n; }},
+    {{"R_t", "m g", "tangential force, along the motion"},
+     [](const TrajectoryPoint& p) { return p.motion.R_t; },
+     true},
+    {{"kappa_b", "1/m", "curvature of the track"},
+     [](const TrajectoryPoint& p) { return p.motion.kappa_b; }}};
+
+constexpr const char* kActive = "active";
+constexpr const char* kSlack = "slack_";
+
+std::string names_of_columns() {
+  std::string names;
+  for (const Column& column : kColumns) {
+    if (!names.empty()) names += ',';
+    names += column.text.name;
+  }
+  return names;
+}
 
 /// The cells of `kColumns`.
 std::string cells(const TrajectoryPoint& row, bool rolls) {
-  const auto rolling = [&](double value) {
-    return rolls ? in_full(value) : std::string{};
-  };
-  const Kinematics& at = row.motion;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                     in_full(row.u), in_full(row.t), in_full(row.centre.x),
-                     in_full(row.centre.z), in_full(at.mass_centre.x),
-                     in_full(at.mass_centre.z), in_full(at.contact.x),
-                     in_full(at.contact.z), rolling(row.theta),
-                     in_full(row.beta), in_full(at.v_c), rolling(at.omega),
-                     in_full(at.R_n), rolling(at.R_t), in_full(at.kappa_b));
+  std::string out;
+  for (const Column& column : kColumns) {
+    if (!out.empty()) out += ',';
+    if (rolls || !column.rolling) out += in_full(column.value(row));
+  }
+  return out;
 }
 
 /// Names of the limits that hold as equations at a place, joined by +.
@@ -74,7 +119,7 @@ std::string active_at(double sigma, const std::vector<LimitOnPath>& limits) {
 }  // namespace
 
 std::string trajectory_csv(const Motion& motion) {
-  std::string out = std::string(kColumns) + '\n';
+  std::string out = names_of_columns() + '\n';
   for (const TrajectoryPoint& row : motion.at_nodes()) {
     check_stop();
     out += cells(row, motion.scene().body.rolls()) + '\n';
@@ -86,8 +131,10 @@ std::string trajectory_csv(const Solution& solution) {
   const Motion& motion = *solution.motion();
   if (!solution.scene.limits.any()) return trajectory_csv(motion);
   const std::vector<StatedLimit> limits = stated_limits(solution.scene);
-  std::string out = std::string(kColumns) + ",active";
-  for (const StatedLimit& limit : limits) out += ",slack_" + limit.name;
+  std::string out = names_of_columns() + ',' + kActive;
+  for (const StatedLimit& limit : limits) {
+    out += std::string(",") + kSlack + limit.name;
+  }
   out += '\n';
   for (const TrajectoryPoint& row : motion.at_nodes()) {
     check_stop();
@@ -99,6 +146,42 @@ std::string trajectory_csv(const Solution& solution) {
     out += '\n';
   }
   return out;
+}
+
+std::vector<TrajectoryColumnText> trajectory_column_texts() {
+  std::vector<TrajectoryColumnText> texts;
+  for (const Column& column : kColumns) texts.push_back(column.text);
+  return texts;
+}
+
+std::vector<TrajectoryColumn> trajectory_columns(const Solution& solution) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Motion& motion = *solution.motion();
+  const bool rolls = motion.scene().body.rolls();
+  const std::vector<TrajectoryPoint> rows = motion.at_nodes();
+  const auto numbers_of = [&](const auto& value) {
+    std::vector<double> numbers;
+    numbers.reserve(rows.size());
+    for (const TrajectoryPoint& row : rows) numbers.push_back(value(row));
+    return numbers;
+  };
+  std::vector<TrajectoryColumn> columns;
+  for (const Column& column : kColumns) {
+    columns.push_back({std::string(column.text.name),
+                       rolls || !column.rolling
+                           ? numbers_of(column.value)
+                           : std::vector<double>(rows.size(), kNone),
+                       {}});
+  }
+  if (!solution.scene.limits.any()) return columns;
+  columns.push_back({kActive, {}, {}});
+  for (const TrajectoryPoint& row : rows) {
+    columns.back().words.push_back(active_at(row.sigma, solution.limits));
+  }
+  for (const StatedLimit& limit : stated_limits(solution.scene)) {
+    columns.push_back({kSlack + limit.name, numbers_of(limit.slack), {}});
+  }
+  return columns;
 }
 
 namespace {

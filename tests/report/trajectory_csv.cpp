@@ -173,5 +173,33 @@ TEST(TrajectoryCsv, RunsFromRestAtAToBInTheTransitTime) {
   EXPECT_NEAR(std::stod(table.back()[7]), 1.0, 1e-9);
 }
 
+TEST(TrajectoryColumns, HaveTheNumbersAndWordsOfTheTable) {
+  for (const Solution* solution :
+       {&off_centred_solution(), &bead_solution(), &limited_solution()}) {
+    const auto table = cells(trajectory_csv(*solution));
+
+    const auto columns = report::trajectory_columns(*solution);
+
+    ASSERT_EQ(columns.size(), table[0].size());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const report::TrajectoryColumn& column = columns[c];
+      EXPECT_EQ(column.name, table[0][c]);
+      const bool words = column.name == "active";
+      ASSERT_EQ(column.numbers.size(), words ? 0 : table.size() - 1);
+      ASSERT_EQ(column.words.size(), words ? table.size() - 1 : 0);
+      for (std::size_t i = 1; i < table.size(); ++i) {
+        const std::string& cell = table[i][c];
+        if (words) {
+          EXPECT_EQ(column.words[i - 1], cell);
+        } else if (cell.empty()) {
+          EXPECT_TRUE(std::isnan(column.numbers[i - 1])) << column.name;
+        } else {
+          EXPECT_EQ(column.numbers[i - 1], std::stod(cell)) << column.name;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brachisto

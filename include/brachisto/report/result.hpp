@@ -8,6 +8,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "brachisto/study/solution.hpp"
 
@@ -47,5 +49,25 @@ inline constexpr int kSchemaVersion = 2;
 /// +, and for each bound of the scene `slack_` and its name, the distance from
 /// it. \pre the solution has a motion
 [[nodiscard]] std::string trajectory_csv(const Solution& solution);
+
+/// A column of these: numbers, NaN where a bead has none, or words.
+struct TrajectoryColumn {
+  std::string name;
+  std::vector<double> numbers;     ///< one per row; empty of `active`
+  std::vector<std::string> words;  ///< of `active`
+};
+
+/// What trajectory_csv() writes, column by column.
+/// \pre the solution has a motion
+[[nodiscard]] std::vector<TrajectoryColumn> trajectory_columns(
+    const Solution& solution);
+
+/// What is told of a column.
+struct TrajectoryColumnText {
+  std::string_view name, unit, meaning;
+};
+
+/// Of the columns that every trajectory has.
+[[nodiscard]] std::vector<TrajectoryColumnText> trajectory_column_texts();
 
 }  // namespace brachisto::report

@@ -87,7 +87,7 @@ Verb solve_verb() {
             .value = &flags->certify,
             .text = "Cross-check: none or extremal (solver.certify)",
             .placeholder = "METHOD",
-            .check = not_empty()},
+            .check = word_of("solver.certify")},
            {"--force", &flags->force, "Replace existing results in DIR"},
            {"--verbose", &flags->verbose, "Print the solver's log"}}),
       .footer =

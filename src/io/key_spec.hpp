@@ -165,6 +165,13 @@ struct KeyWord {
 /// What a value has to be: "a number in m, > 0".
 [[nodiscard]] std::string expected(const KeySpec& spec);
 
+/// "number", "word", "list", …
+[[nodiscard]] std::string_view type_name(KeyType type);
+
+/// Meaning, unit, what is allowed and the default in one paragraph, without
+/// Markdown.
+[[nodiscard]] std::string described(const KeySpec& spec);
+
 /// The reference of all keys as a Markdown table, made from the very table
 /// that the reader of problem files works with. docs/problem-files.md quotes
 /// it.

@@ -34,6 +34,7 @@ struct PaperFlags {
   bool json = false;
   bool quiet = false;
   bool force = false;
+  bool markdown = false;
 };
 
 /// The problem files as installed with this program, else those it was built
@@ -80,7 +81,10 @@ int run(const PaperFlags& flags) {
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {
-    print(fmt::format("{}\n{}\n", reproduction::numbers_text(made),
+    print(fmt::format("{}\n{}\n",
+                      reproduction::numbers_text(
+                          made, flags.markdown ? report::TableForm::Markdown
+                                               : report::TableForm::Text),
                       io::visible((fs::path(flags.out) / kPage).string())));
   }
   return kSuccess;
@@ -105,7 +109,8 @@ Verb paper_verb() {
                 jobs_flag(flags->jobs),
                 json_flag(flags->json),
                 {"--quiet", &flags->quiet, "Print no results and no progress"},
-                {"--force", &flags->force, "Replace existing files in DIR"}},
+                {"--force", &flags->force, "Replace existing files in DIR"},
+                markdown_flag(flags->markdown)},
       .footer =
           R"(Example:
   brachisto paper --out paper && xdg-open paper/index.html

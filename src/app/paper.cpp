@@ -8,9 +8,9 @@
 
 #include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/installed.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -40,15 +40,8 @@ struct PaperFlags {
 /// The problem files as installed with this program, else those it was built
 /// from.
 fs::path default_problems() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = fs::weakly_canonical(
-        program.parent_path() / BRACHISTO_PROBLEMS_FROM_BINARY / "paper",
-        error);
-    if (!error && fs::is_directory(installed, error)) return installed;
-  }
-  return fs::path(BRACHISTO_SOURCE_PROBLEMS) / "paper";
+  return installed("problems/paper")
+      .value_or(fs::path(BRACHISTO_SOURCE_PROBLEMS) / "paper");
 }
 
 int run(const PaperFlags& flags) {

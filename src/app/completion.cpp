@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/shell_word.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::app {
@@ -38,19 +39,6 @@ std::vector<const io::KeySpec*> settable_keys() {
     }
   }
   return keys;
-}
-
-/// For a shell, in single quotes.
-std::string for_shell(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      out += "'\\''";
-    } else {
-      out += c;
-    }
-  }
-  return out + "'";
 }
 
 std::string verb_names(const CommandLine& command) {
@@ -241,7 +229,7 @@ std::string zsh_action(const Flag& flag) {
 std::string zsh_argument(const Flag& flag, int place) {
   const std::string action = zsh_action(flag);
   if (flag.is_word()) {
-    return for_shell(
+    return shell_word(
         fmt::format("{}:{}:{}", flag.repeats() ? "*" : fmt::format("{}", place),
                     zsh_text(flag.name), action));
   }
@@ -250,7 +238,7 @@ std::string zsh_argument(const Flag& flag, int place) {
   if (flag.has_value()) {
     text += fmt::format(":{}:{}", zsh_text(flag.placeholder), action);
   }
-  return for_shell(text);
+  return shell_word(text);
 }
 
 constexpr std::string_view kZshKeys = R"(  esac
@@ -295,7 +283,7 @@ std::string zsh_completion(const CommandLine& command) {
   for (const Verb* verb : shown_verbs(command)) {
     text += fmt::format(
         "    {}\n",
-        for_shell(fmt::format("{}:{}", verb->name, zsh_text(verb->text))));
+        shell_word(fmt::format("{}:{}", verb->name, zsh_text(verb->text))));
   }
   text += kZshVerbs;
   for (const Verb* verb : shown_verbs(command)) {
@@ -336,7 +324,7 @@ std::string fish_line(const Verb& verb, const Flag& flag) {
       verb.name);
   if (!flag.is_word()) {
     line += fmt::format(" -l {}{} -d {}", flag.name + 2,
-                        flag.has_value() ? " -r" : "", for_shell(flag.text));
+                        flag.has_value() ? " -r" : "", shell_word(flag.text));
   }
   return line + fish_value(flag) + "\n";
 }
@@ -364,7 +352,7 @@ std::string fish_completion(const CommandLine& command) {
   for (const Verb* verb : shown_verbs(command)) {
     text += fmt::format(
         "complete -c brachisto -n __fish_use_subcommand -a {} -d {}\n",
-        verb->name, for_shell(verb->text));
+        verb->name, shell_word(verb->text));
   }
   for (const Verb* verb : shown_verbs(command)) {
     for (const Flag& flag : shown_flags(command, *verb)) {

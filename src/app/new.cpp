@@ -13,6 +13,7 @@
 #include "app/exit_code.hpp"
 #include "app/installed.hpp"
 #include "app/new_problem.hpp"
+#include "app/shell_word.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -65,9 +66,10 @@ int write_new(const NewFlags& flags) {
         schema_line() + new_problem(flags.kind, stem)}},
       flags.force);
   if (!flags.quiet) {
+    const std::string shown = io::visible(file.string());
     print(fmt::format(
-        "{}: written; to go on:\n  brachisto {}\n", io::visible(file.string()),
-        next_command(flags.kind, io::visible(file.string()), stem)));
+        "{}: written; to go on:\n  brachisto {}\n", shown,
+        next_command(flags.kind, shell_word(shown), shell_word(stem))));
   }
   return kSuccess;
 }

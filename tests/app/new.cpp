@@ -30,15 +30,17 @@ const std::vector<std::string> kKinds{"case", "limits", "world", "sweep",
 TEST(New, WritesFilesOfEveryKindThatAreValidAndSolve) {
   const ScratchDirectory scratch;
   for (const std::string& kind : kKinds) {
+    // A name that a shell would take for two.
+    const std::string name = "my " + kind;
     const Output output =
-        shell("brachisto new " + kind + " --kind " + kind, scratch.path());
+        shell("brachisto new '" + name + "' --kind " + kind, scratch.path());
     ASSERT_EQ(output.code, 0) << output.out;
 
     // What it says comes next, as it stands.
     const std::string next = lines_of(output.out).at(1);
     EXPECT_TRUE(next.starts_with("  brachisto ")) << output.out;
     const Output solved =
-        shell("brachisto validate --quiet " + kind + ".yaml &&" + next,
+        shell("brachisto validate --quiet '" + name + ".yaml' &&" + next,
               scratch.path());
     EXPECT_EQ(solved.code, 0) << kind << "\n" << solved.out;
     EXPECT_NE(solved.out.find("verified"), std::string::npos) << solved.out;

@@ -29,10 +29,11 @@ std::string_view type_name(KeyType type) {
 }
 
 std::string described(const KeySpec& spec) {
-  // "[Limits](#limits)" is a link, "`gravity`" code.
-  static const std::regex link(R"(\[([^\]]*)\]\([^)]*\)|`)");
-  std::string text =
-      std::regex_replace(std::string(spec.description), link, "$1");
+  // "[Limits](#limits)" is a link within the page, "`gravity`" code.
+  static const std::regex link(R"(\[([^\]]*)\]\(#[^)]*\))"), code("`");
+  std::string text(spec.description);
+  text = std::regex_replace(text, link, "$1 in docs/problem-files.md");
+  text = std::regex_replace(text, code, "");
   if (!spec.unit.empty()) text += fmt::format(" [{}]", spec.unit);
   if (spec.type() == KeyType::Choice || !spec.bounds.empty()) {
     text += fmt::format(

@@ -3,8 +3,8 @@
 
 /// \file
 /// The table that describes every key of a problem file. Reading, the echo of
-/// the effective input, messages, the reference in the documentation and the
-/// schema for editors all come from it.
+/// the effective input, messages, the reference in the documentation, the
+/// manual, completions, new files and the schema for editors all come from it.
 
 #pragma once
 

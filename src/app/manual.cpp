@@ -160,7 +160,7 @@ report::OutputFile front_page(const CommandLine& command) {
   page.section("Description").paragraph(command.text);
   page.section("Verbs");
   for (const Verb* verb : shown_verbs(command)) {
-    page.entry(roff_bold(verb->name) + " ",
+    page.entry(roff_bold(verb->name),
                fmt::format("{}; see {}(1).", verb->text, page_name(*verb)));
   }
   page.section("Options");

@@ -18,6 +18,7 @@
 
 #include "app/verbs.hpp"
 #include "io/findings.hpp"
+#include "io/key_spec.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::app {
@@ -179,7 +180,8 @@ void describe(const Flag& flag, CLI::App& verb) {
   if (flag.excludes != nullptr) option->excludes(flag.excludes);
 }
 
-void describe(const Verb& verb, CLI::App& app) {
+void describe(const Verb& verb, const std::vector<Flag>& everywhere,
+              CLI::App& app) {
   CLI::App* const out = app.add_subcommand(verb.name, verb.text);
   out->footer(verb.footer);
   if (verb.hidden) out->group("");
@@ -196,6 +198,7 @@ void describe(const Verb& verb, CLI::App& app) {
     }
     describe(flag, *group);
   }
+  for (const Flag& flag : everywhere) describe(flag, *out);
 }
 
 }  // namespace
@@ -206,8 +209,8 @@ TextCheck not_empty() {
   }};
 }
 
-TextCheck number(std::string kind, bool (*allowed)(double)) {
-  return {[kind = std::move(kind), allowed](const std::string& text) {
+TextCheck number(const std::string& kind, bool (*allowed)(double)) {
+  TextCheck check{[kind, allowed](const std::string& text) {
     double value = 0.0;
     const bool fine = CLI::detail::lexical_cast(text, value);
     return fine && allowed(value)
@@ -215,6 +218,8 @@ TextCheck number(std::string kind, bool (*allowed)(double)) {
                : fmt::format("{} was read; expected a number {}",
                              io::in_quotes(text), kind);
   }};
+  check.allowed = "a number " + kind;
+  return check;
 }
 
 TextCheck seconds() {
@@ -223,7 +228,9 @@ TextCheck seconds() {
 }
 
 TextCheck integer_within(int least, int most) {
-  return of_library(CLI::Range(least, most));
+  TextCheck check = of_library(CLI::Range(least, most));
+  check.allowed = fmt::format("an integer from {} to {}", least, most);
+  return check;
 }
 
 TextCheck positive() {
@@ -239,11 +246,28 @@ TextCheck existing_directory() {
 }
 
 TextCheck one_of(std::vector<std::string> words) {
-  return of_library(CLI::IsMember(std::move(words)));
+  TextCheck check = of_library(CLI::IsMember(words));
+  check.allowed = fmt::format("{}", fmt::join(words, " or "));
+  check.words = std::move(words);
+  return check;
+}
+
+TextCheck word_of(std::string_view key) {
+  TextCheck check = not_empty();
+  const io::KeySpec* spec = io::find_key(key);
+  check.words.assign(spec->value.words.begin(), spec->value.words.end());
+  return check;
 }
 
 Flag json_flag(bool& json) {
   return {"--json", &json, "Print one JSON document to stdout"};
+}
+
+Flag markdown_flag(bool& markdown) {
+  return {.name = "--markdown",
+          .value = &markdown,
+          .text = "Print tables in Markdown",
+          .excludes = "--json"};
 }
 
 Flag jobs_flag(int& jobs) {
@@ -295,13 +319,33 @@ int jobs_or_cores(int jobs) {
                         static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+std::vector<const Verb*> shown_verbs(const CommandLine& command) {
+  std::vector<const Verb*> shown;
+  for (const Verb& verb : command.verbs) {
+    if (!verb.hidden) shown.push_back(&verb);
+  }
+  return shown;
+}
+
+std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
+  std::vector<Flag> shown = verb.flags;
+  std::ranges::copy(command.everywhere, std::back_inserter(shown));
+  std::erase_if(shown, &Flag::hidden);
+  // The library adds it by itself.
+  shown.push_back({"--help", static_cast<bool*>(nullptr),
+                   "Print this help message and exit"});
+  return shown;
+}
+
 Asked read_command_line(const CommandLine& command, int argc, char** argv) {
   CLI::App app(command.text, "brachisto");
   app.set_version_flag("--version", command.version,
                        "Print versions of the program and its libraries");
   app.require_subcommand(1);
   app.footer(command.footer);
-  for (const Verb& verb : command.verbs) describe(verb, app);
+  for (const Verb& verb : command.verbs) {
+    describe(verb, command.everywhere, app);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

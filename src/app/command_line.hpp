@@ -19,6 +19,8 @@ namespace brachisto::app {
 struct TextCheck {
   std::function<std::string(const std::string&)> objection;  ///< "": none
   std::string kind = {};                                     ///< for the help
+  std::string allowed = {};  ///< for the manual, "an integer from 1 to 10"
+  std::vector<std::string> words = {};  ///< if it is one of a few
 };
 
 /// Refuses an empty text, such as the name of a directory in a variable that is
@@ -28,7 +30,8 @@ struct TextCheck {
 ///
 /// \param kind     what is allowed, "greater than 0, at most 1e9"
 /// \param allowed  whether a number is, false for NaN
-[[nodiscard]] TextCheck number(std::string kind, bool (*allowed)(double));
+[[nodiscard]] TextCheck number(const std::string& kind,
+                               bool (*allowed)(double));
 /// Of a limit of time: greater than 0, at most 1e9.
 [[nodiscard]] TextCheck seconds();
 [[nodiscard]] TextCheck integer_within(int least, int most);
@@ -37,13 +40,18 @@ struct TextCheck {
 [[nodiscard]] TextCheck existing_directory();
 [[nodiscard]] TextCheck one_of(std::vector<std::string> words);
 
+/// A word that a key of problem files may have, which its reader checks.
+[[nodiscard]] TextCheck word_of(std::string_view key);
+
 /// A flag, or a word without one, and what it is read into.
 struct Flag {
   const char* name;  ///< "--jobs"; "FILE" of a word
   std::variant<bool*, int*, double*, std::string*, std::vector<std::string>*>
-      value;                         ///< a list: given again and again
-  const char* text = "";             ///< in the help
-  const char* placeholder = "TEXT";  ///< of the value, in the help
+      value;              ///< a list: given again and again
+  const char* text = "";  ///< in the help
+  /// Of the value, in the help. FILE, DIR and KEY=VALUE, or a word with one of
+  /// these names, tell the completions of shells what to offer.
+  const char* placeholder = "TEXT";
   TextCheck check = {};
   bool required = false;
   bool shows_default = false;
@@ -52,11 +60,20 @@ struct Flag {
   const char* excludes = nullptr;  ///< another flag
   /// Of the flags that name the same choice one has to be given.
   const char* choice = nullptr;
+
+  [[nodiscard]] bool is_word() const { return *name != '-'; }
+  [[nodiscard]] bool has_value() const {
+    return !std::holds_alternative<bool*>(value);
+  }
+  [[nodiscard]] bool repeats() const {
+    return std::holds_alternative<std::vector<std::string>*>(value);
+  }
 };
 
-/// Flags of several verbs: --json; --jobs, 0 unless it is given; a directory
-/// under whatever name; the DIR of a finished sweep.
+/// Flags of several verbs: --json; --markdown in its place; --jobs, 0 unless it
+/// is given; a directory under whatever name; the DIR of a finished sweep.
 [[nodiscard]] Flag json_flag(bool& json);
+[[nodiscard]] Flag markdown_flag(bool& markdown);
 [[nodiscard]] Flag jobs_flag(int& jobs);
 [[nodiscard]] Flag directory_flag(const char* name, std::string& directory,
                                   const char* text, bool required = false);
@@ -81,7 +98,16 @@ struct CommandLine {
   const char* footer;
   std::string (*version)();
   std::vector<Verb> verbs;
+  std::vector<Flag> everywhere = {};  ///< flags of every verb
 };
+
+/// The verbs that the help shows.
+[[nodiscard]] std::vector<const Verb*> shown_verbs(const CommandLine& command);
+
+/// What the help of a verb shows: its words and flags, those of every verb, and
+/// --help, which has no value.
+[[nodiscard]] std::vector<Flag> shown_flags(const CommandLine& command,
+                                            const Verb& verb);
 
 /// A command line that is refused; what() begins with the verb.
 class UsageError : public std::runtime_error {

@@ -16,10 +16,13 @@ namespace brachisto::app {
 
 namespace {
 
+using report::TableForm;
+
 struct CompareFlags : CommonFlags {
   comparison::ComparisonOptions options;
   std::string out;
   bool force = false;
+  bool markdown = false;
 };
 
 int run(const CompareFlags& flags) {
@@ -42,7 +45,8 @@ int run(const CompareFlags& flags) {
   if (flags.json) {
     print_data(json);
   } else if (!flags.quiet) {
-    print(table);
+    print(flags.markdown ? comparison::summary(made, TableForm::Markdown)
+                         : table);
   }
   return made.reference ? kSuccess : kNotSolved;
 }
@@ -84,7 +88,8 @@ Verb compare_verb() {
             .shows_default = true},
            directory_flag("--out", flags->out,
                           "Write compare.txt and compare.json there"),
-           {"--force", &flags->force, "Replace existing files in DIR"}}),
+           {"--force", &flags->force, "Replace existing files in DIR"},
+           markdown_flag(flags->markdown)}),
       .footer =
           R"(Every method runs in a process of its own, from the cycloid. One that
 fails is a row with the reason.

@@ -20,6 +20,7 @@ struct ExportFlags {
   std::string directory;
   bool csv = false;
   bool json = false;
+  bool markdown = false;
 };
 
 int run(const ExportFlags& flags) {
@@ -27,7 +28,9 @@ int run(const ExportFlags& flags) {
       sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
   const sweep::Job job = store.job();
   const sweep::ExportedTable table = flags.json ? sweep::export_json(store, job)
-                                                : sweep::export_csv(store, job);
+                                     : flags.markdown
+                                         ? sweep::export_markdown(store, job)
+                                         : sweep::export_csv(store, job);
   print_data(table.text);
   if (table.rows < job.file.num_scenes()) {
     tell(fmt::format("{}: {} of {} scenes are finished\n",
@@ -51,6 +54,10 @@ Verb export_verb() {
                     {.name = "--json",
                      .value = &flags->json,
                      .text = "One JSON document",
+                     .choice = "form"},
+                    {.name = "--markdown",
+                     .value = &flags->markdown,
+                     .text = "A table in Markdown",
                      .choice = "form"}},
           .footer =
               R"(Examples:

@@ -45,7 +45,7 @@ std::string version_text() {
 /// document on stdout.
 int fail(ExitCode code, std::string_view status, std::string_view message,
          bool json, const io::InputError* input = nullptr) {
-  tell(fmt::format("{}\n", message));
+  tell_error(fmt::format("{}\n", message));
   if (json) {
     try {
       print_data(failure_document(status, message, input));
@@ -56,13 +56,29 @@ int fail(ExitCode code, std::string_view status, std::string_view message,
   return code;
 }
 
+/// What follows --color. It has to be known before the command line is read,
+/// for what is wrong with that may have a colour too.
+std::string_view colour_in(int argc, char** argv) {
+  constexpr std::string_view kFlag = "--color";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == kFlag && i + 1 < argc) return argv[i + 1];
+    if (word.starts_with(kFlag) && word.substr(kFlag.size()).starts_with('=')) {
+      return word.substr(kFlag.size() + 1);
+    }
+  }
+  return "auto";
+}
+
 CommandLine command_line() {
+  static std::string colour = "auto";  // read by colour_in() already
   return {
       "Computes brachistochrones of a bead or a rolling, possibly off-centred "
       "cylinder:\nits smooth-contact extremal (docs/theory.md, section 3), or "
       "a track "
       "under limits (section 11).",
       "Examples:\n"
+      "  brachisto new track\n"
       "  brachisto solve problems/paper/fig04_reference_case.yaml\n"
       "  brachisto validate problems/case.yaml\n"
       "  brachisto sweep problems/sweeps/map_eta_theta.yaml --out map\n"
@@ -71,14 +87,22 @@ CommandLine command_line() {
       version_text,
       {solve_verb(), design_verb(), validate_verb(), schema_verb(),
        sweep_verb(), export_verb(), merge_verb(), report_verb(), paper_verb(),
-       body_verb(), compare_verb(), work_precision_verb(), worker_verb(),
-       measure_verb()}};
+       body_verb(), compare_verb(), work_precision_verb(), new_verb(),
+       worker_verb(), measure_verb(), documents_verb(command_line)},
+      {{.name = "--color",
+        .value = &colour,
+        .text = "Colours for verdicts, warnings and errors; auto: on a "
+                "terminal, unless NO_COLOR is set",
+        .placeholder = "WHEN",
+        .check = one_of({"auto", "always", "never"}),
+        .shows_default = true}}};
 }
 
 int run(int argc, char** argv) {
   const bool json = std::any_of(argv + 1, argv + argc, [](const char* a) {
     return std::string_view(a).starts_with("--json");
   });
+  set_colour(colour_in(argc, argv));
   // A message of one line, whatever the names in it contain.
   constexpr const char* kName = "brachisto: ";
   const auto end = [&](ExitCode how, std::string_view status,

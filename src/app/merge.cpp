@@ -118,6 +118,7 @@ Verb merge_verb() {
                  .value = &flags->out,
                  .text = "Directory of the whole; it may exist and be part of "
                          "it",
+                 .placeholder = "DIR",
                  .check = not_empty(),
                  .required = true},
                 json_flag(flags->json),

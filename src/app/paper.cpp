@@ -8,9 +8,9 @@
 
 #include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include "app/exit_code.hpp"
+#include "app/installed.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -34,20 +34,14 @@ struct PaperFlags {
   bool json = false;
   bool quiet = false;
   bool force = false;
+  bool markdown = false;
 };
 
 /// The problem files as installed with this program, else those it was built
 /// from.
 fs::path default_problems() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = fs::weakly_canonical(
-        program.parent_path() / BRACHISTO_PROBLEMS_FROM_BINARY / "paper",
-        error);
-    if (!error && fs::is_directory(installed, error)) return installed;
-  }
-  return fs::path(BRACHISTO_SOURCE_PROBLEMS) / "paper";
+  return installed("problems/paper")
+      .value_or(fs::path(BRACHISTO_SOURCE_PROBLEMS) / "paper");
 }
 
 int run(const PaperFlags& flags) {
@@ -80,7 +74,10 @@ int run(const PaperFlags& flags) {
   if (flags.json) {
     print_data(reproduction::to_json(found, made));
   } else if (!flags.quiet) {
-    print(fmt::format("{}\n{}\n", reproduction::numbers_text(made),
+    print(fmt::format("{}\n{}\n",
+                      reproduction::numbers_text(
+                          made, flags.markdown ? report::TableForm::Markdown
+                                               : report::TableForm::Text),
                       io::visible((fs::path(flags.out) / kPage).string())));
   }
   return kSuccess;
@@ -105,7 +102,8 @@ Verb paper_verb() {
                 jobs_flag(flags->jobs),
                 json_flag(flags->json),
                 {"--quiet", &flags->quiet, "Print no results and no progress"},
-                {"--force", &flags->force, "Replace existing files in DIR"}},
+                {"--force", &flags->force, "Replace existing files in DIR"},
+                markdown_flag(flags->markdown)},
       .footer =
           R"(Example:
   brachisto paper --out paper && xdg-open paper/index.html

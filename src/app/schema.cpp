@@ -27,7 +27,7 @@ Verb schema_verb() {
           .footer =
               R"(Examples:
   brachisto schema > brachisto.schema.json
-and as the first line of a problem file:
+and as the first line of a problem file, as `brachisto new` writes it:
   # yaml-language-server: $schema=brachisto.schema.json)",
           .run = [kind] {
             print_data(*kind == "result" ? report::result_schema()

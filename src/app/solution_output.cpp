@@ -103,7 +103,8 @@ int hand_out(Solution& solution, SolutionOutput output,
                                              : Colour::Yellow);
   }
   const std::string why = complaint(solution);
-  if (output.quiet && !why.empty()) tell(fmt::format("brachisto: {}\n", why));
+  if (output.quiet && !why.empty())
+    tell_error(fmt::format("brachisto: {}\n", why));
   return exit_code(solution, signal.load());
 }
 

@@ -135,7 +135,7 @@ Verb solve_verb() {
             .value = &flags->certify,
             .text = "Cross-check: none or extremal (solver.certify)",
             .placeholder = "METHOD",
-            .check = not_empty()},
+            .check = word_of("solver.certify")},
            directory_flag("--track-svg", flags->track_svg,
                           "Write the track there at true scale for a cutter, "
                           "if it is verified and feasible"),

@@ -20,8 +20,12 @@ void print(std::string_view text);
 /// As terminals number them.
 enum class Colour { Red = 31, Green = 32, Yellow = 33 };
 
-/// Results for people whose line `verdict` has a colour, if stdout is a
-/// terminal and NO_COLOR is not set.
+/// Whether there are colours: "always", "never", or "auto", which is also any
+/// other word: on a terminal that knows colours, unless NO_COLOR is set
+/// (https://no-color.org). It holds for stdout and stderr apart.
+void set_colour(std::string_view when);
+
+/// Results for people whose verdict, with what failed, has a colour.
 /// \throws std::system_error  if they cannot be written
 void print_with_verdict(std::string_view text, Colour colour);
 
@@ -33,6 +37,10 @@ void print_json(const nlohmann::ordered_json& document);
 
 /// Everything else, to stderr, control characters escaped. Nobody may listen.
 void tell(std::string_view text);
+
+/// The same for what went wrong. Who or where says so, up to the first colon
+/// of each line, is red.
+void tell_error(std::string_view text);
 
 /// The same for what went well, but not quite; nothing if there is nothing to
 /// say.

@@ -171,7 +171,7 @@ std::string scenes_table(const io::SweepFile& sweep) {
 
 void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
   for (const io::Diagnostic& warning : problem.warnings) {
-    fmt::print(stderr, "warning: {}\n", io::to_string(warning));
+    warn(io::to_string(warning));
   }
   if (flags.json) {
     print_data(text_of(effective_input(problem)));

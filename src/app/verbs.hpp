@@ -35,6 +35,9 @@ struct CommonFlags {
 [[nodiscard]] Verb body_verb();
 [[nodiscard]] Verb compare_verb();
 [[nodiscard]] Verb work_precision_verb();
+[[nodiscard]] Verb new_verb();
+/// \param whole  the command line that its documents are of
+[[nodiscard]] Verb documents_verb(CommandLine (*whole)());  ///< for the build
 [[nodiscard]] Verb worker_verb();   ///< for sweeps, not for people
 [[nodiscard]] Verb measure_verb();  ///< for comparisons, not for people
 

@@ -26,6 +26,7 @@ struct WorkPrecisionFlags : CommonFlags {
   std::string out;
   bool force = false;
   bool quick = false;
+  bool markdown = false;
 };
 
 /// A first look: the coarsest meshes that all methods take, once.
@@ -64,7 +65,9 @@ int run(const WorkPrecisionFlags& flags) {
   if (flags.json) {
     print_data(comparison::to_json(found));
   } else if (!flags.quiet) {
-    print(comparison::summary(found));
+    print(comparison::summary(found, flags.markdown
+                                         ? report::TableForm::Markdown
+                                         : report::TableForm::Text));
     if (!flags.out.empty()) {
       print(io::visible(
                 (std::filesystem::path(flags.out) / names.front()).string()) +
@@ -88,7 +91,8 @@ Verb work_precision_verb() {
            {"--force", &flags->force, "Replace existing files in DIR"},
            {"--quick", &flags->quick,
             "The three coarsest meshes that all methods take, one "
-            "repetition"}}),
+            "repetition"},
+           markdown_flag(flags->markdown)}),
       .footer =
           R"(The section work_precision of the file says which methods run on which
 meshes; it has defaults.

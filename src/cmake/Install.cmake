@@ -37,5 +37,8 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# share/man, share/bash-completion, share/zsh, share/fish, share/brachisto/schemas.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/src/app/share/
+  DESTINATION ${CMAKE_INSTALL_DATADIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems
   DESTINATION ${CMAKE_INSTALL_DATADIR}/brachisto)

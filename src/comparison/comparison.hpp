@@ -14,6 +14,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "comparison/measurement.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
 
@@ -99,7 +100,9 @@ struct MethodComparison {
                                                const Hooks& hooks);
 
 /// A table for a person to read, and a document for programs.
-[[nodiscard]] std::string summary(const MethodComparison& comparison);
+[[nodiscard]] std::string summary(
+    const MethodComparison& comparison,
+    report::TableForm form = report::TableForm::Text);
 [[nodiscard]] std::string to_json(const MethodComparison& comparison);
 
 }  // namespace brachisto::comparison

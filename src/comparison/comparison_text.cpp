@@ -21,7 +21,6 @@ using report::memory_text;
 using report::or_dash;
 using report::Rows;
 using report::seconds_text;
-using report::text_table;
 
 using Json = nlohmann::ordered_json;
 
@@ -124,7 +123,8 @@ std::string tau_text(const ComparisonRow& row,
   return report::within_error(tau, error * tau);
 }
 
-std::string summary(const MethodComparison& comparison) {
+std::string summary(const MethodComparison& comparison,
+                    report::TableForm form) {
   constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
   Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
              "memory", "τ", "error", "verdict"}};
@@ -144,7 +144,7 @@ std::string summary(const MethodComparison& comparison) {
       "CPU: median of up to {} solves without their certificates, from the "
       "cycloid to residuals of {:.0e};\niterations: of the solver + Newton "
       "steps; memory: peak of the process, program and libraries included\n",
-      text_table(rows),
+      report::table(rows, form),
       comparison.reference ? reference_text(*comparison.reference)
                            : fmt::format("nothing: {} has no verified answer",
                                          referee_of(comparison.subject).name),

@@ -80,7 +80,9 @@ struct WorkPrecision {
 /// \throws Stopped
 [[nodiscard]] report::DrawnFigure drawn(const WorkPrecision& found,
                                         const std::atomic<int>* interrupt);
-[[nodiscard]] std::string summary(const WorkPrecision& found);
+[[nodiscard]] std::string summary(
+    const WorkPrecision& found,
+    report::TableForm form = report::TableForm::Text);
 [[nodiscard]] std::string to_json(const WorkPrecision& found);
 
 }  // namespace brachisto::comparison

@@ -18,7 +18,6 @@ using report::memory_text;
 using report::or_dash;
 using report::Rows;
 using report::seconds_text;
-using report::text_table;
 
 namespace {
 
@@ -108,13 +107,14 @@ Json line_json(const PrecisionLine& line) {
 
 }  // namespace
 
-std::string summary(const WorkPrecision& found) {
+std::string summary(const WorkPrecision& found, report::TableForm form) {
   return fmt::format(
       "{}\n{}\nerror: relative, of τ, against {}\n"
       "orders: from errors above {:.1e}, ten times what {} and the reference "
       "leave open\n",
-      text_table(point_rows(found)), text_table(order_rows(found)),
-      reference_text(found.reference), found.floor(),
+      report::table(point_rows(found), form),
+      report::table(order_rows(found), form), reference_text(found.reference),
+      found.floor(),
       found.polished()
           ? "rounding, down to which solutions are polished,"
           : fmt::format("the KKT tolerance {:.0e}", found.tolerance()));

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "io/binding.hpp"
 #include "io/expression.hpp"
@@ -20,14 +21,33 @@
 
 namespace brachisto::io {
 
-namespace {
-
 std::string_view type_name(KeyType type) {
   constexpr auto kNames =
       table_by<KeyType>("map", "number", "angle", "integer", "word", "text",
                         "list", "map", "reserved");
   return kNames[type];
 }
+
+std::string described(const KeySpec& spec) {
+  // "[Limits](#limits)" is a link within the page, "`gravity`" code.
+  static const std::regex link(R"(\[([^\]]*)\]\(#[^)]*\))"), code("`");
+  std::string text(spec.description);
+  text = std::regex_replace(text, link, "$1 in docs/problem-files.md");
+  text = std::regex_replace(text, code, "");
+  if (!spec.unit.empty()) text += fmt::format(" [{}]", spec.unit);
+  if (spec.type() == KeyType::Choice || !spec.bounds.empty()) {
+    text += fmt::format(
+        "; {}", spec.type() == KeyType::Choice ? expected(spec) : spec.bounds);
+  }
+  if (spec.is_required()) {
+    text += spec.of_cylinder() ? "; required of a cylinder" : "; required";
+  }
+  if (!spec.fallback.empty())
+    text += fmt::format("; default: {}", spec.fallback);
+  return text;
+}
+
+namespace {
 
 std::string default_text(const KeySpec& spec) {
   switch (spec.presence) {
@@ -235,15 +255,6 @@ void allow_null(Json& schema) {
   }
 }
 
-std::string description(const KeySpec& spec) {
-  std::string text(spec.description);
-  if (!spec.unit.empty()) text += fmt::format(" [{}]", spec.unit);
-  if (!spec.bounds.empty()) text += fmt::format("; {}", spec.bounds);
-  if (!spec.fallback.empty())
-    text += fmt::format("; default: {}", spec.fallback);
-  return text;
-}
-
 Json& properties_of(Json& schema, std::string_view map) {
   Json* place = &schema["properties"];
   if (map.empty()) return *place;
@@ -292,7 +303,7 @@ std::string problem_schema() {
     if (spec.type() == KeyType::Reserved) continue;
     Json value = value_schema(spec);
     if (!spec.is_required()) allow_null(value);
-    value["description"] = description(spec);
+    value["description"] = described(spec);
     if (spec.of_cylinder()) of_cylinder[spec.name()] = {{"type", "null"}};
     properties_of(schema, spec.parent())[spec.name()] = std::move(value);
   }

@@ -3,8 +3,8 @@
 
 /// \file
 /// The table that describes every key of a problem file. Reading, the echo of
-/// the effective input, messages, the reference in the documentation and the
-/// schema for editors all come from it.
+/// the effective input, messages, the reference in the documentation, the
+/// manual, completions, new files and the schema for editors all come from it.
 
 #pragma once
 
@@ -164,6 +164,13 @@ struct KeyWord {
 
 /// What a value has to be: "a number in m, > 0".
 [[nodiscard]] std::string expected(const KeySpec& spec);
+
+/// "number", "word", "list", …
+[[nodiscard]] std::string_view type_name(KeyType type);
+
+/// Meaning, unit, what is allowed and the default in one paragraph, without
+/// Markdown.
+[[nodiscard]] std::string described(const KeySpec& spec);
 
 /// The reference of all keys as a Markdown table, made from the very table
 /// that the reader of problem files works with. docs/problem-files.md quotes

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace brachisto::report {
 
@@ -47,6 +48,23 @@ std::vector<std::string> lines_of(std::string_view list, std::size_t length) {
       lines.emplace_back(item);
     } else {
       line += fmt::format("{}{}", line.empty() ? "" : ", ", item);
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> words_in_lines(std::string_view text,
+                                        std::size_t length) {
+  std::vector<std::string> lines{""};
+  std::istringstream in{std::string(text)};
+  for (std::string word; in >> word;) {
+    std::string& line = lines.back();
+    if (line.empty()) {
+      line = word;
+    } else if (letters(line) + 1 + letters(word) <= length) {
+      line += " " + word;
+    } else {
+      lines.push_back(word);
     }
   }
   return lines;

@@ -27,6 +27,11 @@ namespace brachisto::report {
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view list,
                                                 std::size_t length);
 
+/// A text in lines of at most so many letters, broken at spaces; a longer word
+/// has a line of its own.
+[[nodiscard]] std::vector<std::string> words_in_lines(std::string_view text,
+                                                      std::size_t length);
+
 /// A dotted key of at most so many letters: what it begins with goes first,
 /// "…limits.iterations".
 [[nodiscard]] std::string shortened_key(std::string_view key,

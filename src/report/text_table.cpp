@@ -26,6 +26,16 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::size_t least) {
   return widths;
 }
 
+/// Without what would end the cell.
+std::string in_markdown(const std::string& cell) {
+  std::string out;
+  for (const char c : cell) {
+    if (c == '|') out += '\\';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out;
+}
+
 std::string room(const std::string& cell, std::size_t width) {
   return std::string(width - letters(cell), ' ');
 }
@@ -48,8 +58,10 @@ std::string text_table(const Rows& rows) {
   return text;
 }
 
-std::string markdown_table(const Rows& rows) {
+std::string markdown_table(const Rows& cells) {
   constexpr std::size_t kRule = 3;  // "---"
+  Rows rows = cells;
+  for (auto& row : rows) std::ranges::transform(row, row.begin(), in_markdown);
   const std::vector<std::size_t> widths = widths_of(rows, kRule);
   std::string text;
   for (const auto& row : rows) {
@@ -64,6 +76,10 @@ std::string markdown_table(const Rows& rows) {
     text += "|\n";
   }
   return text;
+}
+
+std::string table(const Rows& rows, TableForm form) {
+  return form == TableForm::Markdown ? markdown_table(rows) : text_table(rows);
 }
 
 std::string or_dash(const std::optional<int>& value) {

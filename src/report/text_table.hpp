@@ -20,8 +20,11 @@ using Rows = std::vector<std::vector<std::string>>;
 /// of a line. Columns are right-aligned, but for the first and the last.
 [[nodiscard]] std::string text_table(const Rows& rows);
 
-/// The same as Markdown, left-aligned.
+/// The same as Markdown, left-aligned; a bar in a cell stays a bar.
 [[nodiscard]] std::string markdown_table(const Rows& rows);
+
+enum class TableForm { Text, Markdown };
+[[nodiscard]] std::string table(const Rows& rows, TableForm form);
 
 /// A number as text, "—" if there is none.
 [[nodiscard]] std::string or_dash(const std::optional<int>& value);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
+#include "report/text_table.hpp"
 #include "reproduction/claims.hpp"
 #include "reproduction/figures.hpp"
 #include "reproduction/printed_numbers.hpp"
@@ -41,7 +42,8 @@ struct PaperFiles {
                                const std::atomic<int>* interrupt);
 
 /// The comparison and the claims for a terminal.
-[[nodiscard]] std::string numbers_text(const Reproduction& made);
+[[nodiscard]] std::string numbers_text(const Reproduction& made,
+                                       report::TableForm form);
 
 /// The same as one JSON document.
 [[nodiscard]] std::string to_json(const Results& found,

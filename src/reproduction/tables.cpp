@@ -98,14 +98,21 @@ std::string boundary_csv(const Results& found) {
   return out;
 }
 
-std::string numbers_text(const Reproduction& made) {
+std::string numbers_text(const Reproduction& made, report::TableForm form) {
   report::Rows rows{{"quantity", "paper", "here", "here − paper"}};
   for (const PrintedNumber& row : made.comparisons) {
     const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
     rows.push_back({row.quantity + unit, row.paper, with_error(row.ours),
                     difference_text(row)});
   }
-  std::string out = report::text_table(rows) + "\n";
+  std::string out = report::table(rows, form) + "\n";
+  if (form == report::TableForm::Markdown) {
+    report::Rows claims{{"claim", "statement", "evidence"}};
+    for (const Claim& claim : made.claims) {
+      claims.push_back({name(claim.verdict), claim.statement, claim.evidence});
+    }
+    return out + report::markdown_table(claims);
+  }
   for (const Claim& claim : made.claims) {
     out += fmt::format("{}: {}\n    {}\n", name(claim.verdict), claim.statement,
                        claim.evidence);

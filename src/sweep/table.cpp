@@ -15,6 +15,7 @@
 
 #include "brachisto/report/result.hpp"
 #include "report/csv.hpp"
+#include "report/text_table.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
@@ -195,6 +196,22 @@ ExportedTable export_csv(Store& store, const Job& job) {
       store, job.file,
       [&](const std::vector<Json>& row) { text += csv_line(row, field); });
   return {std::move(text), rows};
+}
+
+ExportedTable export_markdown(Store& store, const Job& job) {
+  const auto cell = [](const Json& value) {
+    if (value.is_null()) return std::string("—");
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? fmt::format("{:.10g}", value.get<double>())
+                                   : value.dump();
+  };
+  report::Rows table{column_names(job.file)};
+  const std::size_t rows =
+      for_each_row(store, job.file, [&](const std::vector<Json>& row) {
+        std::ranges::transform(row, std::back_inserter(table.emplace_back()),
+                               cell);
+      });
+  return {report::markdown_table(table), rows};
 }
 
 ExportedTable export_json(Store& store, const Job& job) {

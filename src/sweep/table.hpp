@@ -29,5 +29,7 @@ struct ExportedTable {
 /// empty or null where there is none.
 [[nodiscard]] ExportedTable export_csv(Store& store, const Job& job);
 [[nodiscard]] ExportedTable export_json(Store& store, const Job& job);
+/// The same for people, to ten digits, a dash where there is none.
+[[nodiscard]] ExportedTable export_markdown(Store& store, const Job& job);
 
 }  // namespace brachisto::sweep

@@ -247,8 +247,10 @@ TEST(ControlCharacters, OfDataDoNotReachTheTerminal) {
   const ScratchDirectory scratch;
   const std::string file = scratch.file(kEvil + ".yaml", "scene: 3");
 
-  for (const Words& line : {Words{"validate", file, "--json"},
-                            Words{"solve", file + kEvil, "--json"}}) {
+  // The colours of our own are none of them.
+  for (const Words& line :
+       {Words{"validate", file, "--json", "--color=never"},
+        Words{"solve", file + kEvil, "--json", "--color=never"}}) {
     const std::string text = on_terminal(line, 80);
 
     EXPECT_NE(text.find("\"message\""), std::string::npos) << text;

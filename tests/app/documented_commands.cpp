@@ -4,10 +4,8 @@
 // The commands that the documentation shows run as they stand.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pages.hpp"
+#include "app/shell.hpp"
 
 namespace brachisto {
 namespace {
@@ -30,6 +28,7 @@ using testing::Output;
 using testing::Page;
 using testing::pages;
 using testing::run;
+using testing::tree;
 
 /// The lines of a page's blocks of code, fenced or indented, that begin with
 /// `brachisto` or `./`; a line that ends in a backslash goes on.
@@ -53,21 +52,6 @@ std::vector<std::string> commands_of(const std::string& page) {
     if (goes_on) commands.back().pop_back();
   }
   return commands;
-}
-
-/// The program and the problem files: of the build tree, or of an install tree
-/// whose prefix the environment names.
-struct Tree {
-  fs::path programs, problems;
-};
-
-Tree tree() {
-  const char* prefix = std::getenv("BRACHISTO_PREFIX");
-  if (prefix == nullptr) {
-    return {fs::path(BRACHISTO_APP).parent_path(), BRACHISTO_PROBLEMS_DIR};
-  }
-  const fs::path installed = prefix;
-  return {installed / "bin", installed / "share/brachisto/problems"};
 }
 
 /// A problem file that takes its time, and what is replaced in it for a run of
@@ -118,18 +102,11 @@ class Place {
 
   /// Runs a line as a shell does; the exit code and all that was written.
   [[nodiscard]] Output shell(const std::string& line) const {
-    const std::string script = tools_.file("line", line + "\n");
-    const fs::path out = tools_.path() / "out";
-    const int status =
-        std::system(("cd '" + path().string() + "' && PATH='" +
-                     tree().programs.string() + "':$PATH timeout 60 sh '" +
-                     script + "' < /dev/null > '" + out.string() + "' 2>&1")
-                        .c_str());
-    return {WEXITSTATUS(status), content(out), ""};
+    return testing::shell(line, path());
   }
 
  private:
-  testing::ScratchDirectory scratch_, tools_;
+  testing::ScratchDirectory scratch_;
 };
 
 TEST(Commands, OfThePagesRunAsTheyStand) {
@@ -194,7 +171,7 @@ TEST(Commands, HaveTheFlagsThatSentencesName) {
   std::string help;
   for (const char* verb :
        {"solve", "validate", "sweep", "export", "merge", "report", "paper",
-        "compare", "work-precision", "body"}) {
+        "compare", "work-precision", "body", "design", "new"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdio>
+#include <sstream>
 #include <string>
+#include <tuple>
 
 #include "app/command.hpp"
 
@@ -132,6 +134,104 @@ TEST(Texts, TheVerdictHasAColourIfTheTerminalWantsOne) {
   EXPECT_FALSE(says(in_a_terminal("TERM=xterm NO_COLOR=1 " + solve), "\033["));
   EXPECT_FALSE(says(in_a_terminal("TERM=dumb " + solve), "\033["));
   EXPECT_FALSE(says(run({"solve", kProblem}).out, "\033["));
+}
+
+TEST(Texts, ColoursComeAndGoAsTheFlagSays) {
+  const std::string solve = BRACHISTO_APP " solve " + kProblem;
+
+  const Output always = run({"solve", kProblem, "--color", "always"});
+  EXPECT_TRUE(says(always.out, "\033[32m  verdict")) << always.out;
+  EXPECT_FALSE(
+      says(in_a_terminal("TERM=xterm NO_COLOR= " + solve + " --color=never"),
+           "\033["));
+  EXPECT_TRUE(
+      says(in_a_terminal("TERM=dumb NO_COLOR=1 " + solve + " --color=always"),
+           "\033[32m"));
+  EXPECT_FALSE(says(run({"solve", kProblem, "--color", "auto"}).out, "\033["));
+  const Output wrong = run({"solve", kProblem, "--color", "sometimes"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(says(wrong.err, "{auto,always,never}")) << wrong.err;
+}
+
+TEST(Texts, WhatFailedHasTheColourOfTheVerdict) {
+  const Output output =
+      run({"solve", paper_problem("fig04_reference_case"), "--set",
+           "discretisation={degree: 2, elements: 8, tolerance: 1e-9}",
+           "--color", "always"});
+
+  EXPECT_EQ(output.code, 4);
+  EXPECT_TRUE(says(output.out, "\033[31m  verdict")) << output.out;
+  EXPECT_TRUE(says(output.out, "\033[31m  failed check")) << output.out;
+}
+
+TEST(Texts, ErrorsAndWarningsHaveARedOrAYellowHead) {
+  const Output usage = run({"solve", "--jsno", "--color=always"});
+  EXPECT_TRUE(usage.err.starts_with("\033[31mbrachisto solve:\033[0m --jsno"))
+      << usage.err;
+
+  const Output input = run({"validate", kProblem, "--set", "scene.body.kk=1",
+                            "--set", "scene.finish.L=-1", "--color=always"});
+  EXPECT_EQ(input.code, 3);
+  EXPECT_TRUE(input.err.starts_with("\033[31m--set scene.body.kk=1:\033[0m "))
+      << input.err;
+  EXPECT_TRUE(says(input.err, "\n\033[31m--set scene.finish.L=-1:\033[0m "))
+      << input.err;
+
+  const Output warned =
+      run({"validate", paper_problem("fig04_reference_case"), "--set",
+           "scene.body.theta_m=370 deg", "--color=always"});
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(warned.err.starts_with("\033[33mwarning:\033[0m ")) << warned.err;
+
+  // The document of --json has none.
+  const Output json = run({"solve", "--jsno", "--json", "--color=always"});
+  EXPECT_FALSE(says(json.out, "\033")) << json.out;
+  EXPECT_FALSE(says(json.out, "\\u001b")) << json.out;
+}
+
+/// The columns of a line of a table in Markdown: bars that are not escaped.
+std::size_t bars_of(const std::string& line) {
+  std::size_t bars = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '|' && (i == 0 || line[i - 1] != '\\')) ++bars;
+  }
+  return bars;
+}
+
+TEST(Markdown, TablesOfVerbsHaveTheirColumns) {
+  const testing::ScratchDirectory scratch;
+  const std::string map = (scratch.path() / "map").string();
+  const std::string file =
+      scratch.file("map.yaml",
+                   "scene: {body: {shape: bead}, finish: {L: 3, H: 1}}\n"
+                   "sweep: {scene.finish.L: [2, 3]}\n");
+  ASSERT_EQ(run({"sweep", file, "--out", map, "--quiet"}).code, 0);
+
+  const Output exported = run({"export", map, "--markdown"});
+  const Output compared = run({"compare", kProblem, "--nodes", "11",
+                               "--repetitions", "1", "--quiet", "--markdown"});
+  const Output shown = run({"compare", kProblem, "--nodes", "11",
+                            "--repetitions", "1", "--markdown"});
+
+  EXPECT_EQ(compared.out, "");
+  for (const auto& [output, least, words] :
+       {std::tuple{exported, 4u, "| scene | scene.finish.L | status "},
+        std::tuple{shown, 6u, "| method "}}) {
+    EXPECT_EQ(output.code, 0) << output.err;
+    EXPECT_TRUE(output.out.starts_with(words)) << output.out;
+    const std::size_t columns =
+        bars_of(output.out.substr(0, output.out.find('\n')));
+    std::size_t rows = 0;
+    std::istringstream in(output.out);
+    for (std::string line; std::getline(in, line) && line.starts_with('|');) {
+      EXPECT_EQ(bars_of(line), columns) << line;
+      ++rows;
+    }
+    EXPECT_GE(rows, least) << output.out;
+  }
+  // The bead's brachistochrone to L = 3 H.
+  EXPECT_TRUE(says(exported.out, "| 4.510563137 |")) << exported.out;
+  EXPECT_EQ(run({"compare", kProblem, "--markdown", "--json"}).code, 2);
 }
 
 }  // namespace

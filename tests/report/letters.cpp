@@ -21,6 +21,14 @@ TEST(LinesOf, BreaksAListAfterCommas) {
   EXPECT_EQ(lines_of("", 3), Lines{""});
 }
 
+TEST(WordsInLines, BreaksATextAtSpaces) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(words_in_lines("η_m and θ_m,  of\nthe body", 11),
+            (Lines{"η_m and", "θ_m, of the", "body"}));
+  EXPECT_EQ(words_in_lines("a longer word", 3), (Lines{"a", "longer", "word"}));
+  EXPECT_EQ(words_in_lines("", 3), Lines{""});
+}
+
 TEST(Shortened, EndsInAnEllipsis) {
   EXPECT_EQ(shortened("smooth", 6), "smooth");
   EXPECT_EQ(shortened("smooth", 5), "smoo…");

@@ -24,6 +24,15 @@ TEST(TextTable, IsMarkdownToo) {
             "| 1.25 |         |\n");
 }
 
+TEST(TextTable, KeepsBarsAndLinesOfMarkdownInTheirCells) {
+  EXPECT_EQ(markdown_table({{"a", "b"}, {"|R|", "one\ntwo"}}),
+            "| a     | b       |\n"
+            "| ----- | ------- |\n"
+            "| \\|R\\| | one two |\n");
+  EXPECT_EQ(table({{"a"}}, TableForm::Markdown), markdown_table({{"a"}}));
+  EXPECT_EQ(table({{"a"}}, TableForm::Text), text_table({{"a"}}));
+}
+
 TEST(TextTable, SaysWhatIsNotThere) {
   EXPECT_EQ(or_dash(std::nullopt), "—");
   EXPECT_EQ(or_dash(7), "7");

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "reproduction/page.hpp"
+
 namespace brachisto::reproduction {
 namespace {
 
@@ -38,6 +40,25 @@ TEST(ReproductionComparison, ReadsARealMinusSign) {
 TEST(ReproductionComparison, PrintsAsManyDigitsAsAreKnown) {
   EXPECT_EQ(with_error({5.0934444666178, 3e-13}), "5.0934444666178(3)");
   EXPECT_EQ(with_error({4.33012345, 2e-4}), "4.3301(2)");
+}
+
+TEST(ReproductionComparison, IsMarkdownIfWanted) {
+  Reproduction made;
+  made.comparisons = {{.place = "Fig. 6",
+                       .quantity = "|R_n|",
+                       .paper = "4.52",
+                       .ours = {4.5106, 1e-4},
+                       .unit = "m g"}};
+  made.claims = {{"III.A", "It folds.", Verdict::Fails, "It does not."}};
+
+  EXPECT_EQ(numbers_text(made, report::TableForm::Markdown),
+            "| quantity      | paper | here      | here − paper      |\n"
+            "| ------------- | ----- | --------- | ----------------- |\n"
+            "| \\|R_n\\| [m g] | 4.52  | 4.5106(1) | −0.0094 (−0.21 %) |\n"
+            "\n"
+            "| claim         | statement | evidence     |\n"
+            "| ------------- | --------- | ------------ |\n"
+            "| does not hold | It folds. | It does not. |\n");
 }
 
 TEST(ReproductionComparison, NeverClaimsMoreThanADoubleHolds) {

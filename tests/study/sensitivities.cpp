@@ -15,11 +15,14 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
+#include "model/inertia.hpp"
 #include "support/limited_scenes.hpp"
+#include "support/world_scenes.hpp"
 
 namespace brachisto {
 namespace {
@@ -196,6 +199,33 @@ INSTANTIATE_TEST_SUITE_P(
                                   Contact::Optimal)}),
     [](const auto& one) { return one.param.test; });
 
+Scene backwards(Contact contact = Contact::Smooth) {
+  return scene_of(reference_body(-std::numbers::pi / 6.0), contact);
+}
+/// A start with a speed has slopes at both contacts that the answer determines,
+/// between given ends for the energy of the start.
+std::vector<Case> pushed_scenes() {
+  return {
+      {"Push", with_push(backwards(), 1.0)},
+      {"PushBetweenEnds", with_push(backwards(Contact::Centre), 1.0)},
+      {"PushInAirInASphere",
+       in_air(with_push(about_sphere(scene_of(reference_body(0.4)), around()),
+                        0.7),
+              0.1, 0.05)}};
+}
+std::vector<Case> worlds_at_rest() {
+  return {
+      {"Air", in_air(backwards(), 0.3, 0.1)},
+      {"InASphere", about_sphere(scene_of(reference_body(0.4)), around())},
+      {"AboveASphere", about_sphere(scene_of(reference_body(0.4)), below())}};
+}
+INSTANTIATE_TEST_SUITE_P(Pushed, OfTheScene,
+                         ::testing::ValuesIn(pushed_scenes()),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Worlds, OfTheScene,
+                         ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
+
 /// The figures of docs/theory.md: the slope of τ over η_m is not what it is
 /// between fixed ends.
 TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
@@ -206,9 +236,50 @@ TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
               5e-5);
 }
 
-/// With both slopes held the ends of the centre's path follow from them.
-TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
-  const Scene scene = scene_of(reference_body(-0.5));
+/// With the slopes at A and B held the ends of the centre's path follow from
+/// them: the same motion, seen from C_A, with contact: centre.
+Scene between_its_ends(const Scene& scene, double beta_A, double beta_B) {
+  Scene out = scene;
+  const double r = scene.body.radius;
+  const Point C_A{r * std::sin(beta_A), -r * std::cos(beta_A)};
+  out.contact = Contact::Centre;
+  out.L += r * std::sin(beta_B) - C_A.x;
+  out.H += -r * std::cos(beta_B) - C_A.z;
+  if (out.world.sphere) {
+    out.world.sphere->centre.x -= C_A.x;
+    out.world.sphere->centre.z -= C_A.z;
+  }
+  return out;
+}
+
+/// T of a motion with the energy of v₀ in the direction β_A. Between given ends
+/// it sets out in another direction β, with the speed v of v √A(β) = v₀
+/// √A(β_A): by the secant method.
+double time_between_its_ends(Scene ends, double beta_A) {
+  constexpr int kMostSolves = 10;
+  constexpr double kRounding = 1e-13;
+  const auto root = [&](double beta) {
+    return std::sqrt(inertia_factor(ends.body, ends.body.theta_m, beta));
+  };
+  double& speed = ends.world.start_speed;
+  const double wanted = speed * root(beta_A);
+  double last_speed = 0.0, last_off = -wanted;
+  for (int i = 0; i < kMostSolves; ++i) {
+    const Solution solution = solved(ends);
+    const Motion& motion = *solution.motion();
+    const double off = speed * root(motion.start_angle()) - wanted;
+    if (std::abs(off) <= kRounding * wanted) return motion.transit_time();
+    const double next = speed - off * (speed - last_speed) / (off - last_off);
+    last_speed = std::exchange(speed, next);
+    last_off = off;
+  }
+  throw std::runtime_error("the energy at A is not met");
+}
+
+class AtFixedContacts : public ::testing::TestWithParam<Case> {};
+
+TEST_P(AtFixedContacts, AreThoseBetweenTheEndsOfTheCentre) {
+  const Scene& scene = GetParam().scene;
   const Solution solution = solved(scene);
   const auto found = sensitivities(solution);
   ASSERT_TRUE(found);
@@ -220,12 +291,9 @@ TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
         [&](double by) {
           Scene other = scene;
           value_of(other, parameter) += by;
-          const double r = other.body.radius, H = other.H;
-          other.contact = Contact::Centre;
-          other.L += r * (std::sin(beta_B) - std::sin(beta_A));
-          other.H -= r * (std::cos(beta_B) - std::cos(beta_A));
-          return solved(other).motion()->transit_time() *
-                 std::sqrt(2.0 * scene.gravity / H);
+          return time_between_its_ends(between_its_ends(other, beta_A, beta_B),
+                                       beta_A) *
+                 std::sqrt(2.0 * scene.gravity / other.H);
         },
         kStep);
     EXPECT_NEAR(found->by[parameter].tau_at_fixed_contacts, expected,
@@ -233,6 +301,18 @@ TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
         << name(parameter);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AtFixedContacts,
+                         ::testing::Values(Case{
+                             "Backwards", scene_of(reference_body(-0.5))}),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Pushed, AtFixedContacts,
+                         ::testing::Values(Case{"Push",
+                                                with_push(backwards(), 1.0)}),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Worlds, AtFixedContacts,
+                         ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
 
 /// T = √(1 + k) U along one cycloid for all k.
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
@@ -288,8 +368,10 @@ TEST(Sensitivities, OfAUniformCylinderWithLittleGripAreThoseOfTheClosedForm) {
 }
 
 /// η_m = 0 is no corner: bodies to all sides of it are solved whole.
-TEST(Sensitivities, ByOffsetAreRegularAtNone) {
-  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5));
+class WithoutOffset : public ::testing::TestWithParam<Case> {};
+
+TEST_P(WithoutOffset, ByOffsetAreRegular) {
+  const Scene& scene = GetParam().scene;
   const auto found = sensitivities(solved(scene));
   ASSERT_TRUE(found);
   const auto along = [&](double theta_m) {
@@ -307,6 +389,18 @@ TEST(Sensitivities, ByOffsetAreRegularAtNone) {
   EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, along(0.7), kAllowed);
   EXPECT_EQ(found->by[SceneParameter::ThetaM].tau, 0.0);
 }
+
+Scene uniform(Contact contact = Contact::Smooth) {
+  return scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5), contact);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WithoutOffset,
+    ::testing::Values(Case{"AtRest", uniform()},
+                      Case{"Push", with_push(uniform(), 1.0)},
+                      Case{"PushBetweenEnds",
+                           with_push(uniform(Contact::Centre), 1.0)},
+                      Case{"InASphere", about_sphere(uniform(), around())}),
+    [](const auto& one) { return one.param.test; });
 
 /// Second derivatives, of whole solves' first ones: those are compared with
 /// whole solves above.
@@ -341,8 +435,8 @@ TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SecondDerivativesOf,
     ::testing::Values(Case{"Reference", scene_of(reference_body())},
-                      Case{"Backwards",
-                           scene_of(reference_body(-std::numbers::pi / 6.0))}),
+                      Case{"Backwards", backwards()},
+                      Case{"Push", with_push(backwards(), 1.0)}),
     [](const auto& one) { return one.param.test; });
 
 }  // namespace

@@ -22,6 +22,15 @@ namespace {
 /// What is left of a right-hand side.
 constexpr double kOfRates = 1e-13;
 
+/// The path of a solution, whose costates at the end are in a field that
+/// depends on the place those of the problem's current point.
+ExtremalCurve path_of(const Scene& scene, const Mesh& mesh,
+                      const PrimalDual& point, double phi) {
+  RollingTime problem(scene, mesh, phi);
+  static_cast<void>(problem.set_point(point.x));
+  return ExtremalCurve(problem, point);
+}
+
 /// The scene with θ, and with the slope that its start is built from: between
 /// given ends that of a uniform body has no effect on its time, but on how the
 /// time changes with an offset.
@@ -29,8 +38,7 @@ Scene posed_for_rates(const Scene& scene, const Mesh& mesh,
                       const PrimalDual& point, double phi) {
   Scene out = with_rotation(scene);
   if (slope_at_A_is_open(out) && !out.world.start_slope) {
-    out.world.start_slope =
-        ExtremalCurve(RollingTime(scene, mesh, phi), point).at(0.0).beta;
+    out.world.start_slope = path_of(scene, mesh, point, phi).at(0.0).beta;
   }
   return out;
 }
@@ -84,8 +92,7 @@ FreeRates::FreeRates(const Scene& scene, const Mesh& mesh,
       point_(point),
       phi_(phi) {
   if (at(at_.problem.num_variables()) != point.x.size()) {
-    point_ = prolong(ExtremalCurve(RollingTime(scene, mesh, phi), point),
-                     at_.problem);
+    point_ = prolong(path_of(scene, mesh, point, phi), at_.problem);
   }
   if (!at_.system.evaluate(point_.x, point_.lambda, phi_)) return;
   time_ = at_.problem.eval_f();

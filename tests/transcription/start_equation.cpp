@@ -11,14 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/newton_kkt.hpp"
-#include "model/start_angle.hpp"
 #include "support/observed_order.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
-#include "support/solved_problem.hpp"
 #include "support/world_scenes.hpp"
-#include "transcription/extremal_curve.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -146,37 +142,6 @@ TEST_P(StartEquationOf, MovesTheStartAtTheRatesItTells) {
           << problem.variable_name(static_cast<int>(i)) << " at " << alpha;
     }
   }
-}
-
-TEST_P(StartEquationOf, VanishesAtTheSlopeThatCostatesFromTheEndTell) {
-  // F is ∂𝓗/∂β at α, which vanishes where 𝓗 is least: with the costates that
-  // are integrated along the path, whose quadrature is that of the program.
-  Scene scene = GetParam().scene;
-  scene.world.start_slope = 1.2;
-  const double phi = -0.1;
-  Scene ordinary = scene;
-  ordinary.world = {};
-  ordinary.world.start_slope = 1.2;
-  SolvedProblem first = solved(ordinary, uniform_mesh(4, 12), phi);
-  RollingTime problem(scene, uniform_mesh(4, 12), phi);
-  NewtonOptions options;
-  options.to_rounding = true;
-  const NewtonResult found =
-      solve_with_newton(problem, nullptr, first.point, phi, options);
-  ASSERT_LE(found.residual, 1e-12);
-  const double slope = ExtremalCurve(problem, found.point).at(0.0).beta;
-  StartEquation start(problem);
-
-  start.set_parameter(slope);
-  const Linearisation at_slope =
-      start.linearise(found.point.x, found.point.lambda);
-  start.set_parameter(slope + 0.1);
-  const Linearisation beyond =
-      start.linearise(found.point.x, found.point.lambda);
-
-  EXPECT_NEAR(at_slope.residual, 0.0, 1e-11);
-  EXPECT_GT(at_slope.by_parameter, 0.0);
-  EXPECT_GT(beyond.residual, 0.0);
 }
 
 }  // namespace

@@ -59,20 +59,12 @@ bool WorldSystem::evaluate(const Eigen::VectorXd& point,
   const Point start = start_of_centre(scene);
   const double wanted[] = {start.x, start.z, scene.body.theta_m,
                            initial_w(scene)};
+  const StartRates turn = open_ ? start_rates(scene) : StartRates{};
+  const double moves[] = {turn.x, turn.z, 0.0, turn.w};
   for (const std::size_t i : {kX, kZ, kTheta, kW}) {
     out.residual(row) = first[i] - wanted[i];
     out.jacobian(row, static_cast<int>(i)) = 1.0;
-    if (open_) {
-      const double r =
-          scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
-      const double root =
-          root_of_inertia(scene.body, scene.body.theta_m, alpha);
-      const double d_root =
-          scene.body.eta_m * std::cos(scene.body.theta_m - alpha) / root;
-      const double moves[] = {r * std::cos(alpha), r * std::sin(alpha), 0.0,
-                              scene.world.start_speed * d_root};
-      out.jacobian(row, of_slope()) = -moves[i];
-    }
+    if (open_) out.jacobian(row, of_slope()) = -moves[i];
     ++row;
   }
   out.residual(row) = h.value;

@@ -14,7 +14,6 @@
 
 #include "io/design_lists.hpp"
 #include "io/key_spec.hpp"
-#include "model/start_angle.hpp"
 
 namespace brachisto::io {
 
@@ -113,12 +112,6 @@ void check_solver(const YamlValue& root, const Draft& problem,
     findings.add(rates->value.position, "solver.sensitivities",
                  "is not allowed with scene.path; what is evaluated and not "
                  "optimised has no conditions to follow");
-  }
-  if (rates != nullptr && slope_at_A_is_open(problem.scene) &&
-      problem.program.sensitivities != SensitivityOrder::None) {
-    findings.add(rates->value.position, "solver.sensitivities",
-                 fmt::format("is not allowed with scene.start.speed; {}",
-                             kNoRatesFromSpeed));
   }
   if (!findings.concern("solver.method")) {
     check_use(root, problem, findings);

@@ -19,7 +19,6 @@
 #include "io/field_reader.hpp"
 #include "io/mass_part_text.hpp"
 #include "io/visible_text.hpp"
-#include "model/start_angle.hpp"
 
 namespace brachisto::io {
 
@@ -252,9 +251,6 @@ void check_ways(const YamlValue& root, const Draft& problem,
     findings.add(position_of(root, key), std::string(key),
                  fmt::format("not allowed beside design: {}", reason));
   };
-  if (slope_at_A_is_open(problem.scene)) {
-    refuse("scene.start.speed", kNoRatesFromSpeed);
-  }
   if (!problem.poses_the_program()) {
     return refuse("solver.method",
                   "a design needs the derivatives of the nonlinear program; "

@@ -7,19 +7,12 @@
 
 #pragma once
 
-#include <string_view>
-
 #include "brachisto/study/design_plan.hpp"
 #include "io/findings.hpp"
 #include "io/key_spec.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
-
-/// Of a body that rolls and starts with a speed.
-inline constexpr std::string_view kNoRatesFromSpeed =
-    "the slope at A is an unknown then, and how it moves with the body is not "
-    "known";
 
 /// `free`: names of properties, each once, or maps with a part and its key.
 [[nodiscard]] Binding free_list();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -22,6 +23,16 @@ Point track_below(Point centre, double radius, double beta) {
 Point start_of_centre(const Scene& scene) {
   if (scene.contact == Contact::Centre) return {0.0, 0.0};
   return centre_above({0.0, 0.0}, scene.body.radius, start_angle(scene));
+}
+
+StartRates start_rates(const Scene& scene) {
+  const Body& body = scene.body;
+  const double alpha = start_angle(scene);
+  const double r = scene.contact == Contact::Centre ? 0.0 : body.radius;
+  const double root = root_of_inertia(body, body.theta_m, alpha);
+  const double d_root = body.eta_m * std::cos(body.theta_m - alpha) / root;
+  return {r * std::cos(alpha), r * std::sin(alpha),
+          scene.world.start_speed * d_root};
 }
 
 Point end_of_centre(const Scene& scene, double phi) {

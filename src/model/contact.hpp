@@ -22,6 +22,13 @@ namespace brachisto {
 /// itself with Contact::Centre.
 [[nodiscard]] Point start_of_centre(const Scene& scene);
 
+/// d/dα of the start that is built from the slope α at A.
+struct StartRates {
+  double x = 0.0, z = 0.0;  ///< of C_A: r (cos α, sin α), or 0 at A itself
+  double w = 0.0;  ///< of v₀ √A(θ_m, α): v₀ η cos(θ_m − α)/√A
+};
+[[nodiscard]] StartRates start_rates(const Scene& scene);
+
 /// C_B(φ), where the centre ends if the track has slope angle φ at B [m].
 /// With Contact::Centre it is B and does not depend on φ.
 [[nodiscard]] Point end_of_centre(const Scene& scene, double phi);

@@ -3,6 +3,7 @@
 
 #include "refinement/free_rates.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "brachisto/nlp/kkt_residual.hpp"
@@ -11,9 +12,53 @@
 #include "math/index.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"
+#include "refinement/start_closure.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
+
+namespace {
+
+/// What is left of a right-hand side.
+constexpr double kOfRates = 1e-13;
+
+/// The path of a solution, whose costates at the end are in a field that
+/// depends on the place those of the problem's current point.
+ExtremalCurve path_of(const Scene& scene, const Mesh& mesh,
+                      const PrimalDual& point, double phi) {
+  RollingTime problem(scene, mesh, phi);
+  static_cast<void>(problem.set_point(point.x));
+  return ExtremalCurve(problem, point);
+}
+
+/// The scene with θ, and with the slope that its start is built from: between
+/// given ends that of a uniform body has no effect on its time, but on how the
+/// time changes with an offset.
+Scene posed_for_rates(const Scene& scene, const Mesh& mesh,
+                      const PrimalDual& point, double phi) {
+  Scene out = with_rotation(scene);
+  if (slope_at_A_is_open(out) && !out.world.start_slope) {
+    out.world.start_slope = path_of(scene, mesh, point, phi).at(0.0).beta;
+  }
+  return out;
+}
+
+/// C_y y.
+double along(const nlp::TangencyCondition::Linearisation& row,
+             std::span<const double> y, int num_variables) {
+  long double sum = 0.0L;
+  const auto add = [&](const nlp::SparseVector& part, int offset) {
+    for (std::size_t i = 0; i < part.index.size(); ++i) {
+      sum += static_cast<long double>(part.value[i]) *
+             y[at(offset + part.index[i])];
+    }
+  };
+  add(row.by_x, 0);
+  add(row.by_lambda, num_variables);
+  return static_cast<double>(sum);
+}
+
+}  // namespace
 
 FreeRates::Equations::Equations(const Scene& scene, const Mesh& mesh,
                                 double phi)
@@ -23,21 +68,66 @@ FreeRates::Equations::Equations(const Scene& scene, const Mesh& mesh,
                    ? std::optional<ContactEquation>(std::in_place, problem)
                    : std::nullopt;
       }()),
-      system(problem, tangency(), nlp::equations_only(problem)) {}
+      start([&] {
+        return slope_at_A_is_open(scene)
+                   ? std::optional<StartEquation>(std::in_place, problem)
+                   : std::nullopt;
+      }()),
+      system(problem, tangency(), nlp::equations_only(problem)) {
+  if (!start) return;
+  start->set_parameter(start_angle(scene));
+  if (contact) contact->set_parameter(phi);
+}
+
+std::vector<nlp::TangencyCondition*> FreeRates::Equations::closing() {
+  std::vector<nlp::TangencyCondition*> out;
+  if (contact) out.push_back(&*contact);
+  if (start) out.push_back(&*start);
+  return out;
+}
 
 FreeRates::FreeRates(const Scene& scene, const Mesh& mesh,
                      const PrimalDual& point, double phi)
-    : at_(with_rotation(scene), mesh, phi), point_(point), phi_(phi) {
+    : at_(posed_for_rates(scene, mesh, point, phi), mesh, phi),
+      point_(point),
+      phi_(phi) {
   if (at(at_.problem.num_variables()) != point.x.size()) {
-    point_ = prolong(ExtremalCurve(RollingTime(scene, mesh, phi), point),
-                     at_.problem);
+    point_ = prolong(path_of(scene, mesh, point, phi), at_.problem);
   }
   if (!at_.system.evaluate(point_.x, point_.lambda, phi_)) return;
   time_ = at_.problem.eval_f();
   pull_ = nlp::lagrangian_gradient(at_.problem, point_.lambda);
   at_.system.evaluate_jacobian();
   chain_ = BorderedChain::make(at_.system);
-  regular_ = chain_ && chain_->factorise();
+  regular_ =
+      chain_ && chain_->factorise() && (!at_.start || linearise_around_chain());
+}
+
+bool FreeRates::linearise_around_chain() {
+  const int n = at_.problem.num_variables();
+  const std::vector<nlp::TangencyCondition*> closing = at_.closing();
+  const auto size = static_cast<Eigen::Index>(closing.size());
+  around_.jacobian.resize(size, size);
+  for (nlp::TangencyCondition* condition : closing) {
+    around_.rows.push_back(condition->linearise(point_.x, point_.lambda));
+    std::vector<double> moved(at(at_.system.size()), 0.0);
+    const nlp::SparseVector& rates = condition->fixed_rates();
+    for (std::size_t i = 0; i < rates.index.size(); ++i) {
+      moved[at(rates.index[i])] = rates.value[i];
+    }
+    around_.turns.emplace_back(moved.size());
+    if (!chain_->solve(moved, around_.turns.back(), kOfRates)) return false;
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto& row = around_.rows[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < size; ++j) {
+      around_.jacobian(i, j) =
+          along(row, around_.turns[static_cast<std::size_t>(j)], n) +
+          (i == j ? row.by_parameter : 0.0);
+    }
+  }
+  const double determinant = around_.jacobian.determinant();
+  return std::isfinite(determinant) && determinant != 0.0;
 }
 
 PrimalDual FreeRates::turned_to(const Scene& scene) const {
@@ -53,6 +143,9 @@ PrimalDual FreeRates::turned_to(const Scene& scene) const {
 
 TimeRate FreeRates::by(SceneCoordinate coordinate) {
   std::vector<double> residual(at(at_.system.size()), 0.0);
+  const std::vector<nlp::TangencyCondition*> closing = at_.closing();
+  Eigen::VectorXd open =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(closing.size()));
   double objective = 0.0, start = 0.0;
   math::central_difference_by_place(
       difference_step(scene(), coordinate), [&](double place, double weight) {
@@ -66,7 +159,15 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
           residual[i] += weight * other.system.residual()[i];
         }
         objective += weight * other.problem.eval_f();
-        start += weight * start_angle(there);
+        if (!at_.start) {
+          start += weight * start_angle(there);
+          return;
+        }
+        Eigen::Index i = 0;
+        for (nlp::TangencyCondition* condition : other.closing()) {
+          open[i++] +=
+              weight * condition->linearise(point.x, point.lambda).residual;
+        }
       });
 
   // 𝓛_p, the values of fixed variables moving along.
@@ -81,7 +182,7 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
   }
   TimeRate rate{static_cast<double>(explicitly),
                 static_cast<double>(explicitly)};
-  if (scene().contact == Contact::Smooth) {
+  if (scene().contact == Contact::Smooth && !at_.start) {
     // C_A turns about A with β₀.
     const VariableLayout& layout = at_.problem.layout();
     const double r = scene().body.radius;
@@ -91,25 +192,48 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
     rate.at_fixed_contacts -= static_cast<double>(
         start * r * (x * std::cos(beta_0) + z * std::sin(beta_0)));
   }
-  if (nlp::TangencyCondition* tangency = at_.tangency()) {
-    constexpr double kRounding = 1e-13;
-    for (double& value : residual) value = -value;
-    std::vector<double> direction(residual.size());
-    const bool solved = chain_->solve(residual, direction, kRounding);
-    const double phi = solved ? direction.back() : std::nan("");
-    const nlp::SparseVector& turn = tangency->fixed_rates();
+  if (closing.empty()) return rate;
+  const Eigen::VectorXd slopes = slope_rates(std::move(residual), open);
+  for (std::size_t c = 0; c < closing.size(); ++c) {
+    const nlp::SparseVector& turn = closing[c]->fixed_rates();
     for (std::size_t i = 0; i < turn.index.size(); ++i) {
       rate.total +=
-          static_cast<double>(pull_[at(turn.index[i])] * turn.value[i] * phi);
+          static_cast<double>(pull_[at(turn.index[i])] * turn.value[i] *
+                              slopes[static_cast<Eigen::Index>(c)]);
     }
   }
   return rate;
 }
 
+Eigen::VectorXd FreeRates::slope_rates(std::vector<double> residual,
+                                       const Eigen::VectorXd& open) {
+  for (double& value : residual) value = -value;
+  std::vector<double> direction(residual.size());
+  if (!chain_->solve(residual, direction, kOfRates)) {
+    return Eigen::VectorXd::Constant(open.size(), std::nan(""));
+  }
+  if (!at_.start) return Eigen::VectorXd::Constant(1, direction.back());
+  Eigen::VectorXd right = -open;
+  for (Eigen::Index i = 0; i < right.size(); ++i) {
+    right[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
+                      at_.problem.num_variables());
+  }
+  return around_.jacobian.partialPivLu().solve(right);
+}
+
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,
                                            double by) {
   const Scene there = moved(scene(), coordinate, by);
-  Equations other(there, at_.problem.mesh(), phi_);
+  const Mesh& mesh = at_.problem.mesh();
+  if (at_.start) {
+    RollingTime problem(there, mesh, phi_);
+    const MeshSolution found =
+        close_start(problem, {turned_to(there), phi_, -1.0}, {}, stay_on_mesh);
+    if (!found.solved()) return nullptr;
+    return std::make_unique<FreeRates>(problem.scene(), mesh, found.point,
+                                       found.tangency.phi);
+  }
+  Equations other(there, mesh, phi_);
   NewtonOptions options;
   options.to_rounding = true;
   const NewtonResult found = solve_with_newton(other.problem, other.tangency(),
@@ -118,8 +242,7 @@ std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,
       reachable(kRoundingResidual, other.problem, found.point.x)) {
     return nullptr;
   }
-  return std::make_unique<FreeRates>(there, at_.problem.mesh(), found.point,
-                                     found.phi);
+  return std::make_unique<FreeRates>(there, mesh, found.point, found.phi);
 }
 
 }  // namespace brachisto

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/contact.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -135,13 +136,9 @@ MeshSolution close_start(RollingTime& problem, const MeshStart& start,
 double time_per_start_slope(const ExtremalCurve& curve) {
   const Scene& scene = curve.scene();
   if (!slope_at_A_is_open(scene)) return 0.0;
-  const ExtremalPoint start = curve.at(0.0);
-  const double alpha = start_angle(scene);
-  const double root = root_of_inertia(scene.body, start.theta, alpha);
-  const double d_root = scene.body.eta_m * std::cos(start.theta - alpha) / root;
-  const double r = scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
-  return r * (start.p.p_x * std::cos(alpha) + start.p.p_z * std::sin(alpha)) +
-         start.p.p_w * scene.world.start_speed * d_root;
+  const Costates p = curve.at(0.0).p;
+  const StartRates turn = start_rates(scene);
+  return p.p_x * turn.x + p.p_z * turn.z + p.p_w * turn.w;
 }
 
 }  // namespace brachisto

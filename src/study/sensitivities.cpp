@@ -9,7 +9,6 @@
 
 #include "math/central_difference.hpp"
 #include "math/enum_table.hpp"
-#include "model/start_angle.hpp"
 #include "model/units.hpp"
 #include "refinement/free_rates.hpp"
 #include "refinement/limited_rates.hpp"
@@ -24,8 +23,6 @@ using Gradient = PerParameter<double>;
 std::unique_ptr<TimeRates> rates_of(const Solution& solution) {
   if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {
     const ExtremalCurve& curve = found->trajectory.curve();
-    // The second closing equation has no part in the rates.
-    if (slope_at_A_is_open(curve.scene())) return nullptr;
     return std::make_unique<FreeRates>(curve.scene(), curve.mesh(),
                                        found->point, found->phi);
   }

@@ -237,6 +237,40 @@ TEST(Design, NoNeighbourIsQuicker) {
   }
 }
 
+/// Both contacts of a start with a speed are open: by the indirect method.
+TEST(Design, OfAStartWithASpeedNoNeighbourIsQuicker) {
+  Scene scene = base();
+  scene.world.start_speed = 1.0;
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM};
+  const DesignMinimum best =
+      search_design(scene, {}, plan, 1, nullptr).minima.back();
+  ASSERT_TRUE(best.verified && best.feasible);
+  auto values = by_name(best.values);
+  SolveOptions by_shooting;
+  by_shooting.method = Shooting{};
+  const auto time_of = [&](double eta_m, double theta_m) {
+    scene.body.eta_m = values["eta_m"] + eta_m;
+    scene.body.theta_m = values["theta_m"] + theta_m;
+    const Solution found = solve(scene, by_shooting);
+    EXPECT_TRUE(found.verified()) << found.message;
+    return found.motion()->tau();
+  };
+  const double tau = time_of(0.0, 0.0);
+  // Differences of the gradient leave h² times third derivatives, 1e-4.
+  constexpr double kStep = 1e-2;
+  constexpr double kFlat = 1e-3;
+
+  EXPECT_NEAR(tau, best.tau, 5.0 * kInner * tau);
+  for (const auto& [eta_m, theta_m] :
+       {std::pair{kStep, 0.0}, std::pair{0.0, kStep}}) {
+    const double after = time_of(eta_m, theta_m);
+    const double before = time_of(-eta_m, -theta_m);
+    EXPECT_GT(std::min(before, after), tau);
+    EXPECT_NEAR((after - before) / (2.0 * kStep), 0.0, kFlat);
+  }
+}
+
 TEST(Design, StartsOnTheAxisAreNoTrap) {
   Scene scene = base();
   scene.body.eta_m = 0.0;

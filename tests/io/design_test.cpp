@@ -98,15 +98,13 @@ TEST(DesignSection, RefusesAStartThatThereIsNot) {
                       "design.start: 6 is not allowed; there are 5 starts"));
 }
 
-/// The slope at A is an unknown then, of which the derivatives know nothing.
-TEST(DesignSection, RefusesAStartWithASpeed) {
+/// The slope at A is an unknown then, and closes with that at B.
+TEST(DesignSection, TakesAStartWithASpeed) {
   const std::string pushed =
       "scene: {body: {shape: cylinder, radius: 1/3, eta_m: 0.2, k: 1/2}, "
       "finish: {L: 3, H: 1}, start: {speed: 1}}\n";
-  EXPECT_TRUE(refused(pushed + "design: {free: [eta_m]}\n",
-                      "scene.start.speed: not allowed beside design"));
-  EXPECT_TRUE(refused(pushed + "solver: {sensitivities: true}\n",
-                      "is not allowed with scene.start.speed"));
+  EXPECT_EQ(errors(pushed + "design: {free: [eta_m]}\n"), "");
+  EXPECT_EQ(errors(pushed + "solver: {sensitivities: true}\n"), "");
 }
 
 TEST(DesignSection, RefusesDirectionsThatAreNotConvexWithOffsets) {

@@ -15,11 +15,15 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
+#include "model/inertia.hpp"
 #include "support/limited_scenes.hpp"
+#include "support/world_scenes.hpp"
 
 namespace brachisto {
 namespace {
@@ -48,13 +52,15 @@ double& value_of(Scene& scene, SceneParameter parameter) {
   throw std::logic_error("no such parameter");
 }
 
-/// On a mesh that does not change with the scene, and whose τ is exact but for
-/// rounding, under limits for what a discretisation has with its derivatives in
-/// common.
+/// On a mesh that does not change with the scene: a discrete time and its
+/// derivatives have their error in common. Of the reference τ is exact but for
+/// rounding on 40 elements; the costly solves in other worlds have fewer.
 Solution solved(const Scene& scene) {
   SolveOptions options;
   auto& program = options.use<Collocation>();
-  program.discretisation.elements = scene.limits.any() ? 80 : 40;
+  program.discretisation.elements = scene.limits.any()       ? 80
+                                    : scene.world.ordinary() ? 40
+                                                             : 16;
   Solution solution = solve(scene, options);
   if (!solution.verified()) throw std::runtime_error(solution.message);
   return solution;
@@ -114,6 +120,16 @@ Body reference_body(double theta_m = 0.0) {
   return Body::cylinder(1.0 / 3.0, 2.0 / 3.0, theta_m, 0.5);
 }
 
+void expect_total_slope(const Scene& scene, const Sensitivities& found,
+                        SceneParameter parameter) {
+  const double expected = slope_of_tau(
+      scene, [&](Scene& other, double by) { value_of(other, parameter) += by; },
+      kStep);
+  EXPECT_NEAR(found.by[parameter].tau, expected,
+              kAllowed * std::max(1.0, std::abs(expected)))
+      << name(parameter);
+}
+
 class OfTheScene : public ::testing::TestWithParam<Case> {};
 
 TEST_P(OfTheScene, AreTheSlopesOfWholeSolves) {
@@ -122,17 +138,11 @@ TEST_P(OfTheScene, AreTheSlopesOfWholeSolves) {
   ASSERT_TRUE(found);
 
   for (const SceneParameter parameter : kParameters) {
-    if (!scene.body.rolls() && parameter < SceneParameter::L) {
+    if (scene.body.rolls() || parameter >= SceneParameter::L) {
+      expect_total_slope(scene, *found, parameter);
+    } else {
       EXPECT_TRUE(std::isnan(found->by[parameter].tau)) << name(parameter);
-      continue;
     }
-    const double expected = slope_of_tau(
-        scene,
-        [&](Scene& other, double by) { value_of(other, parameter) += by; },
-        kStep);
-    EXPECT_NEAR(found->by[parameter].tau, expected,
-                kAllowed * std::max(1.0, std::abs(expected)))
-        << name(parameter);
   }
 }
 
@@ -196,6 +206,19 @@ INSTANTIATE_TEST_SUITE_P(
                                   Contact::Optimal)}),
     [](const auto& one) { return one.param.test; });
 
+Scene backwards(Contact contact = Contact::Smooth) {
+  return scene_of(reference_body(-std::numbers::pi / 6.0), contact);
+}
+std::vector<Case> worlds_at_rest() {
+  return {
+      {"Air", in_air(backwards(), 0.3, 0.1)},
+      {"InASphere", about_sphere(scene_of(reference_body(0.4)), around())},
+      {"AboveASphere", about_sphere(scene_of(reference_body(0.4)), below())}};
+}
+INSTANTIATE_TEST_SUITE_P(Worlds, OfTheScene,
+                         ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
+
 /// The figures of docs/theory.md: the slope of τ over η_m is not what it is
 /// between fixed ends.
 TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
@@ -206,33 +229,146 @@ TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
               5e-5);
 }
 
-/// With both slopes held the ends of the centre's path follow from them.
-TEST(Sensitivities, AtFixedContactsAreThoseBetweenTheEndsOfTheCentre) {
-  const Scene scene = scene_of(reference_body(-0.5));
-  const Solution solution = solved(scene);
-  const auto found = sensitivities(solution);
-  ASSERT_TRUE(found);
+/// With the slopes at A and B held the ends of the centre's path follow from
+/// them: the same motion, seen from C_A, with contact: centre.
+Scene between_its_ends(const Scene& scene, double beta_A, double beta_B) {
+  Scene out = scene;
+  if (scene.contact == Contact::Centre) return out;
+  const double r = scene.body.radius;
+  const Point C_A{r * std::sin(beta_A), -r * std::cos(beta_A)};
+  out.contact = Contact::Centre;
+  out.L += r * std::sin(beta_B) - C_A.x;
+  out.H += -r * std::cos(beta_B) - C_A.z;
+  if (out.world.sphere) {
+    out.world.sphere->centre.x -= C_A.x;
+    out.world.sphere->centre.z -= C_A.z;
+  }
+  return out;
+}
+
+/// T of a motion between given ends with the energy of v₀ in the direction β_A.
+/// It sets out in another direction β with the v of v √A(β) = v₀ √A(β_A), by
+/// the secant method, T on the last secant: in error by the product of its
+/// ends.
+double time_between_its_ends(Scene ends, double beta_A) {
+  constexpr int kMostSolves = 10;
+  constexpr double kRounding = 1e-14;
+  const auto root = [&](double beta) {
+    return std::sqrt(inertia_factor(ends.body, ends.body.theta_m, beta));
+  };
+  double& speed = ends.world.start_speed;
+  const double wanted = speed * root(beta_A);
+  double last_speed = 0.0, last_off = -1.0, last_time = 0.0;
+  for (int i = 0; i < kMostSolves; ++i) {
+    const Solution solution = solved(ends);
+    const double time = solution.motion()->transit_time();
+    if (wanted == 0.0) return time;
+    const double off =
+        speed * root(solution.motion()->start_angle()) / wanted - 1.0;
+    if (off == 0.0) return time;
+    const double per_off = 1.0 / (off - last_off);
+    if (i > 0 && std::abs(off * last_off) <= kRounding) {
+      return time - off * (time - last_time) * per_off;
+    }
+    const double next = speed - off * (speed - last_speed) * per_off;
+    last_speed = std::exchange(speed, next);
+    last_off = off;
+    last_time = time;
+  }
+  throw std::runtime_error("the energy at A is not met");
+}
+
+void expect_slope_at_fixed_contacts(const Solution& solution,
+                                    const Sensitivities& found,
+                                    SceneParameter parameter) {
+  const Scene& scene = solution.scene;
   const double beta_A = solution.motion()->start_angle();
   const double beta_B = solution.motion()->end_angle();
+  const double expected = slope(
+      [&](double by) {
+        Scene other = scene;
+        value_of(other, parameter) += by;
+        return time_between_its_ends(between_its_ends(other, beta_A, beta_B),
+                                     beta_A) *
+               std::sqrt(2.0 * scene.gravity / other.H);
+      },
+      kStep);
+  EXPECT_NEAR(found.by[parameter].tau_at_fixed_contacts, expected,
+              kAllowed * std::max(1.0, std::abs(expected)))
+      << name(parameter);
+}
+
+class AtFixedContacts : public ::testing::TestWithParam<Case> {};
+
+TEST_P(AtFixedContacts, AreThoseBetweenTheEndsOfTheCentre) {
+  const Solution solution = solved(GetParam().scene);
+  const auto found = sensitivities(solution);
+  ASSERT_TRUE(found);
 
   for (const SceneParameter parameter : kParameters) {
-    const double expected = slope(
-        [&](double by) {
-          Scene other = scene;
-          value_of(other, parameter) += by;
-          const double r = other.body.radius, H = other.H;
-          other.contact = Contact::Centre;
-          other.L += r * (std::sin(beta_B) - std::sin(beta_A));
-          other.H -= r * (std::cos(beta_B) - std::cos(beta_A));
-          return solved(other).motion()->transit_time() *
-                 std::sqrt(2.0 * scene.gravity / H);
-        },
-        kStep);
-    EXPECT_NEAR(found->by[parameter].tau_at_fixed_contacts, expected,
-                kAllowed * std::max(1.0, std::abs(expected)))
-        << name(parameter);
+    expect_slope_at_fixed_contacts(solution, *found, parameter);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AtFixedContacts,
+                         ::testing::Values(Case{
+                             "Backwards", scene_of(reference_body(-0.5))}),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Worlds, AtFixedContacts,
+                         ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
+
+Case push() {
+  return {"Push", with_push(backwards(), 1.0)};
+}
+Case push_between_ends() {
+  return {"PushBetweenEnds", with_push(backwards(Contact::Centre), 1.0)};
+}
+Case push_in_air_in_a_sphere() {
+  const Scene scene = about_sphere(scene_of(reference_body(0.4)), around());
+  return {"PushInAirInASphere", in_air(with_push(scene, 0.7), 0.1, 0.05)};
+}
+
+/// A start with a speed has slopes at both contacts that the answer determines,
+/// between given ends that at A, for the energy of the start. Its solves are
+/// long.
+class OfAPushedScene
+    : public ::testing::TestWithParam<std::tuple<Case, SceneParameter>> {};
+
+TEST_P(OfAPushedScene, AreTheSlopesOfWholeSolves) {
+  const auto& [pushed, parameter] = GetParam();
+  const auto found = sensitivities(solved(pushed.scene));
+  ASSERT_TRUE(found);
+
+  expect_total_slope(pushed.scene, *found, parameter);
+}
+
+class OfAPushAtFixedContacts : public OfAPushedScene {};
+
+TEST_P(OfAPushAtFixedContacts, AreThoseBetweenTheEndsOfTheCentre) {
+  const auto& [pushed, parameter] = GetParam();
+  const Solution solution = solved(pushed.scene);
+  const auto found = sensitivities(solution);
+  ASSERT_TRUE(found);
+
+  expect_slope_at_fixed_contacts(solution, *found, parameter);
+}
+
+std::string name_of(
+    const ::testing::TestParamInfo<std::tuple<Case, SceneParameter>>& one) {
+  return std::get<0>(one.param).test + "_" + name(std::get<1>(one.param));
+}
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, OfAPushedScene,
+    ::testing::Combine(::testing::Values(push(), push_between_ends(),
+                                         push_in_air_in_a_sphere()),
+                       ::testing::ValuesIn(kParameters)),
+    name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, OfAPushAtFixedContacts,
+    ::testing::Combine(::testing::Values(push(), push_between_ends()),
+                       ::testing::ValuesIn(kParameters)),
+    name_of);
 
 /// T = √(1 + k) U along one cycloid for all k.
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
@@ -288,8 +424,10 @@ TEST(Sensitivities, OfAUniformCylinderWithLittleGripAreThoseOfTheClosedForm) {
 }
 
 /// η_m = 0 is no corner: bodies to all sides of it are solved whole.
-TEST(Sensitivities, ByOffsetAreRegularAtNone) {
-  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5));
+class WithoutOffset : public ::testing::TestWithParam<Case> {};
+
+TEST_P(WithoutOffset, ByOffsetAreRegular) {
+  const Scene& scene = GetParam().scene;
   const auto found = sensitivities(solved(scene));
   ASSERT_TRUE(found);
   const auto along = [&](double theta_m) {
@@ -307,6 +445,19 @@ TEST(Sensitivities, ByOffsetAreRegularAtNone) {
   EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, along(0.7), kAllowed);
   EXPECT_EQ(found->by[SceneParameter::ThetaM].tau, 0.0);
 }
+
+Scene uniform(Contact contact = Contact::Smooth) {
+  return scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5), contact);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WithoutOffset,
+    ::testing::Values(
+        Case{"AtRest", uniform()}, Case{"Push", with_push(uniform(), 1.0)},
+        Case{"PushBetweenEnds", with_push(uniform(Contact::Centre), 1.0)},
+        Case{"InASphere", about_sphere(uniform(), around())},
+        Case{"PushBetweenEndsInASphere",
+             with_push(about_sphere(uniform(Contact::Centre), around()), 1.0)}),
+    [](const auto& one) { return one.param.test; });
 
 /// Second derivatives, of whole solves' first ones: those are compared with
 /// whole solves above.
@@ -341,8 +492,7 @@ TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SecondDerivativesOf,
     ::testing::Values(Case{"Reference", scene_of(reference_body())},
-                      Case{"Backwards",
-                           scene_of(reference_body(-std::numbers::pi / 6.0))}),
+                      Case{"Backwards", backwards()}, push()),
     [](const auto& one) { return one.param.test; });
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
 #include "support/world_scenes.hpp"
+#include "transcription/start_equation.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -255,6 +256,32 @@ TEST(APush, ClosesBothContactsTogether) {
   ASSERT_TRUE(solution.verified()) << solution.message;
   ASSERT_TRUE(other.verified()) << other.message;
   EXPECT_NEAR(solution.motion()->tau() / other.motion()->tau(), 1.0, 1e-9);
+}
+
+TEST(APush, StartsInTheDirectionThatBothFormsOfItsCostatesTell) {
+  // Integrated from the end along the path, and as the Lagrangian's slope over
+  // the values of the start: with both 𝓗 is least in the same direction.
+  const Scene scene = with_push(off_centred_scene(0.4), 1.0);
+  for (const Scene& pushed :
+       {scene, in_air(about_sphere(scene, around()), 0.1, 0.05)}) {
+    const Solution solution = solve(pushed, accurate());
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    const auto& answer = std::get<CollocationAnswer>(*solution.answer);
+    const ExtremalCurve& curve = answer.trajectory.curve();
+    const double slope = curve.at(0.0).beta;
+    RollingTime problem(curve.scene(), curve.mesh(), answer.phi);
+    StartEquation start(problem);
+    const auto value = [&](double alpha) {
+      start.set_parameter(alpha);
+      return start.linearise(answer.point.x, answer.point.lambda).residual;
+    };
+    // Of the closed contact.
+    constexpr double kMismatch = 1e-11;
+
+    EXPECT_NEAR(value(slope), 0.0, kMismatch);
+    EXPECT_GT(value(slope + 0.1), 0.0);
+    EXPECT_LT(value(slope - 0.1), 0.0);
+  }
 }
 
 class InEveryWorld : public ::testing::TestWithParam<Scene> {};

@@ -15,6 +15,13 @@
 
 namespace brachisto {
 
+namespace {
+
+/// What solutions with the factorised conditions are worth.
+constexpr double kOfSolves = 1e-13;
+
+}  // namespace
+
 FreeRates::Equations::Equations(const Scene& scene, const Mesh& mesh,
                                 double phi)
     : problem(scene, mesh, phi),
@@ -92,10 +99,9 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
         start * r * (x * std::cos(beta_0) + z * std::sin(beta_0)));
   }
   if (nlp::TangencyCondition* tangency = at_.tangency()) {
-    constexpr double kRounding = 1e-13;
     for (double& value : residual) value = -value;
     std::vector<double> direction(residual.size());
-    const bool solved = chain_->solve(residual, direction, kRounding);
+    const bool solved = chain_->solve(residual, direction, kOfSolves);
     const double phi = solved ? direction.back() : std::nan("");
     const nlp::SparseVector& turn = tangency->fixed_rates();
     for (std::size_t i = 0; i < turn.index.size(); ++i) {
@@ -104,6 +110,16 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
     }
   }
   return rate;
+}
+
+/// F = (∂²𝓗/∂β²) κ next to the answer.
+double FreeRates::contact_response() {
+  nlp::TangencyCondition* tangency = at_.tangency();
+  if (tangency == nullptr) return std::nan("");
+  std::vector<double> right(at(at_.system.size()), 0.0), direction = right;
+  right.back() = tangency->linearise(point_.x, point_.lambda).by_parameter;
+  return chain_->solve(right, direction, kOfSolves) ? direction.back()
+                                                    : std::nan("");
 }
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,

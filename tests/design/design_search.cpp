@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brachisto/model/mass_distribution.hpp"
+#include "design/gather_designs.hpp"
 
 namespace brachisto {
 namespace {

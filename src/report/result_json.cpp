@@ -572,6 +572,7 @@ Fields<Solution> origin_fields() {
                                 [=](const Solution& s) {
                                   Json options = input(s);
                                   options.erase("scene");
+                                  options.erase("design");
                                   return options;
                                 }),
                     {"linear_solver", "", "that Ipopt used on the final mesh",

@@ -53,7 +53,7 @@ double tamed(double margin) {
 
 Margins margins_of(const Solution& solution, double contact_response) {
   const double q = contact_response;
-  const double of_branch = std::isnan(q) ? 1.0 : 2.0 / (q + 1.0 / q);
+  const double of_branch = std::isnan(q) ? 1.0 : std::atan(q);
   const Scene& scene = solution.scene;
   const PathDiagnostics& path = *solution.diagnostics;
   const Point start = start_of_centre(scene);

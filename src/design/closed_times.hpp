@@ -21,9 +21,8 @@ namespace brachisto {
 
 /// How far a body is from losing its track, all > 0 where it does not. The
 /// first is of the branch: with q = dφ/dκ, how the contact at B answers to a
-/// kink, 2q/(1 + q²), which is 0 where the track ceases to be a minimum between
-/// its ends, q = 0, and where the branch turns, q = ∞; 1 where that is not
-/// known.
+/// kink, atan q, which is 0 where the track ceases to be a minimum between its
+/// ends and ±π/2 where the branch turns; 1 where that is not known.
 ///
 /// The others are of a body that can run on its track: the smallest R_n after
 /// its first rise [m g], how it rises at the start, dR_n/du √(H/g) [m g], the

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "math/index.hpp"
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double kLeastMargin = 1e-6;
 /// And of that of the branch, at whose edge solves from the cycloid lose digits
 /// and their way: τ there is less by this times the multiplier.
-constexpr double kLeastOfBranch = 1e-2;
+constexpr double kLeastOfBranch = 5e-3;
+constexpr double kMostOfBranch = 0.5 * std::numbers::pi - kLeastOfBranch;
 
 Eigen::Index count_of(Keep keep) {
   return keep == Keep::None     ? 0
@@ -36,9 +38,12 @@ DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
   }
   const auto margins = static_cast<std::size_t>(num_margins_);
   row_lower_.insert(row_lower_.end(), margins, kLeastMargin);
-  if (margins > 0) row_lower_[space.rows().size()] = kLeastOfBranch;
   row_upper_.insert(row_upper_.end(), margins,
                     std::numeric_limits<double>::infinity());
+  if (margins > 0) {
+    row_lower_[space.rows().size()] = kLeastOfBranch;
+    row_upper_[space.rows().size()] = kMostOfBranch;
+  }
   for (int row = 0; row < num_constraints(); ++row) {
     for (int column = 0; column < num_variables(); ++column) {
       jacobian_.rows.push_back(row);
@@ -80,8 +85,12 @@ std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
     const bool of_margin = i >= own;
     const bool of_branch = i == own;
     const DesignSpace::Stated stated =
-        of_margin ? DesignSpace::Stated{of_branch ? kLeastOfBranch : 0.0, 1.0}
-                  : space_.stated(i, point.lambda[i] > 0.0, y_);
+        of_margin
+            ? DesignSpace::Stated{!of_branch              ? 0.0
+                                  : point.lambda[i] > 0.0 ? kMostOfBranch
+                                                          : kLeastOfBranch,
+                                  1.0}
+            : space_.stated(i, point.lambda[i] > 0.0, y_);
     out.push_back({constraint_name(static_cast<int>(i)), stated.bound,
                    -point.lambda[i] * stated.slope});
   }
@@ -122,7 +131,8 @@ void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
 }
 
 void DesignProblem::note_place() const {
-  if (times_.margins()[0] < kLeastOfBranch) return;
+  const double of_branch = times_.margins()[0];
+  if (of_branch < kLeastOfBranch || of_branch > kMostOfBranch) return;
   last_on_branch_ = y_;
   // Bounds of several coordinates together need not hold on the way.
   const Eigen::VectorXd rows = space_.row_values(y_);

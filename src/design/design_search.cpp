@@ -128,17 +128,25 @@ class Searcher {
     const std::optional<Judged> end = run(from, Keep::None, Follow::Neighbours);
     if (end || !back_) return end;
     const Eigen::VectorXd edge = *back_;
-    return run(edge, Keep::Branch, Follow::Neighbours);
+    const std::optional<Judged> along =
+        run(edge, Keep::Branch, Follow::Neighbours);
+    // It is begun again elsewhere, but this is what there is so far.
+    if (!along) take_passed();
+    return along;
   }
 
   /// A run over principal tracks alone, whose τ jumps: if it comes to no
   /// minimum, to the quickest body that it has passed.
   std::optional<Judged> run_along_principal(const Eigen::VectorXd& from) {
-    passed_.reset();
     const std::optional<Judged> end =
         run(from, Keep::Branch, Follow::Principal);
-    if (end || !passed_ || !times_.move_to(space_->traits(*passed_))) {
-      return end;
+    return end ? end : take_passed();
+  }
+
+  /// The quickest body of the last run, told as no minimum.
+  std::optional<Judged> take_passed() {
+    if (!passed_ || !times_.move_to(space_->traits(*passed_))) {
+      return std::nullopt;
     }
     return take(*passed_, {});
   }
@@ -185,8 +193,8 @@ class Searcher {
       return std::nullopt;
     }
     DesignMinimum minimum;
+    minimum.stationary = true;
     if (refined.converged) {
-      minimum.stationary = true;
       minimum.bounds_active = problem.bounds_that_hold(refined.point);
       minimum.curvatures = refined.curvatures;
     }

@@ -69,6 +69,14 @@ DesignAnswer gather_designs(const DesignPlan& plan,
     out.cpu_seconds += search.cpu_seconds;
   }
   std::ranges::stable_sort(out.minima, {}, &DesignMinimum::tau);
+  // Of bodies that were passed the quickest stands for all.
+  bool one = false;
+  std::erase_if(out.minima, [&](const DesignMinimum& minimum) {
+    if (minimum.stationary) return false;
+    const bool more = one || !minimum.verified;
+    one = one || !more;
+    return more;
+  });
   for (DesignMinimum& minimum : out.minima) {
     if (!runs_away(plan, minimum)) continue;
     minimum.remarks.push_back(fmt::format(

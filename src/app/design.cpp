@@ -4,10 +4,13 @@
 // brachisto design FILE: the body that is the quickest on its track.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,12 +20,13 @@
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solution_output.hpp"
+#include "app/solve_progress.hpp"
 #include "app/sweep_run.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
-#include "design/design_search.hpp"
+#include "design/gather_designs.hpp"
 #include "report/design_map.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
@@ -35,18 +39,54 @@ namespace brachisto::app {
 namespace {
 
 struct DesignFlags : CommonFlags, SweepRun {
+  bool verbose = false;
   int map = 0;  ///< values of each of its axes; 0: none
 };
 
 constexpr std::array kMapFiles{"design_map.csv", "design_map.gp",
                                "design_map.svg"};
 
+/// The least τ that a store has of a body that a design may choose.
+std::optional<double> least_tau(sweep::Store& store) {
+  std::optional<double> least;
+  store.for_each_result([&](std::size_t, const std::string& document) {
+    const SweepOutcome found = sweep::read_outcome(document);
+    if (found.state != SweepOutcome::State::Verified) return;
+    least = std::min(found.tau, least.value_or(found.tau));
+  });
+  return least;
+}
+
+/// Tells those who wait how many searches have ended; on a terminal, and where
+/// it is asked for.
+sweep::ProgressSink search_progress(const DesignFlags& flags,
+                                    sweep::Store& store) {
+  if (flags.quiet || (!flags.verbose && ::isatty(STDERR_FILENO) != 1)) {
+    return [](const sweep::Counts&) {};
+  }
+  const auto lines = std::make_shared<SolveProgress>(
+      [](const std::string& line) { tell_progress(line); },
+      SolveProgress::Clock::now());
+  // Asked for often, read from the store only when there is more of it.
+  const auto known = std::make_shared<std::pair<std::size_t, std::string>>();
+  return [=, &store](const sweep::Counts& now) {
+    if (now.finished() != known->first) {
+      const std::optional<double> tau = least_tau(store);
+      *known = {now.finished(),
+                tau ? fmt::format(", least τ so far {:.9g}", *tau) : ""};
+    }
+    lines->note(SolveProgress::Clock::now(), "design",
+                fmt::format("{} of {} searches have ended{}", now.finished(),
+                            now.scenes, known->second));
+  };
+}
+
 /// The searches of a design by worker processes, as far as they got.
-/// \param failures  gets those of workers, in words
+/// \param lost  gets those that a worker died of
 std::vector<DesignSearch> searches(const DesignFlags& flags,
                                    const sweep::Job& job,
                                    const std::atomic<int>& signal,
-                                   std::vector<std::string>& failures) {
+                                   std::vector<LostSearch>& lost) {
   // Without --out the searches are kept for this run alone.
   std::optional<sweep::ScratchDirectory> own;
   SweepRun run = flags;
@@ -55,18 +95,14 @@ std::vector<DesignSearch> searches(const DesignFlags& flags,
   sweep::Store store =
       open_store(run, job, sweep::store_info(job, sweep::Shard{}.name()));
   run_manager(job, store, manager_options(run, job, signal),
-              [](const sweep::Counts&) {});
+              search_progress(flags, store));
   std::vector<DesignSearch> found;
-  store.for_each_result([&](std::size_t start, const std::string& document) {
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
     try {
       found.push_back(sweep::read_design_search(document));
-      if (found.back().minima.empty()) {
-        failures.push_back(
-            fmt::format("start {}: {}", start + 1, found.back().message));
-      }
     } catch (const std::exception&) {
-      failures.push_back(fmt::format("start {}: {}", start + 1,
-                                     sweep::read_outcome(document).message));
+      const int number = job.file.problem(scene).design.start.value_or(1);
+      lost.push_back({number, sweep::read_outcome(document).message});
     }
   });
   return found;
@@ -117,9 +153,10 @@ int run(const DesignFlags& flags) {
     warn(io::to_string(warning));
   }
   const std::atomic<int>& signal = catch_signals();
-  std::vector<std::string> failures;
+  std::vector<LostSearch> lost;
   DesignAnswer answer =
-      gather_designs(problem.design, searches(flags, job, signal, failures));
+      gather_designs(problem.design, searches(flags, job, signal, lost));
+  std::ranges::move(lost, std::back_inserter(answer.lost));
 
   Solution solution;
   solution.scene = problem.scene;
@@ -134,15 +171,15 @@ int run(const DesignFlags& flags) {
     solution = solve(scene, problem.options, {.interrupt = &signal});
   } else {
     solution.status = Status::NotConverged;
-    solution.message = "no search came to a minimum";
+    solution.message =
+        answer.minima.empty()
+            ? "no search came to a minimum"
+            : "no search came to a minimum on the principal branch";
   }
   std::vector<report::OutputFile> further;
   if (flags.map > 0 && solution.verified() && signal.load() == 0) {
     further =
         draw_map(flags, answer, solution.scene.body, signal, solution.warnings);
-  }
-  for (const std::string& failure : failures) {
-    solution.warnings.push_back("no minimum from " + failure);
   }
   solution.design = std::move(answer);
   return hand_out(solution,
@@ -170,6 +207,8 @@ Verb design_verb() {
             .placeholder = "N",
             .check = integer_within(2, 1000),
             .needs = "--out"},
+           {"--verbose", &flags->verbose,
+            "Tell of the progress also where stderr is no terminal"},
            {.name = "--resume",
             .value = &flags->resume,
             .text = "Go on with the searches in DIR, if there are any",

@@ -51,17 +51,20 @@ double tamed(double margin) {
 
 }  // namespace
 
-Margins margins_of(const Solution& solution) {
+Margins margins_of(const Solution& solution, double contact_response) {
+  const double q = contact_response;
+  const double of_branch = std::isnan(q) ? 1.0 : std::atan(q);
   const Scene& scene = solution.scene;
   const PathDiagnostics& path = *solution.diagnostics;
   const Point start = start_of_centre(scene);
   const double distance =
       std::hypot(scene.L - start.x, scene.H - start.z) - scene.body.radius;
-  return {tamed(path.normal_force_after_rise.value),
-          tamed(path.at_start.normal_force_rate *
-                std::sqrt(scene.H / scene.gravity)),
-          tamed(path.min_fold_margin.value),
-          tamed(distance / scene.body.radius)};
+  Margins out;
+  out << of_branch, tamed(path.normal_force_after_rise.value),
+      tamed(path.at_start.normal_force_rate *
+            std::sqrt(scene.H / scene.gravity)),
+      tamed(path.min_fold_margin.value), tamed(distance / scene.body.radius);
+  return out;
 }
 
 ClosedTimes::ClosedTimes(Scene scene, const SolveOptions& options,
@@ -97,7 +100,9 @@ bool ClosedTimes::move_to(const Traits& traits) {
     return false;
   }
   Solution solution = solved(scene.body, held_.get());
-  if (!is_extremal(solution) || !solution.folds.empty()) {
+  const bool beyond_folds = !solution.folds.empty();
+  if (!is_extremal(solution) ||
+      (beyond_folds && follow_ == Follow::Neighbours)) {
     refusal_ = fmt::format(
         "the branch cannot be followed to η_m = {:.6g}, θ_m = {:.6g}, k = "
         "{:.6g}, r = {:.6g} m",
@@ -112,20 +117,21 @@ bool ClosedTimes::move_to(const Traits& traits) {
   gradient_ = {slopes->by_offset[0].tau, slopes->by_offset[1].tau,
                slopes->by[SceneParameter::K].tau,
                slopes->by[SceneParameter::Radius].tau};
+  contact_response_ = slopes->contact_response;
   here_ = traits;
   solution_ = std::move(solution);
   return true;
 }
 
 void ClosedTimes::hold_on() {
-  held_ = solution_.as_neighbour();
+  if (follow_ == Follow::Neighbours) held_ = solution_.as_neighbour();
 }
 
 /// Central where both sides are bodies, else one-sided to the second order.
-Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
+MarginGradient ClosedTimes::margin_gradient(const Traits& wanted) {
   // Margins are good to 1e-9 or so where their place is smooth in the body.
   constexpr double kStep = 1e-4;
-  Eigen::Matrix4d out = Eigen::Matrix4d::Zero();
+  MarginGradient out = MarginGradient::Zero();
   const std::shared_ptr<const Neighbour> beside = solution_.as_neighbour();
   const auto at = [&](int trait, double shift) -> std::optional<Margins> {
     Traits moved = here_;
@@ -135,7 +141,9 @@ Eigen::Matrix4d ClosedTimes::margin_gradient(const Traits& wanted) {
     if (!validate(scene).empty()) return std::nullopt;
     const Solution there = solved(scene.body, beside.get());
     if (!is_extremal(there)) return std::nullopt;
-    return margins_of(there);
+    const std::optional<Sensitivities> slopes = sensitivities(there);
+    if (!slopes) return std::nullopt;
+    return margins_of(there, slopes->contact_response);
   };
   const Margins middle = margins();
   for (int i = 0; i < 4; ++i) {

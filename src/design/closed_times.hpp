@@ -19,18 +19,35 @@
 
 namespace brachisto {
 
-/// How far a body is from not being able to run on its track, all > 0 where
-/// it can: the smallest R_n after its first rise [m g], how it rises at the
-/// start, dR_n/du √(H/g) [m g], the smallest 1 − r κ_c, and the distance of B
-/// from the body at its start [r]. That tracks cross themselves has no number.
-inline constexpr std::array<std::string_view, 4> kMargins{
-    "normal_force", "start", "fold_margin", "room"};
-using Margins = Eigen::Vector4d;
+/// How far a body is from losing its track, all > 0 where it does not. The
+/// first is of the branch: with q = dφ/dκ, how the contact at B answers to a
+/// kink, atan q, which is 0 where the track ceases to be a minimum between its
+/// ends and ±π/2 where the branch turns; 1 where that is not known.
+///
+/// The others are of a body that can run on its track: the smallest R_n after
+/// its first rise [m g], how it rises at the start, dR_n/du √(H/g) [m g], the
+/// smallest 1 − r κ_c, and the distance of B from the body at its start [r].
+/// That tracks cross themselves has no number.
+inline constexpr std::array<std::string_view, 5> kMargins{
+    "branch", "normal_force", "start", "fold_margin", "room"};
+inline constexpr std::string_view kBranchMargin = kMargins.front();
+using Margins = Eigen::Vector<double, kMargins.size()>;
 
-[[nodiscard]] Margins margins_of(const Solution& solution);
+/// \param contact_response  see Sensitivities
+[[nodiscard]] Margins margins_of(const Solution& solution,
+                                 double contact_response);
+
+/// d(margins)/d(traits).
+using MarginGradient = Eigen::Matrix<double, kMargins.size(), 4>;
+
+/// Where the track of a body is sought.
+enum class Follow {
+  Neighbours,  ///< beside the last body that was held on to
+  Principal,   ///< from the cycloid, through folds if need be: τ may jump
+};
 
 /// Solves a scene for one body after the other, and stays on one branch: what
-/// cannot be followed from the body that it holds on to is refused.
+/// cannot be followed is refused.
 class ClosedTimes {
  public:
   /// \param options    of every solve
@@ -44,17 +61,23 @@ class ClosedTimes {
   void hold_on();
   /// Solves with other options from now on.
   void use(const SolveOptions& options);
-  /// Forgets what it holds on to: the next body is solved from the cycloid.
-  void let_go() { held_.reset(); }
+  /// Forgets what it holds on to: the next body is solved from the cycloid, and
+  /// those after it as is said.
+  void begin(Follow follow) {
+    follow_ = follow;
+    held_.reset();
+  }
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double tau() const { return solution_.motion()->tau(); }
-  [[nodiscard]] Margins margins() const { return margins_of(solution_); }
+  [[nodiscard]] Margins margins() const {
+    return margins_of(solution_, contact_response_);
+  }
   /// dτ/d(traits), the contacts moving along.
   [[nodiscard]] const Traits& gradient() const { return gradient_; }
-  /// d(margins)/d(traits) by central differences of whole solves, of the traits
+  /// By central differences of whole solves, of the traits
   /// that `wanted` is nonzero for.
-  [[nodiscard]] Eigen::Matrix4d margin_gradient(const Traits& wanted);
+  [[nodiscard]] MarginGradient margin_gradient(const Traits& wanted);
 
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   [[nodiscard]] int solves() const { return solves_; }
@@ -69,6 +92,8 @@ class ClosedTimes {
   Traits here_ = Traits::Zero();
   Solution solution_;
   Traits gradient_ = Traits::Zero();
+  double contact_response_ = 0.0;
+  Follow follow_ = Follow::Neighbours;
   std::shared_ptr<const Neighbour> held_;
   std::string refusal_;
   int solves_ = 0;

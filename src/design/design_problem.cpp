@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include "math/index.hpp"
 
@@ -15,20 +16,33 @@ namespace {
 
 /// What is asked of a margin: more than nothing, by what solves leave open.
 constexpr double kLeastMargin = 1e-6;
+/// And of that of the branch, at whose edge solves from the cycloid lose digits
+/// and their way: τ there is less by this times the multiplier.
+constexpr double kLeastOfBranch = 5e-3;
+constexpr double kMostOfBranch = 0.5 * std::numbers::pi - kLeastOfBranch;
+
+Eigen::Index count_of(Keep keep) {
+  return keep == Keep::None     ? 0
+         : keep == Keep::Branch ? 1
+                                : static_cast<Eigen::Index>(kMargins.size());
+}
 
 }  // namespace
 
 DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
-                             bool require_feasible)
-    : space_(space), times_(times), require_feasible_(require_feasible) {
+                             Keep keep)
+    : space_(space), times_(times), num_margins_(count_of(keep)) {
   for (const DesignSpace::Row& row : space.rows()) {
     row_lower_.push_back(row.lower);
     row_upper_.push_back(row.upper);
   }
-  if (require_feasible) {
-    row_lower_.insert(row_lower_.end(), kMargins.size(), kLeastMargin);
-    row_upper_.insert(row_upper_.end(), kMargins.size(),
-                      std::numeric_limits<double>::infinity());
+  const auto margins = static_cast<std::size_t>(num_margins_);
+  row_lower_.insert(row_lower_.end(), margins, kLeastMargin);
+  row_upper_.insert(row_upper_.end(), margins,
+                    std::numeric_limits<double>::infinity());
+  if (margins > 0) {
+    row_lower_[space.rows().size()] = kLeastOfBranch;
+    row_upper_[space.rows().size()] = kMostOfBranch;
   }
   for (int row = 0; row < num_constraints(); ++row) {
     for (int column = 0; column < num_variables(); ++column) {
@@ -58,12 +72,25 @@ std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
       out.push_back({space_.names()[i], upper()[i], -point.z_upper[i]});
     }
   }
+  const std::optional<double> at_corner = space_.corner_on_axis(point.lambda);
+  if (at_corner)
+    out.push_back({std::string(name(BodyKey::EtaM)), 0.0, *at_corner});
   for (std::size_t i = 0; i < point.lambda.size(); ++i) {
     if (point.lambda[i] == 0.0) continue;
-    const bool of_margin = i >= space_.rows().size();
+    if (at_corner && i < space_.rows().size() &&
+        space_.rows()[i].name == name(BodyKey::ThetaM)) {
+      continue;
+    }
+    const std::size_t own = space_.rows().size();
+    const bool of_margin = i >= own;
+    const bool of_branch = i == own;
     const DesignSpace::Stated stated =
-        of_margin ? DesignSpace::Stated{0.0, 1.0}
-                  : space_.stated(i, point.lambda[i] > 0.0, y_);
+        of_margin
+            ? DesignSpace::Stated{!of_branch              ? 0.0
+                                  : point.lambda[i] > 0.0 ? kMostOfBranch
+                                                          : kLeastOfBranch,
+                                  1.0}
+            : space_.stated(i, point.lambda[i] > 0.0, y_);
     out.push_back({constraint_name(static_cast<int>(i)), stated.bound,
                    -point.lambda[i] * stated.slope});
   }
@@ -98,14 +125,31 @@ void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
     times_.hold_on();
     gradient_ = space_.traits_jacobian(y_).transpose() * times_.gradient();
     path_.push_back({space_.values(y_), times_.tau()});
+    note_place();
   }
   std::ranges::copy(*gradient_, grad_f.begin());
 }
 
+void DesignProblem::note_place() const {
+  const double of_branch = times_.margins()[0];
+  if (of_branch < kLeastOfBranch || of_branch > kMostOfBranch) return;
+  last_on_branch_ = y_;
+  // Bounds of several coordinates together need not hold on the way.
+  const Eigen::VectorXd rows = space_.row_values(y_);
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const DesignSpace::Row& row = space_.rows()[static_cast<std::size_t>(i)];
+    if (rows[i] < row.lower || rows[i] > row.upper) return;
+  }
+  if (times_.tau() >= least_tau_) return;
+  least_tau_ = times_.tau();
+  quickest_ = y_;
+}
+
 void DesignProblem::do_eval_g(std::span<double> g) const {
   std::ranges::copy(space_.row_values(y_), g.begin());
-  if (require_feasible_) {
-    std::ranges::copy(times_.margins(), g.end() - kMargins.size());
+  if (num_margins_ > 0) {
+    std::ranges::copy(times_.margins().head(num_margins_),
+                      g.end() - num_margins_);
   }
 }
 
@@ -114,12 +158,13 @@ void DesignProblem::do_eval_jac_g(std::span<double> values) const {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(
       num_constraints(), num_variables());
   rows.topRows(num_own) = space_.row_jacobian(y_);
-  if (require_feasible_) {
+  if (num_margins_ > 0) {
     if (!margin_rows_) {
       margin_rows_ =
-          times_.margin_gradient(wanted_traits()) * space_.traits_jacobian(y_);
+          times_.margin_gradient(wanted_traits()).topRows(num_margins_) *
+          space_.traits_jacobian(y_);
     }
-    rows.bottomRows(static_cast<Eigen::Index>(kMargins.size())) = *margin_rows_;
+    rows.bottomRows(num_margins_) = *margin_rows_;
   }
   std::copy_n(rows.data(), rows.size(), values.begin());
 }

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,10 +24,13 @@ class NoWayOn : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// min τ(y) over a DesignSpace, and where that is asked for with all margins
-/// positive. Its functions are closed solutions; none of their unknowns is a
-/// variable here, for the contacts are conditions and not choices
-/// (docs/theory.md, "The quickest body"). It has no second derivatives.
+/// Which margins a design has to keep positive, each with all before it.
+enum class Keep { None, Branch, All };
+
+/// min τ(y) over a DesignSpace, with the margins positive that are to be kept.
+/// Its functions are closed solutions; none of their unknowns is a variable
+/// here, for the contacts are conditions and not choices (docs/theory.md, "The
+/// quickest body"). It has no second derivatives.
 ///
 /// Where so many bodies in a row are refused that no step is left it throws
 /// NoWayOn.
@@ -35,8 +39,7 @@ class NoWayOn : public std::runtime_error {
 class DesignProblem final : public nlp::Problem {
  public:
   /// All arguments must outlive the problem.
-  DesignProblem(const DesignSpace& space, ClosedTimes& times,
-                bool require_feasible);
+  DesignProblem(const DesignSpace& space, ClosedTimes& times, Keep keep);
 
   [[nodiscard]] int num_variables() const override { return space_.size(); }
   [[nodiscard]] int num_constraints() const override {
@@ -68,6 +71,14 @@ class DesignProblem final : public nlp::Problem {
 
   /// The points at which gradients were asked for, in their order.
   [[nodiscard]] const std::vector<DesignStep>& path() const { return path_; }
+  /// The last of them whose track is a minimum between its ends, if any was,
+  /// and the quickest of those.
+  [[nodiscard]] const std::optional<Eigen::VectorXd>& last_on_branch() const {
+    return last_on_branch_;
+  }
+  [[nodiscard]] const std::optional<Eigen::VectorXd>& quickest() const {
+    return quickest_;
+  }
   /// The bounds of a solution that hold, with what τ does as they move.
   [[nodiscard]] std::vector<BoundOfDesign> bounds_that_hold(
       const PrimalDual& point) const;
@@ -85,10 +96,11 @@ class DesignProblem final : public nlp::Problem {
                         std::span<double>) const override {}
 
   [[nodiscard]] Traits wanted_traits() const;
+  void note_place() const;
 
   const DesignSpace& space_;
   ClosedTimes& times_;
-  bool require_feasible_;
+  Eigen::Index num_margins_;  ///< that are kept, the first ones
   std::vector<double> row_lower_, row_upper_;
   nlp::SparsityPattern jacobian_, no_hessian_;
   Eigen::VectorXd y_;
@@ -97,6 +109,8 @@ class DesignProblem final : public nlp::Problem {
   mutable std::optional<Eigen::VectorXd> gradient_;
   mutable std::optional<Eigen::MatrixXd> margin_rows_;
   mutable std::vector<DesignStep> path_;
+  mutable std::optional<Eigen::VectorXd> last_on_branch_, quickest_;
+  mutable double least_tau_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace brachisto

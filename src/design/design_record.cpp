@@ -35,6 +35,7 @@ Json minimum_json(const DesignMinimum& minimum) {
   return {{"body", {body.radius, body.eta_m, body.theta_m, body.k}},
           {"values", numbers_json(minimum.values)},
           {"tau", minimum.tau},
+          {"stationary", minimum.stationary},
           {"feasible", minimum.feasible},
           {"verified", minimum.verified},
           {"remarks", minimum.remarks},
@@ -49,6 +50,7 @@ DesignMinimum minimum_from(const Json& json) {
   minimum.body = Body::cylinder(body[0], body[1], body[2], body[3]);
   minimum.values = numbers_from(json.at("values"));
   minimum.tau = json.at("tau");
+  minimum.stationary = json.at("stationary");
   minimum.feasible = json.at("feasible");
   minimum.verified = json.at("verified");
   json.at("remarks").get_to(minimum.remarks);
@@ -64,18 +66,20 @@ DesignMinimum minimum_from(const Json& json) {
 }  // namespace
 
 Json to_json(const DesignSearch& search) {
-  Json minima = Json::array(), path = Json::array();
+  Json minima = Json::array(), paths = Json::array();
   for (const DesignMinimum& minimum : search.minima) {
     minima.push_back(minimum_json(minimum));
   }
-  for (const auto& [values, tau] : search.path) {
-    path.push_back({{"values", numbers_json(values)}, {"tau", tau}});
+  for (const DesignPath& path : search.paths) {
+    Json& steps = paths.emplace_back(Json::array());
+    for (const auto& [values, tau] : path) {
+      steps.push_back({{"values", numbers_json(values)}, {"tau", tau}});
+    }
   }
-  return {{"minima", std::move(minima)},
-          {"path", std::move(path)},
-          {"message", search.message},
-          {"solves", search.solves},
-          {"cpu_seconds", search.cpu_seconds}};
+  return {{"minima", std::move(minima)}, {"paths", std::move(paths)},
+          {"lost", search.lost},         {"message", search.message},
+          {"number", search.number},     {"starts", search.starts},
+          {"solves", search.solves},     {"cpu_seconds", search.cpu_seconds}};
 }
 
 DesignSearch design_search_from_json(const Json& json) {
@@ -83,11 +87,17 @@ DesignSearch design_search_from_json(const Json& json) {
   for (const Json& minimum : json.at("minima")) {
     search.minima.push_back(minimum_from(minimum));
   }
-  for (const Json& step : json.at("path")) {
-    search.path.push_back(
-        {numbers_from(step.at("values")), step.at("tau").get<double>()});
+  for (const Json& steps : json.at("paths")) {
+    DesignPath& path = search.paths.emplace_back();
+    for (const Json& step : steps) {
+      path.push_back(
+          {numbers_from(step.at("values")), step.at("tau").get<double>()});
+    }
   }
+  json.at("lost").get_to(search.lost);
   search.message = json.at("message");
+  search.number = json.at("number");
+  search.starts = json.at("starts");
   search.solves = json.at("solves");
   search.cpu_seconds = json.at("cpu_seconds");
   return search;

@@ -22,9 +22,8 @@ namespace brachisto {
 
 namespace {
 
-/// Minima that agree to this, relative to τ, and in coordinates, are one.
+/// Solves of one track agree to this, relative to τ.
 constexpr double kSameTau = 1e-8;
-constexpr double kSamePlace = 1e-5;
 
 /// A search needs few digits before its end.
 SolveOptions on_the_way(SolveOptions options) {
@@ -37,29 +36,13 @@ SolveOptions on_the_way(SolveOptions options) {
   return options;
 }
 
-/// Solves the track of a minimum anew, from the cycloid, and says what comes of
-/// it.
-std::optional<Solution> judge(const Scene& scene, const SolveOptions& options,
-                              DesignMinimum& minimum) {
-  Scene built = scene;
-  built.body = minimum.body;
-  Solution anew = solve(built, options);
-  if (!anew.verified()) {
-    minimum.remarks.push_back(anew.status == Status::Solved
-                                  ? "its track could not be verified"
-                                  : anew.message);
-    return std::nullopt;
-  }
-  minimum.feasible = anew.feasible();
-  minimum.remarks = anew.infeasible_because();
-  const double tau = anew.motion()->tau();
-  minimum.verified = std::abs(tau / minimum.tau - 1.0) <= kSameTau;
-  if (!minimum.verified) {
-    minimum.remarks.push_back(fmt::format(
-        "the search has left the principal branch, on which τ is {:.9g}", tau));
-  }
-  return anew;
+Eigen::VectorXd as_coordinates(const std::vector<double>& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(),
+                                           static_cast<Eigen::Index>(x.size()));
 }
+
+/// What a body is found to be when its track is solved anew, from the cycloid.
+enum class Judged { Verified, OnAnotherBranch, Unverified };
 
 class Searcher {
  public:
@@ -78,12 +61,21 @@ class Searcher {
     }
   }
 
+  /// From one start, and from others as long as it comes to nothing.
   [[nodiscard]] DesignSearch search(int number) {
-    const Eigen::VectorXd start = reachable_start(number);
-    run({start.begin(), start.end()}, false);
-    if (plan_.require_feasible && !out_.minima.empty() &&
-        !out_.minima.back().feasible) {
-      run({start.begin(), start.end()}, true);
+    const RandomStream stream(plan_.seed, "design");
+    SplitMix64 random(static_cast<std::uint64_t>(
+        stream.draw(static_cast<std::uint64_t>(number))));
+    out_.number = number;
+    while (out_.starts < kMostStarts) {
+      const bool of_scene = number == 1 && out_.starts == 0;
+      ++out_.starts;
+      if (seek(
+              reachable(of_scene ? space_->first() : space_->random(random)))) {
+        break;
+      }
+      if (ipopt_.stop.met()) break;
+      out_.lost.push_back(out_.message);
     }
     out_.solves = times_.solves();
     out_.cpu_seconds = times_.cpu_seconds();
@@ -96,20 +88,14 @@ class Searcher {
   static constexpr int kMostIterations = 100;
   // Errors of gradients over it, and its square, are below 1e-5.
   static constexpr double kStepOfHessian = 1e-3;
-
-  [[nodiscard]] Eigen::VectorXd start_of(int number) const {
-    if (number == 1) return space_->first();
-    const RandomStream stream(plan_.seed, "design");
-    SplitMix64 random(static_cast<std::uint64_t>(
-        stream.draw(static_cast<std::uint64_t>(number))));
-    return space_->random(random);
-  }
+  static constexpr int kMostStarts = 3;
 
   /// A start, drawn towards the axis if the branch of the cycloid, which begins
   /// there, does not reach it.
-  [[nodiscard]] Eigen::VectorXd reachable_start(int number) {
+  [[nodiscard]] Eigen::VectorXd reachable(Eigen::VectorXd y) {
     constexpr int kMostSteps = 6;
-    Eigen::VectorXd y = start_of(number);
+    times_.begin(Follow::Neighbours);
+    times_.use(on_the_way(options_));
     for (int i = 0; i < kMostSteps; ++i) {
       if (times_.move_to(space_->traits(y))) break;
       y = space_->nearer_to_the_axis(y);
@@ -117,51 +103,150 @@ class Searcher {
     return y;
   }
 
-  void run(std::vector<double> start, bool require_feasible) {
-    DesignProblem problem(*space_, times_, require_feasible);
+  /// Whether a body came of it that a design may choose.
+  bool seek(const Eigen::VectorXd& start) {
+    Eigen::VectorXd from = start;
+    std::optional<Judged> end = descend(from);
+    if (end == Judged::OnAnotherBranch) {
+      from = *back_;
+      end = descend(from);
+    }
+    if (end == Judged::OnAnotherBranch) {
+      from = *back_;
+      end = run_along_principal(from);
+    }
+    if (end != Judged::Verified) return false;
+    if (!plan_.require_feasible || out_.minima.back().feasible) return true;
+    return run(from, Keep::All, Follow::Neighbours) == Judged::Verified &&
+           out_.minima.back().feasible;
+  }
+
+  /// To the quickest body near a start; if a branch ends on the way, along its
+  /// edge.
+  std::optional<Judged> descend(const Eigen::VectorXd& from) {
+    back_.reset();
+    const std::optional<Judged> end = run(from, Keep::None, Follow::Neighbours);
+    if (end || !back_) return end;
+    const Eigen::VectorXd edge = *back_;
+    const std::optional<Judged> along =
+        run(edge, Keep::Branch, Follow::Neighbours);
+    // It is begun again elsewhere, but this is what there is so far.
+    if (!along) take_passed();
+    return along;
+  }
+
+  /// A run over principal tracks alone, whose τ jumps: if it comes to no
+  /// minimum, to the quickest body that it has passed.
+  std::optional<Judged> run_along_principal(const Eigen::VectorXd& from) {
+    const std::optional<Judged> end =
+        run(from, Keep::Branch, Follow::Principal);
+    return end ? end : take_passed();
+  }
+
+  /// The quickest body of the last run, told as no minimum.
+  std::optional<Judged> take_passed() {
+    if (!passed_ || !times_.move_to(space_->traits(*passed_))) {
+      return std::nullopt;
+    }
+    return take(*passed_, {});
+  }
+
+  /// One run of the optimiser. \return nothing if it comes to no minimum
+  std::optional<Judged> run(const Eigen::VectorXd& start, Keep keep,
+                            Follow follow) {
+    DesignProblem problem(*space_, times_, keep);
+    std::optional<Judged> end;
     try {
-      times_.let_go();
+      times_.begin(follow);
       times_.use(on_the_way(options_));
       const SolverResult found =
-          solve_with_ipopt(problem, {std::move(start), {}}, ipopt_);
-      keep_path(problem);
-      if (found.status != Status::Solved) {
-        out_.message = found.message;
-      } else {
-        times_.use(options_);
-        const FewVariablesPoint refined =
-            refine_few_variables(problem, found.point, kStepOfHessian);
-        take(problem, refined.converged ? refined.point : found.point, refined);
-      }
+          solve_with_ipopt(problem, {{start.begin(), start.end()}, {}}, ipopt_);
+      out_.message = found.message;
+      if (!found.point.x.empty()) end = finish(problem, found, keep);
     } catch (const NoWayOn& error) {
-      keep_path(problem);
       out_.message = error.what();
+      back_ = problem.last_on_branch();
     }
+    out_.paths.push_back(problem.path());
+    passed_ = problem.quickest();
+    return end;
   }
 
-  void keep_path(const DesignProblem& problem) {
-    std::ranges::copy(problem.path(), std::back_inserter(out_.path));
-  }
-
-  void take(DesignProblem& problem, const PrimalDual& point,
-            const FewVariablesPoint& refined) {
+  /// What Newton's method confirms is a minimum, however the optimiser ended.
+  std::optional<Judged> finish(DesignProblem& problem,
+                               const SolverResult& found, Keep keep) {
+    times_.use(options_);
+    const FewVariablesPoint refined =
+        refine_few_variables(problem, found.point, kStepOfHessian);
+    if (!refined.converged && found.status != Status::Solved) {
+      return std::nullopt;
+    }
+    const PrimalDual& point = refined.converged ? refined.point : found.point;
     if (!problem.set_point(point.x)) {
       out_.message = problem.refusal();
-      return;
+      return std::nullopt;
     }
-    const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(
-        point.x.data(), static_cast<Eigen::Index>(point.x.size()));
+    if (keep == Keep::None && !(times_.margins()[0] > 0.0)) {
+      // The least τ of tracks that are no minima between their ends.
+      out_.message = "it has run over the edge of its branch";
+      back_ = problem.last_on_branch();
+      return std::nullopt;
+    }
     DesignMinimum minimum;
-    minimum.body = space_->body(y);
-    minimum.values = space_->values(y);
-    minimum.tau = times_.tau();
-    minimum.gradient = space_->slopes(y, times_.gradient());
+    minimum.stationary = true;
     if (refined.converged) {
       minimum.bounds_active = problem.bounds_that_hold(refined.point);
       minimum.curvatures = refined.curvatures;
     }
-    out_.answer = judge(scene_, options_, minimum);
+    return take(as_coordinates(point.x), std::move(minimum));
+  }
+
+  /// \param y  the body that the times have been moved to
+  Judged take(const Eigen::VectorXd& y, DesignMinimum minimum) {
+    minimum.body = space_->body(y);
+    minimum.values = space_->values(y);
+    minimum.tau = times_.tau();
+    minimum.gradient = space_->slopes(y, times_.gradient());
+    const Judged judged = judge(minimum);
+    if (judged != Judged::Verified) back_ = y;
     out_.minima.push_back(std::move(minimum));
+    return judged;
+  }
+
+  /// Solves the track of a minimum anew and says what comes of it.
+  Judged judge(DesignMinimum& minimum) {
+    Scene built = scene_;
+    built.body = minimum.body;
+    Solution anew = solve(built, options_);
+    if (!anew.verified()) {
+      out_.message = anew.status == Status::Solved
+                         ? "its track could not be verified"
+                         : fmt::format("solved anew, its track is lost ({})",
+                                       name(anew.status));
+      minimum.remarks.push_back(out_.message);
+      return Judged::Unverified;
+    }
+    minimum.feasible = anew.feasible();
+    minimum.remarks = anew.infeasible_because();
+    const double tau = anew.motion()->tau();
+    minimum.verified = std::abs(tau / minimum.tau - 1.0) <= kSameTau;
+    if (!minimum.verified) {
+      out_.message = fmt::format(
+          "the search has left the principal branch, on which τ is {:.9g}",
+          tau);
+      minimum.remarks.push_back(out_.message);
+    } else if (!minimum.stationary) {
+      minimum.remarks.emplace_back(
+          "it is no minimum: τ jumps near it, where branches fold, and it is "
+          "the quickest body that a search has passed");
+    } else if (at_edge_of_branch(minimum)) {
+      minimum.remarks.emplace_back(
+          "it lies at the edge of its branch: from there on a track is no "
+          "minimum between its ends, and beyond, where the branch turns, τ "
+          "jumps");
+    }
+    out_.answer = std::move(anew);
+    return minimum.verified ? Judged::Verified : Judged::OnAnotherBranch;
   }
 
   Scene scene_;
@@ -171,66 +256,24 @@ class Searcher {
   ClosedTimes times_;
   IpoptOptions ipopt_;
   DesignSearch out_;
+  /// Where to go on from: the last body on its branch of a run whose branch
+  /// ended, or what a run came to that left the principal branch.
+  std::optional<Eigen::VectorXd> back_;
+  std::optional<Eigen::VectorXd> passed_;  ///< the quickest of the last run
 };
 
-/// Whether only the end that a design has without a bound of its own holds
-/// η_m back.
-bool runs_away(const DesignPlan& plan, const DesignMinimum& minimum) {
-  return !plan.bounds[static_cast<std::size_t>(BodyKey::EtaM)] &&
-         std::ranges::any_of(minimum.bounds_active, [](const auto& held) {
-           return held.name == name(BodyKey::EtaM) &&
-                  held.bound == kLargestOffset;
-         });
-}
-
-bool same(const DesignMinimum& a, const DesignMinimum& b) {
-  return std::abs(a.tau / b.tau - 1.0) <= kSameTau &&
-         (traits_of(a.body) - traits_of(b.body)).norm() <= kSamePlace;
-}
-
 }  // namespace
+
+bool at_edge_of_branch(const DesignMinimum& minimum) {
+  return std::ranges::any_of(
+      minimum.bounds_active,
+      [](const BoundOfDesign& held) { return held.name == kBranchMargin; });
+}
 
 DesignSearch search_design(const Scene& scene, const SolveOptions& options,
                            const DesignPlan& plan, int start,
                            const std::atomic<int>* interrupt) {
   return Searcher(scene, options, plan, interrupt).search(start);
-}
-
-DesignAnswer gather_designs(const DesignPlan& plan,
-                            std::vector<DesignSearch> searches) {
-  DesignAnswer out;
-  for (DesignSearch& search : searches) {
-    for (DesignMinimum& minimum : search.minima) {
-      const auto known = std::ranges::find_if(
-          out.minima,
-          [&](const DesignMinimum& other) { return same(minimum, other); });
-      if (known == out.minima.end()) {
-        minimum.found_from = 1;
-        out.minima.push_back(std::move(minimum));
-      } else {
-        ++known->found_from;
-      }
-    }
-    out.paths.push_back(std::move(search.path));
-    out.solves += search.solves;
-    out.cpu_seconds += search.cpu_seconds;
-  }
-  std::ranges::stable_sort(out.minima, {}, &DesignMinimum::tau);
-  for (DesignMinimum& minimum : out.minima) {
-    if (!runs_away(plan, minimum)) continue;
-    minimum.remarks.push_back(fmt::format(
-        "it leans on η_m = {}, where a design ends that states no bound: "
-        "towards η_m = 1, k = 0 bodies grow ever quicker, and there is no "
-        "quickest one; state design.bounds.eta_m",
-        kLargestOffset));
-  }
-  const auto best =
-      std::ranges::find_if(out.minima, [&](const DesignMinimum& minimum) {
-        return minimum.verified && !runs_away(plan, minimum) &&
-               (minimum.feasible || !plan.require_feasible);
-      });
-  if (best != out.minima.end()) out.best = *best;
-  return out;
 }
 
 }  // namespace brachisto

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The search of a design: from one body to the quickest ones near it, and what
-/// many such searches came to.
+/// The search of a design: from one body to the quickest ones near it.
 
 #pragma once
 
@@ -24,8 +23,11 @@ struct DesignSearch {
   /// had. Empty: none was found, and the message says why.
   std::vector<DesignMinimum> minima;
   std::optional<Solution> answer;  ///< of the last minimum, if it was solved
-  std::vector<DesignStep> path;
-  std::string message;
+  std::vector<DesignPath> paths;
+  std::vector<std::string> lost;  ///< ways that led nowhere, why
+  std::string message;            ///< of the last such way
+  int number = 1;                 ///< of the search, from 1 on
+  int starts = 0;                 ///< bodies that it began at
   int solves = 0;
   double cpu_seconds = 0.0;
 };
@@ -33,7 +35,10 @@ struct DesignSearch {
 /// Searches from one of the starts of a plan: the first is the body of the
 /// scene, the others are random and depend on the seed and their number alone.
 /// If feasibility is required it is asked for where the quickest body lacks it:
-/// most do not, and margins cost up to eight solves a gradient.
+/// most do not, and margins cost up to eight solves a gradient. For the same
+/// reason the margin of the branch is asked for where a way over its edge led
+/// nowhere. A way that is lost for good is begun again at another body, which
+/// the seed and the number determine too.
 ///
 /// \param start  its number, from 1 on
 /// \throws Stopped  if the interrupt tells so
@@ -42,8 +47,8 @@ struct DesignSearch {
                                          const DesignPlan& plan, int start,
                                          const std::atomic<int>* interrupt);
 
-/// The different minima of several searches, quickest first, and the best one.
-[[nodiscard]] DesignAnswer gather_designs(const DesignPlan& plan,
-                                          std::vector<DesignSearch> searches);
+/// Whether only the edge of its branch keeps a body from being quicker: from
+/// there on its track is no minimum between its ends.
+[[nodiscard]] bool at_edge_of_branch(const DesignMinimum& minimum);
 
 }  // namespace brachisto

@@ -3,339 +3,24 @@
 
 #include "design/design_space.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "design/offset_space.hpp"
 #include "design/parts_space.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr double kOpenEnd = std::numeric_limits<double>::infinity();
+/// A centre of mass so near the axis is on it: what is left is rounding.
+constexpr double kOnAxis = 1e-12;
 
-/// The angle of a direction that lies next to another angle.
+}  // namespace
+
 double angle_next_to(double angle, double other) {
   return other + std::remainder(angle - other, 2.0 * std::numbers::pi);
 }
-
-/// Bodies by their offset, inertia and radius. An offset that is free in size
-/// and direction has the coordinates e_x = η cos θ_m and e_z = η sin θ_m, or η
-/// = 0 would be a place that no search leaves in the right direction.
-class OffsetSpace final : public DesignSpace {
- public:
-  OffsetSpace(const DesignPlan& plan, const Body& body)
-      : DesignSpace(body), plan_(plan), body_(body) {
-    if (plan.is_free(BodyKey::ThetaM)) {
-      const DesignBounds angle = plan.bounds_of(BodyKey::ThetaM);
-      like_.theta_m =
-          std::isfinite(angle.lower) ? 0.5 * (angle.lower + angle.upper) : 0.0;
-    }
-    const bool eta = plan.is_free(BodyKey::EtaM);
-    const bool theta = plan.is_free(BodyKey::ThetaM);
-    if (eta && theta) {
-      const double largest = plan.bounds_of(BodyKey::EtaM).upper;
-      add(Axis::X, "eta_m cos theta_m", {-largest, largest});
-      add(Axis::Z, "eta_m sin theta_m", {-largest, largest});
-      add_offset_rows();
-    } else if (eta) {
-      add(Axis::Eta, "eta_m", plan.bounds_of(BodyKey::EtaM));
-    } else if (theta) {
-      add(Axis::Theta, "theta_m", plan.bounds_of(BodyKey::ThetaM));
-    }
-    if (plan.is_free(BodyKey::K)) {
-      add(Axis::K, "k", plan.bounds_of(BodyKey::K));
-    }
-    if (plan.is_free(BodyKey::Radius)) {
-      add(Axis::Radius, "r", plan.bounds_of(BodyKey::Radius));
-    }
-    if (eta || plan.is_free(BodyKey::K)) {
-      rows_.push_back({"rim", -kOpenEnd, 1.0});
-      kinds_.push_back(Kind::Rim);
-    }
-  }
-
-  [[nodiscard]] Traits traits(const Eigen::VectorXd& y) const override {
-    Body body = body_;
-    Traits out = traits_of(body);
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double value = y[at(i)];
-      switch (axes_[i]) {
-        case Axis::X:
-          out[0] = value;
-          break;
-        case Axis::Z:
-          out[1] = value;
-          break;
-        case Axis::Eta:
-          body.eta_m = value;
-          out.head<2>() = traits_of(body).head<2>();
-          break;
-        case Axis::Theta:
-          body.theta_m = value;
-          out.head<2>() = traits_of(body).head<2>();
-          break;
-        case Axis::K:
-          out[2] = value;
-          break;
-        case Axis::Radius:
-          out[3] = value;
-          break;
-      }
-    }
-    return out;
-  }
-
-  [[nodiscard]] Eigen::Matrix4Xd traits_jacobian(
-      const Eigen::VectorXd& y) const override {
-    Eigen::Matrix4Xd out = Eigen::Matrix4Xd::Zero(4, size());
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double value = y[at(i)];
-      auto column = out.col(at(i));
-      switch (axes_[i]) {
-        case Axis::X:
-          column[0] = 1.0;
-          break;
-        case Axis::Z:
-          column[1] = 1.0;
-          break;
-        case Axis::Eta:
-          column[0] = std::cos(body_.theta_m);
-          column[1] = std::sin(body_.theta_m);
-          break;
-        case Axis::Theta:
-          column[0] = -body_.eta_m * std::sin(value);
-          column[1] = body_.eta_m * std::cos(value);
-          break;
-        case Axis::K:
-          column[2] = 1.0;
-          break;
-        case Axis::Radius:
-          column[3] = 1.0;
-          break;
-      }
-    }
-    return out;
-  }
-
-  /// η² ≤ the square of its bound; a direction that turns from θ_l to θ_u, less
-  /// than half a turn, −e_x sin θ_l + e_z cos θ_l ≥ 0 and e_x sin θ_u − e_z cos
-  /// θ_u ≥ 0; the rim, e_x² + e_z² + k ≤ 1.
-  [[nodiscard]] Eigen::VectorXd row_values(
-      const Eigen::VectorXd& y) const override {
-    const Traits t = traits(y);
-    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
-    Eigen::VectorXd out(at(rows_.size()));
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      double& value = out[at(i)];
-      switch (kinds_[i]) {
-        case Kind::Size:
-          value = t.head<2>().squaredNorm();
-          break;
-        case Kind::From:
-          value = -t[0] * std::sin(angle.lower) + t[1] * std::cos(angle.lower);
-          break;
-        case Kind::To:
-          value = t[0] * std::sin(angle.upper) - t[1] * std::cos(angle.upper);
-          break;
-        case Kind::Rim:
-          value = t.head<2>().squaredNorm() + t[2];
-          break;
-      }
-    }
-    return out;
-  }
-
-  [[nodiscard]] Eigen::MatrixXd row_jacobian(
-      const Eigen::VectorXd& y) const override {
-    const Traits t = traits(y);
-    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
-    Eigen::MatrixX4d by_traits = Eigen::MatrixX4d::Zero(at(rows_.size()), 4);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      auto row = by_traits.row(at(i));
-      switch (kinds_[i]) {
-        case Kind::Size:
-          row << 2.0 * t[0], 2.0 * t[1], 0.0, 0.0;
-          break;
-        case Kind::From:
-          row << -std::sin(angle.lower), std::cos(angle.lower), 0.0, 0.0;
-          break;
-        case Kind::To:
-          row << std::sin(angle.upper), -std::cos(angle.upper), 0.0, 0.0;
-          break;
-        case Kind::Rim:
-          row << 2.0 * t[0], 2.0 * t[1], 1.0, 0.0;
-          break;
-      }
-    }
-    return by_traits * traits_jacobian(y);
-  }
-
-  [[nodiscard]] Stated stated(std::size_t row, bool upper,
-                              const Eigen::VectorXd& y) const override {
-    const DesignBounds eta = plan_.bounds_of(BodyKey::EtaM);
-    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
-    const double size = traits(y).head<2>().norm();
-    switch (kinds_[row]) {
-      case Kind::Size: {
-        const double bound = upper ? eta.upper : eta.lower;
-        return {bound, 2.0 * bound};
-      }
-      // Turning the bound by dθ moves the row by −η dθ, as a bound of η dθ
-      // would.
-      case Kind::From:
-        return {angle.lower, size};
-      case Kind::To:
-        return {angle.upper, -size};
-      case Kind::Rim:
-        return {1.0, 1.0};
-    }
-    return {};
-  }
-
-  [[nodiscard]] NamedNumbers values(const Eigen::VectorXd& y) const override {
-    const Body body = this->body(y);
-    NamedNumbers out;
-    for (const BodyKey key : kBodyKeys) {
-      if (!plan_.is_free(key)) continue;
-      const double value = key == BodyKey::EtaM     ? body.eta_m
-                           : key == BodyKey::ThetaM ? body.theta_m
-                           : key == BodyKey::K      ? body.k
-                                                    : body.radius;
-      out.push_back({std::string(name(key)), value});
-    }
-    return out;
-  }
-
-  [[nodiscard]] NamedNumbers slopes(const Eigen::VectorXd& y,
-                                    const Traits& gradient) const override {
-    const Body body = this->body(y);
-    const double c = std::cos(body.theta_m), s = std::sin(body.theta_m);
-    NamedNumbers out;
-    for (const BodyKey key : kBodyKeys) {
-      if (!plan_.is_free(key)) continue;
-      const double slope =
-          key == BodyKey::EtaM ? gradient[0] * c + gradient[1] * s
-          : key == BodyKey::ThetaM
-              ? body.eta_m * (gradient[1] * c - gradient[0] * s)
-          : key == BodyKey::K ? gradient[2]
-                              : gradient[3];
-      out.push_back({std::string(name(key)), slope});
-    }
-    return out;
-  }
-
-  [[nodiscard]] Eigen::VectorXd first() const override {
-    return coordinates(body_);
-  }
-
-  [[nodiscard]] Eigen::VectorXd nearer_to_the_axis(
-      const Eigen::VectorXd& y) const override {
-    Eigen::VectorXd out = y;
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const Axis axis = axes_[i];
-      if (axis == Axis::X || axis == Axis::Z || axis == Axis::Eta) {
-        out[at(i)] = std::max(0.5 * y[at(i)], lower_[i]);
-      }
-    }
-    return out;
-  }
-
-  [[nodiscard]] Eigen::VectorXd coordinates(const Body& body) const {
-    Eigen::VectorXd y(size());
-    const Traits t = traits_of(body);
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double value = [&] {
-        switch (axes_[i]) {
-          case Axis::X:
-            return t[0];
-          case Axis::Z:
-            return t[1];
-          case Axis::Eta:
-            return body.eta_m;
-          case Axis::Theta:
-            return body.theta_m;
-          case Axis::K:
-            return t[2];
-          case Axis::Radius:
-            return t[3];
-        }
-        return 0.0;
-      }();
-      y[at(i)] = std::clamp(value, lower_[i], upper_[i]);
-    }
-    return y;
-  }
-
-  [[nodiscard]] Eigen::VectorXd random(SplitMix64& random) const override {
-    // Of the room below the rim, η² + k ≤ 1, about this share is taken.
-    constexpr double kAwayFromRim = 0.95;
-    const auto within = [&](DesignBounds bounds, double room) {
-      return random.uniform(
-          bounds.lower, std::max(bounds.lower, std::min(bounds.upper, room)));
-    };
-    Body body = body_;
-    if (plan_.is_free(BodyKey::Radius)) {
-      body.radius = within(plan_.bounds_of(BodyKey::Radius), kOpenEnd);
-    }
-    if (plan_.is_free(BodyKey::EtaM)) {
-      const double k = plan_.is_free(BodyKey::K)
-                           ? plan_.bounds_of(BodyKey::K).lower
-                           : body.k;
-      body.eta_m = within(plan_.bounds_of(BodyKey::EtaM),
-                          kAwayFromRim * std::sqrt(std::max(0.0, 1.0 - k)));
-    }
-    if (plan_.is_free(BodyKey::K)) {
-      body.k = within(plan_.bounds_of(BodyKey::K),
-                      kAwayFromRim * largest_k(body.eta_m));
-    }
-    if (plan_.is_free(BodyKey::ThetaM)) {
-      DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
-      if (!std::isfinite(angle.lower)) {
-        angle = {-std::numbers::pi, std::numbers::pi};
-      }
-      body.theta_m = within(angle, kOpenEnd);
-    }
-    return coordinates(body);
-  }
-
- private:
-  enum class Axis { X, Z, Eta, Theta, K, Radius };
-  enum class Kind { Size, From, To, Rim };
-
-  [[nodiscard]] static Eigen::Index at(std::size_t i) {
-    return static_cast<Eigen::Index>(i);
-  }
-
-  void add(Axis axis, std::string name, DesignBounds bounds) {
-    axes_.push_back(axis);
-    names_.push_back(std::move(name));
-    lower_.push_back(bounds.lower);
-    upper_.push_back(bounds.upper);
-  }
-
-  void add_offset_rows() {
-    const DesignBounds eta = plan_.bounds_of(BodyKey::EtaM);
-    const double least = eta.lower > 0.0 ? eta.lower * eta.lower : -kOpenEnd;
-    rows_.push_back({"eta_m", least, eta.upper * eta.upper});
-    kinds_.push_back(Kind::Size);
-    if (!std::isfinite(plan_.bounds_of(BodyKey::ThetaM).lower)) return;
-    for (const Kind kind : {Kind::From, Kind::To}) {
-      rows_.push_back({"theta_m", 0.0, kOpenEnd});
-      kinds_.push_back(kind);
-    }
-  }
-
-  DesignPlan plan_;
-  Body body_;
-  std::vector<Axis> axes_;
-  std::vector<Kind> kinds_;
-};
-
-}  // namespace
 
 Traits traits_of(const Body& body) {
   return {body.eta_m * std::cos(body.theta_m),
@@ -345,9 +30,11 @@ Traits traits_of(const Body& body) {
 Body body_of(const Traits& traits, const Body& like) {
   Body body = like;
   body.eta_m = std::hypot(traits[0], traits[1]);
-  if (body.eta_m > 0.0) {
+  if (body.eta_m > kOnAxis) {
     body.theta_m =
         angle_next_to(std::atan2(traits[1], traits[0]), like.theta_m);
+  } else if (body.eta_m <= kOnAxis) {
+    body.eta_m = 0.0;
   }
   body.k = traits[2];
   body.radius = traits[3];
@@ -357,7 +44,7 @@ Body body_of(const Traits& traits, const Body& like) {
 std::unique_ptr<DesignSpace> design_space(const DesignPlan& plan,
                                           const Body& body) {
   if (!plan.free_parts.empty()) return std::make_unique<PartsSpace>(plan, body);
-  return std::make_unique<OffsetSpace>(plan, body);
+  return offset_space(plan, body);
 }
 
 }  // namespace brachisto

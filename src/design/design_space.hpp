@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ namespace brachisto {
 /// All that τ depends on of a cylinder: (η cos θ_m, η sin θ_m, k, r). In these
 /// numbers τ is smooth, also where η = 0 and θ_m has no meaning.
 using Traits = Eigen::Vector4d;
+
+/// The angle of a direction that lies next to another angle.
+[[nodiscard]] double angle_next_to(double angle, double other);
 
 [[nodiscard]] Traits traits_of(const Body& body);
 /// \param like  has what traits do not say; of all θ_m that are the same
@@ -67,6 +71,14 @@ class DesignSpace {
   };
   [[nodiscard]] virtual Stated stated(std::size_t row, bool upper,
                                       const Eigen::VectorXd& y) const = 0;
+
+  /// Bounds of a direction meet on the axis, where there is none, and both
+  /// hold: then it is the offset that ends there, and this is dτ/dη along the
+  /// bound where it is less. Nothing elsewhere.
+  [[nodiscard]] virtual std::optional<double> corner_on_axis(
+      const std::vector<double>& /*lambda*/) const {
+    return std::nullopt;
+  }
 
   /// What is free, as its file has it, and dτ/d(that) from dτ/d(traits).
   [[nodiscard]] virtual NamedNumbers values(const Eigen::VectorXd& y) const = 0;

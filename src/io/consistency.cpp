@@ -12,7 +12,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/design_lists.hpp"
+#include "io/design_check.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::io {
@@ -177,6 +177,12 @@ void check_world(const YamlValue& root, const Draft& problem,
   const Entry* uniform = find_entry(root, "scene.field.uniform");
   const Entry* sphere = find_entry(root, "scene.field.sphere");
   const Entry* gravity = find_entry(root, "scene.gravity");
+  const Entry* field = find_entry(root, "scene.field");
+  if (field != nullptr && field->value.kind == YamlValue::Kind::Map &&
+      field->value.entries.empty()) {
+    findings.add(field->position, "scene.field",
+                 "has nothing in it; expected uniform or sphere");
+  }
   const auto one_too_many = [&](const Entry* entry, const char* key) {
     findings.add(entry->position, key,
                  "says again what pulls the body; allowed is one of "

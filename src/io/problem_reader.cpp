@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include "brachisto/io/problem_file.hpp"
+#include "io/body_parts.hpp"
 #include "io/consistency.hpp"
-#include "io/design_lists.hpp"
 #include "io/expression.hpp"
 #include "io/field_reader.hpp"
 #include "io/findings.hpp"

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/body_parts.hpp"
 #include "io/consistency.hpp"
-#include "io/design_lists.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 #include "io/path_points.hpp"

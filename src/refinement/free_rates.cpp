@@ -19,8 +19,8 @@ namespace brachisto {
 
 namespace {
 
-/// What is left of a right-hand side.
-constexpr double kOfRates = 1e-13;
+/// What solutions with the factorised conditions are worth.
+constexpr double kOfSolves = 1e-13;
 
 /// The path of a solution, whose costates at the end are in a field that
 /// depends on the place those of the problem's current point.
@@ -116,7 +116,7 @@ bool FreeRates::linearise_around_chain() {
       moved[at(rates.index[i])] = rates.value[i];
     }
     around_.turns.emplace_back(moved.size());
-    if (!chain_->solve(moved, around_.turns.back(), kOfRates)) return false;
+    if (!chain_->solve(moved, around_.turns.back(), kOfSolves)) return false;
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& row = around_.rows[static_cast<std::size_t>(i)];
@@ -209,7 +209,7 @@ Eigen::VectorXd FreeRates::slope_rates(std::vector<double> residual,
                                        const Eigen::VectorXd& open) {
   for (double& value : residual) value = -value;
   std::vector<double> direction(residual.size());
-  if (!chain_->solve(residual, direction, kOfRates)) {
+  if (!chain_->solve(residual, direction, kOfSolves)) {
     return Eigen::VectorXd::Constant(open.size(), std::nan(""));
   }
   if (!at_.start) return Eigen::VectorXd::Constant(1, direction.back());
@@ -219,6 +219,23 @@ Eigen::VectorXd FreeRates::slope_rates(std::vector<double> residual,
                       at_.problem.num_variables());
   }
   return around_.jacobian.partialPivLu().solve(right);
+}
+
+/// F = (∂²𝓗/∂β²) κ next to the answer.
+double FreeRates::contact_response() {
+  if (!at_.contact) return std::nan("");
+  const double per_kink =
+      at_.contact->linearise(point_.x, point_.lambda).by_parameter;
+  if (at_.start) {
+    // The slope at B is the first of the two.
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
+    right[0] = per_kink;
+    return around_.jacobian.partialPivLu().solve(right)[0];
+  }
+  std::vector<double> right(at(at_.system.size()), 0.0), direction = right;
+  right.back() = per_kink;
+  return chain_->solve(right, direction, kOfSolves) ? direction.back()
+                                                    : std::nan("");
 }
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,

@@ -47,6 +47,7 @@ class FreeRates final : public TimeRates {
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] bool regular() const override { return regular_; }
   [[nodiscard]] TimeRate by(SceneCoordinate coordinate) override;
+  [[nodiscard]] double contact_response() override;
   [[nodiscard]] std::unique_ptr<TimeRates> next(SceneCoordinate coordinate,
                                                 double by) override;
 

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "model/scene_coordinate.hpp"
@@ -33,6 +34,12 @@ class TimeRates {
   [[nodiscard]] virtual bool regular() const = 0;
   /// \pre regular()
   [[nodiscard]] virtual TimeRate by(SceneCoordinate coordinate) = 0;
+  /// dφ/dκ for a kink κ = φ − β_end asked for at a smooth contact, NaN if there
+  /// is none: 0 where the path ceases to be a minimum between its fixed ends, ∞
+  /// where the branch turns.
+  [[nodiscard]] virtual double contact_response() {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   /// The same answer of a scene next to this one; null if it is not found.
   [[nodiscard]] virtual std::unique_ptr<TimeRates> next(
       SceneCoordinate coordinate, double by) = 0;

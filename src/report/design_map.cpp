@@ -48,7 +48,7 @@ std::string key_of_design(const std::string& name) {
 }
 
 Figure design_map_figure(const SweepTable& table,
-                         const std::vector<std::vector<DesignStep>>& paths) {
+                         const std::vector<DesignPath>& paths) {
   SweepMap map{.name = "design_map",
                .first = table.axes[0].columns.front(),
                .second = table.axes[1].columns.front(),
@@ -59,7 +59,7 @@ Figure design_map_figure(const SweepTable& table,
   if (std::optional<Scenes> ordered = in_map_order(table, map)) {
     map.scenes = *std::move(ordered);
   }
-  for (const std::vector<DesignStep>& path : paths) {
+  for (const DesignPath& path : paths) {
     MapWay way;
     for (const DesignStep& step : path) {
       const auto first = value_of(step, table.columns[map.first]);

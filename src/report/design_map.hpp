@@ -21,7 +21,7 @@ namespace brachisto::report {
 /// A map with the ways of the searches across it.
 /// \param table  a product of two axes with one numeric column each, keys of
 ///               the scene's body
-[[nodiscard]] Figure design_map_figure(
-    const SweepTable& table, const std::vector<std::vector<DesignStep>>& paths);
+[[nodiscard]] Figure design_map_figure(const SweepTable& table,
+                                       const std::vector<DesignPath>& paths);
 
 }  // namespace brachisto::report

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "brachisto/io/problem_file.hpp"
 #include "io/effective_input.hpp"
 #include "report/provenance.hpp"
 #include "report/result_field.hpp"
@@ -351,11 +352,16 @@ Field<Solution> design_field() {
       joined<A>(
           {of_part<A>(&A::best, choice_fields()),
            {list("minima",
-                 "bodies that none near them is quicker than, quickest first; "
-                 "the first that is verified and, if that is required, "
-                 "feasible is the best",
+                 "bodies that none near them is quicker than, and others that "
+                 "are not stationary, quickest first; the first that is "
+                 "verified and, if that is required, feasible is the best",
                  &A::minima,
                  joined<M>({{{"tau", "", "τ", &M::tau},
+                             {"stationary", "",
+                              "first-order conditions hold; if not, the "
+                              "quickest body that a search has passed before "
+                              "it was lost at the edge of a fold",
+                              &M::stationary},
                              {"feasible", "", "the body can run on its track",
                               &M::feasible},
                              {"verified", "",
@@ -367,8 +373,14 @@ Field<Solution> design_field() {
                             choice_fields(),
                             {{"found_from", "", "so many searches led here",
                               &M::found_from}}})),
-            {"searches", "", "that ended",
-             [](const A& a) { return a.paths.size(); }},
+            {"searches", "", "that ended", &A::searches},
+            {"starts", "",
+             "bodies that they began at, also in place of lost "
+             "ones",
+             &A::starts},
+            list("lost", "starts that led nowhere", &A::lost,
+                 {{"search", "", "its number", &LostSearch::search},
+                  {"reason", "", "in words", &LostSearch::reason}}),
             {"solves", "", "closed solutions in all searches", &A::solves},
             {"cpu_seconds", "s", "processor time of them", &A::cpu_seconds}}}));
   return {all.text, all.write, true};
@@ -533,7 +545,15 @@ Field<Solution> certificate_field() {
 
 Fields<Solution> origin_fields() {
   const auto input = [](const Solution& s) {
-    return io::effective_input(s.scene, s.options);
+    Json document = io::effective_input(s.scene, s.options);
+    // Parts, which a design may move, are not echoed.
+    if (s.design && s.design->plan.free_parts.empty()) {
+      io::ProblemFile problem;
+      problem.scene = s.scene;
+      problem.design = s.design->plan;
+      document["design"] = io::effective_section(problem, "design");
+    }
+    return document;
   };
   const auto made = [](const Solution&) {
     static const Provenance here = provenance();
@@ -552,6 +572,7 @@ Fields<Solution> origin_fields() {
                                 [=](const Solution& s) {
                                   Json options = input(s);
                                   options.erase("scene");
+                                  options.erase("design");
                                   return options;
                                 }),
                     {"linear_solver", "", "that Ipopt used on the final mesh",

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@
 
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
+#include "study/wider_search.hpp"
 
 namespace brachisto::report {
 
@@ -317,26 +319,55 @@ std::string body_in_words(const NamedNumbers& values) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Of one minimum, without the body: "τ = 3.9775616, feasible, from 5 starts".
+/// Of one minimum, without the body: "τ = 3.9775616, feasible, from 5
+/// searches".
 std::string minimum_in_words(const DesignMinimum& minimum) {
-  return fmt::format("τ = {:.10g}{}{}, from {} start{}", minimum.tau,
+  return fmt::format("τ = {:.10g}{}{}{}, from {} search{}", minimum.tau,
+                     minimum.stationary ? "" : ", NO MINIMUM",
                      minimum.verified ? "" : ", NOT VERIFIED",
                      minimum.feasible ? ", feasible" : ", INFEASIBLE",
-                     minimum.found_from, minimum.found_from == 1 ? "" : "s");
+                     minimum.found_from, minimum.found_from == 1 ? "" : "es");
+}
+
+/// "θ_m = −30°: dτ/d(bound) = 0.2 per rad".
+std::string bound_in_words(const BoundOfDesign& held) {
+  return held.name == "theta_m"
+             ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
+                           degrees(held.bound), held.multiplier)
+             : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
+                           held.bound, held.multiplier);
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// Searches that led nowhere, the first few with the reason.
+void add_lost(std::string& out, const std::vector<LostSearch>& lost) {
+  constexpr std::size_t kShown = 5;
+  std::string_view label = "lost";
+  for (const auto& [search, reason] :
+       std::span(lost).first(std::min(lost.size(), kShown))) {
+    line(out, label, fmt::format("search {}: {}", search, reason));
+    label = "";
+  }
+  if (lost.size() > kShown) {
+    line(out, "", fmt::format("and {} more", lost.size() - kShown));
+  }
 }
 
 void add_design(std::string& out, const Solution& solution) {
   if (!solution.design) return;
   const DesignAnswer& design = *solution.design;
   if (design.best) {
-    line(out, "quickest body", body_in_words(design.best->values));
-    for (const auto& [name, bound, multiplier] : design.best->bounds_active) {
-      line(out, "",
-           fmt::format("at its bound {} = {:.6g}: dτ/d(bound) = {:.6g}", name,
-                       bound, multiplier));
+    line(out, "quickest found",
+         fmt::format("{}, of {} searches", body_in_words(design.best->values),
+                     design.searches));
+    for (const BoundOfDesign& held : design.best->bounds_active) {
+      line(out, "", "at its bound " + bound_in_words(held));
     }
   } else if (!design.minima.empty()) {
-    line(out, "quickest body", "none; why, the remarks on the minima say");
+    line(out, "quickest found", "none; why, the remarks on the minima say");
   }
   std::string_view label = "minima";
   for (const DesignMinimum& minimum : design.minima) {
@@ -346,19 +377,12 @@ void add_design(std::string& out, const Solution& solution) {
     label = "";
     for (const std::string& why : minimum.remarks) line(out, "", "  " + why);
   }
-  std::size_t arrived = 0;
-  for (const DesignMinimum& minimum : design.minima) {
-    arrived += static_cast<std::size_t>(minimum.found_from);
-  }
   line(out, "searched",
-       fmt::format("{} starts, of which {} led to a minimum, {} closed "
-                   "solutions, {:.2f} s CPU",
-                   design.paths.size(), arrived, design.solves,
-                   design.cpu_seconds));
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+       fmt::format("{} searches from {} bodies, of which {} led nowhere; {} "
+                   "closed solutions, {:.2f} s CPU",
+                   design.searches, design.starts, design.lost.size(),
+                   design.solves, design.cpu_seconds));
+  add_lost(out, design.lost);
 }
 
 /// From where, by whom, on how large a problem, in what time.
@@ -405,14 +429,18 @@ std::string next(const Solution& solution) {
   const std::string advice = solution.advice();
   if (!advice.empty()) return advice;
   if (!solution.verified() || solution.scene.path) return {};
-  // Other contacts and another method are sought without limits alone.
+  // Another method is tried without limits alone.
   const bool limited = solution.scene.limits.any();
   if (!solution.feasible()) {
-    return solution.options.searches() || limited ||
-                   solution.scene.contact == Contact::Centre
-               ? "a smaller eta_m, or a nearer point B"
-               : "solver.search: global, for another contact may be feasible; "
-                 "a smaller eta_m, or a nearer point B";
+    // The body of a design is what it has chosen.
+    if (solution.design) return {};
+    const std::string other = "a smaller eta_m, or a nearer point B";
+    const std::string search = wider_search(solution.scene, solution.options);
+    return search.empty()
+               ? other
+               : fmt::format(
+                     "solver.{}, for another contact may be feasible; {}",
+                     search, other);
   }
   return solution.options.of<Shooting>() != nullptr || solution.extremal ||
                  limited

@@ -41,7 +41,8 @@ class Picture {
       return key_label(table.columns[column].key).rank;
     };
     if (rank(y_) < rank(x_)) std::swap(x_, y_);
-    title_ = fmt::format("{} over {} and {}", what, label(x_, false),
+    // Some viewers drop a plain space behind a subscript.
+    title_ = fmt::format("{} over {}\u00A0and {}", what, label(x_, false),
                          label(y_, false));
     for (std::size_t i = 0; i < map.scenes.size(); ++i) {
       // An empty line ends a row of the grid, as gnuplot wants it.

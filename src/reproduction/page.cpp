@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "design/design_search.hpp"
 #include "report/page.hpp"
 #include "report/provenance.hpp"
 #include "report/rich_text.hpp"
@@ -122,6 +123,12 @@ std::string orientation_table(const std::vector<OrientationRow>& fastest) {
                     rows);
 }
 
+std::string_view kind(const DesignMinimum& found) {
+  return !found.stationary          ? "passed at a fold"
+         : at_edge_of_branch(found) ? "edge of its branch"
+                                    : "minimum";
+}
+
 /// "What is the quickest brachistochrone ever achievable by any object?"
 std::string open_question(const std::vector<QuickestBody>& bodies) {
   std::string rows;
@@ -129,29 +136,32 @@ std::string open_question(const std::vector<QuickestBody>& bodies) {
     rows += fmt::format("<tr><td>{:g}</td><td>{}</td>", row.L,
                         html_words(row.any_k ? "any" : "1/2"));
     if (!row.found) {
-      rows += "<td>–</td><td>–</td><td>–</td><td>–</td><td>0</td></tr>\n";
+      rows +=
+          "<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td><td>0</td></tr>\n";
       continue;
     }
     const Body& body = row.found->body;
     rows += with_minus_signs(fmt::format(
         "<td>{:.9f}</td><td>{:.5f}</td><td>{:.5f}</td><td>{:.5f}</td>"
-        "<td>{}</td></tr>\n",
-        row.found->tau, body.eta_m, body.theta_m, body.k,
+        "<td>{}</td><td>{}</td></tr>\n",
+        row.found->tau, body.eta_m, body.theta_m, body.k, kind(*row.found),
         row.found->found_from));
   }
   const std::string words = fmt::format(
       "<p>The paper ends with the question what the quickest brachistochrone "
       "ever achievable by any object between two given points is. For the "
       "radius of the reference case these are the quickest bodies that were "
-      "found, each on its own extremal, able to run on it, and a local minimum "
-      "of the first and second order along the bounds that hold. That no other "
+      "found, each on its own extremal, able to run on it, and most of them a "
+      "local minimum of the first and second order along the bounds that hold. "
+      "Next to folds of branches τ jumps: there the least τ lies at the edge "
+      "of a branch, or is that of the quickest body passed. That no other "
       "body is quicker is not proven, nor that {} is always best. With the "
       "radius free there is none: τ falls to zero as the body grows to "
       "(L² + H²)/(2L). Where there is no row none of {} searches came to such "
       "a body on the principal branch. docs/validation.md has more.</p>\n",
       html_words("k = 0"), kDesignStarts);
   return words + html_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
-                             "searches that led there"},
+                             "what it is", "searches that led there"},
                             rows);
 }
 

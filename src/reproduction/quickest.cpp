@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "design/design_search.hpp"
+#include "design/gather_designs.hpp"
 
 namespace brachisto::reproduction {
 

@@ -156,7 +156,7 @@ std::optional<Sensitivities> sensitivities(const Solution& solution,
       return std::nullopt;
     }
   }
-  Sensitivities out{by, {by[0], by[1]}, {}, {}};
+  Sensitivities out{by, {by[0], by[1]}, {}, {}, rates->contact_response()};
   const Body& body = solution.scene.body;
   const double c = std::cos(body.theta_m), s = std::sin(body.theta_m);
   for (double TimeDerivatives::*of :

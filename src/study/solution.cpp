@@ -7,7 +7,7 @@
 
 #include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
-#include "study/start.hpp"
+#include "study/wider_search.hpp"
 #include "trajectory/feasibility.hpp"
 
 namespace brachisto {

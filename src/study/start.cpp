@@ -14,6 +14,7 @@
 #include "refinement/turn_meshes.hpp"
 #include "search/world_continuation.hpp"
 #include "study/shooting.hpp"
+#include "study/wider_search.hpp"
 #include "trajectory/trajectory.hpp"
 #include "transcription/initial_guess.hpp"
 
@@ -141,19 +142,6 @@ OtherStart start_elsewhere(const PosedProblem& posed, const Start& principal,
         std::abs(curve.transit_time() / known.transit_time() - 1.0) < 1e-6;
   }
   return out;
-}
-
-std::string wider_search(const Scene& scene, const SolveOptions& options) {
-  if (options.searches() || scene.contact != Contact::Smooth ||
-      scene.limits.any()) {
-    return {};
-  }
-  const std::string search = "search: global";
-  const auto* program = options.of<Collocation>();
-  if (program == nullptr) return search + " with method: ipopt";
-  return program->discretisation.formulation == Formulation::ArcLength
-             ? search + " with formulation: rolling_time"
-             : search;
 }
 
 }  // namespace brachisto

@@ -53,10 +53,4 @@ struct OtherStart {
                                          const Start& principal,
                                          const Work& done);
 
-/// What to ask for where the principal extremal is no answer: "search: global",
-/// with the key that has to change for it to be allowed; empty if that search
-/// was made, or there is none, as with Contact::Centre or under limits.
-[[nodiscard]] std::string wider_search(const Scene& scene,
-                                       const SolveOptions& options);
-
 }  // namespace brachisto

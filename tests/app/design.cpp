@@ -44,6 +44,56 @@ TEST(DesignCommand, GivesTheSolutionOfTheBestBodyAndItsChoice) {
   EXPECT_NEAR(design["gradient"]["eta_m"], 0.0, 1e-6);
 }
 
+TEST(DesignCommand, WritesAnInputThatIsADesignAgain) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+  const Output first = run({"design", design_problem("half_inertia"), "--out",
+                            out, "--json", "--set", "design.starts=2", "--set",
+                            "design.bounds.theta_m=[-60 deg, 0]"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const json result = json::parse(first.out);
+  EXPECT_EQ(result["input"]["design"]["free"], json({"eta_m", "theta_m"}));
+
+  const Output again = run({"design", out + "/result.json", "--json"});
+
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_NEAR(json::parse(again.out)["tau"], result["tau"], 1e-9);
+}
+
+TEST(DesignCommand, ToldToTellsHowFarItIs) {
+  // Lines come after two seconds: most designs have none.
+  const Output quick = run({"design", design_problem("half_inertia"),
+                            "--verbose", "--set", "design.starts=1"});
+  EXPECT_EQ(quick.code, 0);
+  EXPECT_EQ(quick.err, "");
+  const Output silent = run({"design", design_problem("half_inertia"), "--set",
+                             "design.starts=60", "--jobs", "1"});
+  EXPECT_EQ(silent.err, "");
+
+  const Output slow =
+      run({"design", design_problem("half_inertia"), "--verbose", "--set",
+           "design.starts=200", "--jobs", "1"});
+
+  EXPECT_NE(slow.err.find("of 200 searches have ended, least τ so far 4.97610"),
+            std::string::npos)
+      << slow.err;
+}
+
+TEST(DesignCommand, ClaimsTheQuickestOfItsSearchesInDegrees) {
+  const Output output = run({"design", design_problem("half_inertia"), "--set",
+                             "design.free=[theta_m]", "--set",
+                             "design.bounds.theta_m=[200 deg, 230 deg]",
+                             "--set", "design.starts=2"});
+
+  EXPECT_EQ(output.code, 0) << output.err;
+  for (const char* words :
+       {"quickest found", "of 2 searches", "at its bound θ_m = 230°", "per rad",
+        "2 searches from 2 bodies, of which 0 led nowhere"}) {
+    EXPECT_NE(output.out.find(words), std::string::npos) << words << '\n'
+                                                         << output.out;
+  }
+}
+
 TEST(DesignCommand, DoesNotDependOnTheNumberOfWorkers) {
   const auto minima = [](const char* jobs) {
     const Output output = run({"design", design_problem("quickest"), "--json",

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/study/sensitivities.hpp"
+#include "design/gather_designs.hpp"
 
 namespace brachisto {
 namespace {
@@ -170,6 +172,109 @@ TEST(Design, TheEdgeOfAFoldIsNoMinimum) {
 
   ASSERT_FALSE(found.minima.empty()) << found.message;
   EXPECT_NEAR(found.minima.back().tau, 3.977561558, kOfTau);
+}
+
+TEST(Design, TheLeastTimeMayLieAtTheEdgeOfItsBranch) {
+  Scene scene = base();
+  scene.L = 2.0;
+  scene.body.k = 0.1;
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM};
+  std::vector<DesignSearch> searches;
+  for (const int start : {2, 3}) {
+    searches.push_back(search_design(scene, {}, plan, start, nullptr));
+  }
+
+  const DesignAnswer found = gather_designs(plan, std::move(searches));
+
+  ASSERT_TRUE(found.best);
+  const DesignMinimum& best = *found.best;
+  EXPECT_TRUE(best.stationary && best.verified && best.feasible);
+  EXPECT_TRUE(at_edge_of_branch(best));
+  EXPECT_EQ(best.found_from, 2);
+  ASSERT_EQ(best.bounds_active.size(), 1U);
+  EXPECT_GT(best.bounds_active[0].multiplier, 0.0);
+
+  // Down the slope of τ tracks are soon no minima between their ends, and a
+  // little further the principal one lies beyond two folds, and is slower.
+  auto slope = by_name(best.gradient);
+  const double size =
+      std::hypot(slope["eta_m"], slope["theta_m"] / best.body.eta_m);
+  const auto along = [&](double step) {
+    Scene there = scene;
+    there.body = best.body;
+    there.body.eta_m -= step * slope["eta_m"] / size;
+    there.body.theta_m -=
+        step * slope["theta_m"] / (size * best.body.eta_m * best.body.eta_m);
+    return solve(there);
+  };
+  const Solution before = along(-0.01), edge = along(5e-4),
+                 beyond = along(0.01);
+  EXPECT_TRUE(before.verified());
+  EXPECT_GT(before.motion()->tau(), best.tau);
+  ASSERT_NE(edge.certificate.find("second_order"), nullptr);
+  EXPECT_FALSE(edge.certificate.find("second_order")->passed);
+  ASSERT_TRUE(beyond.verified());
+  EXPECT_FALSE(beyond.folds.empty());
+  EXPECT_GT(beyond.motion()->tau(), best.tau + 0.05);
+}
+
+TEST(Design, TheContactAnswersLessAndLessUntilTheTrackIsNoMinimum) {
+  // A known slope: of the uniform cylinder, by a kink that is asked for. Its
+  // sign is that of the second-order check on the way to the fold at η_m =
+  // 0.4875, θ_m = 0.45.
+  Scene scene = base();
+  scene.L = 2.0;
+  scene.body = Body::cylinder(1.0 / 3.0, 0.0, 0.45, 0.1);
+  for (const double eta_m : {0.0, 0.2, 0.4, 0.475, 0.482, 0.485}) {
+    scene.body.eta_m = eta_m;
+    const Solution found = solve(scene);
+    const auto rates = sensitivities(found);
+    ASSERT_TRUE(rates) << eta_m;
+    const Check* second = found.certificate.find("second_order");
+    ASSERT_NE(second, nullptr);
+    EXPECT_EQ(rates->contact_response > 0.0, second->passed) << eta_m;
+  }
+}
+
+TEST(Design, ASearchThatIsLostBeginsAgainElsewhere) {
+  // With r free most ways over L = 3 end at folds.
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM, K, Radius};
+  plan.bounds[static_cast<std::size_t>(Radius)] = {0.1, 0.5};
+
+  const DesignSearch found = search_design(base(), {}, plan, 5, nullptr);
+
+  EXPECT_EQ(found.starts, static_cast<int>(found.lost.size()) + 1);
+  ASSERT_FALSE(found.minima.empty()) << found.message;
+  EXPECT_TRUE(found.minima.back().verified && found.minima.back().feasible);
+}
+
+TEST(Design, BoundsOfADirectionMeetOnTheAxis) {
+  // Where all directions that are allowed are slower the body is the uniform
+  // one, whose τ has no direction; angles beyond ±180° are what they are.
+  Scene scene = base();
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM};
+  constexpr double kDegree = 0.017453292519943295;
+  plan.bounds[static_cast<std::size_t>(ThetaM)] = {170 * kDegree,
+                                                   200 * kDegree};
+
+  const DesignSearch found = search_design(scene, {}, plan, 1, nullptr);
+
+  ASSERT_FALSE(found.minima.empty()) << found.message;
+  const DesignMinimum& best = found.minima.back();
+  EXPECT_EQ(best.body.eta_m, 0.0);
+  // The closed form of the uniform cylinder.
+  EXPECT_NEAR(best.tau, 5.115100653580, kOfTau);
+  ASSERT_EQ(best.bounds_active.size(), 1U);
+  EXPECT_EQ(best.bounds_active[0].name, "eta_m");
+  // dτ/dη along the quicker end, by a difference with an error h τ″/2 of the
+  // order 1.
+  constexpr double kStep = 1e-3;
+  const Body off = Body::cylinder(1.0 / 3.0, kStep, 200 * kDegree, 0.5);
+  EXPECT_NEAR(best.bounds_active[0].multiplier,
+              (tau(scene, off) - best.tau) / kStep, 2.0 * kStep);
 }
 
 TEST(Design, AMinimumOnAnotherBranchIsNotVerified) {

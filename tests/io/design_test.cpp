@@ -113,6 +113,38 @@ TEST(DesignSection, RefusesDirectionsThatAreNotConvexWithOffsets) {
   EXPECT_EQ(errors(with("{free: [theta_m], " + wide)), "");
 }
 
+TEST(DesignSection, RefusesDirectionsThatComeTwice) {
+  refused(with("{free: [theta_m], bounds: {theta_m: [-200 deg, 200 deg]}}"),
+          "more than a turn");
+  EXPECT_TRUE(
+      plan("{free: [theta_m], bounds: {theta_m: [0, 2*pi]}}").bounds[1]);
+}
+
+TEST(DesignSection, RefusesBoundsThatNoBodyHas) {
+  const std::string reason = "k ≤ 1 − η_m² = 0.36";
+  refused(
+      with("{free: [eta_m, k], bounds: {eta_m: [0.8, 0.9], k: [0.5, 0.6]}}"),
+      "design.bounds.eta_m: no body has η_m ≥ 0.8 and k ≥ 0.5: " + reason);
+  refused(with("{free: [eta_m], bounds: {eta_m: [0.8, 0.9]}}"),
+          "design.bounds.eta_m: no body has η_m ≥ 0.8 and k = 0.5: " + reason);
+  refused(cylinder("radius: 1/3, eta_m: 0.8, k: 0.1") +
+              "design: {free: [k], bounds: {k: [0.5, 0.6]}}\n",
+          "design.bounds.k: no body has η_m = 0.8 and k ≥ 0.5: " + reason);
+  // 0.6² + 0.5 is less than 1.
+  EXPECT_TRUE(plan("{free: [eta_m], bounds: {eta_m: [0.6, 0.9]}}")
+                  .is_free(BodyKey::EtaM));
+}
+
+TEST(BodyParts, HaveNoMassBesideTheirs) {
+  refused(cylinder("radius: 1/3, parts: [ring, \"point:m=1\"], mass: 2"),
+          "scene.body.mass: not allowed beside parts");
+}
+
+TEST(Field, SaysWhatPulls) {
+  refused("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, field: {}}\n",
+          "scene.field: has nothing in it");
+}
+
 TEST(BodyParts, GiveTheNumbersOfTheBody) {
   // A ring of 2 and a weight of 1 on its rim: η = 1/3, k = 1 − 1/9.
   const Body body = read(cylinder("radius: 1/3, parts: [\"ring:m=2\", "

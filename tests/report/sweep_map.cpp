@@ -85,7 +85,7 @@ TEST(MapFigure, HasOneOrientationWhicheverAxisIsFirst) {
 
     const Figure figure = map_figure(table, whole(table), kRange);
 
-    EXPECT_EQ(figure.title, "τ over θm and ηm");
+    EXPECT_EQ(figure.title, "τ over θm\u00A0and ηm");
     EXPECT_TRUE(says(figure.commands, "set xrange [-180:180]"));
     EXPECT_TRUE(says(figure.commands, "set yrange [0:0.7]"));
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
+#include "brachisto/study/design_plan.hpp"
 
 namespace brachisto {
 
@@ -29,8 +30,10 @@ struct BoundOfDesign {
   double multiplier = 0.0;  ///< dτ/d(bound), the contacts moving along
 };
 
-/// A body that no other one near it is quicker than.
+/// A body that no other one near it is quicker than; or, where a search was
+/// lost at the edge of a fold, the quickest one that it has passed.
 struct DesignMinimum {
+  bool stationary = false;  ///< the former: first-order conditions hold
   Body body;
   NamedNumbers values;  ///< of what is free
   double tau = 0.0;
@@ -45,7 +48,7 @@ struct DesignMinimum {
   /// that hold, by the design's own coordinates; empty if all are held, or if
   /// it could not be had.
   std::vector<double> curvatures;
-  int found_from = 0;  ///< as many starts led here
+  int found_from = 0;  ///< as many searches led here
 };
 
 /// A body on the way of a search.
@@ -54,12 +57,26 @@ struct DesignStep {
   double tau = 0.0;
 };
 
+/// Bodies on the way of a search, in their order.
+using DesignPath = std::vector<DesignStep>;
+
+/// A way of a search that led to no body.
+struct LostSearch {
+  int search = 0;      ///< its number, from 1 on
+  std::string reason;  ///< in words
+};
+
 /// What a design came to. The best body is that of the Solution it belongs to.
 struct DesignAnswer {
-  std::optional<DesignMinimum> best;           ///< one of the minima, or none
-  std::vector<DesignMinimum> minima;           ///< quickest first
-  std::vector<std::vector<DesignStep>> paths;  ///< of each start
-  int solves = 0;            ///< closed solutions, of all starts together
+  DesignPlan plan;                    ///< what was asked for
+  std::optional<DesignMinimum> best;  ///< one of the minima, or none
+  std::vector<DesignMinimum> minima;  ///< quickest first
+  std::vector<LostSearch> lost;       ///< each was begun again elsewhere
+  std::vector<DesignPath> paths;      ///< of all ways
+  int searches = 0;                   ///< that ended
+  int starts = 0;            ///< bodies that they began at, in place of lost
+                             ///< ones too
+  int solves = 0;            ///< closed solutions, of all searches together
   double cpu_seconds = 0.0;  ///< of them
 };
 

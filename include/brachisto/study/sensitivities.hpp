@@ -63,6 +63,11 @@ struct Sensitivities {
   std::optional<SecondDerivatives> second;  ///< of τ
   /// The same with η_m cos θ_m and η_m sin θ_m for the first two parameters.
   std::optional<SecondDerivatives> second_by_offset;
+  /// How far the slope φ of the contact at B moves per kink κ = φ − β_end that
+  /// is asked for there, dφ/dκ; NaN without a smooth contact, or under limits.
+  /// It is positive and of order 1 on the whole, 0 where the path ceases to be
+  /// a minimum between its fixed ends, and infinite where the branch turns.
+  double contact_response = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// From the optimality conditions of an answer, which is worth no more than the

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Where other extremals are sought.
+
+#pragma once
+
+#include <string>
+
+#include "brachisto/model/scene.hpp"
+#include "brachisto/study/solve_options.hpp"
+
+namespace brachisto {
+
+/// What to ask for where the principal extremal is no answer: "search: global",
+/// with the key that has to change for it to be allowed; empty if that search
+/// was made, or there is none, as with Contact::Centre, under limits, in other
+/// worlds, or along a given path.
+[[nodiscard]] std::string wider_search(const Scene& scene,
+                                       const SolveOptions& options);
+
+}  // namespace brachisto

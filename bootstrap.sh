@@ -19,8 +19,8 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
 )
-# Of the tests alone: a validator of others for the schemas.
-test_packages=(python3-jsonschema python3-yaml)
+# Of the tests alone: a validator of others for the schemas, a reader of others for .nl files.
+test_packages=(python3-jsonschema python3-yaml libamplsolver-dev)
 # Of the benchmarks alone, the programs of others that they run among them.
 bench_packages=(libbenchmark-dev octave python3-scipy)
 

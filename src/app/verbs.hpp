@@ -35,6 +35,7 @@ struct CommonFlags {
 [[nodiscard]] Verb body_verb();
 [[nodiscard]] Verb compare_verb();
 [[nodiscard]] Verb work_precision_verb();
+[[nodiscard]] Verb nlp_verb();
 [[nodiscard]] Verb worker_verb();   ///< for sweeps, not for people
 [[nodiscard]] Verb measure_verb();  ///< for comparisons, not for people
 

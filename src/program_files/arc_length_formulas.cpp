@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "program_files/arc_length_formulas.hpp"
+
+#include "model/energy.hpp"
+#include "transcription/program_formulas.hpp"
+
+namespace brachisto::program_files {
+
+namespace {
+
+using enum StateComponent;
+
+}  // namespace
+
+int ArcLengthFormulas::num_quantities() const {
+  return problem_.num_intervals();
+}
+
+Formula ArcLengthFormulas::quantity(int index) const {
+  const int node = index + 1;
+  const Scene& scene = problem_.scene();
+  const Formula turned = layout().has_theta() ? state(node, Theta) : 0.0;
+  return node_speed(scene.gravity,
+                    energy_height_after(scene.body, state(node, Z), turned));
+}
+
+Formula ArcLengthFormulas::state(int node, StateComponent component) const {
+  return node == 0 ? 0.0 : Formula::unknown(layout().state(node, component));
+}
+
+Formula ArcLengthFormulas::w(int node) const {
+  return node == 0 ? 0.0 : Formula::quantity(node - 1);
+}
+
+Formula ArcLengthFormulas::S() const {
+  return Formula::unknown(layout().arc_length());
+}
+
+Formula ArcLengthFormulas::length(int node) const {
+  return layout().has_theta()
+             ? problem_.scene().body.radius * growth(node, Theta)
+             : S() * problem_.share(node);
+}
+
+int ArcLengthFormulas::num_objective_parts() const {
+  return problem_.num_intervals();
+}
+
+Formula ArcLengthFormulas::objective_part(int index) const {
+  const int node = index + 1;
+  const Body& body = problem_.scene().body;
+  Formula middle = body.theta_m;
+  if (layout().has_theta()) {
+    middle +=
+        state(node - 1, Theta) + ArcLength::middle(node) * growth(node, Theta);
+  }
+  return sqrt(piece_square(body, growth(node, X), growth(node, Z), length(node),
+                           sin(middle), cos(middle))) *
+         inverse_mean_speed(w(node - 1), w(node));
+}
+
+Formula ArcLengthFormulas::constraint(int index) const {
+  const int node = layout().point_of(index) + 1;
+  if (index == layout().no_slip(node)) {
+    return slip(growth(node, X), growth(node, Z), length(node),
+                problem_.reference_length(node));
+  }
+  return misplacement(problem_.scene().body.radius, state(node, Theta), S(),
+                      problem_.sigma(node));
+}
+
+}  // namespace brachisto::program_files

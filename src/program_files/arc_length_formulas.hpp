@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The formulas of an arc_length problem.
+
+#pragma once
+
+#include "program_files/program_in_formulas.hpp"
+#include "transcription/arc_length.hpp"
+
+namespace brachisto::program_files {
+
+/// Quantities are the speeds w of the nodes 1 … N. The objective's parts are
+/// the times of the pieces.
+class ArcLengthFormulas final : public ProgramInFormulas {
+ public:
+  explicit ArcLengthFormulas(const ArcLength& problem) : problem_(problem) {}
+
+  [[nodiscard]] int num_quantities() const override;
+  [[nodiscard]] Formula quantity(int index) const override;
+  [[nodiscard]] int num_objective_parts() const override;
+  [[nodiscard]] Formula objective_part(int index) const override;
+  [[nodiscard]] Formula constraint(int index) const override;
+
+ private:
+  [[nodiscard]] const VariableLayout& layout() const {
+    return problem_.layout();
+  }
+  /// Of a node, the start included.
+  [[nodiscard]] Formula state(int node, StateComponent component) const;
+  [[nodiscard]] Formula w(int node) const;
+  /// By how much a component grows on the piece that leads to `node`.
+  [[nodiscard]] Formula growth(int node, StateComponent component) const {
+    return state(node, component) - state(node - 1, component);
+  }
+  [[nodiscard]] Formula S() const;
+  [[nodiscard]] Formula length(int node) const;  ///< r Δθ
+
+  const ArcLength& problem_;
+};
+
+}  // namespace brachisto::program_files

@@ -15,23 +15,28 @@ using enum StateComponent;
 }  // namespace
 
 int ArcLengthFormulas::num_quantities() const {
-  return problem_.num_intervals();
+  return kParts * problem_.num_intervals();
 }
 
 Formula ArcLengthFormulas::quantity(int index) const {
-  const int node = index + 1;
-  const Scene& scene = problem_.scene();
-  const Formula turned = layout().has_theta() ? state(node, Theta) : 0.0;
-  return node_speed(scene.gravity,
-                    energy_height_after(scene.body, state(node, Z), turned));
+  const int node = index / kParts + 1;
+  switch (static_cast<Part>(index % kParts)) {
+    case kDx:
+      return growth(node, X);
+    case kDz:
+      return growth(node, Z);
+    case kLength:
+      return length(node);
+    case kMiddle:
+      return middle(node);
+    case kSpeed:
+      return speed(node);
+  }
+  return {};
 }
 
 Formula ArcLengthFormulas::state(int node, StateComponent component) const {
   return node == 0 ? 0.0 : Formula::unknown(layout().state(node, component));
-}
-
-Formula ArcLengthFormulas::w(int node) const {
-  return node == 0 ? 0.0 : Formula::quantity(node - 1);
 }
 
 Formula ArcLengthFormulas::S() const {
@@ -44,6 +49,20 @@ Formula ArcLengthFormulas::length(int node) const {
              : S() * problem_.share(node);
 }
 
+Formula ArcLengthFormulas::middle(int node) const {
+  Formula out = problem_.scene().body.theta_m;
+  if (!layout().has_theta()) return out;
+  out += state(node - 1, Theta) + ArcLength::middle(node) * growth(node, Theta);
+  return out;
+}
+
+Formula ArcLengthFormulas::speed(int node) const {
+  const Scene& scene = problem_.scene();
+  const Formula turned = layout().has_theta() ? state(node, Theta) : 0.0;
+  return node_speed(scene.gravity,
+                    energy_height_after(scene.body, state(node, Z), turned));
+}
+
 int ArcLengthFormulas::num_objective_parts() const {
   return problem_.num_intervals();
 }
@@ -51,20 +70,17 @@ int ArcLengthFormulas::num_objective_parts() const {
 Formula ArcLengthFormulas::objective_part(int index) const {
   const int node = index + 1;
   const Body& body = problem_.scene().body;
-  Formula middle = body.theta_m;
-  if (layout().has_theta()) {
-    middle +=
-        state(node - 1, Theta) + ArcLength::middle(node) * growth(node, Theta);
-  }
-  return sqrt(piece_square(body, growth(node, X), growth(node, Z), length(node),
-                           sin(middle), cos(middle))) *
+  // The rotation of a body without θ is a number.
+  const Formula angle = layout().has_theta() ? of(node, kMiddle) : middle(node);
+  return sqrt(piece_square(body, of(node, kDx), of(node, kDz),
+                           of(node, kLength), sin(angle), cos(angle))) *
          inverse_mean_speed(w(node - 1), w(node));
 }
 
 Formula ArcLengthFormulas::constraint(int index) const {
   const int node = layout().point_of(index) + 1;
   if (index == layout().no_slip(node)) {
-    return slip(growth(node, X), growth(node, Z), length(node),
+    return slip(of(node, kDx), of(node, kDz), of(node, kLength),
                 problem_.reference_length(node));
   }
   return misplacement(problem_.scene().body.radius, state(node, Theta), S(),

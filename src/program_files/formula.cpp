@@ -80,16 +80,15 @@ Tree Formula::in_full() const {
   return sum;
 }
 
-Formula operator+(const Formula& a, const Formula& b) {
-  Formula out = a;
-  out.constant_ += b.constant_;
-  out.add_terms(b, 1.0);
-  if (out.tree_.empty()) {
-    out.tree_ = b.tree_;
-  } else if (!b.tree_.empty()) {
-    out.tree_ = joined(Formula::Operation::Plus, a.tree_, b.tree_);
+Formula& Formula::operator+=(const Formula& other) {
+  constant_ += other.constant_;
+  add_terms(other, 1.0);
+  if (tree_.empty()) {
+    tree_ = other.tree_;
+  } else if (!other.tree_.empty()) {
+    tree_ = joined(Operation::Plus, tree_, other.tree_);
   }
-  return out;
+  return *this;
 }
 
 Formula operator-(const Formula& a, const Formula& b) {

@@ -57,11 +57,11 @@ class Formula {
   [[nodiscard]] const std::vector<Token>& tree() const { return tree_; }
 
   [[nodiscard]] Formula operator-() const { return *this * -1.0; }
-  friend Formula operator+(const Formula& a, const Formula& b);
+  friend Formula operator+(Formula a, const Formula& b) { return a += b; }
   friend Formula operator-(const Formula& a, const Formula& b);
   friend Formula operator*(const Formula& a, const Formula& b);
   friend Formula operator/(const Formula& a, const Formula& b);
-  Formula& operator+=(const Formula& other) { return *this = *this + other; }
+  Formula& operator+=(const Formula& other);
 
   friend Formula sin(const Formula& a);
   friend Formula cos(const Formula& a);

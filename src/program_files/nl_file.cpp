@@ -47,10 +47,6 @@ class NlText {
   [[nodiscard]] int place_of_quantity(int quantity) const {
     return problem_.num_variables() + order_.place_of_quantity[at(quantity)];
   }
-  /// Of a linear constraint, whose bounds it goes to.
-  [[nodiscard]] static double moved_constant(const Formula& formula) {
-    return formula.tree().empty() ? formula.constant() : 0.0;
-  }
 
   const Transcription& problem_;
   const ProgramInFormulas& formulas_;
@@ -163,12 +159,12 @@ void NlText::put_constraints() {
   int row = 0;
   for (const int constraint : order_.constraints) {
     check_stop(constraint);
-    const Formula formula = formulas_.constraint(constraint);
+    const bool linear = row >= order_.nonlinear_constraints;
     out_ << 'C' << row++ << '\n';
-    if (formula.tree().empty()) {
+    if (linear) {
       out_ << "n0\n";
     } else {
-      put_nonlinear(formula);
+      put_nonlinear(formulas_.constraint(constraint));
     }
   }
 }
@@ -230,10 +226,12 @@ void NlText::put_range(const nlp::Range& range, double less) {
 
 void NlText::put_bounds() {
   out_ << "r\n";
+  int row = 0;
   for (const int constraint : order_.constraints) {
     check_stop(constraint);
+    const bool linear = row++ >= order_.nonlinear_constraints;
     put_range(problem_.constraint_range(constraint),
-              moved_constant(formulas_.constraint(constraint)));
+              linear ? formulas_.constraint(constraint).constant() : 0.0);
   }
   out_ << "b\n";
   for (const int variable : order_.variables) {

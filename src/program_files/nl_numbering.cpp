@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
@@ -84,11 +85,12 @@ void find_unknowns(const Formula& formula, const ProgramInFormulas& formulas,
       if (inner.kind == Kind::Unknown) out.push_back({inner.number, 0.0});
     }
   }
+  // Of equals that of the affine part comes first.
   const auto order = [&](const Formula::Term& term) {
-    return place.empty() ? term.unknown : place[at(term.unknown)];
+    return std::pair(place.empty() ? term.unknown : place[at(term.unknown)],
+                     term.coefficient == 0.0);
   };
-  std::ranges::stable_sort(out, {}, order);
-  // Terms of the affine part come first among equals.
+  std::ranges::sort(out, {}, order);
   const auto repeated = std::ranges::unique(out, {}, &Formula::Term::unknown);
   out.erase(repeated.begin(), repeated.end());
 }

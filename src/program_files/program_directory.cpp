@@ -127,13 +127,14 @@ nlohmann::ordered_json write_program(const SolvedProgram& program,
     put_col_names(problem, order, out);
   };
   if (output.format == ProgramFormat::Nl) {
-    const bool answer = output.start == ProgramStart::Answer;
     add("names of the constraints and of the objective", rows);
     add("names of the variables", cols);
     add("this description", say);
     add("the program", [&](TextStream& out) {
-      put_nl(problem, *formulas, order, answer ? program.answer : program.guess,
-             out);
+      put_nl(
+          problem, *formulas, order,
+          output.start == ProgramStart::Answer ? program.answer : program.guess,
+          out);
     });
   } else {
     add("first derivatives of the constraints",

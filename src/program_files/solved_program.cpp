@@ -8,7 +8,9 @@
 #include "math/index.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/pose.hpp"
+#include "study/start.hpp"
 #include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto::program_files {
 
@@ -65,7 +67,9 @@ std::optional<SolvedProgram> solved_program(const Solution& solution) {
   }
   if (const auto* found = answer_as<PiecewiseAnswer>(solution.answer)) {
     ArcLength problem(posed.natural, found->program.elements, found->phi);
-    PrimalDual guess = cycloid_guess(problem, *posed.cycloid);
+    // From the nodes of the plain cycloid Newton's steps lead nowhere.
+    PrimalDual guess =
+        prolong(start_from_cycloid(posed).curve.value(), problem);
     return made_of(std::move(problem), found->point, std::move(guess), posed,
                    found->phi);
   }

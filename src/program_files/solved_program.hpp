@@ -22,7 +22,10 @@ namespace brachisto::program_files {
 struct SolvedProgram {
   std::unique_ptr<Transcription> problem;
   PrimalDual answer;
-  PrimalDual guess;  ///< without multipliers, where a solve may begin
+  /// Where a solve may begin: on the cycloid, or what solver.guess asks for,
+  /// without multipliers; of straight pieces on an extremal of a coarse mesh,
+  /// with its multipliers.
+  PrimalDual guess;
   Units units;
   /// φ that C_B is built from; nothing where the program has free contacts.
   std::optional<double> end_slope;

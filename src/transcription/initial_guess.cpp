@@ -78,30 +78,6 @@ PrimalDual cycloid_guess(const LimitedTime& problem, const CycloidArc& arc) {
       }));
 }
 
-PrimalDual cycloid_guess(const ArcLength& problem, const CycloidArc& arc) {
-  using enum StateComponent;
-  const VariableLayout& layout = problem.layout();
-  const int last = problem.num_intervals();
-  // Places are measured from the start.
-  const Point end = fixed_centre(problem, last);
-  const double S = arc.arc_length(arc.psi_end);
-  PrimalDual out{std::vector<double>(at(layout.num_variables())), {}};
-  for (int node = 1; node <= last; ++node) {
-    const double share = problem.sigma(node) * problem.sigma(node);
-    // s = 8 a sin²(ψ/4)
-    const double psi = 4.0 * std::asin(std::sqrt(share * S / (8.0 * arc.a)));
-    const Point centre = between({}, end, arc, psi / arc.psi_end);
-    out.x[at(layout.state(node, X))] = centre.x;
-    out.x[at(layout.state(node, Z))] = centre.z;
-    if (layout.has_theta()) {
-      out.x[at(layout.state(node, Theta))] =
-          S / problem.scene().body.radius * share;
-    }
-  }
-  out.x[at(layout.arc_length())] = S;
-  return out;
-}
-
 PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
   const Body& body = problem.scene().body;
   const double g = problem.scene().gravity;

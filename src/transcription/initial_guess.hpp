@@ -10,7 +10,6 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "model/cycloid.hpp"
-#include "transcription/arc_length.hpp"
 #include "transcription/limited_time.hpp"
 #include "transcription/rolling_time.hpp"
 
@@ -23,11 +22,9 @@ namespace brachisto {
 [[nodiscard]] PrimalDual cycloid_guess(const RollingTime& problem,
                                        const CycloidArc& arc);
 
-/// The same of the other programs; where the contacts of `problem` are free the
-/// cycloid keeps its own ends.
+/// The same under limits; where the contacts of `problem` are free the cycloid
+/// keeps its own ends.
 [[nodiscard]] PrimalDual cycloid_guess(const LimitedTime& problem,
-                                       const CycloidArc& arc);
-[[nodiscard]] PrimalDual cycloid_guess(const ArcLength& problem,
                                        const CycloidArc& arc);
 
 /// The first with the multipliers of the axisymmetric body, for which this is

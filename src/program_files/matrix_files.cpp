@@ -21,7 +21,6 @@ ProgramMatrices::ProgramMatrices(nlp::Problem& problem, const PrimalDual& point)
     throw std::runtime_error("the program has no derivatives there: " +
                              problem.refusal());
   }
-  objective_ = problem.eval_f();
   problem.eval_grad_f(gradient_);
   problem.eval_g(constraints_);
   std::vector<double> values(problem.jac_g_pattern().num_entries());

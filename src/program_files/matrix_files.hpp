@@ -33,7 +33,6 @@ class ProgramMatrices {
   /// with all variables and constraints, the fixed and the open ones too.
   void put_kkt(TextStream& out) const;
 
-  [[nodiscard]] double objective() const { return objective_; }
   [[nodiscard]] std::span<const double> gradient() const { return gradient_; }
   [[nodiscard]] std::span<const double> constraints() const {
     return constraints_;
@@ -50,7 +49,6 @@ class ProgramMatrices {
   static void put_entries(const Entries& entries, int down, TextStream& out);
 
   int num_variables_, num_constraints_;
-  double objective_ = 0.0;
   std::vector<double> gradient_, constraints_;
   Entries jacobian_, hessian_;
 };

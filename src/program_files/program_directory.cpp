@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "brachisto/version.hpp"
@@ -68,6 +69,15 @@ Json description(const SolvedProgram& program, const ProgramOutput& output,
   return out;
 }
 
+/// \throws std::runtime_error  if there is none
+double objective_at(Transcription& problem, const std::vector<double>& x) {
+  if (!problem.set_point(x)) {
+    throw std::runtime_error("the answer is no point of its program: " +
+                             problem.refusal());
+  }
+  return problem.eval_f();
+}
+
 /// The program's own order.
 NlNumbering own_order(const Transcription& problem) {
   NlNumbering out;
@@ -101,7 +111,7 @@ std::vector<std::string> ProgramOutput::names() const {
 nlohmann::ordered_json write_program(const SolvedProgram& program,
                                      const ProgramOutput& output) {
   Transcription& problem = *program.problem;
-  const ProgramMatrices matrices(problem, program.answer);
+  const double objective = objective_at(problem, program.answer.x);
   const std::vector<std::string> names = output.names();
   std::vector<DescribedFile> files;
   const auto add = [&](const char* text,
@@ -115,10 +125,14 @@ nlohmann::ordered_json write_program(const SolvedProgram& program,
   };
 
   std::unique_ptr<ProgramInFormulas> formulas;
-  NlNumbering order = own_order(problem);
+  std::optional<ProgramMatrices> matrices;
+  NlNumbering order;
   if (output.format == ProgramFormat::Nl) {
     formulas = in_formulas(problem);
     order = NlNumbering(problem, *formulas);
+  } else {
+    matrices.emplace(problem, program.answer);
+    order = own_order(problem);
   }
   const auto rows = [&](TextStream& out) {
     put_row_names(problem, order, out);
@@ -138,15 +152,15 @@ nlohmann::ordered_json write_program(const SolvedProgram& program,
     });
   } else {
     add("first derivatives of the constraints",
-        [&](TextStream& out) { matrices.put_jacobian(out); });
+        [&](TextStream& out) { matrices->put_jacobian(out); });
     add("second derivatives of the Lagrangian, lower triangle",
-        [&](TextStream& out) { matrices.put_hessian(out); });
+        [&](TextStream& out) { matrices->put_hessian(out); });
     add("both as one matrix, [H, Jᵀ; J, 0], lower triangle",
-        [&](TextStream& out) { matrices.put_kkt(out); });
+        [&](TextStream& out) { matrices->put_kkt(out); });
     add("first derivatives of the objective",
-        [&](TextStream& out) { put_vector(matrices.gradient(), out); });
+        [&](TextStream& out) { put_vector(matrices->gradient(), out); });
     add("values of the constraints",
-        [&](TextStream& out) { put_vector(matrices.constraints(), out); });
+        [&](TextStream& out) { put_vector(matrices->constraints(), out); });
     add("the answer",
         [&](TextStream& out) { put_vector(program.answer.x, out); });
     add("its multipliers, of the Lagrangian f + λᵀg",
@@ -155,7 +169,7 @@ nlohmann::ordered_json write_program(const SolvedProgram& program,
     add("names of its columns", cols);
     add("this description", say);
   }
-  described = description(program, output, matrices.objective(), files);
+  described = description(program, output, objective, files);
 
   std::vector<report::StreamedFile> streamed;
   for (const DescribedFile& file : files) {

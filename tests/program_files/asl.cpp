@@ -225,6 +225,13 @@ INSTANTIATE_TEST_SUITE_P(ProgramFiles, NlFile,
                          ::testing::ValuesIn(program_cases()),
                          [](const auto& row) { return row.param.name; });
 
+/// Of Ipopt's KKT residual, scaled; T is stationary, so that it errs less.
+constexpr double kTolerance = 1e-11;
+/// What each bound of some hundred inequalities leaves in T.
+constexpr double kComplementarity = 1e-13;
+/// Wanted of T and of the unknowns, which are of order one.
+constexpr double kSame = 1e-9;
+
 /// What Ipopt finds in the file that a scene's program is written to, from the
 /// start that is in it.
 struct Found {
@@ -233,8 +240,7 @@ struct Found {
   double distance = 0.0;  ///< of x from the answer, the largest
 };
 
-Found found_in_file(const SolvedProgram& program, ProgramStart start,
-                    double tolerance) {
+Found found_in_file(const SolvedProgram& program, ProgramStart start) {
   const ScratchDirectory directory;
   const ProgramOutput output{.path = directory.path() / "case.nl",
                              .start = start};
@@ -242,7 +248,8 @@ Found found_in_file(const SolvedProgram& program, ProgramStart start,
   AslProgram theirs(output.path);
   const Places places(*program.problem, theirs);
   IpoptOptions options;
-  options.tolerance = tolerance;
+  options.tolerance = kTolerance;
+  options.complementarity = kComplementarity;
   Found out;
   out.result = solve_with_ipopt(theirs, theirs.start(), options);
   if (out.result.point.x.empty() || !theirs.set_point(out.result.point.x)) {
@@ -266,11 +273,6 @@ SolvedProgram program_of(const Scene& scene, const SolveOptions& options) {
   return std::move(*program);
 }
 
-/// Of Ipopt's KKT residual, scaled; T is stationary, so that it errs less.
-constexpr double kTolerance = 1e-11;
-/// Wanted of T and of the unknowns, which are of order one.
-constexpr double kSame = 1e-9;
-
 TEST(NlOptimum, IsOurAnswerFromTheGuessAndFromTheAnswer) {
   const SolvedProgram program =
       program_of(testing::off_centred_scene(-testing::kPi / 6.0), {});
@@ -278,7 +280,7 @@ TEST(NlOptimum, IsOurAnswerFromTheGuessAndFromTheAnswer) {
   const double T = program.problem->eval_f();
 
   for (const ProgramStart start : {ProgramStart::Guess, ProgramStart::Answer}) {
-    const Found found = found_in_file(program, start, kTolerance);
+    const Found found = found_in_file(program, start);
 
     EXPECT_EQ(found.result.status, Status::Solved) << found.result.message;
     EXPECT_NEAR(found.f, T, kSame * T);
@@ -288,6 +290,19 @@ TEST(NlOptimum, IsOurAnswerFromTheGuessAndFromTheAnswer) {
       EXPECT_LE(found.result.iterations, kAFew);
     }
   }
+}
+
+TEST(NlOptimum, IsOurAnswerUnderLimits) {
+  Scene scene = testing::off_centred_scene(0.0);
+  scene.limits = testing::friction(0.5);
+  const SolvedProgram program = program_of(scene, {});
+  ASSERT_TRUE(program.problem->set_point(program.answer.x));
+  const double T = program.problem->eval_f();
+
+  const Found found = found_in_file(program, ProgramStart::Guess);
+
+  EXPECT_EQ(found.result.status, Status::Solved) << found.result.message;
+  EXPECT_NEAR(found.f, T, kSame * T);
 }
 
 TEST(NlOptimum, IsOurAnswerInThePapersVariables) {
@@ -302,7 +317,7 @@ TEST(NlOptimum, IsOurAnswerInThePapersVariables) {
   ASSERT_TRUE(program->problem->set_point(program->answer.x));
   const double T = program->problem->eval_f();
 
-  const Found found = found_in_file(*program, ProgramStart::Guess, kTolerance);
+  const Found found = found_in_file(*program, ProgramStart::Guess);
 
   EXPECT_EQ(found.result.status, Status::Solved) << found.result.message;
   EXPECT_NEAR(found.f, T, kSame * T);

@@ -81,8 +81,10 @@ int run(const NlpFlags& flags) {
   }
 
   const std::atomic<int>& signal = catch_signals();
-  const Solution solution =
-      solve(problem.scene, problem.options, {.interrupt = &signal});
+  const Solution solution = [&] {
+    const LastResort last_resort(problem.options.limits.seconds, flags.json);
+    return solve(problem.scene, problem.options, {.interrupt = &signal});
+  }();
   const auto program = program_files::solved_program(solution);
   nlohmann::ordered_json described;
   if (program) {
@@ -99,8 +101,12 @@ int run(const NlpFlags& flags) {
   } else if (program && !flags.quiet) {
     tell_of(described, output, solution);
   }
-  if (!solution.verified())
+  if (!solution.verified()) {
     tell(fmt::format("brachisto: {}\n", solution.message));
+  }
+  for (const std::string& reason : solution.infeasible_because()) {
+    warn(fmt::format("the answer is verified, but infeasible: {}", reason));
+  }
   return exit_code(solution, signal.load());
 }
 

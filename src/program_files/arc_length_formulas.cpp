@@ -59,7 +59,7 @@ Formula ArcLengthFormulas::middle(int node) const {
 Formula ArcLengthFormulas::speed(int node) const {
   const Scene& scene = problem_.scene();
   const Formula turned = layout().has_theta() ? state(node, Theta) : 0.0;
-  return node_speed(scene.gravity,
+  return fall_speed(scene.gravity,
                     energy_height_after(scene.body, state(node, Z), turned));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace brachisto::program_files {
 
@@ -22,19 +23,22 @@ Token token(double constant) {
   return {Token::Kind::Constant, 0, constant};
 }
 
-Tree joined(Formula::Operation operation, const Tree& a, const Tree& b = {}) {
-  Tree out{token(operation)};
+/// factor · what follows; nothing for the factor 1.
+void append_factor(double factor, Tree& out) {
+  using enum Formula::Operation;
+  if (factor == 1.0) return;
+  if (factor == -1.0) return out.push_back(token(Negative));
+  out.push_back(token(Times));
+  out.push_back(token(factor));
+}
+
+Tree joined(Formula::Operation operation, const Tree& a, const Tree& b) {
+  Tree out;
   out.reserve(1 + a.size() + b.size());
+  out.push_back(token(operation));
   out.insert(out.end(), a.begin(), a.end());
   out.insert(out.end(), b.begin(), b.end());
   return out;
-}
-
-Tree scaled(double factor, const Tree& tree) {
-  using enum Formula::Operation;
-  if (factor == 1.0) return tree;
-  if (factor == -1.0) return joined(Negative, tree);
-  return joined(Times, {token(factor)}, tree);
 }
 
 }  // namespace
@@ -65,19 +69,39 @@ void Formula::add_terms(const Formula& other, double factor) {
 void Formula::scale(double factor) {
   constant_ *= factor;
   for (Term& term : terms_) term.coefficient *= factor;
-  if (!tree_.empty()) tree_ = scaled(factor, tree_);
+  if (tree_.empty() || factor == 1.0) return;
+  Tree scaled;
+  scaled.reserve(2 + tree_.size());
+  append_factor(factor, scaled);
+  scaled.insert(scaled.end(), tree_.begin(), tree_.end());
+  tree_ = std::move(scaled);
 }
 
-Tree Formula::in_full() const {
-  Tree sum = tree_;
-  const auto add = [&](const Tree& summand) {
-    sum = sum.empty() ? summand : joined(Operation::Plus, sum, summand);
-  };
+void Formula::append_to(Tree& out) const {
+  const bool has_constant = constant_ != 0.0 || is_constant();
+  const std::size_t summands =
+      terms_.size() + (tree_.empty() ? 0 : 1) + (has_constant ? 1 : 0);
+  out.insert(out.end(), summands - 1, token(Operation::Plus));
+  out.insert(out.end(), tree_.begin(), tree_.end());
   for (const auto& [unknown, coefficient] : terms_) {
-    add(scaled(coefficient, {{Token::Kind::Unknown, unknown}}));
+    append_factor(coefficient, out);
+    out.push_back({Token::Kind::Unknown, unknown});
   }
-  if (constant_ != 0.0 || sum.empty()) add({token(constant_)});
-  return sum;
+  if (has_constant) out.push_back(token(constant_));
+}
+
+Formula Formula::applied(Operation operation, const Formula& a) {
+  Formula out;
+  out.tree_ = {token(operation)};
+  a.append_to(out.tree_);
+  return out;
+}
+
+Formula Formula::applied(Operation operation, const Formula& a,
+                         const Formula& b) {
+  Formula out = applied(operation, a);
+  b.append_to(out.tree_);
+  return out;
 }
 
 Formula& Formula::operator+=(const Formula& other) {
@@ -102,9 +126,7 @@ Formula operator-(const Formula& a, const Formula& b) {
 
 Formula operator*(const Formula& a, const Formula& b) {
   if (!a.is_constant() && !b.is_constant()) {
-    Formula out;
-    out.tree_ = joined(Formula::Operation::Times, a.in_full(), b.in_full());
-    return out;
+    return Formula::applied(Formula::Operation::Times, a, b);
   }
   const double factor = a.is_constant() ? a.constant_ : b.constant_;
   if (factor == 0.0) return 0.0;
@@ -115,40 +137,28 @@ Formula operator*(const Formula& a, const Formula& b) {
 
 Formula operator/(const Formula& a, const Formula& b) {
   if (a.is_constant() && b.is_constant()) return a.constant_ / b.constant_;
-  Formula out;
-  if (!b.is_constant()) {
-    out.tree_ = joined(Formula::Operation::Divided, a.in_full(), b.in_full());
-    return out;
+  if (!b.is_constant() || !a.tree_.empty()) {
+    return Formula::applied(Formula::Operation::Divided, a, b);
   }
-  out.constant_ = a.constant_ / b.constant_;
-  out.terms_ = a.terms_;
+  Formula out = a;
+  out.constant_ /= b.constant_;
   for (Formula::Term& term : out.terms_) term.coefficient /= b.constant_;
-  if (!a.tree_.empty()) {
-    out.tree_ =
-        joined(Formula::Operation::Divided, a.tree_, {token(b.constant_)});
-  }
   return out;
 }
 
 Formula sin(const Formula& a) {
   if (a.is_constant()) return std::sin(a.constant_);
-  Formula out;
-  out.tree_ = joined(Formula::Operation::Sine, a.in_full());
-  return out;
+  return Formula::applied(Formula::Operation::Sine, a);
 }
 
 Formula cos(const Formula& a) {
   if (a.is_constant()) return std::cos(a.constant_);
-  Formula out;
-  out.tree_ = joined(Formula::Operation::Cosine, a.in_full());
-  return out;
+  return Formula::applied(Formula::Operation::Cosine, a);
 }
 
 Formula sqrt(const Formula& a) {
   if (a.is_constant()) return std::sqrt(a.constant_);
-  Formula out;
-  out.tree_ = joined(Formula::Operation::Root, a.in_full());
-  return out;
+  return Formula::applied(Formula::Operation::Root, a);
 }
 
 double plain(const Formula& /*formula*/) {

@@ -74,7 +74,10 @@ class Formula {
   void add_terms(const Formula& other, double factor);
   void scale(double factor);
   /// All of it as one tree.
-  [[nodiscard]] std::vector<Token> in_full() const;
+  void append_to(std::vector<Token>& out) const;
+  [[nodiscard]] static Formula applied(Operation operation, const Formula& a);
+  [[nodiscard]] static Formula applied(Operation operation, const Formula& a,
+                                       const Formula& b);
 
   double constant_ = 0.0;
   std::vector<Term> terms_;

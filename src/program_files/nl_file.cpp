@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"

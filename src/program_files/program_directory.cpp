@@ -102,7 +102,7 @@ std::vector<std::string> ProgramOutput::names() const {
             "constraints.mtx", "x.mtx",       "lambda.mtx", "program.row",
             "program.col",     "program.json"};
   }
-  fs::path stub = path.filename();
+  fs::path stub = path.has_filename() ? path.filename() : "program.nl";
   if (stub.extension() == ".nl") stub.replace_extension();
   return {stub.string() + ".row", stub.string() + ".col",
           stub.string() + ".json", stub.string() + ".nl"};

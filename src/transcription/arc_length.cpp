@@ -101,7 +101,7 @@ bool ArcLength::set_nodes() {
     const double E_theta = arm * std::cos(body.theta_m + turned);
     const double E_theta_theta = -arm * std::sin(body.theta_m + turned);
     if (!(E > 0.0)) return refuse(node, "the energy E is not positive");
-    const double w = node_speed(g, E);
+    const double w = fall_speed(g, E);
     const double by_E = g / w;
     const double by_E_E = -by_E * by_E / w;
     speeds_[at(node)] = {w,

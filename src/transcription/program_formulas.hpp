@@ -51,13 +51,6 @@ template <class Scalar>
   return gravity * (sin_beta + eta * cos_theta);
 }
 
-/// w at a node where the weight has come down E.
-template <class Scalar>
-[[nodiscard]] Scalar node_speed(double gravity, const Scalar& energy_height) {
-  using std::sqrt;
-  return sqrt(2.0 * gravity * energy_height);
-}
-
 /// (r Δθ)² A of a straight piece, with its slope's sine and cosine written out.
 ///
 /// \param length                r Δθ

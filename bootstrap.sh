@@ -19,10 +19,10 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
 )
-# Of the tests alone: a validator of others for the schemas, the Python module, and who reads
-# the manual and the completions.
+# Of the tests alone: a validator of others for the schemas, the Python module, a reader of
+# others for .nl files, and who reads the manual and the completions.
 test_packages=(
-  python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy
+  python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy libamplsolver-dev
   groff-base mandoc man-db zsh fish
 )
 # Of the benchmarks alone, the programs of others that they run among them.

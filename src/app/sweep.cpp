@@ -121,9 +121,9 @@ int run(const SweepFlags& flags) {
                   [&](const Counts& now) { progress.show(now); });
   progress.finish(counts);
   const double seconds = seconds_since(start);
-  const int received = counts.finished() < counts.scenes ? signal.load() : 0;
-  print_results(flags, counts, seconds, received);
-  if (received != 0) return kSignalBase + received;
+  const int stopped_by = counts.finished() < counts.scenes ? signal.load() : 0;
+  print_results(flags, counts, seconds, stopped_by);
+  if (stopped_by != 0) return kSignalBase + stopped_by;
   return counts.failed == 0 ? kSuccess : kNotSolved;
 }
 

@@ -35,6 +35,7 @@ struct CommonFlags {
 [[nodiscard]] Verb body_verb();
 [[nodiscard]] Verb compare_verb();
 [[nodiscard]] Verb work_precision_verb();
+[[nodiscard]] Verb nlp_verb();
 [[nodiscard]] Verb new_verb();
 /// \param whole  the command line that its documents are of
 [[nodiscard]] Verb documents_verb(CommandLine (*whole)());  ///< for the build

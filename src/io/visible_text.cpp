@@ -133,7 +133,7 @@ std::string_view nearest(std::string_view word,
   for (const std::string_view candidate : candidates) {
     const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
     const auto allowed =
-        static_cast<int>(std::min((longer + 2) / 3, longer - 1));
+        static_cast<int>(std::min((shorter + 2) / 3, longer - 1));
     // Skips the work on words of absurd length.
     if (longer - shorter > static_cast<std::size_t>(allowed)) continue;
     const int distance = edit_distance(word, candidate);

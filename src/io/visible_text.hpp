@@ -40,7 +40,7 @@ namespace brachisto::io {
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate with the smallest distance to a mistyped word, or "" if none
-/// is near: the distance must not exceed a third of the longer word (rounded
+/// is near: the distance must not exceed a third of the shorter word (rounded
 /// up) and must leave something of it.
 [[nodiscard]] std::string_view nearest(
     std::string_view word, std::span<const std::string_view> candidates);

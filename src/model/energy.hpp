@@ -64,8 +64,10 @@ template <class Scalar>
 
 /// E of a rolling body with A = A(θ, β) is half the square of w over g; w is
 /// the speed of a bead that fell the height E: w = √(2 g E) [m/s].
-[[nodiscard]] inline double fall_speed(double gravity, double energy_height) {
-  return std::sqrt(2.0 * gravity * energy_height);
+template <class Scalar>
+[[nodiscard]] Scalar fall_speed(double gravity, const Scalar& energy_height) {
+  using std::sqrt;
+  return sqrt(2.0 * gravity * energy_height);
 }
 
 }  // namespace brachisto

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "report/in_full.hpp"
+#include "report/streamed_files.hpp"
 
 #include "brachisto/math/stop_condition.hpp"
 
@@ -45,27 +46,30 @@ class TemporaryFile {
   TemporaryFile(TemporaryFile&& other) noexcept
       : target_(std::move(other.target_)),
         path_(std::exchange(other.path_, {})),
-        descriptor_(std::exchange(other.descriptor_, -1)) {}
+        descriptor_(std::exchange(other.descriptor_, -1)),
+        not_synced_(other.not_synced_) {}
   TemporaryFile& operator=(TemporaryFile&&) = delete;
 
-  void write(const std::string& content) {
+  void append(std::string_view content) {
     // To the disk piece by piece, so that a signal need not wait for all. One
     // that is held changes no condition in force.
     constexpr std::size_t kPiece = 8U << 20U;
-    std::size_t done = 0;
-    std::size_t synced = 0;
-    while (done < content.size()) {
+    while (!content.empty()) {
       check_stop();
       if (HeldSignals::waiting()) throw Stopped();
-      const ssize_t count = ::write(descriptor_, content.data() + done,
-                                    std::min(kPiece, content.size() - done));
+      const ssize_t count = ::write(descriptor_, content.data(),
+                                    std::min(kPiece, content.size()));
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) fail(path_, "write", errno);
-      done += static_cast<std::size_t>(count);
-      if (done < synced + kPiece) continue;
+      content.remove_prefix(static_cast<std::size_t>(count));
+      not_synced_ += static_cast<std::size_t>(count);
+      if (not_synced_ < kPiece) continue;
       if (::fdatasync(descriptor_) != 0) fail(path_, "write", errno);
-      synced = done;
+      not_synced_ = 0;
     }
+  }
+
+  void close() {
     if (::fsync(descriptor_) != 0) fail(path_, "write", errno);
     const int closed = ::close(std::exchange(descriptor_, -1));
     if (closed != 0) fail(path_, "write", errno);
@@ -82,6 +86,7 @@ class TemporaryFile {
   fs::path target_;
   std::string path_;
   int descriptor_ = -1;
+  std::size_t not_synced_ = 0;
 };
 
 }  // namespace
@@ -112,9 +117,21 @@ void check_writable(const fs::path& directory,
 void write_files(const fs::path& directory,
                  const std::vector<OutputFile>& files, bool force,
                  const std::vector<std::string>& obsolete) {
+  std::vector<StreamedFile> streamed;
+  streamed.reserve(files.size());
+  for (const OutputFile& file : files) {
+    streamed.push_back(
+        {file.name, [&file](const TextSink& put) { put(file.content); }});
+  }
+  write_streamed_files(directory, streamed, force, obsolete);
+}
+
+void write_streamed_files(const fs::path& directory,
+                          const std::vector<StreamedFile>& files, bool force,
+                          const std::vector<std::string>& obsolete) {
   std::vector<std::string> names;
   names.reserve(files.size());
-  for (const OutputFile& file : files) names.push_back(file.name);
+  for (const StreamedFile& file : files) names.push_back(file.name);
   check_writable(directory, names, force);
   const HeldSignals held;
   std::error_code error;
@@ -123,8 +140,10 @@ void write_files(const fs::path& directory,
   // Whatever needs room on the disk comes before the first change.
   std::vector<TemporaryFile> written;
   written.reserve(files.size());
-  for (const OutputFile& file : files) {
-    written.emplace_back(directory / file.name).write(file.content);
+  for (const StreamedFile& file : files) {
+    TemporaryFile& out = written.emplace_back(directory / file.name);
+    file.tell([&out](std::string_view piece) { out.append(piece); });
+    out.close();
   }
   for (const std::string& name : obsolete) {
     fs::remove(directory / name, error);

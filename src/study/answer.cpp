@@ -64,7 +64,9 @@ Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
               std::move(motion),
               {found.problem.layout().num_nodes(),
                found.problem.num_variables(), found.problem.num_constraints(),
-               std::nullopt, found.problem.layout().num_nodes() - 1}}),
+               std::nullopt, found.problem.layout().num_nodes() - 1},
+              point,
+              found.solution.tangency.phi}),
           found.estimated_error, std::move(diagnostics)};
 }
 

@@ -33,6 +33,8 @@ struct CollocationAnswer {
 struct PiecewiseAnswer {
   ArcLengthMotion motion;
   ProgramSize program;
+  PrimalDual point;  ///< of the problem in natural units
+  double phi = 0.0;  ///< [rad]
 };
 
 /// Under limits, or with slopes at the contacts that are not the extremal's

@@ -9,6 +9,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "model/energy.hpp"
+#include "transcription/program_formulas.hpp"
 
 namespace brachisto {
 
@@ -113,7 +114,6 @@ bool ArcLength::set_nodes() {
 
 bool ArcLength::set_pieces() {
   const Body& body = scene().body;
-  const double eta = body.eta_m;
   const double S = x(layout().arc_length());
   if (!(S > 0.0)) return refuse(-1, "the arc length S is not positive");
   double last_x = 0.0, last_z = 0.0, last_theta = 0.0;
@@ -126,7 +126,8 @@ bool ArcLength::set_pieces() {
     piece.dz = next_z - last_z;
     last_x = next_x;
     last_z = next_z;
-    piece.inverse_speed = 2.0 / (speeds_[at(node - 1)].w + speeds_[at(node)].w);
+    piece.inverse_speed =
+        inverse_mean_speed(speeds_[at(node - 1)].w, speeds_[at(node)].w);
     piece.length = S * share(node);
     double turned = 0.0;
     if (layout().has_theta()) {
@@ -139,11 +140,8 @@ bool ArcLength::set_pieces() {
       return refuse(node, "the rotation does not grow");
     piece.sin_theta = std::sin(body.theta_m + turned);
     piece.cos_theta = std::cos(body.theta_m + turned);
-    // (r Δθ)² A with the slope's sine and cosine written out.
-    const double square =
-        piece.length *
-        ((1.0 + eta * eta + body.k) * piece.length -
-         2.0 * eta * (piece.sin_theta * piece.dx - piece.cos_theta * piece.dz));
+    const double square = piece_square(body, piece.dx, piece.dz, piece.length,
+                                       piece.sin_theta, piece.cos_theta);
     if (!(square > 0.0)) {
       return refuse(node, "the inertia factor A is not positive");
     }
@@ -168,10 +166,10 @@ void ArcLength::do_eval_g(std::span<double> g) const {
     const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
         pieces_[at(node)];
     g[at(layout().no_slip(node))] =
-        0.5 * (dx * dx + dz * dz - length * length) / reference_length(node);
+        slip(dx, dz, length, reference_length(node));
     if (!layout().has_theta()) continue;
     g[at(layout().place(node))] =
-        r * x(layout().state(node, Theta)) - S * sigma(node) * sigma(node);
+        misplacement(r, x(layout().state(node, Theta)), S, sigma(node));
   }
 }
 

@@ -10,15 +10,15 @@
 #include "math/index.hpp"
 #include "math/portable_random.hpp"
 #include "model/inertia.hpp"
+#include "transcription/limited_curve.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
 
 namespace {
 
-PrimalDual without_multipliers(PrimalDual point) {
-  point.lambda.clear();
-  return point;
+PrimalDual without_multipliers(const PrimalDual& point) {
+  return {point.x, {}};
 }
 
 /// θ once the centre has come the length s.
@@ -26,8 +26,8 @@ double theta_after(const Body& body, double s) {
   return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
 }
 
-/// Where `problem` fixes a component of the first or last node.
-Point fixed_centre(const RollingTime& problem, int node) {
+/// Where `problem` fixes the centre at the first or last node.
+Point fixed_centre(const Transcription& problem, int node) {
   using enum StateComponent;
   const auto bound = [&](StateComponent component) {
     return problem.lower()[static_cast<std::size_t>(
@@ -36,17 +36,51 @@ Point fixed_centre(const RollingTime& problem, int node) {
   return {bound(X), bound(Z)};
 }
 
+/// A place of the arc, moved and stretched to run between other end points:
+/// these differ by a shift that grows from one end to the other.
+Point between(Point start, Point end, const CycloidArc& arc, double sigma) {
+  const Point from = arc.at(0.0);
+  const Point to = arc.at(arc.psi_end);
+  Point out = arc.at(sigma * arc.psi_end);
+  out.x += (1.0 - sigma) * (start.x - from.x) + sigma * (end.x - to.x);
+  out.z += (1.0 - sigma) * (start.z - from.z) + sigma * (end.z - to.z);
+  return out;
+}
+
 }  // namespace
 
 PrimalDual cycloid_guess(const RollingTime& problem, const CycloidArc& arc) {
   return without_multipliers(cycloid_extremal(problem, arc));
 }
 
+PrimalDual cycloid_guess(const LimitedTime& problem, const CycloidArc& arc) {
+  const Body& body = problem.scene().body;
+  const double g = problem.scene().gravity;
+  const bool moves = problem.free_contacts();
+  const Point start = moves ? arc.at(0.0) : fixed_centre(problem, 0);
+  const Point end = moves ? arc.at(arc.psi_end)
+                          : fixed_centre(problem, problem.mesh().num_points());
+  // β falls by half of what ψ grows.
+  const double rate = -0.5 * std::sqrt(g / arc.a);
+  return without_multipliers(
+      sample_at_mesh(problem, arc.rolling_time(g), [&](double sigma) {
+        const double psi = sigma * arc.psi_end;
+        const Point centre = between(start, end, arc, sigma);
+        LimitedPoint point;
+        point.state = {centre.x,
+                       centre.z,
+                       theta_after(body, arc.arc_length(psi)),
+                       arc.fall_speed(g, psi),
+                       arc.slope_angle(psi),
+                       rate};
+        point.multipliers.assign(problem.limits().size(), 0.0);
+        return point;
+      }));
+}
+
 PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
   const Body& body = problem.scene().body;
   const double g = problem.scene().gravity;
-  const Point from = arc.at(0.0);
-  const Point to = arc.at(arc.psi_end);
   const Point start = fixed_centre(problem, 0);
   const Point end = fixed_centre(problem, problem.mesh().num_points());
   const double root = std::sqrt(axisymmetric_inertia_factor(body));
@@ -57,12 +91,7 @@ PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
   return sample_at_mesh(problem, arc.rolling_time(g), [&](double sigma) {
     const double psi = sigma * arc.psi_end;
     ExtremalPoint point;
-    point.centre = arc.at(psi);
-    // The ends differ by a shift that grows from one end to the other.
-    point.centre.x +=
-        (1.0 - sigma) * (start.x - from.x) + sigma * (end.x - to.x);
-    point.centre.z +=
-        (1.0 - sigma) * (start.z - from.z) + sigma * (end.z - to.z);
+    point.centre = between(start, end, arc, sigma);
     point.theta = theta_after(body, arc.arc_length(psi));
     point.w = arc.fall_speed(g, psi);
     point.beta = arc.slope_angle(psi);

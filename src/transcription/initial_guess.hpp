@@ -10,6 +10,7 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "model/cycloid.hpp"
+#include "transcription/limited_time.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto {
@@ -21,7 +22,12 @@ namespace brachisto {
 [[nodiscard]] PrimalDual cycloid_guess(const RollingTime& problem,
                                        const CycloidArc& arc);
 
-/// The same with the multipliers of the axisymmetric body, for which this is
+/// The same under limits; where the contacts of `problem` are free the cycloid
+/// keeps its own ends.
+[[nodiscard]] PrimalDual cycloid_guess(const LimitedTime& problem,
+                                       const CycloidArc& arc);
+
+/// The first with the multipliers of the axisymmetric body, for which this is
 /// the extremal itself: with 𝓗 = ∂𝓗/∂β = 0 along the cycloid,
 ///
 ///     w p_x = −√A cos β,  w p_z + g p_w = −√A sin β,  p_θ = 0,  A = 1 + k,

@@ -13,6 +13,7 @@
 #include "math/index.hpp"
 #include "model/inertia.hpp"
 #include "model/start_angle.hpp"
+#include "transcription/program_formulas.hpp"
 
 namespace brachisto {
 
@@ -360,11 +361,11 @@ void LimitedTime::do_eval_g(std::span<double> g) const {
         }
         g[at(layout().defect(c, component))] = sum - hU * rate;
       };
-      put(X, at_c.w * at_c.cos_beta);
-      put(Z, at_c.w * at_c.sin_beta);
-      if (layout().has_theta()) put(Theta, at_c.w / body.radius);
+      put(X, place_rate(at_c.w, at_c.cos_beta));
+      put(Z, place_rate(at_c.w, at_c.sin_beta));
+      if (layout().has_theta()) put(Theta, turning_rate(at_c.w, body.radius));
       const double eta = layout().has_theta() ? body.eta_m : 0.0;
-      put(W, scene().gravity * (at_c.sin_beta + eta * at_c.cos_theta));
+      put(W, speed_rate(scene().gravity, eta, at_c.sin_beta, at_c.cos_theta));
       put(Beta, x(layout().control(c)) / mesh().length(e));
       for (int i = 0; i < layout().num_limits(); ++i) {
         g[at(layout().limit(c, i))] = limit_at(c, i).value;
@@ -375,18 +376,15 @@ void LimitedTime::do_eval_g(std::span<double> g) const {
     g[at(layout().start_row(i))] = at_rest(i, x(layout().state(0, Beta))).value;
   }
   if (!free_contacts()) return;
-  const double r = body.radius;
-  const int last = layout().num_points();
-  const double beta_A = x(layout().state(0, Beta));
-  const double beta_B = x(layout().state(last, Beta));
-  g[at(layout().contact_row(0))] =
-      x(layout().state(0, X)) - r * std::sin(beta_A);
-  g[at(layout().contact_row(1))] =
-      x(layout().state(0, Z)) + r * std::cos(beta_A);
-  g[at(layout().contact_row(2))] =
-      x(layout().state(last, X)) - scene().L - r * std::sin(beta_B);
-  g[at(layout().contact_row(3))] =
-      x(layout().state(last, Z)) - scene().H + r * std::cos(beta_B);
+  const auto put_contact = [&](int row, int node, brachisto::Point contact) {
+    const OffContact<double> off = off_contact(
+        x(layout().state(node, X)), x(layout().state(node, Z)), body.radius,
+        contact.x, contact.z, x(layout().state(node, Beta)));
+    g[at(layout().contact_row(row))] = off.x;
+    g[at(layout().contact_row(row + 1))] = off.z;
+  };
+  put_contact(0, 0, {0.0, 0.0});
+  put_contact(2, layout().num_points(), {scene().L, scene().H});
 }
 
 }  // namespace brachisto

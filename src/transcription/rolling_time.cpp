@@ -10,6 +10,7 @@
 #include "math/index.hpp"
 #include "model/inertia.hpp"
 #include "model/start_angle.hpp"
+#include "transcription/program_formulas.hpp"
 
 namespace brachisto {
 
@@ -195,21 +196,19 @@ void RollingTime::do_eval_g(std::span<double> g) const {
       };
       const double w = points_.w[c];
       g[at(layout().defect(point, X))] =
-          difference(X) - hU * w * points_.cos_beta[c];
+          place_defect(difference(X), hU, w, points_.cos_beta[c]);
       g[at(layout().defect(point, Z))] =
-          difference(Z) - hU * w * points_.sin_beta[c];
+          place_defect(difference(Z), hU, w, points_.sin_beta[c]);
       if (layout().has_theta()) {
         g[at(layout().defect(point, Theta))] =
-            difference(Theta) - hU * w / body.radius;
-      }
-      if (in_world) {
-        g[at(layout().defect(point, W))] =
-            difference(W) - hU * world_points_[c].gain.value;
-        continue;
+            turning_defect(difference(Theta), hU, w, body.radius);
       }
       g[at(layout().defect(point, W))] =
-          difference(W) - hU * scene().gravity *
-                              (points_.sin_beta[c] + points_.eta_cos_theta[c]);
+          in_world
+              ? speed_defect(difference(W), hU, 1.0,
+                             world_points_[c].gain.value)
+              : speed_defect(difference(W), hU, scene().gravity,
+                             points_.sin_beta[c] + points_.eta_cos_theta[c]);
     }
   }
 }

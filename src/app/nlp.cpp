@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto nlp FILE: the nonlinear program of a scene, for other solvers.
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/terminal.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/study/solve.hpp"
+#include "program_files/program_directory.hpp"
+#include "program_files/program_in_formulas.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+using program_files::ProgramFormat;
+using program_files::ProgramOutput;
+using program_files::ProgramStart;
+
+struct NlpFlags : CommonFlags {
+  std::string format = "nl";
+  std::string out;
+  std::string start = "guess";
+  bool force = false;
+
+  [[nodiscard]] ProgramOutput output() const {
+    return {format == "nl" ? ProgramFormat::Nl : ProgramFormat::Matrices, out,
+            start == "answer" ? ProgramStart::Answer : ProgramStart::Guess,
+            force};
+  }
+};
+
+/// \throws io::InputError  if what is asked for does not exist
+void refuse(const io::ProblemFile& problem, const NlpFlags& flags) {
+  std::string reason =
+      program_files::no_program_because(problem.scene, problem.options);
+  if (reason.empty() && flags.format == "nl") {
+    reason = program_files::no_formulas_because(problem.scene);
+  }
+  if (reason.empty()) return;
+  throw io::InputError(
+      {{flags.file, 0, 0, "", "no program to write: " + reason}});
+}
+
+void tell_of(const nlohmann::ordered_json& program, const ProgramOutput& output,
+             const Solution& solution) {
+  std::string names;
+  for (const std::string& name : output.names()) names += " " + name;
+  print(fmt::format(
+      "{} variables, {} constraints, {} elements of degree {}\n"
+      "T = {:.12g} in natural units, {:.12g} s; τ = {:.12g}\n"
+      "written to {}:{}\n",
+      program["variables"].get<int>(), program["constraints"].get<int>(),
+      program["elements"].get<int>(), program["degree"].get<int>(),
+      program["objective"].get<double>(), program["transit_time"].get<double>(),
+      solution.motion()->tau(), output.directory().string(), names));
+}
+
+int run(const NlpFlags& flags) {
+  const io::ProblemFile problem =
+      io::read_problem_file(flags.file, flags.overrides);
+  refuse(problem, flags);
+  const ProgramOutput output = flags.output();
+  report::check_writable(output.directory(), output.names(), flags.force);
+  for (const io::Diagnostic& warning : problem.warnings) {
+    warn(io::to_string(warning));
+  }
+
+  const std::atomic<int>& signal = catch_signals();
+  const Solution solution = [&] {
+    const LastResort last_resort(problem.options.limits.seconds, flags.json);
+    return solve(problem.scene, problem.options, {.interrupt = &signal});
+  }();
+  const auto program = program_files::solved_program(solution);
+  nlohmann::ordered_json described;
+  if (program) {
+    const StopScope scope(
+        StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    described = program_files::write_program(*program, output);
+  }
+
+  if (flags.json) {
+    print_json({{"status", name(solution.status)},
+                {"verified", solution.verified()},
+                {"message", solution.message},
+                {"program", described}});
+  } else if (program && !flags.quiet) {
+    tell_of(described, output, solution);
+  }
+  if (!solution.verified()) {
+    tell(fmt::format("brachisto: {}\n", solution.message));
+  }
+  for (const std::string& reason : solution.infeasible_because()) {
+    warn(fmt::format("the answer is verified, but infeasible: {}", reason));
+  }
+  return exit_code(solution, signal.load());
+}
+
+}  // namespace
+
+Verb nlp_verb() {
+  const auto flags = std::make_shared<NlpFlags>();
+  return {
+      .name = "nlp",
+      .text = "Write the nonlinear program of one scene for other solvers",
+      .flags = flags->with(
+          {{.name = "--format",
+            .value = &flags->format,
+            .text = "nl: an .nl file, as AMPL's solvers read it; matrices: "
+                    "Jacobian, Hessian and KKT matrix at the answer, as Matrix "
+                    "Market files",
+            .placeholder = "FORMAT",
+            .check = one_of({"nl", "matrices"}),
+            .shows_default = true},
+           {.name = "--out",
+            .value = &flags->out,
+            .text = "Write there: the .nl file, or a directory for matrices",
+            .placeholder = "PATH",
+            .check = not_empty(),
+            .required = true},
+           {.name = "--start",
+            .value = &flags->start,
+            .text = "Where a solver begins: guess (solver.guess), or the "
+                    "answer with its multipliers",
+            .placeholder = "POINT",
+            .check = one_of({"guess", "answer"}),
+            .shows_default = true},
+           {"--force", &flags->force, "Replace files that exist"}}),
+      .footer =
+          R"(The scene is solved first: the mesh is the one it ends on, which
+discretisation.elements fixes, and so are the fixed ends of the path.
+Numbers are in natural units; docs/nlp.md says what variables mean.
+Examples:
+  brachisto nlp case.yaml --out case.nl
+  brachisto nlp case.yaml --set discretisation.elements=40 --out case.nl
+  brachisto nlp case.yaml --format matrices --out case
+Exit codes: those of solve; nothing is written if it has no answer.)",
+      .run = [flags] { return run(*flags); }};
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "program_files/solved_program.hpp"
+
+#include <utility>
+
+#include "math/index.hpp"
+#include "study/answer_kinds.hpp"
+#include "study/pose.hpp"
+#include "study/start.hpp"
+#include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
+
+namespace brachisto::program_files {
+
+namespace {
+
+PrimalDual guess_for(const RollingTime& problem, const PosedProblem& posed) {
+  if (!posed.cycloid || posed.program.guess == Guess::Straight) {
+    return straight_guess(problem);
+  }
+  return posed.program.guess == Guess::Random
+             ? random_guess(problem, *posed.cycloid, posed.program.seed)
+             : cycloid_guess(problem, *posed.cycloid);
+}
+
+/// With what is fixed where it is fixed.
+PrimalDual within_fixed(const Transcription& problem, PrimalDual point) {
+  for (int i = 0; i < problem.num_variables(); ++i) {
+    const nlp::Range range = problem.variable_range(i);
+    if (range.single()) point.x[at(i)] = range.lower;
+  }
+  return point;
+}
+
+template <class Problem>
+SolvedProgram made_of(Problem problem, PrimalDual answer, PrimalDual guess,
+                      const PosedProblem& posed,
+                      std::optional<double> end_slope) {
+  PrimalDual start = within_fixed(problem, std::move(guess));
+  return {std::make_unique<Problem>(std::move(problem)), std::move(answer),
+          std::move(start), posed.units, end_slope};
+}
+
+}  // namespace
+
+std::string no_program_because(const Scene& scene,
+                               const SolveOptions& options) {
+  if (scene.path) {
+    return "the path that the scene states is evaluated, not optimised";
+  }
+  if (options.of<Collocation>() == nullptr) {
+    return "this method solves no nonlinear program; solver.method ipopt does";
+  }
+  return {};
+}
+
+std::optional<SolvedProgram> solved_program(const Solution& solution) {
+  const PosedProblem posed = pose(solution.scene, solution.options, {});
+  if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {
+    const ExtremalCurve& curve = found->trajectory.curve();
+    RollingTime problem(curve.scene(), curve.mesh(), found->phi);
+    PrimalDual guess = guess_for(problem, posed);
+    return made_of(std::move(problem), found->point, std::move(guess), posed,
+                   found->phi);
+  }
+  if (const auto* found = answer_as<PiecewiseAnswer>(solution.answer)) {
+    ArcLength problem(posed.natural, found->program.elements, found->phi);
+    // From the nodes of the plain cycloid Newton's steps lead nowhere.
+    PrimalDual guess =
+        prolong(start_from_cycloid(posed).curve.value(), problem);
+    return made_of(std::move(problem), found->point, std::move(guess), posed,
+                   found->phi);
+  }
+  if (const auto* found = answer_as<LimitedPathAnswer>(solution.answer)) {
+    const LimitedCurve& curve = found->motion.curve();
+    LimitedTime problem = curve.problem().as_inequalities();
+    PrimalDual guess = cycloid_guess(problem, *posed.cycloid);
+    std::optional<double> end_slope;
+    if (!problem.free_contacts()) end_slope = problem.ends().phi;
+    return made_of(std::move(problem), curve.point(), std::move(guess), posed,
+                   end_slope);
+  }
+  return std::nullopt;
+}
+
+}  // namespace brachisto::program_files

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Text of many numbers on its way into a file.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "report/streamed_files.hpp"
+
+namespace brachisto::program_files {
+
+/// Gathers text and hands it on in pieces. Numbers are written with as many
+/// digits as tell them from all others.
+class TextStream {
+ public:
+  explicit TextStream(report::TextSink sink) : sink_(std::move(sink)) {}
+  TextStream(const TextStream&) = delete;
+  TextStream& operator=(const TextStream&) = delete;
+
+  TextStream& operator<<(std::string_view text) {
+    text_ += text;
+    if (text_.size() > kPiece) flush();
+    return *this;
+  }
+  TextStream& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  TextStream& operator<<(int number);
+  TextStream& operator<<(std::size_t number);
+  TextStream& operator<<(double number);
+
+  /// Once all is said.
+  void flush();
+
+ private:
+  static constexpr std::size_t kPiece = 1U << 20U;
+
+  report::TextSink sink_;
+  std::string text_;
+};
+
+}  // namespace brachisto::program_files

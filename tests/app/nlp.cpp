@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto nlp: what it writes, and what it refuses.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "app/command.hpp"
+
+namespace brachisto {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::Output;
+using testing::paper_problem;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kScene = paper_problem("fig04_reference_case");
+const std::string kInASphere =
+    BRACHISTO_PROBLEMS_DIR "/worlds/small_planet.yaml";
+
+std::size_t lines_in(const fs::path& file) {
+  std::ifstream in(file);
+  std::size_t count = 0;
+  for (std::string line; std::getline(in, line);) ++count;
+  return count;
+}
+
+TEST(Nlp, WritesAFileWithTheSizeOfTheProgramThatWasSolved) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch.path() / "case.nl";
+
+  const Output output = run({"nlp", kScene, "--json", "--out", file.string()});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json told = json::parse(output.out);
+  const json solved = json::parse(run({"solve", kScene, "--json"}).out);
+  const json& program = told.at("program");
+  for (const char* key : {"variables", "constraints"}) {
+    EXPECT_EQ(program.at(key), solved.at(key)) << key;
+  }
+  EXPECT_EQ(program.at("transit_time"), solved.at("transit_time"));
+  EXPECT_EQ(program.at("start"), "guess");
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_TRUE(line.starts_with("g3 ")) << line;
+  int variables = 0, constraints = 0, objectives = 0;
+  in >> variables >> constraints >> objectives;
+  EXPECT_EQ(program.at("variables"), variables);
+  EXPECT_EQ(program.at("constraints"), constraints);
+  EXPECT_EQ(objectives, 1);
+  const auto count = [](int i) { return static_cast<std::size_t>(i); };
+  EXPECT_EQ(lines_in(scratch.path() / "case.col"), count(variables));
+  EXPECT_EQ(lines_in(scratch.path() / "case.row"), count(constraints) + 1);
+  std::ifstream described(scratch.path() / "case.json");
+  EXPECT_EQ(json::parse(described), program);
+}
+
+TEST(Nlp, WritesMatricesIntoADirectoryThatItMakes) {
+  const ScratchDirectory scratch;
+  const fs::path directory = scratch.path() / "matrices";
+
+  const Output output = run(
+      {"nlp", kInASphere, "--format", "matrices", "--out", directory.string()});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  for (const char* name :
+       {"jacobian.mtx", "hessian.mtx", "kkt.mtx", "gradient.mtx", "x.mtx",
+        "lambda.mtx", "constraints.mtx", "program.row", "program.col",
+        "program.json"}) {
+    EXPECT_TRUE(fs::exists(directory / name)) << name;
+  }
+  EXPECT_NE(output.out.find("jacobian.mtx"), std::string::npos) << output.out;
+}
+
+TEST(Nlp, ReplacesNothingUnlessItMay) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file("case.nl", "mine");
+
+  const Output refused = run({"nlp", kScene, "--out", file});
+  const auto size = fs::file_size(file);
+
+  EXPECT_EQ(refused.code, 6);
+  EXPECT_NE(refused.err.find("--force"), std::string::npos) << refused.err;
+  EXPECT_EQ(size, 4U);
+  EXPECT_EQ(run({"nlp", kScene, "--quiet", "--force", "--out", file}).code, 0);
+  EXPECT_GT(fs::file_size(file), size);
+}
+
+TEST(Nlp, RefusesWhatHasNoProgramOrNoFormulasWithTheReason) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch.path() / "case.nl").string();
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* reason;
+  };
+  for (const auto& [arguments, reason] :
+       {Case{{kInASphere}, "inside"},
+        Case{{kScene, "--set", "solver.method=extremal"}, "ipopt"},
+        Case{{kScene, "--set", "scene.path={shape: straight}"}, "optimised"}}) {
+    std::vector<std::string> all{"nlp", "--out", file};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+
+    const Output output = run(all);
+
+    EXPECT_EQ(output.code, 3) << output.err;
+    EXPECT_NE(output.err.find(reason), std::string::npos) << output.err;
+    EXPECT_FALSE(fs::exists(file));
+  }
+}
+
+TEST(Nlp, WritesNothingWithoutAnAnswer) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch.path() / "case.nl").string();
+
+  const Output output = run(
+      {"nlp", kScene, "--set", "scene.body.radius=2", "--json", "--out", file});
+
+  EXPECT_EQ(output.code, 4);
+  EXPECT_EQ(json::parse(output.out).at("program"), nullptr);
+  EXPECT_NE(output.err, "");
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(Nlp, IsToldWhatToWriteAndWhere) {
+  EXPECT_EQ(run({"nlp", kScene}).code, 2);
+  EXPECT_EQ(run({"nlp", kScene, "--out", "x", "--format", "mps"}).code, 2);
+}
+
+}  // namespace
+}  // namespace brachisto

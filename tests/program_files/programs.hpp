@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Programs of every kind to write down, and points where they are defined.
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "derivatives/arc_length_problems.hpp"
+#include "derivatives/problems.hpp"
+#include "program_files/program_in_formulas.hpp"
+#include "support/limited_problems.hpp"
+#include "support/rounding.hpp"
+
+namespace brachisto::testing {
+
+struct ProgramCase {
+  std::string name;
+  std::function<std::unique_ptr<Transcription>()> make;
+  std::function<std::vector<double>(const Transcription&, Random&)> point;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const ProgramCase& row) {
+  return out << row.name;
+}
+
+template <class Problem>
+[[nodiscard]] ProgramCase program_case(
+    std::string name, std::function<std::unique_ptr<Problem>()> make) {
+  return {std::move(name), std::move(make),
+          [](const Transcription& problem, Random& random) {
+            return random_point(dynamic_cast<const Problem&>(problem), random);
+          }};
+}
+
+/// All bodies and worlds that have formulas, in all three programs; limits of
+/// all kinds, with contacts that are fixed and that are free.
+[[nodiscard]] inline std::vector<ProgramCase> program_cases() {
+  constexpr int kDegree = 3;
+  constexpr int kElements = 3;
+  static constexpr int kPieces = 9;
+  std::vector<ProgramCase> cases;
+  for (const ProblemCase& row : problem_cases(kDegree, kElements)) {
+    if (!program_files::no_formulas_because(row.scene).empty()) continue;
+    cases.push_back(program_case<RollingTime>(row.name, [row] {
+      return std::make_unique<RollingTime>(row.problem());
+    }));
+  }
+  for (const ArcLengthCase& row : arc_length_cases()) {
+    cases.push_back(program_case<ArcLength>("Pieces" + row.name, [row] {
+      return std::make_unique<ArcLength>(row.scene, kPieces, -0.2);
+    }));
+  }
+  for (const ArcLengthCase& row : arc_length_cases()) {
+    for (const bool free : {false, true}) {
+      if (free && !row.scene.body.rolls()) continue;
+      cases.push_back(program_case<LimitedTime>(
+          "Limited" + row.name + (free ? "FreeContacts" : ""), [row, free] {
+            LimitedEnds ends;
+            ends.free_contacts = free;
+            ends.phi = -0.2;
+            return std::make_unique<LimitedTime>(
+                row.scene, limits_of_all_kinds(row.scene.body),
+                graded_mesh(2, kElements), ends);
+          }));
+    }
+  }
+  return cases;
+}
+
+/// A number computed twice by the same formula, the operations in another
+/// order: sums over p + 1 nodes of products of half a dozen factors, each of
+/// which was rounded. `size` is that of the largest of their like, whose terms
+/// cancel in others.
+[[nodiscard]] inline double rounding_of(int degree, double size) {
+  constexpr double kFactors = 16.0;
+  return ulps(kFactors * (degree + 1), 1.0 + size);
+}
+
+}  // namespace brachisto::testing

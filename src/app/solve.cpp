@@ -29,6 +29,7 @@ struct SolveFlags : CommonFlags {
   std::string certify;
   bool verbose = false;
   bool force = false;
+  bool gif = false;
 };
 
 int run(const SolveFlags& flags) {
@@ -66,7 +67,12 @@ int run(const SolveFlags& flags) {
     solution.warnings.push_back(io::to_string(warning));
   }
   if (flags.verbose) tell(solution.effort.log);
-  return hand_out(solution, {flags.out, flags.force, flags.json, flags.quiet},
+  return hand_out(solution,
+                  {.out = flags.out,
+                   .force = flags.force,
+                   .json = flags.json,
+                   .quiet = flags.quiet,
+                   .gif = flags.gif},
                   signal);
 }
 
@@ -74,24 +80,27 @@ int run(const SolveFlags& flags) {
 
 Verb solve_verb() {
   const auto flags = std::make_shared<SolveFlags>();
-  return {
-      .name = "solve",
-      .text =
-          "Compute the track of one scene, by default its smooth-contact "
-          "extremal",
-      .flags = flags->with(
-          {directory_flag("--out", flags->out,
-                          "Write result.json, trajectory.csv and the picture "
-                          "path.svg there"),
-           {.name = "--certify",
-            .value = &flags->certify,
-            .text = "Cross-check: none or extremal (solver.certify)",
-            .placeholder = "METHOD",
-            .check = not_empty()},
-           {"--force", &flags->force, "Replace existing results in DIR"},
-           {"--verbose", &flags->verbose, "Print the solver's log"}}),
-      .footer =
-          R"(Examples:
+  return {.name = "solve",
+          .text =
+              "Compute the track of one scene, by default its smooth-contact "
+              "extremal",
+          .flags = flags->with(
+              {directory_flag("--out", flags->out,
+                              "Write result.json, trajectory.csv, the picture "
+                              "path.svg and the page index.html there"),
+               {.name = "--gif",
+                .value = &flags->gif,
+                .text = "Write the motion as motion.gif there too",
+                .needs = "--out"},
+               {.name = "--certify",
+                .value = &flags->certify,
+                .text = "Cross-check: none or extremal (solver.certify)",
+                .placeholder = "METHOD",
+                .check = not_empty()},
+               {"--force", &flags->force, "Replace existing results in DIR"},
+               {"--verbose", &flags->verbose, "Print the solver's log"}}),
+          .footer =
+              R"(Examples:
   brachisto solve problems/paper/fig04_reference_case.yaml
   brachisto solve case.yaml --json | jq .tau
   brachisto solve case.yaml --certify extremal
@@ -99,7 +108,7 @@ Verb solve_verb() {
 Exit codes: 0 solved and verified, 3 bad input file, 4 not solved or
 not verified, 5 verified but physically infeasible, 6 I/O, 7 limit
 reached, 130/143 after SIGINT/SIGTERM.)",
-      .run = [flags] { return run(*flags); }};
+          .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

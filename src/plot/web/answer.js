@@ -38,6 +38,14 @@ function parabolaSlope(values, row) {
   return row < i ? 2 * before - middle : 2 * after - middle;
 }
 
+/** The same of a curve that may jump: no steeper than three times the flatter of
+    the chords beside it, so that no cubic leaves the place of its values. */
+function limitedSlope(values, row) {
+  const chord = (i) => Math.abs((values[i + 1] - values[i]) / (times[i + 1] - times[i]));
+  const most = 3 * Math.min(chord(Math.max(row - 1, 0)), chord(Math.min(row, last - 1)));
+  return Math.min(Math.max(parabolaSlope(values, row), -most), most);
+}
+
 /** The cubic with the values of two rows and slopes there, as in
     plot/trajectory_table.cpp. */
 function between(i, t, values, slope) {
@@ -57,7 +65,7 @@ function value(column, t, i = rowBefore(t)) {
     if (a === null || b === null) return null;
     return a + (b - a) * (t - times[i]) / (times[i + 1] - times[i]);
   }
-  return between(i, t, values, (j) => parabolaSlope(values, j));
+  return between(i, t, values, (j) => limitedSlope(values, j));
 }
 
 /** All that is drawn of the body at a time. */
@@ -152,6 +160,13 @@ const tick = (number) => minus(String(Number(number.toPrecision(6))));
 const view = {};  // what the drawing consists of, made anew for each width
 
 function layOut() {
+  // A body that is small is seen through the lens from the start. It takes room.
+  const useLens = byId("use-lens");
+  if (useLens.dataset.touched === undefined) {
+    const small = 0.025 * Math.max(box[1][0] - box[0][0], box[1][1] - box[0][1]);
+    useLens.checked = body.rolls && body.radius < small;
+  }
+  lens.hidden = !useLens.checked;
   const width = Math.max(280, stage.clientWidth);
   const wide = box[1][0] - box[0][0], high = box[1][1] - box[0][1];
   const left = 38, bottom = 34, tallest = Math.max(300, 0.62 * width);
@@ -272,11 +287,6 @@ function layOut() {
     view.middle = 0.5 * size;
     view.lensRadius = lensRadius;
   }
-  // A body that is small is seen through the lens from the start.
-  if (byId("use-lens").dataset.touched === undefined) {
-    byId("use-lens").checked = body.rolls && R < 26;
-  }
-  lens.hidden = !byId("use-lens").checked;
 }
 
 /** The track as sectors of the rim would ink it: those that are dark. A sector
@@ -671,7 +681,7 @@ function listen() {
   }
   byId("use-lens").addEventListener("change", (event) => {
     event.target.dataset.touched = "";
-    lens.hidden = !event.target.checked;
+    layOut();
     show(now);
   });
   document.addEventListener("keydown", (event) => {
@@ -692,12 +702,13 @@ function listen() {
   });
   addEventListener("hashchange", fromAddress);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => recolour());
-  new ResizeObserver(() => {
+  const fit = () => {
     if (Math.abs(Math.max(280, stage.clientWidth) - view.width) < 1) return;
     layOut();
     for (const { graph } of charts) graph.resize();
     show(now);
-  }).observe(stage);
+  };
+  new ResizeObserver(() => requestAnimationFrame(fit)).observe(stage);
   // On paper all is light and as wide as the paper.
   const root = document.documentElement;
   addEventListener("beforeprint", () => {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -39,8 +40,10 @@ struct ShowFlags {
 std::string whole(const fs::path& file, const std::string& absent) {
   std::error_code error;
   if (!fs::exists(file, error)) refuse(file.parent_path(), absent);
-  constexpr std::size_t kMost = std::size_t{4} << 30U;
-  return io::read_file_bytes(file, kMost, "a file of `brachisto solve --out`");
+  // What is no file has no size and is refused below.
+  const std::uintmax_t size = fs::file_size(file, error);
+  return io::read_file_bytes(file, error ? 0 : size,
+                             "a file of `brachisto solve --out`");
 }
 
 report::Json document(const fs::path& directory) {
@@ -81,6 +84,8 @@ int run(const ShowFlags& flags) {
     }
   } catch (const plot::NoTrajectory& error) {
     refuse(directory / kTrajectoryFile, error.what());
+  } catch (const report::Json::exception& error) {
+    refuse(directory / kResultFile, error.what());
   }
   return kSuccess;
 }

@@ -130,16 +130,21 @@ std::string key(const Scene& scene, const Json& result) {
   if (scene.body.rolls()) {
     add("tangential", symbols_html("friction force R_t"));
   }
-  if (scene.body.off_centred()) add("mass", "centre of mass, its path, weight");
+  if (scene.body.off_centred()) {
+    add("mass", scene.world.sphere ? "centre of mass and its path"
+                                   : "centre of mass, its path, weight");
+  } else if (!scene.world.sphere) {
+    add("mass", "weight");
+  }
   add("lift", symbols_html("R_n ≤ 0: here the body would lift off"),
       " id=\"lift-key\" hidden=\"hidden\"");
   std::size_t band = 0;
   for (const Json& limit : result.value("limits", Json::array())) {
-    if (limit.at("active").empty()) continue;
+    if (limit.value("active", Json::array()).empty()) continue;
     constexpr std::size_t kBands = 6;
     add(fmt::format("arc-key band{}", band++ % kBands),
         fmt::format("<code>{}</code> holds",
-                    xml_escaped(limit.at("name").get<std::string>())));
+                    xml_escaped(limit.value("name", ""))));
   }
   return out + "</p>\n";
 }
@@ -193,8 +198,7 @@ std::string motion_section(const Scene& scene, const Json& result,
          controls(scene) + key(scene, result) +
          fmt::format(
              "<p class=\"about\" id=\"motion-words\">{}Arrows are forces on "
-             "the "
-             "body, of which the weight is 1 m g.</p>\n"
+             "the body{}.</p>\n"
              "<p class=\"about keys\">Space plays and stops; ← and → move by a "
              "hundredth of the time, with Shift by a tenth. Dragging on a "
              "curve "
@@ -203,7 +207,8 @@ std::string motion_section(const Scene& scene, const Json& result,
              "all again.</p>\n"
              "<div id=\"curves\"></div>\n<p class=\"about\">{}</p>\n"
              "</section>\n",
-             said, held);
+             said, scene.world.sphere ? "" : ", of which the weight is 1 m g",
+             held);
 }
 
 std::string section(std::string_view heading, const std::string& content) {

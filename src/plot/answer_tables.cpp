@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <string_view>
@@ -157,20 +158,17 @@ bool is_list_of_objects(const FieldText& text) {
 
 /// What is told of keys, of those within them too, but for lists of objects.
 void add_rows(RowsOfCells& rows, const FieldText& text, const Json& value,
-              const std::string& path, const std::string& meaning) {
-  if (value.is_null() || is_list_of_objects(text)) return;
+              const std::string& path) {
+  const bool nothing = value.is_null() || (value.is_array() && value.empty());
+  if (nothing || is_list_of_objects(text)) return;
   const std::string key = path + std::string(text.name);
-  const std::string words = meaning.empty()
-                                ? std::string(text.meaning)
-                                : fmt::format("{}: {}", meaning, text.meaning);
-  if (text.parts.empty() || !value.is_object()) {
-    if (value.is_array() && value.empty()) return;
-    rows.push_back({fmt::format("<code>{}</code>", xml_escaped(key)),
-                    with_unit(value, text.unit), symbols_html(words)});
-    return;
-  }
+  const bool whole = text.parts.empty() || !value.is_object();
+  rows.push_back({fmt::format("<code>{}</code>", xml_escaped(key)),
+                  whole ? with_unit(value, text.unit) : "",
+                  symbols_html(text.meaning)});
+  if (whole) return;
   for (const FieldText& part : text.parts) {
-    add_rows(rows, part, at(value, part.name), key + ".", words);
+    add_rows(rows, part, at(value, part.name), key + ".");
   }
 }
 
@@ -214,7 +212,7 @@ std::string part_tables(const Json& result, Part part) {
   std::string further;
   for (const FieldText& text : report::result_texts()) {
     if (part_of(text.name) != part) continue;
-    add_rows(rows, text, at(result, text.name), "", "");
+    add_rows(rows, text, at(result, text.name), "");
     further += lists(text, at(result, text.name), "");
   }
   return table({"key", "value", "meaning"}, rows, " values") + further;
@@ -396,8 +394,13 @@ std::string certificate_table(const Json& result) {
     const bool good = passed.is_boolean() && passed.get<bool>();
     const auto brief = [&](std::string_view key) {
       const Json& value = at(check, key);
-      return value.is_number() ? printed(value.get<double>(), kFewDigits)
-                               : std::string("not known");
+      if (!value.is_number()) return std::string("not known");
+      const double number = value.get<double>();
+      // The largest number below zero: what is judged is to be negative.
+      if (number == -std::numeric_limits<double>::min()) {
+        return std::string("below 0");
+      }
+      return printed(number, kFewDigits);
     };
     const std::string name = cell_text(at(check, "name"));
     const Json& where = at(check, "where");
@@ -424,7 +427,7 @@ std::string provenance_tables(const Json& result) {
   RowsOfCells rows, options;
   for (const FieldText& part : text_of("provenance").parts) {
     if (part.name == "options") continue;
-    add_rows(rows, part, at(at(result, "provenance"), part.name), "", "");
+    add_rows(rows, part, at(at(result, "provenance"), part.name), "");
   }
   add_input(options, at(at(result, "provenance"), "options"), "");
   return table({"key", "value", "meaning"}, rows, " values") +

@@ -80,15 +80,20 @@ std::string point(Point p) {
 
 /// Where limits hold, from the result.
 std::string active_arcs(const Json& result) {
-  const Json limits = result.value("limits", Json::array());
   std::string out = "[";
-  for (const Json& limit : limits) {
+  for (const Json& limit : result.value("limits", Json::array())) {
     for (const Json& arc : limit.value("active", Json::array())) {
+      const Json time = arc.value("t", Json::object());
+      const auto end = [&](const char* key) {
+        const Json there = time.value(key, Json());
+        return there.is_number() ? there.get<double>() : std::nan("");
+      };
+      const double from = end("from"), to = end("to");
+      if (!(from < to)) continue;
       if (out.size() > 1) out += ',';
       out += fmt::format("{{\"name\":{},\"from\":{},\"to\":{}}}",
-                         quoted(limit.at("name").get<std::string>()),
-                         number(arc.at("t").at("from").get<double>()),
-                         number(arc.at("t").at("to").get<double>()));
+                         quoted(limit.value("name", "")), number(from),
+                         number(to));
     }
   }
   return out + "]";

@@ -21,10 +21,10 @@ namespace brachisto::plot {
 
 namespace {
 
-constexpr int kFrames = 75;      // and the one at t = 0
-constexpr int kLastFrames = 15;  // on which the body rests at B
-constexpr int kDelay = 4;        // [1/100 s]
-constexpr int kTrackPoints = 2000;
+constexpr int kFrames = 60;      // and the one at t = 0
+constexpr int kLastFrames = 12;  // on which the body rests at B
+constexpr int kDelay = 5;        // [1/100 s]
+constexpr int kTrackPoints = 600;
 
 }  // namespace
 

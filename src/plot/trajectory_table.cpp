@@ -140,15 +140,17 @@ double TrajectoryTable::parabola_slope(const std::vector<double>& values,
   return row < i ? 2.0 * before - middle : 2.0 * after - middle;
 }
 
-double TrajectoryTable::limited_slope(const std::vector<double>& values,
-                                      std::size_t row) const {
+double TrajectoryTable::curve_slope(const std::vector<double>& values,
+                                    std::size_t row) const {
+  const double slope = parabola_slope(values, row);
+  if (columns_.size() == kColumns.size()) return slope;
   const auto chord = [&](std::size_t i) {
     return std::abs((values[i + 1] - values[i]) / (time()[i + 1] - time()[i]));
   };
   const std::size_t last = size() - 1;
   const double most = 3.0 * std::min(chord(row == 0 ? 0 : row - 1),
                                      chord(std::min(row, last - 1)));
-  return std::min(std::max(parabola_slope(values, row), -most), most);
+  return std::min(std::max(slope, -most), most);
 }
 
 double TrajectoryTable::value(std::string_view name, double t) const {
@@ -156,7 +158,7 @@ double TrajectoryTable::value(std::string_view name, double t) const {
   const std::size_t i = row_before(t);
   const double h = time()[i + 1] - time()[i];
   return cubic((t - time()[i]) / h, h, values[i], values[i + 1],
-               limited_slope(values, i), limited_slope(values, i + 1));
+               curve_slope(values, i), curve_slope(values, i + 1));
 }
 
 Pose TrajectoryTable::pose(double t) const {

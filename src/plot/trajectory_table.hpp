@@ -45,9 +45,10 @@ struct TableColumn {
 /// The numbers of a trajectory, row by row in the order of time. Between rows
 /// every quantity is the cubic polynomial of time with given values and slopes
 /// at the rows: of x_c, z_c and θ the slopes are v_c cos β, v_c sin β and ω;
-/// of the others those of the parabola through the row and its neighbours, and
-/// of what may jump no more than three times the flatter chord beside the row.
-/// So does the script of the page (web/answer.js) read them.
+/// of the others those of the parabola through the row and its neighbours.
+/// Under limits, where forces jump, a curve is no steeper than three times the
+/// flatter chord beside the row. So does the script of the page (web/answer.js)
+/// read them.
 class TrajectoryTable {
  public:
   /// Reads the table that report::trajectory_csv() writes. Of rows at one time,
@@ -83,8 +84,8 @@ class TrajectoryTable {
   [[nodiscard]] std::size_t row_before(double t) const;
   [[nodiscard]] double parabola_slope(const std::vector<double>& values,
                                       std::size_t row) const;
-  [[nodiscard]] double limited_slope(const std::vector<double>& values,
-                                     std::size_t row) const;
+  [[nodiscard]] double curve_slope(const std::vector<double>& values,
+                                   std::size_t row) const;
 
   std::vector<TableColumn> columns_;
 };

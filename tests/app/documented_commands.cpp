@@ -193,8 +193,8 @@ TEST(Commands, HaveTheFlagsThatThePagesName) {
 TEST(Commands, HaveTheFlagsThatSentencesName) {
   std::string help;
   for (const char* verb :
-       {"solve", "validate", "sweep", "export", "merge", "report", "paper",
-        "compare", "work-precision", "body"}) {
+       {"solve", "validate", "sweep", "export", "merge", "report", "show",
+        "paper", "compare", "work-precision", "body"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

@@ -38,12 +38,16 @@ function parabolaSlope(values, row) {
   return row < i ? 2 * before - middle : 2 * after - middle;
 }
 
-/** The same of a curve that may jump: no steeper than three times the flatter of
-    the chords beside it, so that no cubic leaves the place of its values. */
-function limitedSlope(values, row) {
+const limited = Object.keys(rows).some((name) => name.startsWith("slack_"));
+
+/** The same of a curve. Under limits, where forces jump, it is no steeper than
+    three times the flatter of the chords beside it. */
+function curveSlope(values, row) {
+  const slope = parabolaSlope(values, row);
+  if (!limited) return slope;
   const chord = (i) => Math.abs((values[i + 1] - values[i]) / (times[i + 1] - times[i]));
   const most = 3 * Math.min(chord(Math.max(row - 1, 0)), chord(Math.min(row, last - 1)));
-  return Math.min(Math.max(parabolaSlope(values, row), -most), most);
+  return Math.min(Math.max(slope, -most), most);
 }
 
 /** The cubic with the values of two rows and slopes there, as in
@@ -65,7 +69,7 @@ function value(column, t, i = rowBefore(t)) {
     if (a === null || b === null) return null;
     return a + (b - a) * (t - times[i]) / (times[i + 1] - times[i]);
   }
-  return between(i, t, values, (j) => limitedSlope(values, j));
+  return between(i, t, values, (j) => curveSlope(values, j));
 }
 
 /** All that is drawn of the body at a time. */
@@ -155,7 +159,12 @@ function shown(number, digits = 4) {
   }
   return minus(text);
 }
-const tick = (number) => minus(String(Number(number.toPrecision(6))));
+function tick(number) {
+  const size = Math.abs(number);
+  return size !== 0 && (size >= 1e5 || size < 1e-3)
+      ? minus(Number(number.toPrecision(6)).toExponential().replace("e+", "e"))
+      : minus(String(Number(number.toPrecision(6))));
+}
 
 const view = {};  // what the drawing consists of, made anew for each width
 
@@ -484,7 +493,7 @@ function makeCharts() {
   const step = Math.ceil(full.poses.length / most);
   const poses = full.poses.filter((_, i) => i % step === 0 || i === full.poses.length - 1);
   const colour = colours();
-  all.forEach((plan, index) => {
+  all.forEach((plan) => {
     const part = document.createElement("section");
     part.className = "curve";
     part.innerHTML =
@@ -495,7 +504,6 @@ function makeCharts() {
         `<div class="plot"><div class="canvas" role="img" aria-labelledby="curve-${plan.id}">` +
         "</div><div class=\"cursor\"></div></div>";
     holder.appendChild(part);
-    const lastOne = index === all.length - 1;
     const graph = new Dygraph(part.querySelector(".canvas"),
         poses.map((p) => [p.t, ...plan.series.map((s) => s.of(p))]), {
       labels: ["t", ...plan.series.map((s, i) => `${i} ${s.name}`)],
@@ -505,7 +513,7 @@ function makeCharts() {
       gridLineColor: colour.faint, axisLineColor: colour.line,
       axes: {
         x: { axisLabelFormatter: (t) => tick(t), pixelsPerLabel: 70,
-             axisLabelWidth: 60, axisHeight: lastOne ? 22 : 22 },
+             axisLabelWidth: 60, axisHeight: 22 },
         y: { axisLabelFormatter: (y) => tick(y), axisLabelWidth: 44, pixelsPerLabel: 28 },
       },
       underlayCallback: underlay(plan),
@@ -534,7 +542,7 @@ function makeCharts() {
     };
     plot.addEventListener("pointerdown", scrub);
     plot.addEventListener("pointermove", scrub);
-    charts.push({ plan, graph, cursor: part.querySelector(".cursor"),
+    charts.push({ plan, part, graph, cursor: part.querySelector(".cursor"),
       values: [...part.querySelectorAll(".readout b")] });
   });
 }
@@ -551,15 +559,55 @@ function zoomTo(from, to) {
   show(now);
 }
 
-function recolour(width) {
+function recolour() {
   const colour = colours();
   for (const { graph, plan } of charts) {
     graph.updateOptions({ colors: plan.series.map((_, i) => colour.series[i % 6]),
-      gridLineColor: colour.faint, axisLineColor: colour.line }, true);
-    if (width) graph.resize(width, 150); else graph.resize();
-    graph.updateOptions({});
+      gridLineColor: colour.faint, axisLineColor: colour.line });
   }
   show(now);
+}
+
+/** A curve for paper: lines that are as sharp as the printer, in place of a
+    canvas. */
+function curveOnPaper({ plan, part }) {
+  const width = 660, high = 150, left = 46, right = 8, bottom = 20;
+  const [low, top] = plan.range;
+  const X = (t) => left + (width - left - right) * t / T;
+  const Y = (y) => (high - bottom) * (top - y) / (top - low);
+  const svg = draw("svg", { class: "paper-plot", viewBox: `0 0 ${width} ${high}` }, part);
+  const clip = `clip-${plan.id}`;
+  draw("rect", { x: left, y: 0, width: width - left - right, height: high - bottom },
+      draw("clipPath", { id: clip }, svg));
+  const grid = draw("g", { class: "grid" }, svg), words = draw("g", { class: "ticks" }, svg);
+  const stepX = niceStep(T, 8), stepY = niceStep(top - low, 4);
+  for (let t = 0; t <= T; t += stepX) {
+    draw("path", { d: `M${X(t)} 0V${high - bottom}` }, grid);
+    draw("text", { x: X(t), y: high - 4, "text-anchor": "middle" }, words).textContent = tick(t);
+  }
+  for (let y = Math.ceil(low / stepY) * stepY; y <= top; y += stepY) {
+    draw("path", { d: `M${left} ${Y(y)}H${width - right}` }, grid);
+    draw("text", { x: left - 6, y: Y(y) + 4, "text-anchor": "end" }, words).textContent = tick(y);
+  }
+  const inside = draw("g", { "clip-path": `url(#${clip})` }, svg);
+  for (const arc of data.arcs) {
+    draw("rect", { class: `paper-band band${bandOf(arc.name)}`, x: X(arc.from), y: 0,
+      width: X(arc.to) - X(arc.from), height: high - bottom }, inside);
+  }
+  for (const line of plan.lines || []) {
+    draw("path", { class: "paper-bound", d: `M${left} ${Y(line)}H${width}` }, inside);
+  }
+  plan.series.forEach((series, i) => {
+    let path = "", drawing = false;
+    for (const pose of full.poses) {
+      const y = series.of(pose);
+      const there = y !== null && Number.isFinite(y);
+      if (there) path += `${drawing ? "L" : "M"}${X(pose.t).toFixed(1)} ${Y(y).toFixed(1)}`;
+      drawing = there;
+    }
+    draw("path", { class: `paper-curve series${i % 6 + 1}`, d: path }, inside);
+  });
+  draw("path", { class: "paper-cursor", d: `M${X(now)} 0V${high - bottom}` }, inside);
 }
 
 // ------------------------------------------------------------------ the time
@@ -709,16 +757,12 @@ function listen() {
     show(now);
   };
   new ResizeObserver(() => requestAnimationFrame(fit)).observe(stage);
-  // On paper all is light and as wide as the paper.
-  const root = document.documentElement;
   addEventListener("beforeprint", () => {
     stop();
-    root.classList.add("on-paper");
-    recolour(660);
+    charts.forEach(curveOnPaper);
   });
   addEventListener("afterprint", () => {
-    root.classList.remove("on-paper");
-    recolour();
+    for (const svg of document.querySelectorAll(".paper-plot")) svg.remove();
   });
 }
 

@@ -171,19 +171,23 @@ std::string controls(const Scene& scene) {
 
 std::string motion_section(const Scene& scene, const Json& result,
                            const ThinnedTable& rows) {
-  std::string held =
-      rows.table.size() == rows.of_rows
-          ? fmt::format(
-                "This page holds all {} rows of trajectory.csv to seven "
-                "digits and draws cubics of time between them.",
-                rows.of_rows)
-          : fmt::format(
-                "This page holds {} of the {} rows of trajectory.csv to seven "
-                "digits and draws cubics of time between them. These miss none "
-                "of the other rows by more than {} m along the path, nor by "
-                "more than {} % of the height of a curve.",
-                rows.table.size(), rows.of_rows, printed(rows.path_error, 2),
-                printed(100.0 * rows.curve_error, 2));
+  const bool whole = rows.table.size() == rows.of_rows;
+  std::string held = fmt::format(
+      "This page holds {} rows of trajectory.csv to seven digits and draws "
+      "cubics of time between them.",
+      whole ? fmt::format("all {}", rows.of_rows)
+            : fmt::format("{} of the {}", rows.table.size(), rows.of_rows));
+  if (!whole) {
+    held += fmt::format(
+        " These miss none of the other rows by more than {} m along the "
+        "path{}",
+        printed(rows.path_error, 2),
+        rows.curve_error > kCoarsest
+            ? ". The body turns so often that they cannot follow its turns: "
+              "curves and lens show only between which values they run."
+            : fmt::format(", nor by more than {} % of the height of a curve.",
+                          printed(100.0 * rows.curve_error, 2)));
+  }
   std::string said =
       scene.body.rolls()
           ? "The dark sectors of the rim leave the dark pieces of "

@@ -92,6 +92,15 @@ std::vector<std::size_t> chosen(const TrajectoryTable& table,
   return rows;
 }
 
+/// So many of n rows, the first and the last among them.
+std::vector<std::size_t> evenly(std::size_t n, std::size_t count) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    rows.push_back(i * (n - 1) / (count - 1));
+  }
+  return rows;
+}
+
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.z - b.z);
 }
@@ -125,10 +134,11 @@ ThinnedTable thinned(const TrajectoryTable& table, const Body& body,
   if (n > most) {
     const std::vector<Compared> all = compared(table, body, curves);
     constexpr double kFinest = 1e-5, kCoarser = 1.5;
-    for (double share = kFinest;; share *= kCoarser) {
+    for (double share = kFinest; share < kCoarsest && rows.size() > most;
+         share *= kCoarser) {
       rows = chosen(table, all, share, most);
-      if (rows.size() <= most) break;
     }
+    if (rows.size() > most) rows = evenly(n, most);
   }
   ThinnedTable out{table.with_rows(rows), n, 0.0, 0.0};
   if (rows.size() == n) return out;

@@ -42,9 +42,14 @@ struct ThinnedTable {
   double curve_error = 0.0;  ///< largest, as share of the range shown
 };
 
-/// All rows if they are `most` or fewer. Otherwise about as many as that are
-/// needed for the smallest error; the first and the last one are among them.
-/// The errors are those at all rows left out. O(n log n).
+/// Curves that are off by more, as share of their range, show no turn any more.
+inline constexpr double kCoarsest = 0.05;
+
+/// All rows if they are `most` or fewer. Otherwise those with which the error
+/// is about the smallest, the first and the last one among them; every
+/// so-manieth if it would be more than kCoarsest all the same, so that the
+/// place is right and curves show at least between which values they run. The
+/// errors are those at all rows left out. O(n log n).
 [[nodiscard]] ThinnedTable thinned(const TrajectoryTable& table,
                                    const Body& body,
                                    const std::vector<ShownCurve>& curves,

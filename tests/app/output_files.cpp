@@ -168,22 +168,24 @@ TEST(Show, RefusesADirectoryWithoutAResult) {
     EXPECT_FALSE(fs::exists(scratch.path() / "index.html"));
     return output.err;
   };
+  const auto put = [&](const char* name, const std::string& text) {
+    std::ofstream(scratch.path() / name, std::ios::binary) << text;
+  };
   const auto says = [](const std::string& text, const char* words) {
     return text.find(words) != std::string::npos;
   };
 
   EXPECT_TRUE(says(refusal(), "has no result.json"));
-  scratch.file("sweep.sqlite", "");
+  put("sweep.sqlite", "");
   EXPECT_TRUE(says(refusal(), "brachisto report"));
-  scratch.file("result.json", "{}");
+  put("result.json", "{}");
   EXPECT_TRUE(says(refusal(), "no result of `brachisto solve`"));
-  scratch.file(
-      "result.json",
+  put("result.json",
       run({"solve", kProblem, "--json", "--set", "scene.body.radius=2"}).out);
   EXPECT_TRUE(says(refusal(), "not verified"));
-  scratch.file("result.json", run({"solve", kProblem, "--json"}).out);
+  put("result.json", run({"solve", kProblem, "--json"}).out);
   EXPECT_TRUE(says(refusal(), "has no trajectory.csv"));
-  scratch.file("trajectory.csv", "x,z\n0,0\n");
+  put("trajectory.csv", "x,z\n0,0\n");
   EXPECT_TRUE(says(refusal(), "trajectory.csv: line 1"));
   EXPECT_EQ(run({"show", out + "/nowhere"}).code, 6);
 }

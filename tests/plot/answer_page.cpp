@@ -63,8 +63,8 @@ TEST(AnswerPage, IsWellFormedAndSmall) {
 TEST(AnswerPage, NeedsNoOtherFile) {
   const std::string page = page_of(limited_solution());
 
-  for (const char* reference :
-       {" src=", "href=\"http", "href=\"/", "@import", "url(", "<link"}) {
+  for (const char* reference : {" src=", "href=\"http", "href=\"/", "@import",
+                                "url(h", "url(/", "url(\"", "url('", "<link"}) {
     EXPECT_FALSE(has(page, reference)) << reference;
   }
   EXPECT_TRUE(has(page, plot::kAnswerScript));

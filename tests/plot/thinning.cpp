@@ -115,6 +115,21 @@ TEST(Thinning, OfWhatIsStraightTakesNoTime) {
   EXPECT_LT(few.path_error, 1e-13);
 }
 
+TEST(Thinning, OfWhatNothingThinsTakesRowsAtEqualSteps) {
+  Incline rough;
+  rough.normal = [](int row) { return row % 2 == 0 ? 0.0 : 1.0; };
+  const auto table = TrajectoryTable::read(rough.csv(9001));
+
+  const ThinnedTable few =
+      thinned(table, rough.scene().body,
+              {{"R_n", shown_range(table, table["R_n"])}}, 1001);
+
+  EXPECT_EQ(few.table.size(), 1001U);
+  EXPECT_EQ(few.table.time()[1], table.time()[9]);
+  EXPECT_GT(few.curve_error, plot::kCoarsest);
+  EXPECT_LT(few.path_error, 1e-13);  // the motion is a square of time
+}
+
 TEST(ShownRange, LeavesOutPolesAndTheStart) {
   Incline incline;
   incline.normal = [](int row) {

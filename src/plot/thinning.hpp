@@ -46,10 +46,10 @@ struct ThinnedTable {
 inline constexpr double kCoarsest = 0.05;
 
 /// All rows if they are `most` or fewer. Otherwise those with which the error
-/// is about the smallest, the first and the last one among them; every
-/// so-manieth if it would be more than kCoarsest all the same, so that the
-/// place is right and curves show at least between which values they run. The
-/// errors are those at all rows left out. O(n log n).
+/// is about the smallest, the first and the last one among them; if it would be
+/// more than kCoarsest all the same, rows at equal steps, so that the place is
+/// right and curves show at least between which values they run. The errors are
+/// those at all rows left out. O(n log n).
 [[nodiscard]] ThinnedTable thinned(const TrajectoryTable& table,
                                    const Body& body,
                                    const std::vector<ShownCurve>& curves,

@@ -292,6 +292,13 @@ std::string continuation_drawing(const Json& steps) {
 std::string symbols_html(std::string_view text) {
   std::string rich;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = text[i] == '-' && i > 0 && text[i - 1] == ' ' &&
+                      i + 1 < text.size() && text[i + 1] >= '0' &&
+                      text[i + 1] <= '9';
+    if (sign) {
+      rich += "−";
+      continue;
+    }
     rich += text[i];
     if (text[i] == '^') {
       rich.back() = '\\';

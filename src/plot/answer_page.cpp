@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "plot/answer_tables.hpp"
+#include "plot/block_drawing.hpp"
 #include "plot/motion_data.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
@@ -235,6 +236,23 @@ std::string repeat_section(const Json& result) {
          provenance_tables(result);
 }
 
+/// The matrix, where the answer was found by collocation in the rolling time on
+/// its own, as most are.
+std::string matrix(const Json& result, const Scene& scene) {
+  const bool plain =
+      scene.world.ordinary() && !scene.limits.any() && !scene.path;
+  const Json options = result.value(
+      Json::json_pointer("/provenance/options/discretisation"), Json());
+  const Json mesh = result.value("mesh", Json());
+  if (!plain || !options.is_object() || !mesh.is_object() ||
+      options.value("formulation", Json()) != "rolling_time" ||
+      !mesh.value("degree", Json()).is_number_integer()) {
+    return {};
+  }
+  return block_drawing(scene, mesh["degree"].get<int>(),
+                       static_cast<int>(number(mesh, "elements")));
+}
+
 /// A script within a page that is XML too.
 std::string script(std::string_view content) {
   return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", content);
@@ -261,16 +279,17 @@ std::string answer_page(const Json& result, const Scene& scene,
     out += fmt::format("<p class=\"about\">Limits: {}</p>\n",
                        report::html_words(report::limits_in_words(scene)));
   }
-  out += verdict(result) + numbers(result) + "</header>\n<main>\n" +
-         motion_section(scene, result, rows) +
-         section("What was asked", asked_table(result)) +
-         section("What was found", found_table(result)) +
-         section("What the limits cost", limits_table(result)) +
-         section("How the time changes with the scene",
-                 sensitivities_tables(result)) +
-         section("The certificate", certificate_table(result)) +
-         section("How it was found", way_tables(result)) +
-         section("How to repeat it", repeat_section(result));
+  out +=
+      verdict(result) + numbers(result) + "</header>\n<main>\n" +
+      motion_section(scene, result, rows) +
+      section("What was asked", asked_table(result)) +
+      section("What was found", found_table(result)) +
+      section("What the limits cost", limits_table(result)) +
+      section("How the time changes with the scene",
+              sensitivities_tables(result)) +
+      section("The certificate", certificate_table(result)) +
+      section("How it was found", way_tables(result) + matrix(result, scene)) +
+      section("How to repeat it", repeat_section(result));
   const auto made = result.find("provenance");
   const std::string version =
       made != result.end() ? made->value("brachisto", "") : "";

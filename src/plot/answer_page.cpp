@@ -15,6 +15,7 @@
 
 #include "plot/answer_tables.hpp"
 #include "plot/block_drawing.hpp"
+#include "plot/continuation_drawing.hpp"
 #include "plot/motion_data.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
@@ -279,17 +280,18 @@ std::string answer_page(const Json& result, const Scene& scene,
     out += fmt::format("<p class=\"about\">Limits: {}</p>\n",
                        report::html_words(report::limits_in_words(scene)));
   }
-  out +=
-      verdict(result) + numbers(result) + "</header>\n<main>\n" +
-      motion_section(scene, result, rows) +
-      section("What was asked", asked_table(result)) +
-      section("What was found", found_table(result)) +
-      section("What the limits cost", limits_table(result)) +
-      section("How the time changes with the scene",
-              sensitivities_tables(result)) +
-      section("The certificate", certificate_table(result)) +
-      section("How it was found", way_tables(result) + matrix(result, scene)) +
-      section("How to repeat it", repeat_section(result));
+  out += verdict(result) + numbers(result) + "</header>\n<main>\n" +
+         motion_section(scene, result, rows) +
+         section("What was asked", asked_table(result)) +
+         section("What was found", found_table(result)) +
+         section("What the limits cost", limits_table(result)) +
+         section("How the time changes with the scene",
+                 sensitivities_tables(result)) +
+         section("The certificate", certificate_table(result)) +
+         section("How it was found",
+                 continuation_drawing(result.value("continuation", Json())) +
+                     way_tables(result) + matrix(result, scene)) +
+         section("How to repeat it", repeat_section(result));
   const auto made = result.find("provenance");
   const std::string version =
       made != result.end() ? made->value("brachisto", "") : "";

@@ -6,6 +6,7 @@
 #   ./bootstrap.sh test   install what is missing, build, run all tests
 #   ./bootstrap.sh bench  the same for the benchmarks, half an hour; results in
 #                         build/release/benchmarks/results
+#   ./bootstrap.sh page   install Chromium, build, test the page of an answer in it
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what
@@ -18,6 +19,7 @@ packages=(
   coinor-libipopt-dev libmumps-seq-dev libsuitesparse-dev libeigen3-dev
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
+  libjs-dygraphs
 )
 # Of the tests alone: a validator of others for the schemas, the Python module, a reader of
 # others for .nl files, and who reads the manual and the completions.
@@ -25,6 +27,8 @@ test_packages=(
   python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy libamplsolver-dev
   groff-base mandoc man-db zsh fish
 )
+# Of the page checks alone: the browser.
+page_packages=(chromium)
 # Of the benchmarks alone, the programs of others that they run among them.
 bench_packages=(libbenchmark-dev octave python3-scipy)
 
@@ -79,6 +83,12 @@ case "${1:-}" in
     say "testing"
     ctest --preset release
     ;;
+  page)
+    packages+=("${page_packages[@]}")
+    install_packages
+    build -DBRACHISTO_BUILD_TESTS=ON
+    ctest --preset release -R '^page$'
+    ;;
   bench)
     packages+=("${bench_packages[@]}")
     install_packages
@@ -86,7 +96,7 @@ case "${1:-}" in
     cmake --build --preset release --target run_benchmarks
     ;;
   *)
-    sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,13s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

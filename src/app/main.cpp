@@ -86,9 +86,10 @@ CommandLine command_line() {
       "`brachisto VERB --help` tells more.",
       version_text,
       {solve_verb(), design_verb(), validate_verb(), schema_verb(),
-       sweep_verb(), export_verb(), merge_verb(), report_verb(), paper_verb(),
-       body_verb(), compare_verb(), work_precision_verb(), nlp_verb(),
-       new_verb(), worker_verb(), measure_verb(), documents_verb(command_line)},
+       sweep_verb(), export_verb(), merge_verb(), report_verb(), show_verb(),
+       paper_verb(), body_verb(), compare_verb(), work_precision_verb(),
+       nlp_verb(), new_verb(), worker_verb(), measure_verb(),
+       documents_verb(command_line)},
       {{.name = "--color",
         .value = &colour,
         .text = "Colours for verdicts, warnings and errors; auto: on a "

@@ -5,11 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "app/answer_page_files.hpp"
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/math/stop_condition.hpp"
@@ -20,14 +23,12 @@ namespace brachisto::app {
 
 namespace {
 
-constexpr const char* kResultFile = "result.json";
-constexpr const char* kTrajectoryFile = "trajectory.csv";
 /// The picture of the path, its table and script.
 constexpr std::array kPathFiles{"path.csv", "path.gp", "path.svg"};
 
-/// The files of --out but the result; without a verified path none. A picture
-/// that is missing becomes a warning of the solution. Of a million nodes this
-/// takes seconds, so that a signal ends it.
+/// The files of --out but the result and its page; without a verified path
+/// none. A picture that is missing becomes a warning of the solution. Of a
+/// million nodes this takes seconds, so that a signal ends it.
 std::vector<report::OutputFile> path_files(Solution& solution,
                                            const std::atomic<int>& signal) {
   if (!solution.verified()) return {};
@@ -39,6 +40,19 @@ std::vector<report::OutputFile> path_files(Solution& solution,
   }
   picture.files.push_back({kTrajectoryFile, report::trajectory_csv(solution)});
   return std::move(picture.files);
+}
+
+/// The page of what is written; a picture that is missing is told.
+void add_page(const Solution& solution, const std::string& json, bool gif,
+              const std::atomic<int>& signal,
+              std::vector<report::OutputFile>& files) {
+  if (!solution.verified()) return;
+  const auto csv =
+      std::ranges::find(files, kTrajectoryFile, &report::OutputFile::name);
+  PageFiles page = page_files(report::Json::parse(json), solution.scene,
+                              csv->content, gif, signal);
+  warn(page.missing);
+  std::ranges::move(page.files, std::back_inserter(files));
 }
 
 /// No path of an earlier result stays beside one that has none; the result
@@ -74,6 +88,7 @@ std::string complaint(const Solution& solution) {
 std::vector<std::string> solution_files() {
   std::vector<std::string> names{kResultFile, kTrajectoryFile};
   names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
+  std::ranges::move(page_file_names(), std::back_inserter(names));
   return names;
 }
 
@@ -92,6 +107,7 @@ int hand_out(Solution& solution, SolutionOutput output,
     std::vector<report::OutputFile> files = path_files(solution, signal);
     std::ranges::move(output.further, std::back_inserter(files));
     json = report::result_json(solution);
+    add_page(solution, json, output.gif, signal, files);
     write_results(output, std::move(files), json);
   }
   if (output.json) {

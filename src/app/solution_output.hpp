@@ -14,12 +14,16 @@
 
 namespace brachisto::app {
 
+inline constexpr const char* kResultFile = "result.json";
+inline constexpr const char* kTrajectoryFile = "trajectory.csv";
+
 /// Where a solution goes.
 struct SolutionOutput {
   std::string out;  ///< directory; empty: none
   bool force = false, json = false, quiet = false;
   /// Files of the command besides, which --out writes too.
   std::vector<report::OutputFile> further = {};
+  bool gif = false;  ///< the motion as a picture too
 };
 
 /// All files of a solution in --out.

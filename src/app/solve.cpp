@@ -36,6 +36,7 @@ struct SolveFlags : CommonFlags {
   bool force = false;
   std::string track_svg, track_dxf;
   std::string sheet = "600x400";
+  bool gif = false;
 };
 
 /// "WIDTHxHEIGHT" in mm; nothing if it is not that.
@@ -112,8 +113,13 @@ int run(const SolveFlags& flags) {
     solution.warnings.push_back(io::to_string(warning));
   }
   if (flags.verbose) tell(solution.effort.log);
-  const int code = hand_out(
-      solution, {flags.out, flags.force, flags.json, flags.quiet}, signal);
+  const int code = hand_out(solution,
+                            {.out = flags.out,
+                             .force = flags.force,
+                             .json = flags.json,
+                             .quiet = flags.quiet,
+                             .gif = flags.gif},
+                            signal);
   if (code == kSuccess) write_templates(flags, solution, problem.design.parts);
   return code;
 }
@@ -129,8 +135,12 @@ Verb solve_verb() {
           "extremal",
       .flags = flags->with(
           {directory_flag("--out", flags->out,
-                          "Write result.json, trajectory.csv and the picture "
-                          "path.svg there"),
+                          "Write result.json, trajectory.csv, the picture "
+                          "path.svg and the page index.html there"),
+           {.name = "--gif",
+            .value = &flags->gif,
+            .text = "Write the motion as motion.gif there too",
+            .needs = "--out"},
            {.name = "--certify",
             .value = &flags->certify,
             .text = "Cross-check: none or extremal (solver.certify)",

@@ -31,6 +31,7 @@ struct CommonFlags {
 [[nodiscard]] Verb export_verb();
 [[nodiscard]] Verb merge_verb();
 [[nodiscard]] Verb report_verb();
+[[nodiscard]] Verb show_verb();
 [[nodiscard]] Verb paper_verb();
 [[nodiscard]] Verb body_verb();
 [[nodiscard]] Verb compare_verb();

@@ -40,6 +40,12 @@ std::string terminal(const Figure& figure, Format format) {
           "dashlength {:.4g}",
           figure.width, figure.height, kFontSize * kPointsPerPixel,
           kDashInCairo);
+    case Format::Gif:
+      return fmt::format(
+          "gif animate delay {} loop 0 enhanced size {:.0f},{:.0f} "
+          "font 'DejaVu Sans,{:.4g}'",
+          figure.frame_delay, figure.width, figure.height,
+          kFontSize * kPointsPerPixel);
   }
   return fmt::format(
       "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
@@ -71,7 +77,7 @@ std::string with_title(std::string svg, const std::string& title) {
 }  // namespace
 
 std::string_view ending(Format format) {
-  constexpr auto kEndings = table_by<Format>(".svg", ".pdf", ".png");
+  constexpr auto kEndings = table_by<Format>(".svg", ".pdf", ".png", ".gif");
   return kEndings[format];
 }
 

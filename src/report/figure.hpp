@@ -25,9 +25,11 @@ struct Figure {
   std::string commands;
   double width = 720.0, height = 480.0;  ///< [px]
   std::string title = {};  ///< plain: for those who cannot see the picture
+  int frame_delay = 4;     ///< of a picture that moves [1/100 s]
 };
 
-enum class Format { Svg, Pdf, Png };
+/// Gif is a picture that moves: `commands` draw it frame by frame.
+enum class Format { Svg, Pdf, Png, Gif };
 
 /// ".svg", …
 [[nodiscard]] std::string_view ending(Format format);

@@ -100,13 +100,17 @@ std::string embedded(std::string svg, const std::string& name) {
 
 }  // namespace
 
-std::string page_head(const std::string& title, const std::string& more) {
+std::string document_head(const std::string& title, const std::string& more) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\"/>\n<title>{0}</title>\n{1}</head>\n<body>\n"
-      "<h1>{0}{2}</h1>\n",
-      title, kStyle, more);
+      "initial-scale=1\"/>\n<title>{}</title>\n{}</head>\n<body>\n",
+      title, more);
+}
+
+std::string page_head(const std::string& title, const std::string& more) {
+  return document_head(title, kStyle) +
+         fmt::format("<h1>{}{}</h1>\n", title, more);
 }
 
 std::string figure_html(const DrawnFigure& drawn, const std::string& name,

@@ -13,6 +13,12 @@
 
 namespace brachisto::report {
 
+/// A page up to the end of its head and the beginning of its body.
+/// \param title  HTML
+/// \param more   of the head, HTML
+[[nodiscard]] std::string document_head(const std::string& title,
+                                        const std::string& more);
+
 /// The page up to its first heading.
 /// \param title  HTML
 /// \param more   of the heading, HTML

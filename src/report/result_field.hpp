@@ -183,4 +183,7 @@ template <class Source>
 /// \param open  whether there may be more
 [[nodiscard]] Json schema_of(const std::vector<FieldText>& fields, bool open);
 
+/// The keys of a result document; see report/result_json.cpp.
+[[nodiscard]] std::vector<FieldText> result_texts();
+
 }  // namespace brachisto::report

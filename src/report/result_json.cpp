@@ -614,6 +614,10 @@ std::string result_json(const Solution& solution) {
   return written(result_fields(), solution).dump(2) + "\n";
 }
 
+std::vector<FieldText> result_texts() {
+  return texts_of(result_fields());
+}
+
 std::string input_json(const Scene& scene, const SolveOptions& options) {
   Json json = {{"schema_version", kSchemaVersion}, {"valid", true}};
   json.update(io::effective_input(scene, options));
@@ -624,13 +628,13 @@ std::string result_reference_markdown() {
   const std::string text =
       "| key | type | unit | meaning |\n"
       "| --- | --- | --- | --- |\n";
-  return text + markdown_rows(texts_of(result_fields()));
+  return text + markdown_rows(result_texts());
 }
 
 std::string result_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Result of brachisto solve"}};
-  schema.update(schema_of(texts_of(result_fields()), false));
+  schema.update(schema_of(result_texts(), false));
   return schema.dump(2) + "\n";
 }
 

@@ -170,8 +170,8 @@ TEST(Commands, HaveTheFlagsThatThePagesName) {
 TEST(Commands, HaveTheFlagsThatSentencesName) {
   std::string help;
   for (const char* verb :
-       {"solve", "validate", "sweep", "export", "merge", "report", "paper",
-        "compare", "work-precision", "body", "design", "new", "nlp"}) {
+       {"solve", "validate", "sweep", "export", "merge", "report", "show",
+        "paper", "compare", "work-precision", "body", "design", "new", "nlp"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

@@ -44,8 +44,8 @@ std::set<std::string> names(const fs::path& path) {
 }
 
 using Names = std::set<std::string>;
-const Names kAll{"result.json", "trajectory.csv", "path.csv", "path.gp",
-                 "path.svg"};
+const Names kAll{"result.json", "trajectory.csv", "path.csv",
+                 "path.gp",     "path.svg",       "index.html"};
 
 TEST(Out, WritesResultTrajectoryAndPicture) {
   const ScratchDirectory scratch;
@@ -128,6 +128,66 @@ TEST(Out, LeavesNoStalePathBesideAResultThatHasNone) {
 
   EXPECT_EQ(output.code, 4);
   EXPECT_EQ(names(out), Names{"result.json"});
+}
+
+TEST(Show, WritesTheSamePageAnew) {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.path().string();
+  ASSERT_EQ(run({"solve", kProblem, "--out", out}).code, 0);
+  const std::string page = content(scratch.path() / "index.html");
+  fs::remove(scratch.path() / "index.html");
+
+  const Output output = run({"show", out});
+
+  EXPECT_EQ(output.code, 0) << output.err;
+  EXPECT_EQ(output.out, out + "/index.html\n");
+  EXPECT_EQ(content(scratch.path() / "index.html"), page);
+  EXPECT_EQ(names(scratch.path()), kAll);
+}
+
+TEST(Show, WritesTheMotionAsAPictureOnRequest) {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.path().string();
+  ASSERT_EQ(run({"solve", kProblem, "--out", out, "--gif"}).code, 0);
+  const std::string gif = content(scratch.path() / "motion.gif");
+  EXPECT_TRUE(gif.starts_with("GIF89a"));
+
+  const Output output = run({"show", out, "--gif", "--quiet"});
+
+  EXPECT_EQ(output.code, 0) << output.err;
+  EXPECT_EQ(output.out, "");
+  EXPECT_EQ(content(scratch.path() / "motion.gif"), gif);
+}
+
+TEST(Show, RefusesADirectoryWithoutAResult) {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.path().string();
+  const auto refusal = [&] {
+    const Output output = run({"show", out});
+    EXPECT_EQ(output.code, 6);
+    EXPECT_FALSE(fs::exists(scratch.path() / "index.html"));
+    return output.err;
+  };
+  const auto put = [&](const char* name, const std::string& text) {
+    std::ofstream(scratch.path() / name, std::ios::binary) << text;
+  };
+  const auto says = [](const std::string& text, const char* words) {
+    return text.find(words) != std::string::npos;
+  };
+
+  EXPECT_TRUE(says(refusal(), "has no result.json"));
+  put("sweep.sqlite", "");
+  EXPECT_TRUE(says(refusal(), "brachisto report"));
+  put("result.json", "{}");
+  EXPECT_TRUE(says(refusal(), "no result of `brachisto solve`"));
+  put("result.json",
+      run({"solve", kProblem, "--json", "--set", "scene.body.radius=2"}).out);
+  EXPECT_TRUE(says(refusal(), "not verified"));
+  put("result.json", run({"solve", kProblem, "--json"}).out);
+  EXPECT_TRUE(says(refusal(), "has no trajectory.csv"));
+  put("trajectory.csv", "x,z\n0,0\n");
+  EXPECT_TRUE(says(refusal(), "trajectory.csv: line 1"));
+  EXPECT_EQ(run({"show", out + "/nowhere"}).code, 6);
 }
 
 TEST(Set, ReplacesValuesAndMayBeRepeated) {

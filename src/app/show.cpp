@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto show DIR: the page of a result that was written before.
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/answer_page_files.hpp"
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/solution_output.hpp"
+#include "app/terminal.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "io/input_tree.hpp"
+#include "io/visible_text.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShowFlags {
+  std::string directory;
+  bool gif = false;
+  bool quiet = false;
+};
+
+[[noreturn]] void refuse(const fs::path& where, const std::string& why) {
+  throw io::IoError(where.string() + ": " + why);
+}
+
+/// The whole file; its absence is told with what there would have to be.
+std::string whole(const fs::path& file, const std::string& absent) {
+  std::error_code error;
+  if (!fs::exists(file, error)) refuse(file.parent_path(), absent);
+  // What is no file has no size and is refused below.
+  const std::uintmax_t size = fs::file_size(file, error);
+  return io::read_file_bytes(file, error ? 0 : size,
+                             "a file of `brachisto solve --out`");
+}
+
+report::Json document(const fs::path& directory) {
+  std::error_code error;
+  if (!fs::is_directory(directory, error)) refuse(directory, "no directory");
+  const fs::path file = directory / kResultFile;
+  const char* const hint =
+      fs::exists(directory / "sweep.sqlite", error)
+          ? "has the results of a sweep, which `brachisto report` draws"
+          : "has no result.json; `brachisto solve FILE --out DIR` writes one";
+  report::Json result = report::Json::parse(whole(file, hint), nullptr, false);
+  const bool known = result.is_object() && result.contains("verified") &&
+                     result.contains("certificate") && result.contains("input");
+  if (!known) refuse(file, "no result of `brachisto solve`");
+  if (result["verified"] != true) {
+    refuse(file, "the result is not verified: there is no motion to show");
+  }
+  return result;
+}
+
+int run(const ShowFlags& flags) {
+  const fs::path directory = flags.directory;
+  const std::atomic<int>& signal = catch_signals();
+  const report::Json result = document(directory);
+  const std::string csv =
+      whole(directory / kTrajectoryFile,
+            "has no trajectory.csv, the motion of its result.json");
+  const io::ProblemFile problem =
+      io::read_problem_file(directory / kResultFile);
+  try {
+    const PageFiles made =
+        page_files(result, problem.scene, csv, flags.gif, signal);
+    warn(made.missing);
+    report::write_files(directory, made.files, true);
+    if (flags.quiet) return kSuccess;
+    for (const report::OutputFile& file : made.files) {
+      print(io::visible((directory / file.name).string()) + "\n");
+    }
+  } catch (const plot::NoTrajectory& error) {
+    refuse(directory / kTrajectoryFile, error.what());
+  } catch (const report::Json::exception& error) {
+    refuse(directory / kResultFile, error.what());
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+Verb show_verb() {
+  const auto flags = std::make_shared<ShowFlags>();
+  return {.name = "show",
+          .text =
+              "Write the page of a result anew: the motion to be played, "
+              "curves and the certificate",
+          .flags = {{.name = "DIR",
+                     .value = &flags->directory,
+                     .text = "Directory of `brachisto solve --out`",
+                     .check = not_empty(),
+                     .required = true},
+                    {"--gif", &flags->gif, "Write motion.gif too"},
+                    {"--quiet", &flags->quiet, "Do not list what was written"}},
+          .footer =
+              R"(Example:
+  brachisto solve problems/case.yaml --out results
+  brachisto show results --gif
+Exit codes: 0 written, 6 there is no verified result, or I/O.)",
+          .run = [flags] { return run(*flags); }};
+}
+
+}  // namespace brachisto::app

@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/answer_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "plot/answer_tables.hpp"
+#include "plot/block_drawing.hpp"
+#include "plot/continuation_drawing.hpp"
+#include "plot/motion_data.hpp"
+#include "plot/web_parts.hpp"
+#include "report/page.hpp"
+#include "report/rich_text.hpp"
+#include "report/scale.hpp"
+#include "report/text_table.hpp"
+#include "report/track_kind.hpp"
+
+namespace brachisto::plot {
+
+namespace {
+
+using report::Json;
+using report::printed;
+using report::xml_escaped;
+
+double number(const Json& json, std::string_view key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>()
+                                                   : std::nan("");
+}
+
+bool is_true(const Json& json, std::string_view key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_boolean() && found->get<bool>();
+}
+
+std::vector<std::string> words(const Json& json, std::string_view key) {
+  std::vector<std::string> out;
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_array()) return out;
+  for (const Json& one : *found) {
+    if (one.is_string()) out.push_back(one.get<std::string>());
+  }
+  return out;
+}
+
+/// T or τ with the digits that the error leaves.
+std::string time_text(const Json& result, std::string_view key) {
+  const double value = number(result, key);
+  return report::with_error(value, number(result, "estimated_error") * value);
+}
+
+std::string degrees(double radians) {
+  return printed(radians * 180.0 / std::numbers::pi, 6) + "°";
+}
+std::string slope(double radians) {
+  return degrees(std::abs(radians)) + (radians < 0.0 ? " up" : " down");
+}
+
+std::string verdict(const Json& result) {
+  const auto list = [](const std::string& first,
+                       const std::vector<std::string>& reasons) {
+    std::string out = first;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+      out += (i == 0 ? ": " : "; ") + symbols_html(reasons[i]);
+    }
+    return out + ".";
+  };
+  std::size_t checks = 0, passed = 0;
+  for (const Json& check : result.at("certificate").at("checks")) {
+    ++checks;
+    if (is_true(check, "passed")) ++passed;
+  }
+  const bool verified = is_true(result, "verified");
+  const bool feasible = is_true(result, "feasible");
+  std::string out = fmt::format(
+      "<p class=\"verdict {}\">{} {}</p>\n",
+      verified && feasible ? "good" : "bad",
+      list(fmt::format("{}, {} of {} checks passed",
+                       verified ? "Verified" : "Not verified", passed, checks),
+           words(result, "not_verified_because")),
+      list(feasible ? "Feasible: the body presses on the track all the way, "
+                      "and the track does not fold"
+                    : "Infeasible",
+           words(result, "infeasible_because")));
+  for (const std::string& warning : words(result, "warnings")) {
+    out += fmt::format("<p>{}</p>\n", xml_escaped(warning));
+  }
+  return out;
+}
+
+/// The numbers that one looks for first.
+std::string numbers(const Json& result) {
+  std::string out = "<dl class=\"numbers\">\n";
+  const auto add = [&](std::string_view name, const std::string& value) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
+  };
+  add("transit time T", time_text(result, "transit_time") + " s");
+  add("τ = T √(2g/H)", time_text(result, "tau"));
+  add("length of the track", printed(number(result, "rail_length"), 6) + " m");
+  add("slopes at A and B", slope(number(result, "start_angle")) + ", " +
+                               slope(number(result, "end_angle")));
+  const double rotation = number(result, "rotation");
+  if (std::isfinite(rotation)) add("the body turns", degrees(rotation));
+  const auto force = result.find("normal_force");
+  if (force != result.end() && force->is_object()) {
+    add(symbols_html("normal force R_n"),
+        fmt::format("{} to {} m g", printed(number(*force, "min"), 4),
+                    printed(number(*force, "max"), 4)));
+  }
+  return out + "</dl>\n";
+}
+
+/// What stands beside the drawing.
+std::string key(const Scene& scene, const Json& result) {
+  std::string out = "<p class=\"key\">";
+  const auto add = [&](std::string_view swatch, const std::string& words,
+                       std::string_view more = "") {
+    out += fmt::format("<span{}><i class=\"swatch {}\"></i>{}</span>\n", more,
+                       swatch, words);
+  };
+  add("normal", symbols_html("normal force R_n"));
+  if (scene.body.rolls()) {
+    add("tangential", symbols_html("friction force R_t"));
+  }
+  if (scene.body.off_centred()) {
+    add("mass", scene.world.sphere ? "centre of mass and its path"
+                                   : "centre of mass, its path, weight");
+  } else if (!scene.world.sphere) {
+    add("mass", "weight");
+  }
+  add("lift", symbols_html("R_n ≤ 0: here the body would lift off"),
+      " id=\"lift-key\" hidden=\"hidden\"");
+  std::size_t band = 0;
+  for (const Json& limit : result.value("limits", Json::array())) {
+    if (limit.value("active", Json::array()).empty()) continue;
+    constexpr std::size_t kBands = 6;
+    add(fmt::format("arc-key band{}", band++ % kBands),
+        fmt::format("<code>{}</code> holds",
+                    xml_escaped(limit.value("name", ""))));
+  }
+  return out + "</p>\n";
+}
+
+std::string controls(const Scene& scene) {
+  const bool rolls = scene.body.rolls();
+  const auto box = [](std::string_view id, std::string_view name, bool on,
+                      bool there) {
+    return fmt::format(
+        "<label{}><input type=\"checkbox\" id=\"{}\"{}/> {}</label>\n",
+        there ? "" : " hidden=\"hidden\"", id, on ? " checked=\"checked\"" : "",
+        name);
+  };
+  return "<div class=\"controls\" role=\"group\" aria-label=\"Playback\">\n"
+         "<button id=\"play\" type=\"button\">Play</button>\n"
+         "<input id=\"time\" type=\"range\" min=\"0\" max=\"1\" step=\"any\" "
+         "aria-label=\"Time\"/>\n"
+         "<output id=\"clock\" aria-live=\"off\"></output>\n"
+         "<fieldset id=\"rates\" aria-label=\"Speed\"></fieldset>\n" +
+         box("use-forces", "forces", true, true) +
+         box("use-ghosts", "every T/10", true, true) +
+         box("use-lens", "lens", false, rolls) + "</div>\n";
+}
+
+std::string motion_section(const Scene& scene, const Json& result,
+                           const ThinnedTable& rows) {
+  const bool whole = rows.table.size() == rows.of_rows;
+  std::string held = fmt::format(
+      "This page holds {} rows of trajectory.csv to seven digits and draws "
+      "cubics of time between them.",
+      whole ? fmt::format("all {}", rows.of_rows)
+            : fmt::format("{} of the {}", rows.table.size(), rows.of_rows));
+  if (!whole) {
+    held += fmt::format(
+        " These miss none of the other rows by more than {} m along the "
+        "path{}",
+        printed(rows.path_error, 2),
+        rows.curve_error > kCoarsest
+            ? ". The body turns so often that they cannot follow its turns: "
+              "curves and lens show only between which values they run."
+            : fmt::format(", nor by more than {} % of the height of a curve.",
+                          printed(100.0 * rows.curve_error, 2)));
+  }
+  std::string said =
+      scene.body.rolls()
+          ? "The dark sectors of the rim leave the dark pieces of "
+            "the track: as long as each other, for the body does "
+            "not slip. The ring marks where they touch. "
+          : "";
+  return "<section>\n<h2 id=\"motion-heading\">The motion</h2>\n"
+         "<noscript><p>The motion and the curves are drawn by a script, which "
+         "this browser does not run.</p></noscript>\n"
+         "<div class=\"motion\"><div id=\"stage\"></div>"
+         "<div id=\"lens\" hidden=\"hidden\"></div></div>\n" +
+         controls(scene) + key(scene, result) +
+         fmt::format(
+             "<p class=\"about\" id=\"motion-words\">{}Arrows are forces on "
+             "the body{}.</p>\n"
+             "<p class=\"about keys\">Space plays and stops; ← and → move by a "
+             "hundredth of the time, with Shift by a tenth. Dragging on a "
+             "curve "
+             "moves the body; dragging with Shift enlarges, a double click "
+             "shows "
+             "all again.</p>\n"
+             "<div id=\"curves\"></div>\n<p class=\"about\">{}</p>\n"
+             "</section>\n",
+             said, scene.world.sphere ? "" : ", of which the weight is 1 m g",
+             held);
+}
+
+std::string section(std::string_view heading, const std::string& content) {
+  if (content.empty()) return {};
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n", heading,
+                     content);
+}
+
+std::string repeat_section(const Json& result) {
+  Json input;
+  if (const auto found = result.find("input"); found != result.end()) {
+    input = *found;
+  }
+  return "<p>The result beside this page is a problem file too. This solves "
+         "the scene again:</p>\n<pre>brachisto solve result.json --out "
+         "again</pre>\n"
+         "<details><summary>The problem file, defaults filled in</summary>\n"
+         "<pre>" +
+         xml_escaped(input.dump(2)) + "</pre></details>\n" +
+         provenance_tables(result);
+}
+
+/// The matrix, where the answer was found by collocation in the rolling time on
+/// its own, as most are.
+std::string matrix(const Json& result, const Scene& scene) {
+  const bool plain =
+      scene.world.ordinary() && !scene.limits.any() && !scene.path;
+  const Json options = result.value(
+      Json::json_pointer("/provenance/options/discretisation"), Json());
+  const Json mesh = result.value("mesh", Json());
+  if (!plain || !options.is_object() || !mesh.is_object() ||
+      options.value("formulation", Json()) != "rolling_time" ||
+      !mesh.value("degree", Json()).is_number_integer()) {
+    return {};
+  }
+  return block_drawing(scene, mesh["degree"].get<int>(),
+                       static_cast<int>(number(mesh, "elements")));
+}
+
+/// A script within a page that is XML too.
+std::string script(std::string_view content) {
+  return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", content);
+}
+
+}  // namespace
+
+std::string answer_page(const Json& result, const Scene& scene,
+                        const TrajectoryTable& table) {
+  const ThinnedTable rows = rows_for_page(table, scene);
+  std::string kind(report::track_kind(scene));
+  kind[0] = static_cast<char>(std::toupper(kind[0]));
+  const std::string title =
+      fmt::format("{}: τ = {}", kind, time_text(result, "tau"));
+  std::string out = report::document_head(
+      xml_escaped(title),
+      fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+                  "<style>{}\n{}</style>\n",
+                  kChartStyle, kAnswerStyle));
+  out += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"about\">{}</p>\n",
+                     xml_escaped(title),
+                     report::html_words(report::in_words(scene)));
+  if (scene.limits.any()) {
+    out += fmt::format("<p class=\"about\">Limits: {}</p>\n",
+                       report::html_words(report::limits_in_words(scene)));
+  }
+  out += verdict(result) + numbers(result) + "</header>\n<main>\n" +
+         motion_section(scene, result, rows) +
+         section("What was asked", asked_table(result)) +
+         section("What was found", found_table(result)) +
+         section("What the limits cost", limits_table(result)) +
+         section("How the time changes with the scene",
+                 sensitivities_tables(result)) +
+         section("The certificate", certificate_table(result)) +
+         section("How it was found",
+                 continuation_drawing(result.value("continuation", Json())) +
+                     way_tables(result) + matrix(result, scene)) +
+         section("How to repeat it", repeat_section(result));
+  const auto made = result.find("provenance");
+  const std::string version =
+      made != result.end() ? made->value("brachisto", "") : "";
+  out += fmt::format(
+      "</main>\n<footer>Written from a result of brachisto {}. Curves by "
+      "dygraphs, whose licence is in the source of this page.</footer>\n",
+      xml_escaped(version));
+  out +=
+      fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n",
+                  motion_data(rows.table, scene, result));
+  out += script(fmt::format("/*!\n{}*/\n{}", kChartLicence, kChartScript));
+  out += script(kAnswerScript);
+  return out + "</body>\n</html>\n";
+}
+
+}  // namespace brachisto::plot

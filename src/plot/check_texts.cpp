@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/check_texts.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace brachisto::plot {
+
+namespace {
+
+struct CheckText {
+  std::string_view check, meaning;
+};
+
+constexpr std::array kTexts{
+    CheckText{"kkt_residual",
+              "the optimality conditions, computed anew outside the solver"},
+    CheckText{"defects",
+              "the equations of motion at the collocation points, likewise"},
+    CheckText{"contact_error", "how far the ends of the track are off A and B"},
+    CheckText{"closure",
+              "the slope at the end, against the one that the place of the end "
+              "was built from"},
+    CheckText{"closure_at_A",
+              "the same at the start, which an initial speed leaves open"},
+    CheckText{"slope_angle", "the track has no loop: the largest slope angle"},
+    CheckText{"speed", "the body moves forward everywhere"},
+    CheckText{"hamiltonian",
+              "𝓗 between the nodes, which is zero on an extremal"},
+    CheckText{"slope",
+              "∂𝓗/∂β between the nodes, which is zero where no slope beside it "
+              "is better"},
+    CheckText{"legendre", "the slope is a minimum of 𝓗, not a maximum"},
+    CheckText{"weierstrass", "no direction at all is better than the track's"},
+    CheckText{"start_angle",
+              "the slope at the start, against the law for leaving rest"},
+    CheckText{"energy_drift", "the energy is what the fall has given"},
+    CheckText{"turning_costate",
+              "in the field of a sphere, the quantity that turning about its "
+              "centre conserves"},
+    CheckText{"second_order",
+              "a strict minimum of the discrete problem: eigenvalues of the "
+              "wrong sign"},
+    CheckText{"reintegrated_time",
+              "the body let go on this track, integrated in time: its time"},
+    CheckText{"reintegration_error",
+              "the same: its arrival, speed and rotation"},
+    CheckText{
+        "agreement",
+        "the same scene with polynomials of a higher degree: the relative "
+        "difference of T"},
+    CheckText{"extremal",
+              "the same scene by multiple shooting, a method that shares only "
+              "the physics: the relative difference of T"},
+    CheckText{"extremal_slopes", "the same: the slopes at A and B"},
+    CheckText{"extremal_junctions",
+              "the same: where limits begin and cease to hold"},
+    CheckText{"complementarity",
+              "a limit has a price only where it holds as an equation"},
+    CheckText{"multiplier_signs", "no limit holds that would better give way"},
+    CheckText{"limits", "by how much a limit is exceeded, between points too"},
+    CheckText{"reintegrated_limits",
+              "by how much the motion integrated in time exceeds a limit"},
+    CheckText{"quadrature_error", "of the time along the path that was given"},
+    CheckText{"discrete_residual", "the equations of the paper's system"},
+    CheckText{"discretisation", "its time, against that of the extremal"}};
+
+}  // namespace
+
+std::string_view check_meaning(std::string_view check) {
+  const auto found = std::ranges::find(kTexts, check, &CheckText::check);
+  return found == kTexts.end() ? std::string_view{} : found->meaning;
+}
+
+}  // namespace brachisto::plot

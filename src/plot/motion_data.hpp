@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What the script of a page draws from.
+
+#pragma once
+
+#include <string>
+
+#include "brachisto/model/scene.hpp"
+#include "plot/thinning.hpp"
+#include "report/path_frame.hpp"
+#include "report/result_field.hpp"
+
+namespace brachisto::plot {
+
+/// Numbers that a page has room for, each of ten letters at most: with them,
+/// the library of the curves and its own words it stays below 600 kB.
+inline constexpr std::size_t kMostNumbers = 36'000;
+
+/// What a picture of the motion shows of the plane: the track with the body on
+/// it everywhere, and some room around.
+[[nodiscard]] report::Box motion_box(const TrajectoryTable& table,
+                                     const Body& body);
+
+/// The rows that a page holds.
+[[nodiscard]] ThinnedTable rows_for_page(const TrajectoryTable& table,
+                                         const Scene& scene);
+
+/// A JSON document, to stand within a page: no letter in it means anything to
+/// HTML or XML. Numbers have seven digits; what is not finite is null.
+/// \param result  the result document, of which the active arcs are told
+[[nodiscard]] std::string motion_data(const TrajectoryTable& rows,
+                                      const Scene& scene,
+                                      const report::Json& result);
+
+}  // namespace brachisto::plot

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A trajectory with so few rows that a page can hold them.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "plot/trajectory_table.hpp"
+
+namespace brachisto::plot {
+
+/// Where the values of a quantity lie but for those that would leave no room
+/// for the others, as curvatures do that grow without bound.
+struct ShownRange {
+  double low = 0.0, high = 0.0;
+
+  [[nodiscard]] double width() const { return high - low; }
+};
+
+/// From the first to the last percentile of the finite values, or of all if
+/// that takes at most three times as much; without the first fiftieth of the
+/// time, in which forces and curvatures run towards limits of their own.
+[[nodiscard]] ShownRange shown_range(const TrajectoryTable& table,
+                                     const std::vector<double>& values);
+
+/// A quantity that a page shows as a curve.
+struct ShownCurve {
+  std::string column;
+  ShownRange range;
+};
+
+/// A table of some rows of another one, and by how much it misses the others.
+struct ThinnedTable {
+  TrajectoryTable table;
+  std::size_t of_rows = 0;   ///< of the other one
+  double path_error = 0.0;   ///< largest, of the centre and of the contact [m]
+  double curve_error = 0.0;  ///< largest, as share of the range shown
+};
+
+/// Curves that are off by more, as share of their range, show no turn any more.
+inline constexpr double kCoarsest = 0.05;
+
+/// All rows if they are `most` or fewer. Otherwise those with which the error
+/// is about the smallest, the first and the last one among them; if it would be
+/// more than kCoarsest all the same, rows at equal steps, so that the place is
+/// right and curves show at least between which values they run. The errors are
+/// those at all rows left out. O(n log n).
+[[nodiscard]] ThinnedTable thinned(const TrajectoryTable& table,
+                                   const Body& body,
+                                   const std::vector<ShownCurve>& curves,
+                                   std::size_t most);
+
+}  // namespace brachisto::plot

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/answer_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "brachisto/report/result.hpp"
+#include "plot/tables.hpp"
+#include "plot/web_parts.hpp"
+#include "report/solutions.hpp"
+#include "report/xml.hpp"
+
+namespace brachisto {
+namespace {
+
+using plot::answer_page;
+using plot::TrajectoryTable;
+using report::Json;
+using testing::bead_solution;
+using testing::Incline;
+using testing::limited_solution;
+using testing::off_centred_solution;
+using testing::xml_flaw;
+
+constexpr std::size_t kMostBytes = 600'000;
+
+Json document(const Solution& solution) {
+  return Json::parse(report::result_json(solution));
+}
+
+std::string page_of(const Solution& solution) {
+  return answer_page(document(solution), solution.scene,
+                     TrajectoryTable::read(report::trajectory_csv(solution)));
+}
+
+bool has(const std::string& text, std::string_view words) {
+  return text.find(words) != std::string::npos;
+}
+
+/// The data within a page.
+Json data_of(const std::string& page) {
+  const std::string head = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(head) + head.size();
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(AnswerPage, IsWellFormedAndSmall) {
+  for (const Solution* solution :
+       {&off_centred_solution(), &bead_solution(), &limited_solution(),
+        &testing::differentiated_solution(), &testing::uniform_solution()}) {
+    const std::string page = page_of(*solution);
+
+    EXPECT_EQ(xml_flaw(page), "");
+    EXPECT_LT(page.size(), kMostBytes);
+  }
+}
+
+TEST(AnswerPage, NeedsNoOtherFile) {
+  const std::string page = page_of(limited_solution());
+
+  for (const char* reference : {" src=", "href=\"http", "href=\"/", "@import",
+                                "url(h", "url(/", "url(\"", "url('", "<link"}) {
+    EXPECT_FALSE(has(page, reference)) << reference;
+  }
+  EXPECT_TRUE(has(page, plot::kAnswerScript));
+  EXPECT_TRUE(has(page, plot::kChartScript));
+  EXPECT_TRUE(has(page, plot::kChartLicence));
+}
+
+TEST(AnswerPage, HasTheRowsOfTheTable) {
+  const Solution& solution = off_centred_solution();
+  const auto table = TrajectoryTable::read(report::trajectory_csv(solution));
+
+  const Json rows = data_of(page_of(solution))["rows"];
+
+  for (const auto& [name, values] : rows.items()) {
+    ASSERT_EQ(values.size(), table.size()) << name;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      // Seven digits.
+      const double value = table[name][i];
+      EXPECT_NEAR(values[i].get<double>(), value, 5.1e-7 * std::abs(value))
+          << name << " of row " << i;
+    }
+  }
+}
+
+TEST(AnswerPage, HasNothingWhereABeadHasNothing) {
+  const Json data = data_of(page_of(bead_solution()));
+
+  EXPECT_EQ(data["body"]["rolls"], false);
+  EXPECT_TRUE(data["rows"]["kappa_b"][0].is_null());  // −∞
+  EXPECT_TRUE(data["rows"]["theta"][1].is_null());
+}
+
+TEST(AnswerPage, HasArcsAndSlacksOfLimits) {
+  const std::string page = page_of(limited_solution());
+  const Json data = data_of(page);
+
+  const LimitOnPath& friction = limited_solution().limits.front();
+  ASSERT_EQ(data["arcs"].size(), 3U);
+  EXPECT_EQ(data["arcs"][1]["name"], "friction");
+  EXPECT_NEAR(data["arcs"][1]["to"].get<double>(), friction.active[1].t.to,
+              1e-6);
+  EXPECT_EQ(data["bounds"]["friction"], 0.5);
+  EXPECT_TRUE(data["rows"].contains("slack_clear_of.half_plane"));
+  EXPECT_TRUE(has(page, "What the limits cost"));
+}
+
+TEST(AnswerPage, ShowsTextsAsTheyAre) {
+  const std::string hostile = "</script><b>&\"']]>\x01";
+  Json result = document(limited_solution());
+  result["warnings"].push_back(hostile);
+  result["infeasible_because"].push_back(hostile);
+  result["certificate"]["checks"][0]["name"] = hostile;
+  result["certificate"]["checks"][0]["where"] = hostile;
+  result["limits"][0]["name"] = hostile;
+  result["limits"][0]["active"][0]["t"]["from"] = nullptr;
+  result["input"]["scene"]["body"]["shape"] = hostile;
+  result["scene"]["body"][hostile] = hostile;
+  result["provenance"]["compiler"] = hostile;
+  result["search_remark"] = hostile;
+
+  const std::string page = answer_page(
+      result, limited_solution().scene,
+      TrajectoryTable::read(report::trajectory_csv(limited_solution())));
+
+  EXPECT_EQ(xml_flaw(page), "");
+  EXPECT_FALSE(has(page, "<b>&"));
+  EXPECT_TRUE(has(page, "&lt;/script&gt;&lt;b&gt;&amp;"));
+}
+
+TEST(AnswerPage, IsSmallWhateverTheMesh) {
+  const Json result = document(off_centred_solution());
+  Incline rough;  // which nothing thins
+  rough.normal = [](int row) { return std::sin(1e4 * row * row); };
+  rough.radius = 1e-3;
+  for (const Incline& incline : {Incline(), rough}) {
+    const std::string page = answer_page(
+        result, incline.scene(), TrajectoryTable::read(incline.csv(30'000)));
+
+    EXPECT_LT(page.size(), kMostBytes);
+    EXPECT_TRUE(has(page, " of the 30000 rows of trajectory.csv"));
+  }
+}
+
+TEST(AnswerPage, ShowsTheMatrixOfOneElement) {
+  SolveOptions options;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 3;
+  mesh.elements = 30;
+  const Scene scene = testing::reference("reference_case").scene();
+
+  const std::string page = page_of(solve(scene, options));
+
+  // x, z, θ, w at four nodes, β at three points and U; three defects of each.
+  EXPECT_TRUE(has(page, "the Hessian of its 20 variables"));
+  EXPECT_TRUE(has(page, "the Jacobian of its 12 rows"));
+  EXPECT_TRUE(has(page, "a chain of 30"));
+  EXPECT_FALSE(has(page_of(limited_solution()), "class=\"entries\""));
+}
+
+TEST(AnswerPage, SaysWhatFailed) {
+  Json result = document(off_centred_solution());
+  result["feasible"] = false;
+  result["infeasible_because"] = {"the body would lift off"};
+
+  const std::string page = answer_page(
+      result, off_centred_solution().scene,
+      TrajectoryTable::read(report::trajectory_csv(off_centred_solution())));
+
+  EXPECT_TRUE(has(page, "Infeasible: the body would lift off."));
+}
+
+}  // namespace
+}  // namespace brachisto

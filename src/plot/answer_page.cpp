@@ -244,14 +244,18 @@ std::string matrix(const Json& result, const Scene& scene) {
       scene.world.ordinary() && !scene.limits.any() && !scene.path;
   const Json options = result.value(
       Json::json_pointer("/provenance/options/discretisation"), Json());
-  const Json mesh = result.value("mesh", Json());
-  if (!plain || !options.is_object() || !mesh.is_object() ||
-      options.value("formulation", Json()) != "rolling_time" ||
-      !mesh.value("degree", Json()).is_number_integer()) {
+  const Json mesh = result.value("mesh", Json::object());
+  const double degree = mesh.is_object() ? number(mesh, "degree") : 0.0;
+  const double elements = mesh.is_object() ? number(mesh, "elements") : 0.0;
+  constexpr double kHighest = 8.0;  // of all meshes
+  // Written so that what is no number is none.
+  const bool known = degree >= 1.0 && degree <= kHighest && elements >= 1.0;
+  if (!plain || !known || !options.is_object() ||
+      options.value("formulation", Json()) != "rolling_time") {
     return {};
   }
-  return block_drawing(scene, mesh["degree"].get<int>(),
-                       static_cast<int>(number(mesh, "elements")));
+  return block_drawing(scene, static_cast<int>(degree),
+                       static_cast<int>(elements));
 }
 
 /// A script within a page that is XML too.

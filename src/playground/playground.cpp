@@ -8,9 +8,10 @@
 /// where they are until the next call. Every function answers 0 for success.
 
 #include <array>
+#include <exception>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -20,9 +21,6 @@
 #include "model/centre_curve.hpp"
 #include "model/contact.hpp"
 #include "trajectory/prescribed_motion.hpp"
-
-#define BRACHISTO_EXPORT(name) \
-  extern "C" __attribute__((export_name(#name))) auto name
 
 namespace brachisto::playground {
 
@@ -65,28 +63,23 @@ int refused(const char* why) {
 
 }  // namespace
 
-}  // namespace brachisto::playground
-
-using namespace brachisto;
-using brachisto::playground::state;
-
 /// Room for so many numbers, and where it is.
-BRACHISTO_EXPORT(table)(int size)->double* {
+[[clang::export_name("table")]] double* table(int size) {
   state.table.resize(static_cast<std::size_t>(size));
   return state.table.data();
 }
-BRACHISTO_EXPORT(numbers)()->const double* {
+[[clang::export_name("numbers")]] const double* numbers() {
   return state.numbers.data();
 }
-BRACHISTO_EXPORT(text)()->const char* {
+[[clang::export_name("text")]] const char* text() {
   return state.text.c_str();
 }
 
 /// The scene of the calls that follow; lengths in m, angles in rad. A radius of
 /// zero makes a bead. If it is refused, text() says why.
-BRACHISTO_EXPORT(set_scene)
-(double radius, double eta_m, double theta_m, double k, double L, double H)
-    ->int {
+[[clang::export_name("set_scene")]] int set_scene(double radius, double eta_m,
+                                                  double theta_m, double k,
+                                                  double L, double H) {
   state.scene = {};
   state.scene.body =
       radius > 0.0 ? Body::cylinder(radius, eta_m, theta_m, k) : Body::bead();
@@ -105,14 +98,15 @@ BRACHISTO_EXPORT(set_scene)
 /// \param nearby   1: by Newton's method from the extremal found last; 0: by
 ///                 continuation from the cycloid, as the command does it
 /// \param seconds  after which it is given up
-BRACHISTO_EXPORT(solve)(int nearby, double tolerance, double seconds)->int {
+[[clang::export_name("solve")]] int solve(int nearby, double tolerance,
+                                          double seconds) {
   if (nearby != 0 && state.extremal.path.empty()) {
-    return playground::refused("there is no extremal to start from");
+    return refused("there is no extremal to start from");
   }
   const ExtremalOptions options{.tolerance = tolerance,
                                 .follow_folds = true,
                                 .stop = StopCondition(seconds, nullptr)};
-  ExtremalSolution found = nearby != 0 ? playground::from_the_last(options)
+  ExtremalSolution found = nearby != 0 ? from_the_last(options)
                                        : solve_extremal(state.scene, options);
   state.text = found.message;
   if (!found.usable()) return 1;
@@ -132,13 +126,14 @@ BRACHISTO_EXPORT(solve)(int nearby, double tolerance, double seconds)->int {
   return 0;
 }
 
-/// `size` rows along the extremal found last, see playground::add_row().
-BRACHISTO_EXPORT(sample_extremal)(int size)->const double* {
+/// `size` rows along the extremal found last, see add_row().
+[[clang::export_name("sample_extremal")]] const double* sample_extremal(
+    int size) {
   state.table.clear();
   for (int i = 0; i < size; ++i) {
     const ExtremalState at =
         state.extremal.path.at(static_cast<double>(i) / (size - 1));
-    playground::add_row(at.t, {at.x, at.z}, at.theta, at.beta);
+    add_row(at.t, {at.x, at.z}, at.theta, at.beta);
   }
   return state.table.data();
 }
@@ -146,7 +141,7 @@ BRACHISTO_EXPORT(sample_extremal)(int size)->const double* {
 /// The body on the track through the points that table() holds, from A to B:
 /// numbers() are τ, T, the error estimate, the least R_n and x there, and the
 /// least 1 − r κ_c. If the body does not arrive text() says where it stays.
-BRACHISTO_EXPORT(ride)(int points)->int {
+[[clang::export_name("ride")]] int ride(int points) {
   GivenPath path;
   path.curve = GivenPath::Curve::Track;
   path.shape = GivenPath::Shape::Points;
@@ -178,18 +173,20 @@ BRACHISTO_EXPORT(ride)(int points)->int {
                      found.min_fold_margin.value};
     state.ride = std::move(motion);
   } catch (const std::exception& problem) {
-    return playground::refused(problem.what());
+    return refused(problem.what());
   }
   return 0;
 }
 
 /// `size` rows along the ride last arrived.
-BRACHISTO_EXPORT(sample_ride)(int size)->const double* {
+[[clang::export_name("sample_ride")]] const double* sample_ride(int size) {
   state.table.clear();
   for (int i = 0; i < size; ++i) {
     const TrajectoryPoint at =
         state.ride->at(static_cast<double>(i) / (size - 1));
-    playground::add_row(at.t, at.centre, at.theta, at.beta);
+    add_row(at.t, at.centre, at.theta, at.beta);
   }
   return state.table.data();
 }
+
+}  // namespace brachisto::playground

@@ -62,9 +62,7 @@ function showControls() {
   for (const [id, {unit, show}] of Object.entries(SLIDERS)) {
     const input = element(id);
     const value = wanted.bead && !['L', 'H'].includes(id) ? wanted[id] : now[id];
-    if (document.activeElement !== input || Number(input.value) !== value / unit) {
-      input.value = value / unit;
-    }
+    input.value = value / unit;
     element(`${id}-out`).textContent = show(value);
     input.setAttribute('aria-valuetext', show(value));
     input.disabled = wanted.bead && !['L', 'H'].includes(id);
@@ -108,7 +106,7 @@ function showSpeed(milliseconds) {
   durations = [...durations.slice(1 - DURATIONS), milliseconds];
   const median = [...durations].sort((a, b) => a - b)[durations.length >> 1];
   element('speed').textContent =
-    `${median.toFixed(1)} ms, ${(1000 / median).toFixed(0)} a second`;
+    `${median.toFixed(1)} ms, ${(1000 / median).toFixed(0)}/s`;
 }
 
 function showAnswer(trouble) {
@@ -410,7 +408,7 @@ function draw() {
     place(handle, ...ownTrack()[i + 1]));
   element('a').setAttribute('cx', ax);
   element('a').setAttribute('cy', az);
-  place('a-name', 0, 0, -6, -10);
+  place('a-name', 0, 0, -18, 5);
   place('b', L, H);
   place('b-name', L, H, -6, 24);
   const time = Math.min(clock.time, lastTime());
@@ -522,7 +520,7 @@ function listen() {
   element('straight').addEventListener('click', () =>
     setOwnPoints(straightPoints(Math.max(2, ownPoints.length))));
   element('copy-optimum').addEventListener('click', () => {
-    if (answer) setOwnPoints(pointsOfAnswer(Math.max(6, ownPoints.length)));
+    if (answer) setOwnPoints(pointsOfAnswer(Math.max(12, ownPoints.length)));
   });
   element('play').addEventListener('click', () => setPlaying(!clock.playing));
   element('time').addEventListener('input', (event) => {
@@ -542,8 +540,10 @@ function listen() {
 async function moduleBytes() {
   const embedded = element('module');
   if (!embedded) return (await fetch('playground.wasm')).arrayBuffer();
-  return Uint8Array.from(atob(embedded.textContent.trim()),
+  const packed = Uint8Array.from(atob(embedded.textContent),
     (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(
+    new DecompressionStream('gzip'))).arrayBuffer();
 }
 
 async function begin() {

@@ -88,14 +88,16 @@ function requestDraw() {
 /** The answer as one drags: from the last one, or else from the cycloid. */
 function solveQuickly() {
   const asked = scene();
+  const first = answer === null;  // for which the browser compiles the module
   const start = performance.now();
   const accepted = solver.setScene(asked);
   const numbers = accepted &&
-    (solver.solve(answer !== null, DRAG_TOLERANCE, DRAG_SECONDS) ||
+    (solver.solve(!first, DRAG_TOLERANCE, DRAG_SECONDS) ||
      solver.solve(false, DRAG_TOLERANCE, DRAG_SECONDS));
   if (numbers) {
     answer = {numbers, scene: asked, rows: solver.sampleExtremal(ROWS)};
-    showSpeed(performance.now() - start);
+    if (first) element('speed').textContent = 'drag to see';
+    else showSpeed(performance.now() - start);
   }
   showAnswer(numbers ? '' : solver.text);
   clearChecks();
@@ -169,7 +171,7 @@ function showChecks(full, quick, verdict) {
     rows.push(['τ from the cycloid', full.tau.toFixed(12), true]);
     if (quick) {
       const difference = Math.abs(quick.tau / full.tau - 1);
-      rows.push(['as one dragged it differed by', difference.toExponential(1),
+      rows.push(['the quick answer differed by', difference.toExponential(1),
         difference <= AGREEMENT]);
     }
     rows.push(
@@ -219,7 +221,7 @@ function ownIsOn() {
 
 function updateOwn() {
   own = null;
-  if (!ownIsOn() || !answer || !solver.setScene(scene())) return;
+  if (!ownIsOn() || !solver?.setScene(scene())) return;
   const numbers = solver.ride(ownTrack());
   const result = element('own-result');
   const remark = element('own-remark');
@@ -229,6 +231,11 @@ function updateOwn() {
     return;
   }
   own = {numbers, rows: solver.sampleRide(ROWS)};
+  if (!answer || !sameScene(answer.scene, scene())) {
+    result.textContent = `Your track: τ = ${numbers.tau.toFixed(6)}. There is ` +
+      'no answer to compare it with.';
+    return;
+  }
   const share = numbers.tau / answer.numbers.tau - 1;
   const seconds = numbers.time - answer.numbers.time;
   const digits = Math.abs(share) < 1e-4 ? 6 : 3;
@@ -239,10 +246,10 @@ function updateOwn() {
   const remarks = [];
   // The spline's quadrature and the extremal's own error are far below this.
   if (share < -1e-9 && !wanted.bead) {
-    remarks.push('That can be: between A and B no track is the fastest for a ' +
-      'body with a radius. The sharper it bends next to B, the faster it is; ' +
-      'the answer is stationary among tracks that bring the centre to the ' +
-      'same place.');
+    remarks.push('That can be: with another slope at B its centre ends ' +
+      'elsewhere, and between A and B themselves no track is the fastest for ' +
+      'a body with a radius. The answer is stationary among tracks that bring ' +
+      'the centre to the place where its own ends.');
   }
   if (numbers.leastForce < -1e-9) {
     remarks.push('A real body would lift off near x = ' +
@@ -370,20 +377,20 @@ function rowAt(rows, t) {
     [name, rows[low][name] + share * (rows[high][name] - rows[low][name])]));
 }
 
-function drawBody(id, rows) {
+function drawBody(id, rows, {radius, eta}) {
   const group = element(id);
   group.toggleAttribute('hidden', !rows);
   if (!rows) return;
   const {x, z, theta} = rowAt(rows, clock.time);
-  const {radius, eta} = scene();
-  const pixels = wanted.bead ? 6 : radius * view.scale;
+  const bead = radius === 0;
+  const pixels = bead ? 6 : radius * view.scale;
   const [rim, spoke, mass] = group.children;
   place(group, x, z);
   rim.setAttribute('r', pixels);
   const arm = [Math.cos(theta), Math.sin(theta)];
   const tip = arm.map((part) => part * pixels);
-  spoke.setAttribute('d', wanted.bead ? '' : `M0 0L${tip[0]} ${tip[1]}`);
-  mass.setAttribute('r', wanted.bead ? 0 : Math.max(2.5, pixels * 0.09));
+  spoke.setAttribute('d', bead ? '' : `M0 0L${tip[0]} ${tip[1]}`);
+  mass.setAttribute('r', bead ? 0 : Math.max(2.5, pixels * 0.09));
   mass.setAttribute('cx', tip[0] * eta);
   mass.setAttribute('cy', tip[1] * eta);
 }
@@ -399,8 +406,8 @@ function draw() {
   element('level').setAttribute('d', `M0 ${az}H${view.width}`);
   element('track').setAttribute('d',
     answer ? line(answer.rows.map((row) => [row.trackX, row.trackZ])) : '');
-  drawBody('body', answer?.rows);
-  drawBody('own-body', own?.rows);
+  drawBody('body', answer?.rows, answer?.scene ?? {});
+  drawBody('own-body', own?.rows, scene());
   element('own-track').setAttribute('d', !ownIsOn() ? ''
     : line(own ? own.rows.map((row) => [row.trackX, row.trackZ]) : ownTrack()));
   element('points').toggleAttribute('hidden', !ownIsOn());

@@ -54,7 +54,7 @@ double valley_of_centre(const Body& body, const PathLimits& limits) {
 }
 
 bool bound_valleys(const std::vector<PathInequality>& limits) {
-  return std::ranges::any_of(limits, [](const PathInequality& limit) {
+  return std::any_of(limits.begin(), limits.end(), [](const PathInequality& limit) {
     return limit.kind == PathInequality::Kind::Valley;
   });
 }

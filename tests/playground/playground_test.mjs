@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The module of the playground against the command, and how fast it answers:
+//
+//   node playground_test.mjs PLAYGROUND.wasm SOLVER.js BRACHISTO
+//
+// Exits with 77 where the module has not been built.
+
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from
+  'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+
+const [wasm, source, brachisto] = process.argv.slice(2);
+if (!existsSync(wasm) || !existsSync(brachisto)) process.exit(77);
+
+const loadSolver = new Function(`${readFileSync(source)}; return Solver;`);
+const solver = await loadSolver().load(readFileSync(wasm));
+
+// Both ask for at least 1e-10 of T and run the same formulas, compiled
+// differently: what is left between them is their error.
+const AGREEMENT = 1e-9;
+const TOLERANCE = 1e-13;
+const SECONDS = 60;
+
+const base = {radius: 1 / 3, eta: 2 / 3, theta: 0, k: 1 / 2, L: 3, H: 1};
+const bead = {radius: 0, eta: 0, theta: 0, k: 0, L: 3, H: 1};
+const scenes = {
+  'reference case': base,
+  'uniform cylinder': {...base, eta: 0},
+  'mass ahead and up': {...base, theta: -Math.PI / 6},
+  'mass on top': {...base, theta: -Math.PI / 2, eta: 0.3},
+  'small radius': {...base, radius: 0.1},
+  'little inertia': {...base, k: 0.1},
+  'near and deep': {...base, L: 2, H: 1.5, radius: 0.25, eta: 0.4, theta: 2},
+  'bead': bead,
+};
+
+function ofCommand({radius, eta, theta, k, L, H}, path = '') {
+  const body = radius > 0
+    ? `{shape: cylinder, radius: ${radius}, eta_m: ${eta}, theta_m: ${theta}, k: ${k}}`
+    : '{shape: bead}';
+  const folder = mkdtempSync(join(tmpdir(), 'playground-'));
+  const file = join(folder, 'scene.yaml');
+  try {
+    let scene = `scene:\n  body: ${body}\n  finish: {L: ${L}, H: ${H}}\n`;
+    if (path) {
+      writeFileSync(join(folder, 'track.csv'), path);
+      scene += '  path: {curve: track, shape: points, file: track.csv}\n';
+    } else {
+      scene += 'solver: {method: extremal}\n';
+    }
+    writeFileSync(file, scene);
+    const json = execFileSync(brachisto, ['solve', file, '--json'],
+      {stdio: ['ignore', 'pipe', 'ignore']});
+    return JSON.parse(json).tau;
+  } catch (failure) {
+    // Verified, but physically infeasible, is an answer as well.
+    if (failure.status !== 5) throw failure;
+    return JSON.parse(failure.stdout).tau;
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+
+let failures = 0;
+function expectClose(what, ours, theirs) {
+  const difference = Math.abs(ours / theirs - 1);
+  const close = difference <= AGREEMENT;
+  failures += close ? 0 : 1;
+  console.log(`${close ? 'ok  ' : 'FAIL'} ${what.padEnd(28)} ` +
+    `${ours.toPrecision(15)} ${theirs.toPrecision(15)} ` +
+    difference.toExponential(1));
+}
+function expect(what, holds) {
+  failures += holds ? 0 : 1;
+  console.log(`${holds ? 'ok  ' : 'FAIL'} ${what}`);
+}
+
+console.log('     scene                        module          command');
+for (const [name, scene] of Object.entries(scenes)) {
+  const tau = ofCommand(scene);
+  const accepted = solver.setScene(scene);
+  const fromCycloid = accepted && solver.solve(false, TOLERANCE, SECONDS);
+  const again = fromCycloid && solver.solve(true, TOLERANCE, SECONDS);
+  expectClose(name, fromCycloid ? fromCycloid.tau : NaN, tau);
+  expectClose('  from itself', again ? again.tau : NaN, tau);
+}
+
+// A track of one's own, evaluated by both.
+const track = [[0, 0], [0.2, 0.4], [0.9, 0.9], [1.9, 1.15], [3, 1]];
+for (const [name, scene] of [['own track', base], ['own track, bead', bead]]) {
+  const csv = `x,z\n${track.map((point) => point.join(',')).join('\n')}\n`;
+  solver.setScene(scene);
+  expectClose(name, solver.ride(track)?.tau ?? NaN, ofCommand(scene, csv));
+}
+
+// What cannot be: said, and the module goes on.
+expect('k above 1 - eta^2 is refused', !solver.setScene({...base, k: 0.9}) &&
+  solver.text.includes('scene.body.k'));
+solver.setScene(bead);
+expect('a track over a hill is none',
+  solver.ride([[0, 0], [1, 0.6], [2, -0.3], [3, 1]]) === null &&
+  solver.text.includes('stalls'));
+expect('equal points are refused',
+  solver.ride([[0, 0], [1, 1], [1, 1], [3, 1]]) === null &&
+  solver.text.length > 0);
+solver.setScene(base);
+expect('time runs out', solver.solve(false, TOLERANCE, 1e-4) === null);
+
+// How many answers a second of one core's time, as somebody drags a slider.
+const DRAG_TOLERANCE = 1e-10;
+const drags = {
+  eta: [0.3, 0.67], theta: [-1, 1], k: [0.1, 0.55], radius: [0.2, 0.5],
+  L: [2, 4], H: [0.7, 1.5],
+};
+for (const [key, [from, to]] of Object.entries(drags)) {
+  const STEPS = 120;
+  let answers = 0;
+  let fallbacks = 0;
+  let seconds = 0;
+  for (let i = 0; i <= STEPS; ++i) {
+    solver.setScene({...base, [key]: from + (to - from) * i / STEPS});
+    const start = process.cpuUsage();
+    let found = i > 0 && solver.solve(true, DRAG_TOLERANCE, SECONDS);
+    if (i > 0 && !found) ++fallbacks;
+    found ||= solver.solve(false, DRAG_TOLERANCE, SECONDS);
+    solver.sampleExtremal(161);
+    const {user, system} = process.cpuUsage(start);
+    if (i > 0) seconds += (user + system) / 1e6;
+    answers += found && i > 0 ? 1 : 0;
+  }
+  console.log(`     dragging ${key.padEnd(7)} ${(answers / seconds).toFixed(0)
+  } answers a second, ${fallbacks} from the cycloid`);
+}
+process.exit(failures === 0 ? 0 : 1);

@@ -71,8 +71,8 @@ CommandLine command_line() {
       version_text,
       {solve_verb(), design_verb(), validate_verb(), schema_verb(),
        sweep_verb(), export_verb(), merge_verb(), report_verb(), show_verb(),
-       paper_verb(), body_verb(), compare_verb(), work_precision_verb(),
-       worker_verb(), measure_verb()}};
+       race_verb(), paper_verb(), body_verb(), compare_verb(),
+       work_precision_verb(), worker_verb(), measure_verb()}};
 }
 
 int run(int argc, char** argv) {

@@ -44,41 +44,71 @@ double time_error(const Racer& racer) {
              : 0.0;
 }
 
-/// Why the body could not run on its track, or that it can.
-std::string remark(const Json& result) {
-  if (result.value("feasible", false)) return "feasible";
+/// With so many decimals, or those that the error leaves.
+std::string rounded(double value, double error, int decimals) {
+  return error < 0.5 * std::pow(10.0, -decimals)
+             ? fmt::format("{:.{}f}", value, decimals)
+             : report::with_error(value, error);
+}
+
+bool feasible(const Racer& racer) {
+  return racer.result.at("feasible") == true;
+}
+
+/// Why the body could not run on its track.
+std::string reasons(const Racer& racer) {
   std::string out;
-  for (const Json& reason : result.value("infeasible_because", Json::array())) {
+  for (const Json& reason :
+       racer.result.value("infeasible_because", Json::array())) {
     if (!reason.is_string()) continue;
     out +=
         (out.empty() ? ": " : "; ") + symbols_html(reason.get<std::string>());
   }
-  return "<span class=\"bad\">infeasible" + out + "</span>";
+  return out;
 }
 
 /// The order of arrival, with a clock for each.
 std::string arrivals(const std::vector<Racer>& racers) {
   std::string out =
-      "<div class=\"wide\"><table class=\"stacked arrivals\">\n<thead><tr>"
-      "<th></th><th>body</th><th>clock</th><th>T [s]</th><th>behind [ms]</th>"
-      "<th>track</th><th></th></tr></thead>\n<tbody>\n";
+      "<table class=\"arrivals\">\n<caption>The order of arrival</caption>\n"
+      "<thead><tr><th>place</th><th>body</th><th>clock</th>"
+      "<th class=\"exact\">T [s]</th><th>behind [ms]</th></tr></thead>\n"
+      "<tbody>\n";
   for (std::size_t i = 0; i < racers.size(); ++i) {
     const Racer& racer = racers[i];
     const double T = transit_time(racer);
+    constexpr int kDecimals = 6;
     out += fmt::format(
-        "<tr id=\"racer-{}\"><th scope=\"row\" data-label=\"place\">{}</th>"
-        "<td data-label=\"body\"><i class=\"swatch racer{}\"></i>{}<br/>"
-        "<small>{}</small></td>"
-        "<td data-label=\"clock\" class=\"lap\" id=\"clock-{}\">{:.{}f} s</td>"
-        "<td data-label=\"T [s]\">{}</td><td data-label=\"behind [ms]\">{}</td>"
-        "<td data-label=\"track\">{}</td><td data-label=\"verdict\">{}</td>"
-        "</tr>\n",
+        "<tr id=\"racer-{}\"><td>{}</td><th scope=\"row\">"
+        "<i class=\"swatch racer{}\"></i>{}{}</th>"
+        "<td class=\"lap\" id=\"clock-{}\">{:.{}f} s</td>"
+        "<td class=\"exact\">{}</td><td>{}</td></tr>\n",
         i, i + 1, i % kColours + 1, xml_escaped(racer.name),
-        report::html_words(report::in_words(racer.scene)), i, T, kClockDecimals,
-        report::with_error(T, time_error(racer)), behind(racers[0], racer),
-        report::track_kind(racer.scene), remark(racer.result));
+        feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", i, T,
+        kClockDecimals, rounded(T, time_error(racer), kDecimals),
+        behind(racers[0], racer));
   }
-  return out + "</tbody>\n</table></div>\n";
+  return out + "</tbody>\n</table>\n";
+}
+
+/// Who they are.
+std::string starters(const std::vector<Racer>& racers) {
+  std::string out = "<ol class=\"starters\">\n";
+  for (const Racer& racer : racers) {
+    out += fmt::format("<li>{}: {}; {}", xml_escaped(racer.name),
+                       report::track_kind(racer.scene),
+                       report::html_words(report::in_words(racer.scene)));
+    if (racer.scene.limits.any()) {
+      out += "; limits: " +
+             report::html_words(report::limits_in_words(racer.scene));
+    }
+    if (!feasible(racer)) {
+      out += fmt::format(". <span class=\"bad\">Infeasible{}</span>",
+                         reasons(racer));
+    }
+    out += ".</li>\n";
+  }
+  return out + "</ol>\n";
 }
 
 /// Rows of all racers, and what the picture shows of the plane.
@@ -148,9 +178,7 @@ std::string behind(const Racer& first, const Racer& racer) {
   if (ms == 0.0) return "0";
   constexpr int kDecimals = 3;
   const double error = kMilli * (time_error(first) + time_error(racer));
-  return error < 0.5 * std::pow(10.0, -kDecimals)
-             ? fmt::format("+{:.{}f}", ms, kDecimals)
-             : "+" + report::with_error(ms, error);
+  return "+" + rounded(ms, error, kDecimals);
 }
 
 std::string race_page(const std::vector<Racer>& racers) {
@@ -176,14 +204,14 @@ std::string race_page(const std::vector<Racer>& racers) {
       playback_html() +
       "<p class=\"key\"><span id=\"lift-key\" hidden=\"hidden\"><i "
       "class=\"swatch lift\"></i>" +
-      symbols_html("R_n ≤ 0: here the body would lift off") +
-      "</span></p>\n"
-      "<p class=\"about\" id=\"motion-words\">Numbers tell the order of "
-      "arrival, on the tracks and above the bodies.</p>\n"
+      symbols_html("R_n ≤ 0: here the body would lift off") + "</span></p>\n" +
+      arrivals(racers) +
+      "<p class=\"about\" id=\"motion-words\">Numbers, on the tracks and above "
+      "the bodies, tell the order of arrival.</p>\n"
       "<p class=\"about keys\">Space plays and stops; ← and → move by a "
       "hundredth of the time, with Shift by a tenth.</p>\n</section>\n"
-      "<section>\n<h2>The order of arrival</h2>\n" +
-      arrivals(racers) +
+      "<section>\n<h2>Who starts</h2>\n" +
+      starters(racers) +
       fmt::format("<p class=\"about\">{}</p>\n</section>\n</main>\n",
                   held(field));
   const auto made = first.result.find("provenance");

@@ -194,7 +194,7 @@ TEST(Commands, HaveTheFlagsThatSentencesName) {
   std::string help;
   for (const char* verb :
        {"solve", "validate", "sweep", "export", "merge", "report", "show",
-        "paper", "compare", "work-precision", "body"}) {
+        "race", "paper", "compare", "work-precision", "body"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

@@ -79,11 +79,11 @@ std::string arrivals(const std::vector<Racer>& racers) {
     const double T = transit_time(racer);
     constexpr int kDecimals = 6;
     out += fmt::format(
-        "<tr id=\"racer-{}\"><td>{}</td><th scope=\"row\">"
-        "<i class=\"swatch racer{}\"></i>{}{}</th>"
+        "<tr id=\"racer-{}\" class=\"racer{}\"><td>{}</td>"
+        "<th scope=\"row\"><i class=\"swatch\"></i>{}{}</th>"
         "<td class=\"lap\" id=\"clock-{}\">{:.{}f} s</td>"
         "<td class=\"exact\">{}</td><td>{}</td></tr>\n",
-        i, i + 1, i % kColours + 1, xml_escaped(racer.name),
+        i, i % kColours + 1, i + 1, xml_escaped(racer.name),
         feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", i, T,
         kClockDecimals, rounded(T, time_error(racer), kDecimals),
         behind(racers[0], racer));
@@ -96,8 +96,8 @@ std::string starters(const std::vector<Racer>& racers) {
   std::string out = "<ol class=\"starters\">\n";
   for (const Racer& racer : racers) {
     out += fmt::format("<li>{}: {}; {}", xml_escaped(racer.name),
-                       report::track_kind(racer.scene),
-                       report::html_words(report::in_words(racer.scene)));
+                       report::html_words(report::in_words(racer.scene)),
+                       report::track_kind(racer.scene));
     if (racer.scene.limits.any()) {
       out += "; limits: " +
              report::html_words(report::limits_in_words(racer.scene));
@@ -193,7 +193,7 @@ std::string race_page(const std::vector<Racer>& racers) {
                   kAnswerStyle, kRaceStyle));
   out += fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, each "
-      "on its own track, and arrive at B, {} m to the right and {} m {}. "
+      "on its own track, and arrive at B, {} m to the right and {} m {}."
       "</p>\n</header>\n<main>\n",
       title, printed(first.scene.L), printed(std::abs(first.scene.H)),
       first.scene.H < 0.0 ? "above" : "below");

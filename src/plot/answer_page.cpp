@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "plot/answer_tables.hpp"
+#include "plot/block_drawing.hpp"
+#include "plot/continuation_drawing.hpp"
 #include "plot/motion_data.hpp"
 #include "plot/page_parts.hpp"
 #include "plot/web_parts.hpp"
@@ -230,6 +232,27 @@ std::string repeat_section(const Json& result) {
          provenance_tables(result);
 }
 
+/// The matrix, where the answer was found by collocation in the rolling time on
+/// its own, as most are.
+std::string matrix(const Json& result, const Scene& scene) {
+  const bool plain =
+      scene.world.ordinary() && !scene.limits.any() && !scene.path;
+  const Json options = result.value(
+      Json::json_pointer("/provenance/options/discretisation"), Json());
+  const Json mesh = result.value("mesh", Json::object());
+  const double degree = mesh.is_object() ? number(mesh, "degree") : 0.0;
+  const double elements = mesh.is_object() ? number(mesh, "elements") : 0.0;
+  constexpr double kHighest = 8.0;  // of all meshes
+  // Written so that what is no number is none.
+  const bool known = degree >= 1.0 && degree <= kHighest && elements >= 1.0;
+  if (!plain || !known || !options.is_object() ||
+      options.value("formulation", Json()) != "rolling_time") {
+    return {};
+  }
+  return block_drawing(scene, static_cast<int>(degree),
+                       static_cast<int>(elements));
+}
+
 }  // namespace
 
 std::string answer_page(const Json& result, const Scene& scene,
@@ -259,7 +282,9 @@ std::string answer_page(const Json& result, const Scene& scene,
          section("How the time changes with the scene",
                  sensitivities_tables(result)) +
          section("The certificate", certificate_table(result)) +
-         section("How it was found", way_tables(result)) +
+         section("How it was found",
+                 continuation_drawing(result.value("continuation", Json())) +
+                     way_tables(result) + matrix(result, scene)) +
          section("How to repeat it", repeat_section(result));
   const auto made = result.find("provenance");
   const std::string version =

@@ -239,59 +239,18 @@ void add_input(RowsOfCells& rows, const Json& json, const std::string& path) {
   }
 }
 
-/// φ over η_m on the way from the uniform cylinder: a small drawing.
-std::string continuation_drawing(const Json& steps) {
-  constexpr std::size_t kFewest = 3;
-  if (!steps.is_array() || steps.size() < kFewest) return {};
-  std::vector<std::pair<double, double>> points;
-  report::Extent across, up;
-  for (const Json& step : steps) {
-    const Json &eta = at(step, "eta_m"), &phi = at(step, "phi");
-    if (!eta.is_number() || !phi.is_number()) return {};
-    points.emplace_back(eta.get<double>(),
-                        phi.get<double>() * 180.0 / std::numbers::pi);
-    across.include(points.back().first);
-    up.include(points.back().second);
-  }
-  if (!(across.high > across.low) || !(up.high > up.low)) return {};
-  constexpr double kLeft = 52.0, kTop = 12.0, kWidth = 380.0, kHeight = 120.0;
-  std::string line, dots;
-  for (const auto& [eta, phi] : points) {
-    const double x =
-        kLeft + kWidth * (eta - across.low) / (across.high - across.low);
-    // Down on the drawing is down on the track.
-    const double y = kTop + kHeight * (phi - up.low) / (up.high - up.low);
-    line += fmt::format("{}{:.1f},{:.1f}", line.empty() ? "" : " ", x, y);
-    dots +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", x, y);
-  }
-  const auto label = [](double x, double y, std::string_view anchor,
-                        const std::string& text) {
-    return fmt::format(
-        "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>", x, y,
-        anchor, xml_escaped(text));
-  };
-  constexpr double kRight = kLeft + kWidth, kBottom = kTop + kHeight;
-  return fmt::format(
-      "<figure class=\"small\"><svg viewBox=\"0 0 450 160\" role=\"img\" "
-      "aria-label=\"The slope angle at B over the offset, step by step\">"
-      "<path class=\"frame\" d=\"M{0} {1}V{2}H{3}\"/>"
-      "<polyline points=\"{4}\"/>{5}{6}{7}{8}{9}</svg>"
-      "<figcaption>The slope at B at each step from the uniform cylinder, η = "
-      "{10}, to the body, η = {11}.</figcaption></figure>\n",
-      kLeft, kTop, kBottom, kRight, line, dots,
-      label(kLeft - 6.0, kTop + 4.0, "end", printed(up.low, 3) + "°"),
-      label(kLeft - 6.0, kBottom, "end", printed(up.high, 3) + "°"),
-      label(kLeft, kBottom + 18.0, "start", printed(across.low, 3)),
-      label(kRight, kBottom + 18.0, "end", printed(across.high, 3)),
-      printed(points.front().first, 3), printed(points.back().first, 3));
-}
-
 }  // namespace
 
 std::string symbols_html(std::string_view text) {
   std::string rich;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = text[i] == '-' && i > 0 && text[i - 1] == ' ' &&
+                      i + 1 < text.size() && text[i + 1] >= '0' &&
+                      text[i + 1] <= '9';
+    if (sign) {
+      rich += "−";
+      continue;
+    }
     rich += text[i];
     if (text[i] == '^') {
       rich.back() = '\\';
@@ -419,8 +378,7 @@ std::string certificate_table(const Json& result) {
 }
 
 std::string way_tables(const Json& result) {
-  return continuation_drawing(at(result, "continuation")) +
-         part_tables(result, Part::Way);
+  return part_tables(result, Part::Way);
 }
 
 std::string provenance_tables(const Json& result) {

@@ -26,7 +26,7 @@ namespace brachisto::plot {
 [[nodiscard]] std::string provenance_tables(const report::Json& result);
 
 /// Text in which letters behind the underscore of a symbol are lowered: "R_n",
-/// "β_end", but not "scene.path_limits".
+/// "β_end", but not "scene.path_limits"; and signs of numbers are real ones.
 [[nodiscard]] std::string symbols_html(std::string_view text);
 
 }  // namespace brachisto::plot

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -69,6 +70,7 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
   figure.width = kLeft + scale * box.width() + kRight;
   figure.height = kTop + scale * box.height() + kBottom;
   std::string kind = report::gnuplot_words(report::track_kind(scene));
+  kind[0] = static_cast<char>(std::toupper(kind[0]));
   constexpr double kLasts = 0.01 * kDelay * kFrames;  // [s]
   const std::string pace =
       kLasts >= T
@@ -90,8 +92,8 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
       1.0 - kTop / figure.height, kBottom / figure.height, box.low.x,
       box.high.x, box.high.z, box.low.z));
   put(fmt::format(
-      "now(c) = part('body', c) == part('body', c) && column('frame') == f ? "
-      "column(c) : NaN\n"
+      "now(c) = strcol('part') eq 'body' && column('frame') == f ? column(c) "
+      ": NaN\n"
       "do for [i=0:{}] {{\n"
       "  f = i < {} ? i : {}\n"
       "  set title sprintf('{}: t = %.4g s, {}', f * {:.9g})\n"

@@ -24,7 +24,7 @@ COUNTS = re.compile(r"-(O|march|mtune|mfpmath|ffast-math|ffp-contract|f(no-)?mat
 
 
 # Rooms that read, write and draw, where -O1 is as good.
-QUICK = {"app", "comparison", "io", "process", "report", "reproduction", "sweep"}
+QUICK = {"app", "comparison", "io", "plot", "process", "report", "reproduction", "sweep"}
 
 
 def sources_of(file):

@@ -136,6 +136,22 @@ TEST(AnswerPage, IsSmallWhateverTheMesh) {
   }
 }
 
+TEST(AnswerPage, ShowsTheMatrixOfOneElement) {
+  SolveOptions options;
+  Discretisation& mesh = options.use<Collocation>().discretisation;
+  mesh.degree = 3;
+  mesh.elements = 30;
+  const Scene scene = testing::reference("reference_case").scene();
+
+  const std::string page = page_of(solve(scene, options));
+
+  // x, z, θ, w at four nodes, β at three points and U; three defects of each.
+  EXPECT_TRUE(has(page, "the Hessian of its 20 variables"));
+  EXPECT_TRUE(has(page, "the Jacobian of its 12 rows"));
+  EXPECT_TRUE(has(page, "a chain of 30"));
+  EXPECT_FALSE(has(page_of(limited_solution()), "class=\"entries\""));
+}
+
 TEST(AnswerPage, SaysWhatFailed) {
   Json result = document(off_centred_solution());
   result["feasible"] = false;

@@ -34,6 +34,7 @@ TEST(Symbols, AreLoweredAndKeysStay) {
   EXPECT_EQ(symbols_html("β_end, θ_m"), "β<sub>end</sub>, θ<sub>m</sub>");
   EXPECT_EQ(symbols_html("closure_at_A"), "closure_at_A");
   EXPECT_EQ(symbols_html("a < b & c_1^2"), "a &lt; b &amp; c_1^2");
+  EXPECT_EQ(symbols_html("R_n = -1 m g, 1e-9"), "R<sub>n</sub> = −1 m g, 1e-9");
   EXPECT_EQ(symbols_html(""), "");
 }
 

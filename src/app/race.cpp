@@ -49,7 +49,7 @@ struct RaceFlags {
 constexpr std::size_t kFewest = 2, kMost = 24;  // that start
 
 /// "uniform cylinder" of uniform_cylinder.yaml.
-std::string name_of(const std::string& file) {
+std::string racer_name(const std::string& file) {
   std::string name = fs::path(file).stem().string();
   std::ranges::replace(name, '_', ' ');
   return name;
@@ -93,7 +93,7 @@ void check_ends(const std::string& file, const Racer& first,
 /// What has to be known of a verified solution.
 Racer racer_of(const std::string& file, const Solution& solution) {
   return {
-      .name = name_of(file),
+      .name = racer_name(file),
       .result = report::Json::parse(report::result_json(solution)),
       .scene = solution.scene,
       .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};

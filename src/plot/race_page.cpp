@@ -112,29 +112,29 @@ std::string starters(const std::vector<Racer>& racers) {
 }
 
 /// Rows of all racers, and what the picture shows of the plane.
-struct Field {
+struct Ground {
   std::vector<ThinnedTable> rows;
   Box box;
 };
 
-Field field_of(const std::vector<Racer>& racers) {
-  Field field;
+Ground ground_of(const std::vector<Racer>& racers) {
+  Ground ground;
   for (const Racer& racer : racers) {
     const Box box = motion_box(racer.table, racer.scene.body);
-    if (field.rows.empty()) field.box = box;
-    field.box.include(box.low, 0.0);
-    field.box.include(box.high, 0.0);
-    field.rows.push_back(
+    if (ground.rows.empty()) ground.box = box;
+    ground.box.include(box.low, 0.0);
+    ground.box.include(box.high, 0.0);
+    ground.rows.push_back(
         rows_for_page(racer.table, racer.scene, kMostNumbers / racers.size()));
   }
-  return field;
+  return ground;
 }
 
 /// How exact what is drawn is.
-std::string held(const Field& field) {
+std::string held(const Ground& ground) {
   std::size_t rows = 0, of_rows = 0;
   double error = 0.0;
-  for (const ThinnedTable& one : field.rows) {
+  for (const ThinnedTable& one : ground.rows) {
     rows += one.table.size();
     of_rows += one.of_rows;
     error = std::max(error, one.path_error);
@@ -152,16 +152,16 @@ std::string held(const Field& field) {
       rows, of_rows, printed(error, 2));
 }
 
-std::string data(const std::vector<Racer>& racers, const Field& field) {
+std::string race_data(const std::vector<Racer>& racers, const Ground& ground) {
   std::string out = fmt::format(
       "{{\"decimals\":{},\"box\":[[{:.7g},{:.7g}],[{:.7g},{:.7g}]],"
       "\"racers\":[",
-      kClockDecimals, field.box.low.x, field.box.low.z, field.box.high.x,
-      field.box.high.z);
+      kClockDecimals, ground.box.low.x, ground.box.low.z, ground.box.high.x,
+      ground.box.high.z);
   for (std::size_t i = 0; i < racers.size(); ++i) {
     if (i > 0) out += ",\n";
-    out += motion_data(field.rows[i].table, racers[i].scene, racers[i].result,
-                       field.box);
+    out += motion_data(ground.rows[i].table, racers[i].scene, racers[i].result,
+                       ground.box);
   }
   return out + "]}";
 }
@@ -182,8 +182,11 @@ std::string behind(const Racer& first, const Racer& racer) {
 }
 
 std::string race_page(const std::vector<Racer>& racers) {
-  const Field field = field_of(racers);
+  const Ground ground = ground_of(racers);
   const Racer& first = racers.front();
+  // From contact to contact, whatever the scene gives the ends of.
+  const std::vector<double>&x = first.table["x_b"], &z = first.table["z_b"];
+  const double drop = z.back() - z.front();
   const std::string title = fmt::format("A race of {}: {} first", racers.size(),
                                         xml_escaped(first.name));
   std::string out = report::document_head(
@@ -195,8 +198,8 @@ std::string race_page(const std::vector<Racer>& racers) {
       "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, each "
       "on its own track, and arrive at B, {} m to the right and {} m {}."
       "</p>\n</header>\n<main>\n",
-      title, printed(first.scene.L), printed(std::abs(first.scene.H)),
-      first.scene.H < 0.0 ? "above" : "below");
+      title, printed(x.back() - x.front()), printed(std::abs(drop)),
+      drop < 0.0 ? "above" : "below");
   out +=
       "<section>\n<h2 id=\"motion-heading\">The race</h2>\n"
       "<noscript><p>The race is drawn by a script, which this browser does not "
@@ -213,15 +216,16 @@ std::string race_page(const std::vector<Racer>& racers) {
       "<section>\n<h2>Who starts</h2>\n" +
       starters(racers) +
       fmt::format("<p class=\"about\">{}</p>\n</section>\n</main>\n",
-                  held(field));
+                  held(ground));
   const auto made = first.result.find("provenance");
   out += fmt::format(
       "<footer>Written from results of brachisto {}, each of them "
       "verified.</footer>\n",
       xml_escaped(made != first.result.end() ? made->value("brachisto", "")
                                              : ""));
-  return out + data_html(data(racers, field)) + script_html(kMotionScript) +
-         script_html(kRaceScript) + "</body>\n</html>\n";
+  return out + data_html(race_data(racers, ground)) +
+         script_html(kMotionScript) + script_html(kRaceScript) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace brachisto::plot

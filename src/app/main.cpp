@@ -87,9 +87,9 @@ CommandLine command_line() {
       version_text,
       {solve_verb(), design_verb(), validate_verb(), schema_verb(),
        sweep_verb(), export_verb(), merge_verb(), report_verb(), show_verb(),
-       paper_verb(), body_verb(), compare_verb(), work_precision_verb(),
-       nlp_verb(), new_verb(), worker_verb(), measure_verb(),
-       documents_verb(command_line)},
+       race_verb(), paper_verb(), body_verb(), compare_verb(),
+       work_precision_verb(), nlp_verb(), new_verb(), worker_verb(),
+       measure_verb(), documents_verb(command_line)},
       {{.name = "--color",
         .value = &colour,
         .text = "Colours for verdicts, warnings and errors; auto: on a "

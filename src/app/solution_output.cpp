@@ -68,7 +68,15 @@ void write_results(const SolutionOutput& output,
   report::write_files(output.out, files, output.force, obsolete);
 }
 
-/// Why the exit code is not zero, for those who see nothing else.
+}  // namespace
+
+std::vector<std::string> solution_files() {
+  std::vector<std::string> names{kResultFile, kTrajectoryFile};
+  names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
+  std::ranges::move(page_file_names(), std::back_inserter(names));
+  return names;
+}
+
 std::string complaint(const Solution& solution) {
   if (solution.status != Status::Solved) return solution.message;
   for (const Check& check : solution.certificate.checks) {
@@ -81,15 +89,6 @@ std::string complaint(const Solution& solution) {
     return "verified, but infeasible: " + reason;
   }
   return {};
-}
-
-}  // namespace
-
-std::vector<std::string> solution_files() {
-  std::vector<std::string> names{kResultFile, kTrajectoryFile};
-  names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
-  std::ranges::move(page_file_names(), std::back_inserter(names));
-  return names;
 }
 
 int hand_out(Solution& solution, SolutionOutput output,

@@ -29,6 +29,9 @@ struct SolutionOutput {
 /// All files of a solution in --out.
 [[nodiscard]] std::vector<std::string> solution_files();
 
+/// Why the exit code is not zero, for those who see nothing else.
+[[nodiscard]] std::string complaint(const Solution& solution);
+
 /// Writes and prints a solution. \return the exit code
 /// \param signal  that was received, or 0
 int hand_out(Solution& solution, SolutionOutput output,

@@ -32,6 +32,7 @@ struct CommonFlags {
 [[nodiscard]] Verb merge_verb();
 [[nodiscard]] Verb report_verb();
 [[nodiscard]] Verb show_verb();
+[[nodiscard]] Verb race_verb();
 [[nodiscard]] Verb paper_verb();
 [[nodiscard]] Verb body_verb();
 [[nodiscard]] Verb compare_verb();

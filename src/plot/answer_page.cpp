@@ -17,6 +17,7 @@
 #include "plot/block_drawing.hpp"
 #include "plot/continuation_drawing.hpp"
 #include "plot/motion_data.hpp"
+#include "plot/page_parts.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
@@ -160,15 +161,9 @@ std::string controls(const Scene& scene) {
         there ? "" : " hidden=\"hidden\"", id, on ? " checked=\"checked\"" : "",
         name);
   };
-  return "<div class=\"controls\" role=\"group\" aria-label=\"Playback\">\n"
-         "<button id=\"play\" type=\"button\">Play</button>\n"
-         "<input id=\"time\" type=\"range\" min=\"0\" max=\"1\" step=\"any\" "
-         "aria-label=\"Time\"/>\n"
-         "<output id=\"clock\" aria-live=\"off\"></output>\n"
-         "<fieldset id=\"rates\" aria-label=\"Speed\"></fieldset>\n" +
-         box("use-forces", "forces", true, true) +
-         box("use-ghosts", "every T/10", true, true) +
-         box("use-lens", "lens", false, rolls) + "</div>\n";
+  return playback_html(box("use-forces", "forces", true, true) +
+                       box("use-ghosts", "every T/10", true, true) +
+                       box("use-lens", "lens", false, rolls));
 }
 
 std::string motion_section(const Scene& scene, const Json& result,
@@ -258,11 +253,6 @@ std::string matrix(const Json& result, const Scene& scene) {
                        static_cast<int>(elements));
 }
 
-/// A script within a page that is XML too.
-std::string script(std::string_view content) {
-  return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", content);
-}
-
 }  // namespace
 
 std::string answer_page(const Json& result, const Scene& scene,
@@ -303,11 +293,10 @@ std::string answer_page(const Json& result, const Scene& scene,
       "</main>\n<footer>Written from a result of brachisto {}. Curves by "
       "dygraphs, whose licence is in the source of this page.</footer>\n",
       xml_escaped(version));
-  out +=
-      fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n",
-                  motion_data(rows.table, scene, result));
-  out += script(fmt::format("/*!\n{}*/\n{}", kChartLicence, kChartScript));
-  out += script(kAnswerScript);
+  out += data_html(motion_data(rows.table, scene, result,
+                               motion_box(rows.table, scene.body)));
+  out += script_html(fmt::format("/*!\n{}*/\n{}", kChartLicence, kChartScript));
+  out += script_html(kMotionScript) + script_html(kAnswerScript);
   return out + "</body>\n</html>\n";
 }
 

@@ -112,7 +112,8 @@ Box motion_box(const TrajectoryTable& table, const Body& body) {
   return box.resized(box.width() + more, box.height() + more);
 }
 
-ThinnedTable rows_for_page(const TrajectoryTable& table, const Scene& scene) {
+ThinnedTable rows_for_page(const TrajectoryTable& table, const Scene& scene,
+                           std::size_t most) {
   std::vector<ShownCurve> curves;
   std::size_t kept = 0;
   for (const TableColumn& column : table.columns()) {
@@ -120,14 +121,13 @@ ThinnedTable rows_for_page(const TrajectoryTable& table, const Scene& scene) {
     if (!is_drawn(column)) continue;
     curves.push_back({column.name, shown_range(table, column.values)});
   }
-  return thinned(table, scene.body, curves, kMostNumbers / kept);
+  return thinned(table, scene.body, curves, most / kept);
 }
 
 std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
-                        const Json& result) {
+                        const Json& result, const Box& box) {
   const Body& body = scene.body;
   const PathLimits& limits = scene.limits;
-  const Box box = motion_box(rows, body);
   std::string out = fmt::format(
       "{{\"body\":{{\"rolls\":{},\"radius\":{},\"eta\":{},\"k\":{}}},\n",
       body.rolls(), number(body.radius), number(body.eta_m), number(body.k));

@@ -25,14 +25,18 @@ inline constexpr std::size_t kMostNumbers = 36'000;
                                      const Body& body);
 
 /// The rows that a page holds.
+/// \param most  numbers, in all columns together
 [[nodiscard]] ThinnedTable rows_for_page(const TrajectoryTable& table,
-                                         const Scene& scene);
+                                         const Scene& scene,
+                                         std::size_t most = kMostNumbers);
 
 /// A JSON document, to stand within a page: no letter in it means anything to
 /// HTML or XML. Numbers have seven digits; what is not finite is null.
 /// \param result  the result document, of which the active arcs are told
+/// \param box     what the picture shows of the plane
 [[nodiscard]] std::string motion_data(const TrajectoryTable& rows,
                                       const Scene& scene,
-                                      const report::Json& result);
+                                      const report::Json& result,
+                                      const report::Box& box);
 
 }  // namespace brachisto::plot

@@ -12,6 +12,9 @@
 
 namespace brachisto::plot {
 
+extern const std::string_view kMotionScript;  ///< web/motion.js
+extern const std::string_view kRaceScript;    ///< web/race.js
+extern const std::string_view kRaceStyle;     ///< web/race.css
 extern const std::string_view kAnswerScript;  ///< web/answer.js
 extern const std::string_view kAnswerStyle;   ///< web/answer.css
 extern const std::string_view kChartScript;   ///< dygraph.min.js

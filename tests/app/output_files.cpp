@@ -190,6 +190,68 @@ TEST(Show, RefusesADirectoryWithoutAResult) {
   EXPECT_EQ(run({"show", out + "/nowhere"}).code, 6);
 }
 
+/// A problem file of those that race.
+std::string starter(const char* name) {
+  return std::string(BRACHISTO_PROBLEMS_DIR) + "/race/" + name + ".yaml";
+}
+
+TEST(Race, WritesOnePageAndTellsTheOrder) {
+  const ScratchDirectory scratch;
+  const fs::path page = scratch.path() / "new" / "race.html";
+
+  const Output output =
+      run({"race", starter("straight_track"), starter("bead"),
+           starter("uniform_cylinder"), "--out", page.string()});
+
+  EXPECT_EQ(output.code, 0) << output.err;
+  EXPECT_EQ(names(page.parent_path()), Names{"race.html"});
+  EXPECT_TRUE(content(page).starts_with("<!DOCTYPE html>"));
+  const auto at = [&](const char* words) { return output.out.find(words); };
+  EXPECT_LT(at("bead"), at("uniform cylinder"));
+  EXPECT_LT(at("uniform cylinder"), at("straight track"));
+  EXPECT_TRUE(output.out.ends_with(page.string() + "\n"));
+}
+
+TEST(Race, WritesNothingIfOneFails) {
+  const ScratchDirectory scratch;
+  const fs::path page = scratch.path() / "race.html";
+  // B lies within the body at its start, which starts all the same where its
+  // path is given.
+  const std::string large = "scene.body.radius=2";
+
+  const Output output =
+      run({"race", starter("straight_track"), starter("uniform_cylinder"),
+           "--set", large, "--out", page.string()});
+
+  constexpr int kNotSolved = 4;
+  EXPECT_EQ(output.code, kNotSolved);
+  EXPECT_NE(output.err.find("uniform_cylinder.yaml: "), std::string::npos)
+      << output.err;
+  EXPECT_TRUE(names(scratch.path()).empty());
+}
+
+TEST(Race, RefusesOtherEndsOtherPagesAndTooFew) {
+  const ScratchDirectory scratch;
+  const std::string page = (scratch.path() / "race.html").string();
+  const std::string near = paper_problem("fig12_L_2");
+
+  const Output apart = run({"race", starter("bead"), near, "--out", page});
+  const Output alone = run({"race", starter("bead"), "--out", page});
+  EXPECT_EQ(apart.code, 3);
+  EXPECT_NE(apart.err.find("fig12_L_2.yaml: scene.finish: the track runs from "
+                           "(0, 0) to (2, 1), that of \"bead\""),
+            std::string::npos)
+      << apart.err;
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_TRUE(names(scratch.path()).empty());
+
+  std::ofstream(page) << "mine";
+  EXPECT_EQ(run({"race", near, near, "--out", page}).code, 6);
+  EXPECT_EQ(content(page), "mine");
+  EXPECT_EQ(run({"race", near, near, "--out", page, "--force"}).code, 0);
+  EXPECT_NE(content(page), "mine");
+}
+
 TEST(Set, ReplacesValuesAndMayBeRepeated) {
   const Output output =
       run({"solve", kProblem, "--json", "--set", "scene.finish.L=2", "--set",

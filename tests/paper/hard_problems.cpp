@@ -122,5 +122,15 @@ TEST_P(WorldProblem, EndsAsItsCommentSays) {
   expect_promise(fs::path(BRACHISTO_WORLDS_DIR) / (GetParam() + ".yaml"));
 }
 
+class Starter : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(
+    Files, Starter,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_RACE_DIR)),
+    testing::file_name);
+
+TEST_P(Starter, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_RACE_DIR) / (GetParam() + ".yaml"));
+}
+
 }  // namespace
 }  // namespace brachisto

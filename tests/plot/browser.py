@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The brachisto authors
 # SPDX-License-Identifier: MIT
-"""The page of an answer in a browser, Chromium without a window.
+"""The pages with motion in a browser, Chromium without a window.
 
     browser.py BRACHISTO PROBLEMS
 
 At the time that the address names the body is where trajectory.csv has it and
 touches the drawn track, whatever the width of the window and the colours asked
-for, and the browser has nothing to say about the page. SKIPs (77) without
-Chromium.
+for, and the browser has nothing to say about the page. So are all bodies of a
+race, those that have arrived at B. SKIPs (77) without Chromium.
 """
 
 import csv
@@ -78,6 +78,57 @@ def distance_to_line(x, y, path):
     return best
 
 
+def place_faults(name, body, row):
+    """Where a body is not where the row of its table has it."""
+    faults = []
+    for mine, theirs in (("data-x", "x_c"), ("data-z", "z_c"), ("data-contact-x", "x_b"),
+                         ("data-contact-z", "z_b"), ("data-theta", "theta")):
+        if not row[theirs]:
+            continue  # a bead has no θ
+        there = float(row[theirs])
+        # Seven digits of times, places and angles up to 10 m and rad, speeds of
+        # some m/s, some hundred rad/s.
+        if not abs(float(body.get(mine, "nan")) - there) < 1e-5 * max(1, abs(there)):
+            faults.append(f"{name}: {mine} is {body.get(mine)}, not {there}")
+    return faults
+
+
+def solved(brachisto, scene, out, changes=()):
+    """The rows of the trajectory of a scene."""
+    sets = [word for change in changes for word in ("--set", change)]
+    subprocess.run([brachisto, "solve", scene, "--out", out, "--quiet", *sets], check=False,
+                   stderr=subprocess.DEVNULL)
+    with open(out / "trajectory.csv", encoding="utf-8") as table:
+        return list(csv.DictReader(table))
+
+
+def race_faults(brachisto, program, scenes, scratch, views):
+    """At a time that is a row of one of them this one is there, and those that
+    have arrived are where their tables end."""
+    page = scratch / "race.html"
+    subprocess.run([brachisto, "race", *scenes, "--out", page, "--quiet"], check=True)
+    tables = [solved(brachisto, scene, scratch / scene.stem) for scene in scenes]
+    tables.sort(key=lambda rows: float(rows[-1]["t"]))
+    faults = []
+    for k, view in enumerate(views):
+        number = k % len(tables)
+        row = tables[number][-1 - k * len(tables[number]) // (len(views) + 1)]
+        name = f"race {' '.join(view)}"
+        found, said = shown(program, page, row["t"], view, scratch / "home")
+        faults += [f"{name}: {line}" for line in said]
+        faults += place_faults(name, found.found.get(f"body-{number}", {}), row)
+        for i, rows in enumerate(tables):
+            end = float(rows[-1]["t"])
+            if end < float(row["t"]):
+                faults += place_faults(f"{name} body {i + 1}", found.found.get(f"body-{i}", {}),
+                                       rows[-1])
+            clock = f"{min(float(row['t']), end):.4f} s"
+            if found.texts.get(f"clock-{i}") != clock:
+                faults.append(f"{name}: clock {i + 1} has {found.texts.get(f'clock-{i}')}, "
+                              f"not {clock}")
+    return faults
+
+
 def main():
     brachisto, problems = sys.argv[1], pathlib.Path(sys.argv[2])
     program = browser()
@@ -91,11 +142,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         for number, (scene, changes) in enumerate(scenes):
             out = pathlib.Path(scratch) / f"out{number}"
-            sets = [word for change in changes for word in ("--set", change)]
-            subprocess.run([brachisto, "solve", problems / scene, "--out", out, "--quiet",
-                            *sets], check=False, stderr=subprocess.DEVNULL)
-            with open(out / "trajectory.csv", encoding="utf-8") as table:
-                rows = list(csv.DictReader(table))
+            rows = solved(brachisto, problems / scene, out, changes)
             for k, view in enumerate(views):
                 row = rows[(k + 1) * len(rows) // (len(views) + 1)]
                 name = f"{scene} {' '.join(changes)} {' '.join(view)}"
@@ -103,16 +150,7 @@ def main():
                                    pathlib.Path(scratch) / "home")
                 faults += [f"{name}: {line}" for line in said]
                 body = page.found.get("body", {})
-                for mine, theirs in (("data-x", "x_c"), ("data-z", "z_c"),
-                                     ("data-contact-x", "x_b"), ("data-contact-z", "z_b"),
-                                     ("data-theta", "theta")):
-                    if not row[theirs]:
-                        continue  # a bead has no θ
-                    there = float(row[theirs])
-                    # Seven digits of times, places and angles up to 10 m and rad,
-                    # speeds of some m/s, some hundred rad/s.
-                    if not abs(float(body.get(mine, "nan")) - there) < 1e-5 * max(1, abs(there)):
-                        faults.append(f"{name}: {mine} is {body.get(mine)}, not {there}")
+                faults += place_faults(name, body, row)
                 mark = page.found.get("contact", {})
                 off = distance_to_line(float(mark.get("cx", "nan")), float(mark.get("cy", "nan")),
                                        page.found.get("track", {}).get("d", ""))
@@ -120,7 +158,9 @@ def main():
                     faults.append(f"{name}: the mark of the contact is {off} px off the track")
                 if not page.texts.get("clock", "").startswith("t = "):
                     faults.append(f"{name}: no time is shown")
-    print("\n".join(faults) if faults else f"{len(scenes) * len(views)} views are right")
+        faults += race_faults(brachisto, program, sorted((problems / "race").glob("*.yaml")),
+                              pathlib.Path(scratch), views)
+    print("\n".join(faults) if faults else f"{(len(scenes) + 1) * len(views)} views are right")
     return 1 if faults else 0
 
 

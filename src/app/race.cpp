@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// brachisto race FILE…: bodies that start together, each on its own track.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/solution_output.hpp"
+#include "app/terminal.hpp"
+#include "app/verbs.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
+#include "brachisto/study/solve.hpp"
+#include "io/visible_text.hpp"
+#include "plot/race_page.hpp"
+#include "report/text_table.hpp"
+
+namespace brachisto::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using plot::Racer;
+
+struct RaceFlags {
+  std::vector<std::string> files;
+  std::string out;
+  std::vector<std::string> overrides;
+  bool force = false;
+  bool quiet = false;
+};
+
+constexpr std::size_t kFewest = 2, kMost = 24;  // that start
+
+/// "uniform cylinder" of uniform_cylinder.yaml.
+std::string racer_name(const std::string& file) {
+  std::string name = fs::path(file).stem().string();
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+/// The ends of a track, from A to B.
+std::array<Point, 2> ends(const Racer& racer) {
+  const std::vector<double>&x = racer.table["x_b"], &z = racer.table["z_b"];
+  return {{{x.front(), z.front()}, {x.back(), z.back()}}};
+}
+
+std::string ends_in_words(const Racer& racer) {
+  const auto [a, b] = ends(racer);
+  return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", a.x, a.z, b.x,
+                     b.z);
+}
+
+/// \throws io::InputError  if a track does not begin and end where the first
+///                         one does
+void check_ends(const std::string& file, const Racer& first,
+                const Racer& racer) {
+  const std::array<Point, 2> there = ends(first), here = ends(racer);
+  // As much as the points of a given path may miss A and B.
+  const double close = kCloseToEnds * std::hypot(there[1].x, there[1].z);
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    if (std::hypot(here[i].x - there[i].x, here[i].z - there[i].z) <= close) {
+      continue;
+    }
+    throw io::InputError(
+        {{.file = file,
+          .line = 0,
+          .column = 0,
+          .key = "scene.finish",
+          .message = fmt::format("the track runs {}, that of \"{}\" {}: "
+                                 "all have to start and to finish together",
+                                 ends_in_words(racer), first.name,
+                                 ends_in_words(first))}});
+  }
+}
+
+/// What has to be known of a verified solution.
+Racer racer_of(const std::string& file, const Solution& solution) {
+  return {
+      .name = racer_name(file),
+      .result = report::Json::parse(report::result_json(solution)),
+      .scene = solution.scene,
+      .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};
+}
+
+void print_arrivals(const std::vector<Racer>& racers) {
+  report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    const report::Json& result = racers[i].result;
+    const double T = result.at("transit_time").get<double>();
+    rows.push_back({fmt::format("{}", i + 1), racers[i].name,
+                    fmt::format("{:.9f}", T), behind(racers[0], racers[i]),
+                    result.at("feasible") == true ? "" : "infeasible"});
+  }
+  print(report::text_table(rows));
+}
+
+int run(const RaceFlags& flags) {
+  if (flags.files.size() < kFewest || flags.files.size() > kMost) {
+    throw UsageError("brachisto race",
+                     fmt::format("{} to {} problem files can race, not {}",
+                                 kFewest, kMost, flags.files.size()));
+  }
+  const fs::path out = flags.out;
+  const fs::path directory = out.has_parent_path() ? out.parent_path() : ".";
+  const std::string page = out.filename().string();
+  report::check_writable(directory, {page}, flags.force);
+  // All files are read before the first one is solved.
+  std::vector<io::ProblemFile> problems;
+  for (const std::string& file : flags.files) {
+    problems.push_back(io::read_problem_file(file, flags.overrides));
+    for (const io::Diagnostic& warning : problems.back().warnings) {
+      warn(io::to_string(warning));
+    }
+  }
+
+  const std::atomic<int>& signal = catch_signals();
+  std::vector<Racer> racers;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const std::string& file = flags.files[i];
+    const Solution solution = [&] {
+      const LastResort last_resort(problems[i].options.limits.seconds, false);
+      return solve(problems[i].scene, problems[i].options,
+                   {.interrupt = &signal});
+    }();
+    if (!solution.verified()) {
+      tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
+      return exit_code(solution, signal.load());
+    }
+    racers.push_back(racer_of(file, solution));
+    check_ends(file, racers.front(), racers.back());
+  }
+  racers = plot::in_order_of_arrival(std::move(racers));
+  const std::string html = [&] {
+    const StopScope scope(
+        StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    return plot::race_page(racers);
+  }();
+  report::write_files(directory, {{page, html}}, flags.force);
+  if (!flags.quiet) {
+    print_arrivals(racers);
+    print(io::visible(out.string()) + "\n");
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+Verb race_verb() {
+  const auto flags = std::make_shared<RaceFlags>();
+  return {.name = "race",
+          .text =
+              "Let several bodies start together, each on its own track: a "
+              "page with clocks and the order of arrival",
+          .flags = {{.name = "FILE",
+                     .value = &flags->files,
+                     .text = "Problem files (YAML), named after what they are; "
+                             "with the same A and B",
+                     .check = not_empty(),
+                     .required = true},
+                    {.name = "--out",
+                     .value = &flags->out,
+                     .text = "Write the page there, race.html",
+                     .placeholder = "PAGE",
+                     .check = not_empty(),
+                     .required = true},
+                    {.name = "--set",
+                     .value = &flags->overrides,
+                     .text = "Replace a value of all files, such as "
+                             "scene.finish.L=4",
+                     .placeholder = "KEY=VALUE"},
+                    {"--force", &flags->force, "Replace an existing page"},
+                    {"--quiet", &flags->quiet, "Do not print the order"}},
+          .footer =
+              R"(Example:
+  brachisto race problems/race/*.yaml --out race.html
+Bodies that would lift off race too and are marked. Exit codes: 0
+written, 3 bad input file, 6 I/O; of a scene that fails, which is told,
+those of solve, and nothing is written.)",
+          .run = [flags] { return run(*flags); }};
+}
+
+}  // namespace brachisto::app

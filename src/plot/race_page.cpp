@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/race_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "plot/answer_tables.hpp"
+#include "plot/motion_data.hpp"
+#include "plot/page_parts.hpp"
+#include "plot/web_parts.hpp"
+#include "report/page.hpp"
+#include "report/rich_text.hpp"
+#include "report/scale.hpp"
+#include "report/text_table.hpp"
+#include "report/track_kind.hpp"
+
+namespace brachisto::plot {
+
+namespace {
+
+using report::Box;
+using report::Json;
+using report::printed;
+using report::xml_escaped;
+
+constexpr double kMilli = 1e3;     // ms in a second
+constexpr int kClockDecimals = 4;  // of clocks, in seconds
+constexpr std::size_t kColours = 6;
+
+double transit_time(const Racer& racer) {
+  return racer.result.at("transit_time").get<double>();
+}
+
+/// Of T [s]; 0 if the result tells none.
+double time_error(const Racer& racer) {
+  const auto error = racer.result.find("estimated_error");
+  return error != racer.result.end() && error->is_number()
+             ? error->get<double>() * transit_time(racer)
+             : 0.0;
+}
+
+/// With so many decimals, or those that the error leaves.
+std::string rounded(double value, double error, int decimals) {
+  return error < 0.5 * std::pow(10.0, -decimals)
+             ? fmt::format("{:.{}f}", value, decimals)
+             : report::with_error(value, error);
+}
+
+bool feasible(const Racer& racer) {
+  return racer.result.at("feasible") == true;
+}
+
+/// Why the body could not run on its track.
+std::string reasons(const Racer& racer) {
+  std::string out;
+  for (const Json& reason :
+       racer.result.value("infeasible_because", Json::array())) {
+    if (!reason.is_string()) continue;
+    out +=
+        (out.empty() ? ": " : "; ") + symbols_html(reason.get<std::string>());
+  }
+  return out;
+}
+
+/// The order of arrival, with a clock for each.
+std::string arrivals(const std::vector<Racer>& racers) {
+  std::string out =
+      "<table class=\"arrivals\">\n<caption>The order of arrival</caption>\n"
+      "<thead><tr><th>place</th><th>body</th><th>clock</th>"
+      "<th class=\"exact\">T [s]</th><th>behind [ms]</th></tr></thead>\n"
+      "<tbody>\n";
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    const Racer& racer = racers[i];
+    const double T = transit_time(racer);
+    constexpr int kDecimals = 6;
+    out += fmt::format(
+        "<tr id=\"racer-{}\" class=\"racer{}\"><td>{}</td>"
+        "<th scope=\"row\"><i class=\"swatch\"></i>{}{}</th>"
+        "<td class=\"lap\" id=\"clock-{}\">{:.{}f} s</td>"
+        "<td class=\"exact\">{}</td><td>{}</td></tr>\n",
+        i, i % kColours + 1, i + 1, xml_escaped(racer.name),
+        feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", i, T,
+        kClockDecimals, rounded(T, time_error(racer), kDecimals),
+        behind(racers[0], racer));
+  }
+  return out + "</tbody>\n</table>\n";
+}
+
+/// Who they are.
+std::string starters(const std::vector<Racer>& racers) {
+  std::string out = "<ol class=\"starters\">\n";
+  for (const Racer& racer : racers) {
+    out += fmt::format("<li>{}: {}; {}", xml_escaped(racer.name),
+                       report::html_words(report::in_words(racer.scene)),
+                       report::track_kind(racer.scene));
+    if (racer.scene.limits.any()) {
+      out += "; limits: " +
+             report::html_words(report::limits_in_words(racer.scene));
+    }
+    if (!feasible(racer)) {
+      out += fmt::format(". <span class=\"bad\">Infeasible{}</span>",
+                         reasons(racer));
+    }
+    out += ".</li>\n";
+  }
+  return out + "</ol>\n";
+}
+
+/// Rows of all racers, and what the picture shows of the plane.
+struct Ground {
+  std::vector<ThinnedTable> rows;
+  Box box;
+};
+
+Ground ground_of(const std::vector<Racer>& racers) {
+  Ground ground;
+  for (const Racer& racer : racers) {
+    const Box box = motion_box(racer.table, racer.scene.body);
+    if (ground.rows.empty()) ground.box = box;
+    ground.box.include(box.low, 0.0);
+    ground.box.include(box.high, 0.0);
+    ground.rows.push_back(
+        rows_for_page(racer.table, racer.scene, kMostNumbers / racers.size()));
+  }
+  return ground;
+}
+
+/// How exact what is drawn is.
+std::string held(const Ground& ground) {
+  std::size_t rows = 0, of_rows = 0;
+  double error = 0.0;
+  for (const ThinnedTable& one : ground.rows) {
+    rows += one.table.size();
+    of_rows += one.of_rows;
+    error = std::max(error, one.path_error);
+  }
+  if (rows == of_rows) {
+    return fmt::format(
+        "This page holds all {} nodes of the tracks to seven digits and draws "
+        "cubics of time between them.",
+        rows);
+  }
+  return fmt::format(
+      "This page holds {} of the {} nodes of the tracks to seven digits and "
+      "draws cubics of time between them, which miss none of the others by "
+      "more than {} m along the path.",
+      rows, of_rows, printed(error, 2));
+}
+
+std::string race_data(const std::vector<Racer>& racers, const Ground& ground) {
+  std::string out = fmt::format(
+      "{{\"decimals\":{},\"box\":[[{:.7g},{:.7g}],[{:.7g},{:.7g}]],"
+      "\"racers\":[",
+      kClockDecimals, ground.box.low.x, ground.box.low.z, ground.box.high.x,
+      ground.box.high.z);
+  for (std::size_t i = 0; i < racers.size(); ++i) {
+    if (i > 0) out += ",\n";
+    out += motion_data(ground.rows[i].table, racers[i].scene, racers[i].result,
+                       ground.box);
+  }
+  return out + "]}";
+}
+
+}  // namespace
+
+std::vector<Racer> in_order_of_arrival(std::vector<Racer> racers) {
+  std::ranges::stable_sort(racers, {}, transit_time);
+  return racers;
+}
+
+std::string behind(const Racer& first, const Racer& racer) {
+  const double ms = kMilli * (transit_time(racer) - transit_time(first));
+  if (ms == 0.0) return "0";
+  constexpr int kDecimals = 3;
+  const double error = kMilli * (time_error(first) + time_error(racer));
+  return "+" + rounded(ms, error, kDecimals);
+}
+
+std::string race_page(const std::vector<Racer>& racers) {
+  const Ground ground = ground_of(racers);
+  const Racer& first = racers.front();
+  // From contact to contact, whatever the scene gives the ends of.
+  const std::vector<double>&x = first.table["x_b"], &z = first.table["z_b"];
+  const double drop = z.back() - z.front();
+  const std::string title = fmt::format("A race of {}: {} first", racers.size(),
+                                        xml_escaped(first.name));
+  std::string out = report::document_head(
+      title,
+      fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+                  "<style>{}\n{}</style>\n",
+                  kAnswerStyle, kRaceStyle));
+  out += fmt::format(
+      "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, each "
+      "on its own track, and arrive at B, {} m to the right and {} m {}."
+      "</p>\n</header>\n<main>\n",
+      title, printed(x.back() - x.front()), printed(std::abs(drop)),
+      drop < 0.0 ? "above" : "below");
+  out +=
+      "<section>\n<h2 id=\"motion-heading\">The race</h2>\n"
+      "<noscript><p>The race is drawn by a script, which this browser does not "
+      "run.</p></noscript>\n<div id=\"stage\"></div>\n" +
+      playback_html() +
+      "<p class=\"key\"><span id=\"lift-key\" hidden=\"hidden\"><i "
+      "class=\"swatch lift\"></i>" +
+      symbols_html("R_n ≤ 0: here the body would lift off") + "</span></p>\n" +
+      arrivals(racers) +
+      "<p class=\"about\" id=\"motion-words\">Numbers, on the tracks and above "
+      "the bodies, tell the order of arrival.</p>\n"
+      "<p class=\"about keys\">Space plays and stops; ← and → move by a "
+      "hundredth of the time, with Shift by a tenth.</p>\n</section>\n"
+      "<section>\n<h2>Who starts</h2>\n" +
+      starters(racers) +
+      fmt::format("<p class=\"about\">{}</p>\n</section>\n</main>\n",
+                  held(ground));
+  const auto made = first.result.find("provenance");
+  out += fmt::format(
+      "<footer>Written from results of brachisto {}, each of them "
+      "verified.</footer>\n",
+      xml_escaped(made != first.result.end() ? made->value("brachisto", "")
+                                             : ""));
+  return out + data_html(race_data(racers, ground)) +
+         script_html(kMotionScript) + script_html(kRaceScript) +
+         "</body>\n</html>\n";
+}
+
+}  // namespace brachisto::plot

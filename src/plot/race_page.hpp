@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The page of a race: bodies that start together, each on its own track.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brachisto/model/scene.hpp"
+#include "plot/trajectory_table.hpp"
+#include "report/result_field.hpp"
+
+namespace brachisto::plot {
+
+/// One of those that start.
+struct Racer {
+  std::string name;
+  report::Json result;  ///< document of a verified result
+  Scene scene;
+  TrajectoryTable table;
+};
+
+/// Sorted by their transit times; where these are the same, as they were.
+[[nodiscard]] std::vector<Racer> in_order_of_arrival(std::vector<Racer> racers);
+
+/// By how much a racer comes after the first one, in ms with the digits that
+/// the errors of both leave, at most three decimals: "+136.481", "0" of the
+/// first one.
+[[nodiscard]] std::string behind(const Racer& first, const Racer& racer);
+
+/// One file that needs no other one and no network. It is well-formed XML too,
+/// and holds at most kMostNumbers numbers of all tables together.
+/// \param racers  in the order of their arrival, at least one, whose tracks
+///                have the same ends
+[[nodiscard]] std::string race_page(const std::vector<Racer>& racers);
+
+}  // namespace brachisto::plot

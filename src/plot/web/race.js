@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The page of a race: bodies that start together, each on its own track, and
+// their clocks. What it shares with other pages is in motion.js.
+"use strict";
+
+(() => {
+
+const { byId, draw, pathOf } = Motion;
+const data = JSON.parse(byId("data").textContent);
+const stage = byId("stage");
+const racers = data.racers.map((racer, i) => ({
+  motion: Motion.motionOf(racer), obstacles: racer.obstacles, colour: `racer${i % 6 + 1}`,
+  clock: byId(`clock-${i}`), row: byId(`racer-${i}`),
+}));
+const T = Math.max(...racers.map(({ motion }) => motion.T));
+const view = {};
+
+function layOut() {
+  const plane = Motion.drawPlane(stage, data.box);
+  const { svg, scale, X, Y } = plane;
+  Object.assign(view, plane);
+  const place = (x, z) => `${X(x).toFixed(2)} ${Y(z).toFixed(2)}`;
+  for (const { obstacles } of racers) Motion.drawObstacles(svg, obstacles, plane);
+  let lifts = false;
+  racers.forEach(({ motion, colour }, i) => {
+    draw("path", { id: `track-${i}`, class: `track ${colour}`,
+      d: pathOf(motion.poses, "xb", "zb", place) }, svg);
+    const lifted = Motion.liftedPath(motion.poses, place);
+    draw("path", { class: "lifted", d: lifted }, svg);
+    lifts = lifts || lifted !== "";
+  });
+  byId("lift-key").hidden = !lifts;
+  // The winner's places serve: all tracks have the same ends.
+  Motion.markEnds(svg, racers[0].motion.poses, plane);
+  // The winner is drawn last, above the others.
+  [...racers.keys()].reverse().forEach((i) => {
+    const { motion, colour } = racers[i];
+    racers[i].shape = Motion.bodyShape(svg, scale * motion.body.radius, `body-${i}`, motion.body);
+    racers[i].shape.classList.add(colour);
+  });
+  // A number beside each body and, where its track keeps away from the others,
+  // on the track: colours alone do not tell them apart.
+  racers.forEach((racer, i) => {
+    const number = (kind) => {
+      const text = draw("text", { class: `number ${kind} ${racer.colour}` }, svg);
+      text.textContent = String(i + 1);
+      return text;
+    };
+    const p = clearestPose(racer);
+    const onTrack = number("of-track");
+    onTrack.setAttribute("x", X(p.xb));
+    onTrack.setAttribute("y", Y(p.zb) + 4);
+    racer.number = number("of-body");
+  });
+}
+
+/** Where a track is farthest from all others, of some places. */
+function clearestPose(racer) {
+  const some = ({ motion }) => motion.poses.filter((_, i) => i % 12 === 0);
+  const others = racers.filter((other) => other !== racer).flatMap(some);
+  const far = (p) => Math.min(...others.map((o) => Math.hypot(o.xb - p.xb, o.zb - p.zb)));
+  let best = racer.motion.poses[0], most = -1;
+  for (const p of some(racer)) {
+    const distance = far(p);
+    if (distance > most) [best, most] = [p, distance];
+  }
+  return best;
+}
+
+function show(t) {
+  const { scale, X, Y } = view;
+  racers.forEach(({ motion, shape, number, clock, row }) => {
+    const arrived = t >= motion.T;
+    const p = motion.at(Math.min(t, motion.T));
+    Motion.moveBody(shape, p, view);
+    const above = scale * motion.body.radius + 6;
+    number.setAttribute("x", X(p.x));
+    number.setAttribute("y", Y(p.z) - above);
+    clock.textContent = `${Math.min(t, motion.T).toFixed(data.decimals)} s`;
+    row.classList.toggle("arrived", arrived);
+  });
+}
+
+const player = Motion.player(T, show);
+layOut();
+Motion.onResize(stage, () => {
+  layOut();
+  player.again();
+});
+Motion.letTablesScroll();
+player.start();
+
+})();

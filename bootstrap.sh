@@ -6,6 +6,8 @@
 #   ./bootstrap.sh test   install what is missing, build, run all tests
 #   ./bootstrap.sh bench  the same for the benchmarks, half an hour; results in
 #                         build/release/benchmarks/results
+#   ./bootstrap.sh packages
+#                         the same for Debian packages, in build/packages/debs
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what
@@ -19,8 +21,9 @@ packages=(
   libboost-dev libyaml-cpp-dev libmuparser-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
 )
-# Of the tests alone: a validator of others for the schemas, and the Python module.
-test_packages=(python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy)
+# Of the Python module, and of the tests alone: a validator of others for the schemas.
+python_packages=(pybind11-dev python3-dev python3-numpy)
+test_packages=(python3-jsonschema python3-yaml "${python_packages[@]}")
 # Of the benchmarks alone, the programs of others that they run among them.
 bench_packages=(libbenchmark-dev octave python3-scipy)
 
@@ -81,8 +84,15 @@ case "${1:-}" in
     build -DBRACHISTO_BUILD_TESTS=OFF -DBRACHISTO_BUILD_BENCHMARKS=ON
     cmake --build --preset release --target run_benchmarks
     ;;
+  packages)
+    packages+=("${python_packages[@]}" dpkg-dev file)
+    install_packages
+    rm -rf build/packages/debs
+    cmake --workflow --preset packages
+    ls -l build/packages/debs/*.deb
+    ;;
   *)
-    sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,14s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

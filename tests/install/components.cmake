@@ -2,6 +2,7 @@
 #
 # The components of a build, which become packages, have what belongs to them, and
 # together what is installed without naming one, each file once.
+cmake_minimum_required(VERSION 3.25)
 load_cache(${BUILD} READ_WITH_PREFIX "" BUILD_SHARED_LIBS BRACHISTO_BUILD_PYTHON
   BRACHISTO_PYTHON_DIR CMAKE_INSTALL_LIBDIR CMAKE_PROJECT_VERSION)
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" soversion ${CMAKE_PROJECT_VERSION})

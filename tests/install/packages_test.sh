@@ -90,7 +90,7 @@ for deb in "$stranger"/packages/*.deb; do
 done
 
 say "lintian"
-lintian --fail-on error,warning --show-overrides "$stranger"/packages/*.deb
+lintian --fail-on error,warning "$stranger"/packages/*.deb
 
 say "a Debian 12 of nothing else"
 mmdebstrap --quiet --variant=apt --format=null \

@@ -18,7 +18,9 @@ timed() {
     echo "failed: $*" >&2
     exit 1
   }
-  awk "BEGIN { printf \"%8.1f s  %s\n\", $EPOCHREALTIME - $begin, \"$*\" }"
+  local line="$*"
+  awk "BEGIN { printf \"%8.1f s  \", $EPOCHREALTIME - $begin }"
+  echo "${line:0:70}"
 }
 
 # printed PATTERN: the last timed command did.
@@ -35,7 +37,8 @@ as_stranger() {
   export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
   cd /tmp/packages
   say "the first picture, in two commands"
-  timed apt-get install -y ./*.deb
+  # As Debian does by itself; mmdebstrap may have turned it off.
+  timed apt-get -o APT::Install-Recommends=true install -y ./*.deb
   cd /usr/share/brachisto
   timed brachisto solve problems/case.yaml --out /tmp/track
   printed 'verdict  *verified'

@@ -7,6 +7,8 @@
 #   ./bootstrap.sh bench  the same for the benchmarks, half an hour; results in
 #                         build/release/benchmarks/results
 #   ./bootstrap.sh page   install Chromium, build, test the page of an answer in it
+#   ./bootstrap.sh packages
+#                         the same for Debian packages, in build/packages/debs
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what
@@ -21,10 +23,12 @@ packages=(
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
   libjs-dygraphs
 )
-# Of the tests alone: a validator of others for the schemas, the Python module, a reader of
-# others for .nl files, and who reads the manual and the completions.
+# Of the Python module.
+python_packages=(pybind11-dev python3-dev python3-numpy)
+# Of the tests alone: a validator of others for the schemas, a reader of others for .nl files,
+# and who reads the manual and the completions.
 test_packages=(
-  python3-jsonschema python3-yaml pybind11-dev python3-dev python3-numpy libamplsolver-dev
+  python3-jsonschema python3-yaml "${python_packages[@]}" libamplsolver-dev
   groff-base mandoc man-db zsh fish
 )
 # Of the page checks alone: the browser.
@@ -95,8 +99,15 @@ case "${1:-}" in
     build -DBRACHISTO_BUILD_TESTS=OFF -DBRACHISTO_BUILD_BENCHMARKS=ON
     cmake --build --preset release --target run_benchmarks
     ;;
+  packages)
+    packages+=("${python_packages[@]}" dpkg-dev file)
+    install_packages
+    rm -rf build/packages/debs
+    cmake --workflow --preset packages
+    ls -l build/packages/debs/*.deb
+    ;;
   *)
-    sed -n '2,13s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,15s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

@@ -1,12 +1,17 @@
-# Installs the library, its headers and package files, the command and the documents.
+# Installs the library, its headers and package files, the command and the documents: in
+# the components that become packages, of which `command` takes what names no other.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME command)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/brachisto)
 install(TARGETS brachisto
   EXPORT brachistoTargets
-  FILE_SET HEADERS)
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development
+  FILE_SET HEADERS COMPONENT development)
 install(TARGETS brachisto_app)
-install(EXPORT brachistoTargets NAMESPACE brachisto:: DESTINATION ${package_dir})
+install(EXPORT brachistoTargets NAMESPACE brachisto::
+  DESTINATION ${package_dir} COMPONENT development)
 
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/src/cmake/brachistoConfig.cmake.in
@@ -18,7 +23,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/brachistoConfig.cmake
   ${PROJECT_BINARY_DIR}/brachistoConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/src/cmake/Dependencies.cmake
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} COMPONENT development)
 
 # An archive brings the libraries along that it stands on; a shared library has them.
 file(RELATIVE_PATH prefix_from_pc
@@ -30,7 +35,7 @@ endif()
 configure_file(${PROJECT_SOURCE_DIR}/src/cmake/brachisto.pc.in
   ${PROJECT_BINARY_DIR}/brachisto.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/brachisto.pc
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(FILES
   ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md

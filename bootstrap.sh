@@ -6,9 +6,9 @@
 #   ./bootstrap.sh test   install what is missing, build, run all tests
 #   ./bootstrap.sh bench  the same for the benchmarks, half an hour; results in
 #                         build/release/benchmarks/results
-#   ./bootstrap.sh page   install Chromium, build, test the page of an answer in it
 #   ./bootstrap.sh packages
 #                         the same for Debian packages, in build/packages/debs
+#   ./bootstrap.sh page   install Chromium, build, test the pages in it
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what

@@ -25,10 +25,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 FAULTS = [
     # columns and keys
-    ("x and z of the centre of mass swapped in the CSV",
-     "in_full(at.mass_centre.x),\n                     in_full(at.mass_centre.z)",
-     "in_full(at.mass_centre.z),\n                     in_full(at.mass_centre.x)"),
-    ("R_n and R_t swapped in the head of the CSV", "omega,R_n,R_t,kappa_b", "omega,R_t,R_n,kappa_b"),
+    ("z of the centre of mass in the CSV as its x", "return p.motion.mass_centre.x;",
+     "return p.motion.mass_centre.z;"),
+    ("R_n called R_t in the head of the CSV", '{{"R_n", "m g", "normal', '{{"R_t", "m g", "normal'),
     ("rail and centre length swapped in JSON",
      "&Motion::rail_length}", "&Motion::centre_path_length}"),
     ("a column of the sweep's table takes another figure", '"/normal_force/max",', '"/curvature/max",'),

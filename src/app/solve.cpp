@@ -40,8 +40,8 @@ struct SolveFlags : CommonFlags {
 };
 
 /// "WIDTHxHEIGHT" in mm; nothing if it is not that.
-std::optional<report::Sheet> sheet_of(const std::string& text) {
-  report::Sheet sheet;
+std::optional<report::cutting::Sheet> sheet_of(const std::string& text) {
+  report::cutting::Sheet sheet;
   char x = 0;
   std::istringstream in(text);
   in.imbue(std::locale::classic());
@@ -58,24 +58,25 @@ std::optional<report::Sheet> sheet_of(const std::string& text) {
 void write_templates(const SolveFlags& flags, const Solution& solution,
                      const std::vector<MassPart>& parts) {
   if (flags.track_svg.empty() && flags.track_dxf.empty()) return;
-  std::vector<report::Drawing> drawings;
+  std::vector<report::cutting::Drawing> drawings;
   try {
-    drawings =
-        report::cutting_template(solution, parts, *sheet_of(flags.sheet));
-  } catch (const report::TemplateError& error) {
+    drawings = report::cutting::cutting_template(solution, parts,
+                                                 *sheet_of(flags.sheet));
+  } catch (const report::cutting::TemplateError& error) {
     throw UsageError("brachisto solve", error.what());
   }
-  const auto write = [&](const std::string& directory, const char* ending,
-                         std::string (*in_format)(const report::Drawing&)) {
-    if (directory.empty()) return;
-    std::vector<report::OutputFile> files;
-    for (const report::Drawing& drawing : drawings) {
-      files.push_back({drawing.name + ending, in_format(drawing)});
-    }
-    report::write_files(directory, files, flags.force);
-  };
-  write(flags.track_svg, ".svg", report::as_svg);
-  write(flags.track_dxf, ".dxf", report::as_dxf);
+  const auto write =
+      [&](const std::string& directory, const char* ending,
+          std::string (*in_format)(const report::cutting::Drawing&)) {
+        if (directory.empty()) return;
+        std::vector<report::OutputFile> files;
+        for (const report::cutting::Drawing& drawing : drawings) {
+          files.push_back({drawing.name + ending, in_format(drawing)});
+        }
+        report::write_files(directory, files, flags.force);
+      };
+  write(flags.track_svg, ".svg", report::cutting::as_svg);
+  write(flags.track_dxf, ".dxf", report::cutting::as_dxf);
 }
 
 int run(const SolveFlags& flags) {

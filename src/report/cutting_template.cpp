@@ -10,7 +10,7 @@
 
 #include "report/path_frame.hpp"
 
-namespace brachisto::report {
+namespace brachisto::report::cutting {
 
 namespace {
 
@@ -250,4 +250,4 @@ std::vector<Drawing> cutting_template(const Solution& solution,
   return out;
 }
 
-}  // namespace brachisto::report
+}  // namespace brachisto::report::cutting

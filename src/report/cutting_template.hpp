@@ -15,7 +15,7 @@
 #include "brachisto/study/solution.hpp"
 #include "report/drawing.hpp"
 
-namespace brachisto::report {
+namespace brachisto::report::cutting {
 
 /// The sheets of material [mm].
 struct Sheet {
@@ -44,4 +44,4 @@ class TemplateError : public std::runtime_error {
     const Solution& solution, std::span<const MassPart> parts,
     const Sheet& sheet);
 
-}  // namespace brachisto::report
+}  // namespace brachisto::report::cutting

@@ -9,7 +9,7 @@
 
 #include "report/rich_text.hpp"
 
-namespace brachisto::report {
+namespace brachisto::report::cutting {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string as_dxf(const Drawing& drawing) {
   return std::move(out).text();
 }
 
-}  // namespace brachisto::report
+}  // namespace brachisto::report::cutting

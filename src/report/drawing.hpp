@@ -11,7 +11,7 @@
 
 #include "brachisto/model/point.hpp"
 
-namespace brachisto::report {
+namespace brachisto::report::cutting {
 
 /// What a machine does along a line.
 enum class Line { Cut, Mark };
@@ -49,4 +49,4 @@ struct Drawing {
 /// the axis up: layers CUT and MARK.
 [[nodiscard]] std::string as_dxf(const Drawing& drawing);
 
-}  // namespace brachisto::report
+}  // namespace brachisto::report::cutting

@@ -17,10 +17,10 @@
 namespace brachisto {
 namespace {
 
-using report::cutting_template;
-using report::Drawing;
-using report::Line;
-using report::Polyline;
+using report::cutting::cutting_template;
+using report::cutting::Drawing;
+using report::cutting::Line;
+using report::cutting::Polyline;
 using testing::bead_solution;
 using testing::off_centred_solution;
 using testing::xml_flaw;
@@ -28,7 +28,7 @@ using testing::xml_flaw;
 constexpr double kChord = 0.01;  // [mm], as promised
 
 std::vector<Drawing> drawings_of(const Solution& solution,
-                                 const report::Sheet& sheet = {}) {
+                                 const report::cutting::Sheet& sheet = {}) {
   return cutting_template(solution, {}, sheet);
 }
 
@@ -129,7 +129,7 @@ TEST(CuttingTemplate, ChordsAreAsNearAsTheySay) {
 }
 
 TEST(CuttingTemplate, EverythingIsOnItsSheet) {
-  const report::Sheet sheet{300.0, 200.0};
+  const report::cutting::Sheet sheet{300.0, 200.0};
   const std::vector<Drawing> drawings =
       drawings_of(off_centred_solution(), sheet);
   EXPECT_GT(drawings.size(), 10U);
@@ -169,12 +169,12 @@ TEST(CuttingTemplate, ABodyShowsItsCentreOfMassAndItsParts) {
 
 TEST(CuttingTemplate, IsRefusedWhereNoPieceFits) {
   EXPECT_THROW(drawings_of(bead_solution(), {55.0, 55.0}),
-               report::TemplateError);
+               report::cutting::TemplateError);
 }
 
 TEST(Drawing, IsAnSvgOfItsSizeInMillimetres) {
   for (const Drawing& drawing : drawings_of(off_centred_solution())) {
-    const std::string svg = report::as_svg(drawing);
+    const std::string svg = report::cutting::as_svg(drawing);
     EXPECT_EQ(xml_flaw(svg), "");
     if (!is_track(drawing)) continue;
     EXPECT_NE(svg.find("width=\"600mm\" height=\"400mm\" "
@@ -185,7 +185,7 @@ TEST(Drawing, IsAnSvgOfItsSizeInMillimetres) {
 
 TEST(Drawing, IsADxfOfPairsThatEndsItsSections) {
   for (const Drawing& drawing : drawings_of(off_centred_solution())) {
-    std::istringstream lines(report::as_dxf(drawing));
+    std::istringstream lines(report::cutting::as_dxf(drawing));
     std::vector<std::pair<int, std::string>> groups;
     for (std::string code, value;
          std::getline(lines, code) && std::getline(lines, value);) {

@@ -15,7 +15,7 @@
 namespace brachisto::reproduction {
 
 /// Starts of each search: the reference body and random ones.
-inline constexpr int kDesignStarts = 10;
+inline constexpr int kDesignStarts = 5;
 
 /// Over all places of the centre of mass, the radius being given.
 struct QuickestBody {

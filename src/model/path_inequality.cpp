@@ -54,9 +54,10 @@ double valley_of_centre(const Body& body, const PathLimits& limits) {
 }
 
 bool bound_valleys(const std::vector<PathInequality>& limits) {
-  return std::any_of(limits.begin(), limits.end(), [](const PathInequality& limit) {
-    return limit.kind == PathInequality::Kind::Valley;
-  });
+  return std::any_of(limits.begin(), limits.end(),
+                     [](const PathInequality& limit) {
+                       return limit.kind == PathInequality::Kind::Valley;
+                     });
 }
 
 std::vector<PathInequality> inequalities(const Body& body,

@@ -271,7 +271,7 @@ class Elements {
   Elements(const Scene& scene, const Discretisation& wanted,
            const ExtremalCurve& curve, double phi)
       : scene_(scene),
-        is_fixed_(wanted.fixed()),
+        meets_surface_(!wanted.fixed() && scene.world.sphere),
         degree_is_fixed_(wanted.degree.has_value()),
         tolerance_(wanted.tolerance.value_or(kDefaultTolerance)),
         left_(wanted.fixed() ? 1 : kMaxMeshes),
@@ -279,7 +279,7 @@ class Elements {
                              : first_mesh(wanted, tolerance_, curve)),
         from_(curve),
         phi_(phi) {
-    if (!is_fixed_) {
+    if (meets_surface_) {
       surface_.learn(curve);
       mesh_ = surface_.fit(std::move(mesh_));
     }
@@ -321,7 +321,7 @@ class Elements {
       mesh_ = stretch(mesh_, 2 * mesh_.num_elements());
       return left_ > 0;
     }
-    if (!is_fixed_) {
+    if (meets_surface_) {
       surface_.learn(answer.curve());
       if (!surface_.settled()) {
         // Degree p + 1 errs alike where ends are not on the surface.
@@ -365,7 +365,7 @@ class Elements {
   }
 
   const Scene& scene_;
-  bool is_fixed_;
+  bool meets_surface_;  ///< ends of elements go where paths pass one
   bool degree_is_fixed_;
   double tolerance_;
   int left_;  ///< so many meshes may be tried yet

@@ -36,6 +36,14 @@ std::vector<double> surface_passages(
   return out;
 }
 
+std::vector<double> surface_passages(const Scene& scene,
+                                     const ExtremalCurve& curve) {
+  return surface_passages(scene, curve.mesh(), [&](double sigma) {
+    const ExtremalPoint at = curve.at(sigma);
+    return mass_centre(scene.body, at.centre, at.theta);
+  });
+}
+
 Mesh with_ends_at(Mesh mesh, const std::vector<double>& places) {
   constexpr double kNear = 0.3;  // of the element that it is in
   // A itself may lie on the surface; no element begins and ends there.
@@ -61,12 +69,8 @@ void SurfaceEnds::learn(const ExtremalCurve& solution) {
   // Where rounding keeps the two apart they come no closer.
   constexpr double kAlmost = 1e-9, kCloser = 0.5;
   const Mesh& mesh = solution.mesh();
-  const Scene& scene = solution.scene();
   Solution now;
-  now.passages = surface_passages(scene, mesh, [&](double sigma) {
-    const ExtremalPoint at = solution.at(sigma);
-    return mass_centre(scene.body, at.centre, at.theta);
-  });
+  now.passages = surface_passages(solution.scene(), solution);
   now.T = solution.transit_time();
   for (const double passage : now.passages) {
     const auto [e, t] = mesh.locate(passage);

@@ -27,6 +27,10 @@ namespace brachisto {
     const Scene& scene, const Mesh& mesh,
     const std::function<Point(double)>& heavy_at);
 
+/// Of a curve, which may have been found in another field.
+[[nodiscard]] std::vector<double> surface_passages(const Scene& scene,
+                                                   const ExtremalCurve& curve);
+
 /// The mesh with an element end at each of these σ: the nearest one is moved
 /// there where it is near, otherwise there is one more.
 [[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places);

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <utility>
 
-#include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "model/world_part.hpp"
 #include "refinement/start_closure.hpp"
@@ -35,16 +34,6 @@ double largest_turn(const ExtremalCurve& before, const ExtremalCurve& after) {
     }
   }
   return largest;
-}
-
-/// The curve's mesh for a scene whose field has a kink on the surface of its
-/// sphere: with ends where the curve passes it.
-Mesh mesh_for(const Scene& scene, const ExtremalCurve& curve) {
-  const Mesh& mesh = curve.mesh();
-  return with_ends_at(mesh, surface_passages(scene, mesh, [&](double sigma) {
-                        const ExtremalPoint at = curve.at(sigma);
-                        return mass_centre(scene.body, at.centre, at.theta);
-                      }));
 }
 
 bool keeps_moving(const ExtremalCurve& curve) {
@@ -75,7 +64,10 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
     if (slope_at_A_is_open(part)) {
       part.world.start_slope = out.curve->at(0.0).beta;
     }
-    RollingTime problem(part, mesh_for(part, *out.curve), out.phi);
+    // Its field has a kink on the surface of its sphere.
+    const Mesh mesh =
+        with_ends_at(out.curve->mesh(), surface_passages(part, *out.curve));
+    RollingTime problem(part, mesh, out.phi);
     const MeshSolution found =
         close_start(problem, {prolong(*out.curve, problem), out.phi, -1.0},
                     options, stay_on_mesh, kTolerance);

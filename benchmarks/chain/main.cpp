@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <span>
 #include <string>
@@ -143,6 +144,39 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
       (entries + state) / speed, 2.0 * state / speed);
 }
 
+/// Factorisations by one thread and by several in turn: the best time of each
+/// [s of the clock], and whether they give the same digits.
+void threads(RollingTime& problem, const PrimalDual& point, int num_threads) {
+  std::vector<double> hess(problem.hess_lag_pattern().num_entries());
+  std::vector<double> jac(problem.jac_g_pattern().num_entries());
+  if (!problem.set_point(point.x)) return;
+  problem.eval_hess_lag(1.0, point.lambda, hess);
+  problem.eval_jac_g(jac);
+  const std::array<std::span<const double>, 2> values = {hess, jac};
+  const auto make = [&](int count) {
+    const ChainScope scope(count);
+    return make_chain_ldlt(problem, nlp::equations_only(problem));
+  };
+  const std::array chains = {make(1), make(num_threads)};
+  std::array<double, 2> best = {1e300, 1e300};
+  std::array<std::vector<double>, 2> x;
+  constexpr int kTurns = 8;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (const std::size_t i : {0U, 1U}) {
+      const auto start = std::chrono::steady_clock::now();
+      if (!chains[i]->factorise(values)) return;
+      const std::chrono::duration<double> passed =
+          std::chrono::steady_clock::now() - start;
+      best[i] = std::min(best[i], passed.count());
+      x[i].assign(point.x.size() + point.lambda.size(), 1.0);
+      chains[i]->solve(x[i]);
+    }
+  }
+  fmt::print("one thread {:.3f} s, {} threads {:.3f} s: {:.2f} times; {}\n",
+             best[0], num_threads, best[1], best[0] / best[1],
+             x[0] == x[1] ? "the same digits" : "OTHER DIGITS");
+}
+
 /// A program with inequalities from a cold start, N pieces.
 template <class Problem>
 void inequalities(int num_pieces, bool as_constraints, LinearSolver solver) {
@@ -177,7 +211,7 @@ int main(int argc, char** argv) {
   int elements = 200;
   app.add_option("task", task, "what to time")
       ->check(CLI::IsMember(
-          {"factor", "newton", "ipopt", "obstacle", "bang-bang"}));
+          {"factor", "threads", "newton", "ipopt", "obstacle", "bang-bang"}));
   bool as_constraints = false;
   app.add_flag("--constraints", as_constraints,
                "obstacle, bang-bang: inequalities as constraints, not bounds");
@@ -185,6 +219,8 @@ int main(int argc, char** argv) {
   app.add_flag(
       "--floor", with_floor,
       "factor: what the speed of the memory would allow; takes 0.5 GB");
+  int num_threads = 2;
+  app.add_option("--threads", num_threads, "threads: how many");
   app.add_option("--degree", degree, "p");
   app.add_option("--elements", elements, "N");
   CLI11_PARSE(app, argc, argv);
@@ -206,6 +242,8 @@ int main(int argc, char** argv) {
   const double start = cpu_seconds();
   if (task == "factor") {
     factor(problem, point, with_floor);
+  } else if (task == "threads") {
+    threads(problem, point, num_threads);
   } else if (task == "newton") {
     ContactEquation contact(problem);
     NewtonOptions options;

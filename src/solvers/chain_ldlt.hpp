@@ -25,7 +25,7 @@ namespace brachisto {
 /// Arrays of values, in the order of the EntryPositions.
 using EntryValues = std::span<const std::span<const double>>;
 
-/// Factorisation in two stages, each with pivoting:
+/// Factorisation in three stages, each with pivoting:
 ///
 /// 1. The interiors of the links, independent of each other. Links that look
 ///    alike share sequences of 1×1 and 2×2 pivots, each chosen on one of them,
@@ -33,9 +33,15 @@ using EntryValues = std::span<const std::span<const double>>;
 ///    grow another one is tried: next to a bound other pivots are large than
 ///    far from it. A link in which the multipliers of all of them grow is
 ///    factorised on its own as a dense front.
-/// 2. The Schur complement on the separators, a sweep of dense fronts along the
-///    chain. Pivots that are too small for the rows below them are delayed to
-///    the next separator. The border comes last.
+/// 2. Of long chains, the separators between neighbours: two links joined are a
+///    link again, whose interior is the separator between them, and so on for a
+///    few levels. Links whose joining makes multipliers grow stay two.
+/// 3. The Schur complement on what separators are left, a sweep of dense fronts
+///    along the chain. Pivots that are too small for the rows below them are
+///    delayed to the next separator. The border comes last.
+///
+/// The first two are done section by section, by several threads if there are
+/// to be; the operations are the same for any number of them.
 ///
 /// The inertia is exact as far as rounding allows: the factorisation is that of
 /// a matrix within a few units of rounding of the given one.
@@ -72,15 +78,21 @@ class ChainLdlt {
 
  private:
   static constexpr unsigned kAllFailed = (1U << kLanes) - 1U;
+  /// Links of a section that is joined: 2^kLevels batches, of which one
+  /// remains.
+  static constexpr int kLevels = 6;
+  static constexpr int kSection = kLanes << kLevels;
 
   /// Pivots for a link of a run.
   struct Sequence {
     std::shared_ptr<const ChosenPivots> pivots;
     std::vector<char> nonzero;  ///< of the run's entries, on that link
-    std::vector<int> slots;     ///< of the run's entries
-    std::vector<char> sets;     ///< entries that are the first of their slots
-    std::vector<int> others;    ///< slots that no such entry sets
-    bool used = true;           ///< since the last factorisation began
+    /// Of the run's entries, those that are in every link before the others.
+    std::vector<LaneSource> sources;
+    std::vector<std::size_t> entries;  ///< of the sources
+    std::size_t num_whole = 0;         ///< sources in every link
+    std::vector<int> others;           ///< slots that none of these set
+    bool used = true;                  ///< in the last factorisation
     [[nodiscard]] const SymbolicAnalysis& analysis() const {
       return pivots->analysis;
     }
@@ -92,12 +104,59 @@ class ChainLdlt {
     unsigned failed = kAllFailed;  ///< a bit to a link that is a dense front
     int negative = 0;              ///< pivots of the other ones
   };
+  /// How two links of a level are joined: local unknowns are the separator
+  /// between them, those on both sides, and the border.
+  struct Joining {
+    /// Where the Schur complement of a link goes to, entry by entry.
+    struct Targets {
+      const SymbolicAnalysis* from = nullptr;
+      std::vector<int> as_left, as_right;
+    };
+    std::shared_ptr<const ChosenPivots> pivots;  ///< null: none were found
+    std::vector<Targets> targets;
+    [[nodiscard]] const Targets* from(const SymbolicAnalysis* link) const;
+  };
+  /// Pairs of links that are joined at once.
+  struct Joint {
+    const Joining* how = nullptr;
+    Lanes* slots = nullptr;
+    unsigned failed = kAllFailed;  ///< a bit to a pair that stays two
+    unsigned left_failed = kAllFailed, right_failed = kAllFailed;
+  };
+  /// What is left of some links, joined, or of one.
+  struct Piece {
+    int first = 0, last = 0;
+    const SymbolicAnalysis* analysis = nullptr;  ///< null: dense front
+    std::size_t values = 0;                      ///< in the section's schur
+  };
+  /// Links of a run that are factorised by one thread.
+  struct Section {
+    std::size_t run = 0;
+    int first = 0, num_links = 0;
+    std::vector<Batch> batches;
+    std::vector<Joint> joints;  ///< in the order of their elimination
+    std::vector<Piece> pieces;  ///< along the chain
+    std::vector<double> schur;
+    int negative = 0, dense_links = 0;
+    double largest = 0.0;
+    [[nodiscard]] bool joined() const { return num_links == kSection; }
+  };
   /// How the links of a run are factorised.
   struct Plan {
     std::vector<std::unique_ptr<Sequence>> sequences;  ///< the likeliest first
-    std::vector<Batch> batches;
-    int dense_links = 0;       ///< since the last factorisation began
-    int most_dense_links = 0;  ///< with more, another sequence is wanted
+    std::array<Joining, kLevels> joinings;
+    int dense_links = 0;  ///< of the last factorisation
+  };
+  /// A batch of links, or of links that were joined, as the next level sees it.
+  struct Child {
+    const SymbolicAnalysis* analysis = nullptr;
+    std::vector<Lanes> schur;  ///< in the order of analysis->schur
+    unsigned failed = kAllFailed;
+  };
+  /// What a thread works with.
+  struct Worker {
+    LaneArena arena;
+    std::array<std::array<Child, 2>, kLevels + 1> children;
   };
   using Run = ChainMap::Run;
 
@@ -116,42 +175,59 @@ class ChainLdlt {
   }
   void apply_scale(std::span<double> x) const;
 
-  void factorise_links();
+  // Pivots.
   void link_matrix(const Run& run, int link, std::vector<double>& matrix) const;
   [[nodiscard]] std::vector<char> nonzero_of(const Run& run, int link) const;
   [[nodiscard]] bool choose_sequence(const Run& run, Plan& plan, int link);
   [[nodiscard]] std::shared_ptr<const ChosenPivots> pivots_for(
       const Run& run, const Plan& plan, const LinkPattern& pattern, int link);
   void begin_run(const Run& run, Plan& plan);
-  void factorise_run(const Run& run, Plan& plan);
-  [[nodiscard]] Batch factorise_batch(const Run& run, Plan& plan, int first,
-                                      int count);
-  [[nodiscard]] Batch with_sequence(const Run& run, Sequence& sequence,
-                                    int first, int count);
-  [[nodiscard]] Lanes gather(const Run& run, const ChainMap::Entry& entry,
-                             int first, int count) const;
-  [[nodiscard]] unsigned fill(const Run& run, const Sequence& sequence,
-                              int first, int count, Lanes* slots);
+
+  // The links and what joins them, section by section.
+  void factorise_run(std::size_t r);
+  void factorise_sections(std::span<Section* const> sections);
+  void factorise_section(Section& section, Worker& worker, bool choosing);
+  [[nodiscard]] Batch factorise_batch(Section& section, Worker& worker,
+                                      std::vector<Sequence*>& sequences,
+                                      int first, int count) const;
+  [[nodiscard]] Batch with_sequence(Section& section, Worker& worker,
+                                    Sequence& sequence, int first,
+                                    int count) const;
+  [[nodiscard]] unsigned fill(Section& section, const Sequence& sequence,
+                              int first, int count, Lanes* slots) const;
+  void join(Section& section, Worker& worker, int level, int first,
+            bool choosing);
+  [[nodiscard]] unsigned with_joining(const Joining& how, Worker& worker,
+                                      int level, Lanes* slots,
+                                      FactorisationOutcome& outcome) const;
+  void choose_joining(const Run& run, Worker& worker, int level, Joining& how);
+  void find_targets(const Run& run, Plan& plan);
+  static void keep_piece(Section& section, const Child& child, int lane,
+                         int first, int last);
+
+  // The sweep.
+  void sweep();
   void dense_link(const Run& run, int link);
-  void separator(const Run& run, int link, const SymbolicAnalysis* analysis,
-                 const Lanes* slots, int lane);
+  void separator(const Section& section, const Piece& piece);
   void last_front();
-  template <class Visit>
-  void for_each_batch(Visit&& visit) const;
+
+  // Solutions.
+  void forward(const Section& section, std::span<double> x) const;
+  void backward(const Section& section, std::span<double> x) const;
 
   ChainMap map_;
   std::vector<double> scale_;  ///< of the structure, by unknown
-  std::shared_ptr<PivotStore> store_ = PivotScope::store();
+  std::shared_ptr<PivotStore> store_ = ChainScope::store();
   std::vector<Plan> plans_;
   std::size_t longest_ = 0;  ///< run with the most links
-  std::vector<std::span<const double>> values_;
-  LaneArena arena_;
+  std::vector<Section> sections_;
+  std::vector<Worker> workers_;
+  std::vector<const double*> values_;
   FrontStack fronts_;
   FrontStack::Front front_, carried_, link_front_;
   int rejects_ = 0;         ///< interior unknowns of link_front_ left over
   std::vector<int> place_;  ///< of a link's unknowns in a front; −1: absent
   double largest_ = 0.0, zero_ = 0.0;
-  int negative_ = 0;
   bool overflow_ = false;  ///< too many pivots were delayed
   Inertia inertia_;
   std::vector<double> matrix_;  ///< scratch

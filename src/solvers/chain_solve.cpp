@@ -15,56 +15,167 @@
 
 namespace brachisto {
 
-/// visit(run, analysis, slots, first link, number of links, flags of failure).
-template <class Visit>
-void ChainLdlt::for_each_batch(Visit&& visit) const {
-  for (std::size_t r = 0; r < plans_.size(); ++r) {
-    const Run& run = map_.runs()[r];
-    const Plan& plan = plans_[r];
-    for (int first = 0; first < run.num_links; first += kLanes) {
-      check_stop(first);
-      const Batch& batch = plan.batches[at(first / kLanes)];
-      if (batch.sequence == nullptr) continue;
-      visit(run, batch.sequence->analysis(), batch.slots, first,
-            std::min(kLanes, run.num_links - first), batch.failed);
-    }
-  }
-}
-
 void ChainLdlt::apply_scale(std::span<double> x) const {
   for (std::size_t i = 0; i < scale_.size(); ++i) x[i] *= scale_[i];
 }
 
 void ChainLdlt::solve(std::span<double> x) const {
   apply_scale(x);
-  std::vector<Lanes> local;
-  for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
-                     const Lanes* slots, int first, int count,
-                     unsigned failed) {
-    const ChainMap::Links links{first, first + count};
-    local.assign(run.unknowns.size(), Lanes{});
-    for (int i = 0; i < run.interior; ++i) {
-      for (int b = 0; b < count; ++b) {
-        local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
-      }
-    }
-    forward_substitution(analysis, slots, local.data());
-    for (int i = 0; i < run.size(); ++i) {
-      const auto [begin, end] = run.having(run.unknowns[at(i)], links);
-      for (int link = begin; link < end; ++link) {
-        const int b = link - first;
-        if (((failed >> b) & 1U) != 0) continue;
-        double& value = x[run.unknowns[at(i)].at(link)];
-        value = local[at(i)].lane[b] + (i < run.interior ? 0.0 : value);
-      }
-    }
-  });
-  check_stop();
+  for (const Section& section : sections_) {
+    check_stop();
+    forward(section, x);
+  }
   fronts_.forward(x);
   fronts_.backward(x);
-  for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
-                     const Lanes* slots, int first, int count,
-                     unsigned failed) {
+  for (const Section& section : sections_) {
+    check_stop();
+    backward(section, x);
+  }
+  apply_scale(x);
+}
+
+/// What the links of a section, and what joins them, add to the right-hand
+/// sides outside of them goes up the levels as their Schur complements did.
+void ChainLdlt::forward(const Section& section, std::span<double> x) const {
+  const Run& run = map_.runs()[section.run];
+  const int outside = run.size() - run.interior;
+  const int size = run.left;  // of a separator
+  std::vector<Lanes> local;
+  std::array<std::array<std::vector<Lanes>, 2>, kLevels + 1> added;
+  // To x, of the links from `first` to `last`.
+  const auto add = [&](std::span<const Lanes> from, int lane, int first,
+                       int last) {
+    for (int i = 0; i < outside; ++i) {
+      const ChainMap::Affine& unknown = run.unknowns[at(run.interior + i)];
+      const int link = i < size ? first : last;
+      if (run.has(unknown, link)) x[unknown.at(link)] += from[at(i)].lane[lane];
+    }
+  };
+  const auto join = [&](const Joint& joint, int level, int first) {
+    const auto& below = added[at(level - 1)];
+    const int links = 1 << level;
+    local.assign(at(size + outside), Lanes{});
+    for (int b = 0; b < kLanes; ++b) {
+      const auto& from = below[at(2 * b / kLanes)];
+      const int lane = 2 * b % kLanes;
+      const int begin = first + b * links;
+      const int middle = begin + links / 2;
+      if (((joint.failed >> at(b)) & 1U) != 0) {
+        if (((joint.left_failed >> at(b)) & 1U) == 0) {
+          add(from, lane, begin, middle - 1);
+        }
+        if (((joint.right_failed >> at(b)) & 1U) == 0) {
+          add(from, lane + 1, middle, begin + links - 1);
+        }
+        continue;
+      }
+      for (int i = 0; i < size; ++i) {
+        const std::size_t place = run.unknowns[at(run.interior + i)].at(middle);
+        local[at(i)].lane[b] = x[place] + from[at(size + i)].lane[lane] +
+                               from[at(i)].lane[lane + 1];
+        local[at(size + i)].lane[b] = from[at(i)].lane[lane];
+        local[at(2 * size + i)].lane[b] = from[at(size + i)].lane[lane + 1];
+      }
+      for (int i = 2 * size; i < outside; ++i) {
+        local[at(size + i)].lane[b] =
+            from[at(i)].lane[lane] + from[at(i)].lane[lane + 1];
+      }
+    }
+    if (joint.slots != nullptr) {
+      forward_substitution(joint.how->pivots->analysis, joint.slots,
+                           local.data());
+    }
+    for (int b = 0; b < kLanes; ++b) {
+      if (((joint.failed >> at(b)) & 1U) != 0) continue;
+      const int middle = first + b * links + links / 2;
+      for (int i = 0; i < size; ++i) {
+        x[run.unknowns[at(run.interior + i)].at(middle)] = local[at(i)].lane[b];
+      }
+      if (level < kLevels) continue;
+      add(std::span(local).subspan(at(size)), b, first + b * links,
+          first + (b + 1) * links - 1);
+    }
+    const int batch = (first - section.first) / (kLanes << level);
+    added[at(level)][at(batch % 2)].assign(local.begin() + size, local.end());
+  };
+  auto joint = section.joints.begin();
+  for (std::size_t k = 0; k < section.batches.size(); ++k) {
+    const Batch& batch = section.batches[k];
+    const int first = section.first + kLanes * static_cast<int>(k);
+    const int count =
+        std::min(kLanes, section.first + section.num_links - first);
+    local.assign(run.unknowns.size(), Lanes{});
+    if (batch.sequence != nullptr) {
+      for (int i = 0; i < run.interior; ++i) {
+        for (int b = 0; b < count; ++b) {
+          local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
+        }
+      }
+      forward_substitution(batch.sequence->analysis(), batch.slots,
+                           local.data());
+    }
+    auto& to = added[0][k % 2];
+    to.assign(local.begin() + run.interior, local.end());
+    for (int b = 0; b < count; ++b) {
+      if (((batch.failed >> at(b)) & 1U) != 0) continue;
+      for (int i = 0; i < run.interior; ++i) {
+        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
+      }
+      if (!section.joined()) add(to, b, first + b, first + b);
+    }
+    if (!section.joined()) continue;
+    const int read = static_cast<int>(k) + 1;
+    for (int level = 1; level <= kLevels && read % (1 << level) == 0; ++level) {
+      join(*joint++, level, first + kLanes - (kLanes << level));
+    }
+  }
+}
+
+void ChainLdlt::backward(const Section& section, std::span<double> x) const {
+  const Run& run = map_.runs()[section.run];
+  const int outside = run.size() - run.interior;
+  const int size = run.left;
+  std::vector<Lanes> local;
+  const auto value = [&](int outer, int first, int last) {
+    const ChainMap::Affine& unknown = run.unknowns[at(run.interior + outer)];
+    const int link = outer < size ? first : last;
+    return run.has(unknown, link) ? x[unknown.at(link)] : 0.0;
+  };
+  // In the order opposite to that of their elimination.
+  auto joint = section.joints.end();
+  const auto part = [&](const Joint& one, int level, int first) {
+    const int links = 1 << level;
+    if (one.slots == nullptr) return;
+    local.resize(at(size + outside));
+    for (int b = 0; b < kLanes; ++b) {
+      const int begin = first + b * links;
+      for (int i = 0; i < size; ++i) {
+        local[at(i)].lane[b] = value(i, begin + links / 2, 0);
+      }
+      for (int i = 0; i < outside; ++i) {
+        local[at(size + i)].lane[b] = value(i, begin, begin + links - 1);
+      }
+    }
+    backward_substitution(one.how->pivots->analysis, one.slots, local.data());
+    for (int b = 0; b < kLanes; ++b) {
+      if (((one.failed >> at(b)) & 1U) != 0) continue;
+      const int middle = first + b * links + links / 2;
+      for (int i = 0; i < size; ++i) {
+        x[run.unknowns[at(run.interior + i)].at(middle)] = local[at(i)].lane[b];
+      }
+    }
+  };
+  for (std::size_t k = section.batches.size(); k-- > 0;) {
+    const int first = section.first + kLanes * static_cast<int>(k);
+    const int read = static_cast<int>(k) + 1;
+    for (int level = kLevels; section.joined() && level > 0; --level) {
+      if (read % (1 << level) != 0) continue;
+      part(*--joint, level, first + kLanes - (kLanes << level));
+    }
+    const Batch& batch = section.batches[k];
+    if (batch.sequence == nullptr) continue;
+    const int count =
+        std::min(kLanes, section.first + section.num_links - first);
     const ChainMap::Links links{first, first + count};
     local.assign(run.unknowns.size(), Lanes{});
     for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
@@ -73,15 +184,15 @@ void ChainLdlt::solve(std::span<double> x) const {
         local[i].lane[link - first] = x[run.unknowns[i].at(link)];
       }
     }
-    backward_substitution(analysis, slots, local.data());
+    backward_substitution(batch.sequence->analysis(), batch.slots,
+                          local.data());
     for (int i = 0; i < run.interior; ++i) {
       for (int b = 0; b < count; ++b) {
-        if (((failed >> b) & 1U) != 0) continue;
+        if (((batch.failed >> at(b)) & 1U) != 0) continue;
         x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
       }
     }
-  });
-  apply_scale(x);
+  }
 }
 
 void ChainLdlt::subtract_product(std::span<const double> x,
@@ -98,8 +209,9 @@ void ChainLdlt::subtract_product(std::span<const double> x,
         local[i] = has ? x[run.unknowns[i].at(link)] : 0.0;
         sum[i] = 0.0L;
       }
+      const bool at_end = link == 0 || link == run.num_links - 1;
       for (const ChainMap::Entry& entry : run.entries) {
-        if (!run.has(entry.source, link)) continue;
+        if (at_end && !run.has(entry.source, link)) continue;
         const long double value =
             values_[at(entry.array)][entry.source.at(link)];
         sum[at(entry.row)] += value * local[at(entry.col)];

@@ -23,12 +23,7 @@ class LaneArena {
       ++block_;
       used_ = 0;
     }
-    if (block_ == blocks_.size()) {
-      constexpr std::size_t kBlock = std::size_t{1} << 14U;
-      const std::size_t wanted = std::max(size, kBlock);
-      blocks_.push_back(
-          {std::make_unique_for_overwrite<Lanes[]>(wanted), wanted});
-    }
+    if (block_ == blocks_.size()) blocks_.push_back(block(size));
     return blocks_[block_].lanes.get() + used_;
   }
   /// Takes the first `size` lanes of the room handed out last.
@@ -40,6 +35,14 @@ class LaneArena {
     std::unique_ptr<Lanes[]> lanes;
     std::size_t size;
   };
+  /// Small at first, for many matrices are.
+  [[nodiscard]] Block block(std::size_t size) const {
+    constexpr std::size_t kSmall = std::size_t{1} << 10U;
+    constexpr std::size_t kLarge = std::size_t{1} << 14U;
+    size = std::max(size, blocks_.size() < 4 ? kSmall : kLarge);
+    return {std::make_unique_for_overwrite<Lanes[]>(size), size};
+  }
+
   std::vector<Block> blocks_;
   std::size_t block_ = 0, used_ = 0;
 };

@@ -23,8 +23,48 @@ using Kind = SymbolicAnalysis::Kind;
 
 typedef double Pack __attribute__((vector_size(sizeof(Lanes)), may_alias));
 static_assert(sizeof(Pack) == sizeof(Lanes));
+typedef double Half __attribute__((vector_size(sizeof(Lanes) / 2), may_alias));
+static_assert(kLanes == 8);
 
 }  // namespace
+
+BRACHISTO_CLONES
+unsigned gather(std::span<const LaneSource> sources,
+                const double* const* arrays, const LaneLinks& links,
+                Lanes* slots, Lanes& largest) {
+  // In halves, for which every instruction set with wide registers has maxima.
+  constexpr int kHalves = 2;
+  auto* const all = reinterpret_cast<Half*>(slots);
+  auto* const found = reinterpret_cast<Half*>(&largest);
+  Half most[kHalves] = {found[0], found[1]};
+  Half misfits[kHalves] = {};
+  Half zero[kHalves] = {};  // as long as all numbers are finite
+  for (const LaneSource& source : sources) {
+    const double* const v = arrays[source.array] + source.first;
+    const std::ptrdiff_t s = source.stride;
+    for (int h = 0; h < kHalves; ++h) {
+      const std::ptrdiff_t* const i = links.data() + h * kLanes / kHalves;
+      const Half value = {v[s * i[0]], v[s * i[1]], v[s * i[2]], v[s * i[3]]};
+      const Half size = value < 0.0 ? -value : value;
+      most[h] = most[h] < size ? size : most[h];
+      zero[h] += value - value;
+      Half& to = all[kHalves * source.slot + h];
+      if (source.slot == 0) {
+        misfits[h] = misfits[h] < size ? size : misfits[h];
+      } else {
+        to = source.adds ? to + value : value;
+      }
+    }
+  }
+  unsigned bits = 0;
+  for (int h = 0; h < kHalves; ++h) {
+    found[h] = most[h] + zero[h];
+    for (int b = 0; b < kLanes / kHalves; ++b) {
+      if (misfits[h][b] != 0.0) bits |= 1U << (kLanes / kHalves * h + b);
+    }
+  }
+  return bits;
+}
 
 BRACHISTO_CLONES
 void numeric_factorisation(const SymbolicAnalysis& analysis, Lanes* slots,

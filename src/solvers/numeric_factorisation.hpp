@@ -6,6 +6,10 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "solvers/symbolic_analysis.hpp"
 
 namespace brachisto {
@@ -24,6 +28,26 @@ struct FactorisationOutcome {
   /// measures how much the factorisation may have magnified rounding.
   Lanes growth;
 };
+
+/// The numbers that a slot takes from one array, one to a lane: those of link i
+/// are at first + stride i.
+struct LaneSource {
+  int array = 0;
+  int slot = 0;       ///< 0: none, for they are zero
+  bool adds = false;  ///< to what is there
+  std::ptrdiff_t first = 0, stride = 0;
+};
+/// The link of each lane.
+using LaneLinks = std::array<std::ptrdiff_t, kLanes>;
+
+/// Fills slots from arrays.
+///
+/// \param largest  [in,out] largest absolute value; not a number stays
+/// \return a bit to each lane with a number that is not zero for slot 0
+[[nodiscard]] unsigned gather(std::span<const LaneSource> sources,
+                              const double* const* arrays,
+                              const LaneLinks& links, Lanes* slots,
+                              Lanes& largest);
 
 /// Factorises: on entry the slots hold the matrix, zero elsewhere; on exit the
 /// factor and the Schur complement.

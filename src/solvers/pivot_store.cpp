@@ -10,7 +10,7 @@ namespace brachisto {
 
 namespace {
 
-thread_local std::shared_ptr<PivotStore> store_in_force;
+thread_local const ChainScope* scope_in_force = nullptr;
 
 // Of a program with inequalities each combination of bounds may have a pattern.
 constexpr std::size_t kMostKept = 64;
@@ -31,15 +31,20 @@ std::shared_ptr<const ChosenPivots> PivotStore::add(ChosenPivots chosen) {
       std::make_shared<const ChosenPivots>(std::move(chosen)));
 }
 
-PivotScope::PivotScope()
-    : before_(std::exchange(store_in_force, std::make_shared<PivotStore>())) {}
+ChainScope::ChainScope(int threads)
+    : before_(std::exchange(scope_in_force, this)), threads_(threads) {}
 
-PivotScope::~PivotScope() {
-  store_in_force = std::move(before_);
+ChainScope::~ChainScope() {
+  scope_in_force = before_;
 }
 
-std::shared_ptr<PivotStore> PivotScope::store() {
-  return store_in_force ? store_in_force : std::make_shared<PivotStore>();
+std::shared_ptr<PivotStore> ChainScope::store() {
+  return scope_in_force != nullptr ? scope_in_force->store_
+                                   : std::make_shared<PivotStore>();
+}
+
+int ChainScope::threads() {
+  return scope_in_force != nullptr ? scope_in_force->threads_ : 1;
 }
 
 }  // namespace brachisto

@@ -33,22 +33,26 @@ class PivotStore {
   std::vector<std::shared_ptr<const ChosenPivots>> chosen_;
 };
 
-/// All factorisations of this thread share one store for as long as this lives,
-/// apart from what was before. What a solve finds thus depends on nothing that
-/// was solved before it: whatever is to give the same digits in any order has a
-/// scope of its own.
-class PivotScope {
+/// All chain factorisations of this thread share one store for as long as this
+/// lives, apart from what was before, and work with so many threads. What a
+/// solve finds thus depends on nothing that was solved before it: whatever is
+/// to give the same digits in any order has a scope of its own.
+class ChainScope {
  public:
-  PivotScope();
-  ~PivotScope();
-  PivotScope(const PivotScope&) = delete;
-  PivotScope& operator=(const PivotScope&) = delete;
+  explicit ChainScope(int threads = 1);
+  ~ChainScope();
+  ChainScope(const ChainScope&) = delete;
+  ChainScope& operator=(const ChainScope&) = delete;
 
   /// That of the innermost scope; without one, a new store.
   [[nodiscard]] static std::shared_ptr<PivotStore> store();
+  /// Without a scope one.
+  [[nodiscard]] static int threads();
 
  private:
-  std::shared_ptr<PivotStore> before_;
+  const ChainScope* before_;
+  std::shared_ptr<PivotStore> store_ = std::make_shared<PivotStore>();
+  int threads_;
 };
 
 }  // namespace brachisto

@@ -122,15 +122,20 @@ class Structure {
   /// \pre p and q are neighbours
   [[nodiscard]] Candidate pair(int p, int q) const {
     if (!has_diagonal(p)) std::swap(p, q);
-    const Set P = others(p, p, q);
-    const Set Q = others(q, p, q);
-    const auto in_q = static_cast<double>(Q.count());
+    // Their neighbours but for p and q.
+    const auto in = [&](int i) {
+      return static_cast<double>(adjacent[at(i)].count() - 1 -
+                                 (has_diagonal(i) ? 1 : 0));
+    };
     if (!has_diagonal(p)) {
-      const auto in_p = static_cast<double>(P.count());
+      const double in_p = in(p);
+      const double in_q = in(q);
       return {Kind::Saddle, p, q, 0.5 * (in_p * in_q + in_p + in_q)};
     }
-    const auto both = static_cast<double>((P | Q).count());
+    const auto both =
+        static_cast<double>((adjacent[at(p)] | adjacent[at(q)]).count() - 2);
     if (!has_diagonal(q)) {
+      const double in_q = in(q);
       return {Kind::Saddle, p, q, 0.5 * (both * in_q + both + in_q)};
     }
     return {Kind::Pair, p, q, 0.5 * (both * both + 2.0 * both)};

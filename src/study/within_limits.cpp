@@ -30,7 +30,7 @@ void end_by_memory(Solution& out) {
 void work_until(const StopCondition& stop, Solution& out,
                 const std::function<void(Solution&)>& work) {
   const StopScope scope(stop);
-  const PivotScope pivots;
+  const ChainScope pivots;
   bool stopped = false;
   try {
     work(out);

@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// The links of the chain and their joining, section by section.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
+#include "solvers/chain_ldlt.hpp"
+#include "solvers/larger.hpp"
+
+namespace brachisto {
+
+namespace {
+
+// To choose pivots takes as long as some dense fronts.
+constexpr int kManyDenseLinks = 4;
+// The factorisation of a link is taken if the Frobenius norm of its multipliers
+// is at most this: rounding errors are then magnified by less than its square,
+// and one step of refinement makes up for them.
+constexpr double kLargestGrowth = 1e3;
+
+bool bit(unsigned bits, int i) {
+  return ((bits >> at(i)) & 1U) != 0;
+}
+
+/// A bit to each lane whose multipliers are too large, or not finite.
+unsigned grown(const FactorisationOutcome& outcome) {
+  unsigned bits = 0;
+  for (int b = 0; b < kLanes; ++b) {
+    const bool kept = outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth;
+    if (!kept) bits |= 1U << at(b);
+  }
+  return bits;
+}
+
+/// The pivots in lanes that did not fail.
+int negative_in(const FactorisationOutcome& outcome, unsigned failed,
+                int count) {
+  int sum = 0;
+  for (int b = 0; b < count; ++b) {
+    if (!bit(failed, b)) sum += static_cast<int>(outcome.negative.lane[b]);
+  }
+  return sum;
+}
+
+/// Numbers of what is outside of a link, left, right and border, in two links
+/// that are joined at a separator of `size` unknowns: there, left, right,
+/// border.
+int as_left(int outside, int size) {
+  if (outside < size) return outside + size;
+  return outside < 2 * size ? outside - size : outside + size;
+}
+int as_right(int outside, int size) {
+  return outside < size ? outside : outside + size;
+}
+
+}  // namespace
+
+const ChainLdlt::Joining::Targets* ChainLdlt::Joining::from(
+    const SymbolicAnalysis* link) const {
+  const auto found = std::ranges::find(targets, link, &Targets::from);
+  return found == targets.end() ? nullptr : &*found;
+}
+
+void ChainLdlt::factorise_run(std::size_t r) {
+  const Run& run = map_.runs()[r];
+  Plan& plan = plans_[r];
+  std::vector<Section*> all;
+  for (Section& section : sections_) {
+    if (section.run == r) all.push_back(&section);
+  }
+  std::vector<Section*> left = all;
+  find_targets(run, plan);
+  const auto is_joined = [](const Section* s) { return s->joined(); };
+  const std::ptrdiff_t joined = std::ranges::count_if(all, is_joined);
+  if (joined > 0) {
+    // On the one in the middle pivots are chosen for all.
+    factorise_section(*all[static_cast<std::size_t>(joined / 2)], workers_[0],
+                      true);
+    left.erase(left.begin() + joined / 2);
+  }
+  factorise_sections(left);
+  // Until most links have their pivots; hard ones must not take all the time.
+  for (int many = kManyDenseLinks;; many *= 2) {
+    left.clear();
+    int dense = 0;
+    for (Section* section : all) {
+      largest_ = larger(largest_, section->largest);
+      dense += section->dense_links;
+      if (section->dense_links > 0) left.push_back(section);
+    }
+    if (dense < many || !std::isfinite(largest_)) break;
+    const auto& hard =
+        *std::ranges::find(left.front()->pieces, nullptr, &Piece::analysis);
+    if (!choose_sequence(run, plan, hard.first)) break;
+    find_targets(run, plan);
+    factorise_sections(left);
+  }
+  for (const Section* section : all) {
+    for (const Batch& batch : section->batches) {
+      if (batch.sequence != nullptr) batch.sequence->used = true;
+    }
+  }
+}
+
+/// Shares sections out to the threads, each its part of the chain.
+void ChainLdlt::factorise_sections(std::span<Section* const> sections) {
+  const std::size_t threads = std::min(workers_.size(), sections.size());
+  const auto part = [&](std::size_t t) {
+    return sections.size() * t / threads;
+  };
+  std::vector<std::exception_ptr> thrown(threads);
+  std::vector<std::jthread> others;
+  for (std::size_t t = 1; t < threads; ++t) {
+    others.emplace_back([&, t](const std::stop_token& stop) {
+      try {
+        for (std::size_t s = part(t); s < part(t + 1); ++s) {
+          if (stop.stop_requested()) return;
+          factorise_section(*sections[s], workers_[t], false);
+        }
+      } catch (...) {
+        thrown[t] = std::current_exception();
+      }
+    });
+  }
+  for (std::size_t s = 0; threads > 0 && s < part(1); ++s) {
+    check_stop();
+    factorise_section(*sections[s], workers_[0], false);
+  }
+  for (std::jthread& other : others) other.join();
+  for (const std::exception_ptr& one : thrown) {
+    if (one) std::rethrow_exception(one);
+  }
+}
+
+void ChainLdlt::factorise_section(Section& section, Worker& worker,
+                                  bool choosing) {
+  section.joints.clear();
+  section.pieces.clear();
+  section.schur.clear();
+  section.negative = section.dense_links = 0;
+  section.largest = 0.0;
+  std::vector<Sequence*> sequences;
+  for (const auto& sequence : plans_[section.run].sequences) {
+    sequences.push_back(sequence.get());
+  }
+  const int end = section.first + section.num_links;
+  int k = 0;
+  for (int first = section.first; first < end; first += kLanes, ++k) {
+    const int count = std::min(kLanes, end - first);
+    Batch& batch = section.batches[at(k)];
+    batch = factorise_batch(section, worker, sequences, first, count);
+    section.negative += batch.negative;
+    Child& child = worker.children[0][at(k % 2)];
+    child.failed = batch.failed;
+    child.analysis = nullptr;
+    if (batch.sequence != nullptr) {
+      child.analysis = &batch.sequence->analysis();
+      child.schur.clear();
+      for (const auto& entry : child.analysis->schur) {
+        child.schur.push_back(batch.slots[entry.slot]);
+      }
+    }
+    for (int b = 0; b < count; ++b) {
+      if (bit(batch.failed, b)) {
+        section.pieces.push_back({first + b, first + b});
+        ++section.dense_links;
+      } else if (!section.joined()) {
+        keep_piece(section, child, b, first + b, first + b);
+      }
+    }
+    if (!section.joined()) continue;
+    for (int level = 1; (k + 1) % (1 << level) == 0; ++level) {
+      join(section, worker, level, first + kLanes - (kLanes << level),
+           choosing);
+      if (level == kLevels) break;
+    }
+  }
+  std::ranges::sort(section.pieces, {}, &Piece::first);
+}
+
+/// Factorises the interiors of some links by the sequence that does it for most
+/// of them, which is tried first from then on.
+ChainLdlt::Batch ChainLdlt::factorise_batch(Section& section, Worker& worker,
+                                            std::vector<Sequence*>& sequences,
+                                            int first, int count) const {
+  Batch best;
+  const Sequence* last = nullptr;
+  const auto done_by = [&](Sequence* sequence) {
+    const Batch batch = with_sequence(section, worker, *sequence, first, count);
+    last = sequence;
+    if (std::popcount(batch.failed) < std::popcount(best.failed)) best = batch;
+    return best.failed == 0;
+  };
+  const auto found = std::ranges::find_if(sequences, done_by);
+  if (found != sequences.end()) {
+    std::rotate(sequences.begin(), found, found + 1);
+  }
+  if (best.sequence == nullptr) return best;
+  if (best.sequence != last) {
+    best = with_sequence(section, worker, *best.sequence, first, count);
+  }
+  worker.arena.keep(at(best.sequence->analysis().num_factor_slots));
+  return best;
+}
+
+/// Factorises the interiors of some links where the arena ends.
+ChainLdlt::Batch ChainLdlt::with_sequence(Section& section, Worker& worker,
+                                          Sequence& sequence, int first,
+                                          int count) const {
+  const SymbolicAnalysis& analysis = sequence.analysis();
+  Batch batch{.sequence = &sequence,
+              .slots = worker.arena.top(at(analysis.num_slots))};
+  batch.failed = fill(section, sequence, first, count, batch.slots);
+  FactorisationOutcome outcome;
+  numeric_factorisation(analysis, batch.slots, outcome);
+  batch.failed |= grown(outcome);
+  batch.failed &= (1U << at(count)) - 1U;
+  batch.negative = negative_in(outcome, batch.failed, count);
+  return batch;
+}
+
+/// Gathers the matrices of `count` links, idle lanes repeating the last one. A
+/// bit to each link with an entry that was assumed to be zero.
+unsigned ChainLdlt::fill(Section& section, const Sequence& sequence, int first,
+                         int count, Lanes* slots) const {
+  const Run& run = map_.runs()[section.run];
+  for (const int slot : sequence.others) slots[slot] = {};
+  Lanes largest;
+  std::fill_n(largest.lane, kLanes, section.largest);
+  LaneLinks links;
+  for (int b = 0; b < kLanes; ++b) {
+    links[at(b)] = first + std::min(b, count - 1);
+  }
+  // The rest one by one: of those at the ends some have no place, and a scale
+  // has to be asked for.
+  const bool at_end = first == 0 || first + count == run.num_links;
+  const std::span<const LaneSource> sources = sequence.sources;
+  std::size_t k = !scale_.empty() ? 0
+                  : at_end        ? sequence.num_whole
+                                  : sources.size();
+  unsigned misfits =
+      gather(sources.first(k), values_.data(), links, slots, largest);
+  for (; k < sources.size(); ++k) {
+    const ChainMap::Entry& entry = run.entries[sequence.entries[k]];
+    Lanes one;
+    for (int b = 0; b < kLanes; ++b) {
+      const int link = static_cast<int>(links[at(b)]);
+      const bool has = run.has(entry.source, link);
+      one.lane[b] = has ? scaled(run, entry, link) : 0.0;
+    }
+    const double* const array = one.lane;
+    const LaneSource source{0, sources[k].slot, sources[k].adds, 0, 1};
+    misfits |=
+        gather({&source, 1}, &array, {0, 1, 2, 3, 4, 5, 6, 7}, slots, largest);
+  }
+  for (const double lane : largest.lane) {
+    section.largest = larger(section.largest, lane);
+  }
+  return misfits;
+}
+
+/// Joins the links of two batches of the level below.
+///
+/// \param first  the first link of all
+void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
+                     bool choosing) {
+  const Run& run = map_.runs()[section.run];
+  Joining& how = plans_[section.run].joinings[at(level - 1)];
+  auto& below = worker.children[at(level - 1)];
+  Joint joint{.how = &how};
+  joint.left_failed = joint.right_failed = 0;
+  for (int b = 0; b < kLanes; ++b) {
+    const unsigned failed = below[at(2 * b / kLanes)].failed;
+    const int left = 2 * b % kLanes;
+    if (bit(failed, left)) joint.left_failed |= 1U << at(b);
+    if (bit(failed, left + 1)) joint.right_failed |= 1U << at(b);
+  }
+  const unsigned before = joint.left_failed | joint.right_failed;
+  FactorisationOutcome outcome;
+  const auto factorise = [&] {
+    if (!how.pivots) return;
+    joint.slots = worker.arena.top(at(how.pivots->analysis.num_slots));
+    joint.failed =
+        before | with_joining(how, worker, level, joint.slots, outcome);
+  };
+  factorise();
+  if (choosing && (joint.failed & ~before) != 0) {
+    choose_joining(run, worker, level, how);
+    find_targets(run, plans_[section.run]);
+    factorise();
+  }
+  const int links = 1 << level;  // of a pair
+  for (int b = 0; b < kLanes; ++b) {
+    if (!bit(joint.failed, b)) continue;
+    const Child& child = below[at(2 * b / kLanes)];
+    const int lane = 2 * b % kLanes;
+    const int begin = first + b * links;
+    if (!bit(joint.left_failed, b)) {
+      keep_piece(section, child, lane, begin, begin + links / 2 - 1);
+    }
+    if (!bit(joint.right_failed, b)) {
+      keep_piece(section, child, lane + 1, begin + links / 2,
+                 begin + links - 1);
+    }
+  }
+  const int batch = (first - section.first) / (kLanes << level);
+  Child& joined = worker.children[at(level)][at(batch % 2)];
+  joined.failed = joint.failed;
+  joined.analysis = nullptr;
+  if (how.pivots) {
+    joined.analysis = &how.pivots->analysis;
+    joined.schur.clear();
+    for (const auto& entry : joined.analysis->schur) {
+      joined.schur.push_back(joint.slots[entry.slot]);
+    }
+    section.negative += negative_in(outcome, joint.failed, kLanes);
+    worker.arena.keep(at(joined.analysis->num_factor_slots));
+  }
+  section.joints.push_back(joint);
+  if (level < kLevels) return;
+  for (int b = 0; b < kLanes; ++b) {
+    if (bit(joint.failed, b)) continue;
+    const int begin = first + b * links;
+    keep_piece(section, joined, b, begin, begin + links - 1);
+  }
+}
+
+/// Assembles and factorises pairs of links. A bit to each that fails.
+unsigned ChainLdlt::with_joining(const Joining& how, Worker& worker, int level,
+                                 Lanes* slots,
+                                 FactorisationOutcome& outcome) const {
+  const SymbolicAnalysis& analysis = how.pivots->analysis;
+  std::fill_n(slots, analysis.num_slots, Lanes{});
+  constexpr int kHalf = kLanes / 2;
+  unsigned failed = 0;
+  for (int half = 0; half < 2; ++half) {
+    const Child& child = worker.children[at(level - 1)][at(half)];
+    const Joining::Targets* targets = how.from(child.analysis);
+    if (child.analysis == nullptr || targets == nullptr) {
+      failed |= ((1U << kHalf) - 1U) << at(kHalf * half);
+      continue;
+    }
+    const auto put = [&](int target, const Lanes& value, int parity) {
+      double* const lane = slots[target].lane + kHalf * half;
+      for (int b = 0; b < kHalf; ++b) lane[b] += value.lane[2 * b + parity];
+      if (target != 0) return;
+      // Assumed to be zero.
+      for (int b = 0; b < kHalf; ++b) {
+        if (lane[b] != 0.0) failed |= 1U << at(kHalf * half + b);
+        lane[b] = 0.0;
+      }
+    };
+    for (std::size_t k = 0; k < child.schur.size(); ++k) {
+      put(targets->as_left[k], child.schur[k], 0);
+      put(targets->as_right[k], child.schur[k], 1);
+    }
+  }
+  numeric_factorisation(analysis, slots, outcome);
+  return failed | grown(outcome);
+}
+
+/// Chooses pivots on the first pair whose links did not fail.
+void ChainLdlt::choose_joining(const Run& run, Worker& worker, int level,
+                               Joining& how) {
+  const auto& below = worker.children[at(level - 1)];
+  const int size = run.left;
+  LinkPattern pattern(run.size() - run.interior + size, size);
+  const Child* sample = nullptr;
+  int lane = 0;
+  for (const Child& child : below) {
+    if (child.analysis == nullptr) continue;
+    for (const auto& entry : child.analysis->schur) {
+      const int row = entry.row - child.analysis->interior;
+      const int col = entry.col - child.analysis->interior;
+      pattern.set(as_left(row, size), as_left(col, size));
+      pattern.set(as_right(row, size), as_right(col, size));
+    }
+    for (int b = kLanes - 2; b >= 0; b -= 2) {
+      if (bit(child.failed, b) || bit(child.failed, b + 1)) continue;
+      sample = &child;
+      lane = b;
+    }
+  }
+  const auto known = store_->find(pattern);
+  if (known && known != how.pivots) {
+    how.pivots = known;
+    return;
+  }
+  how.pivots = nullptr;
+  if (sample == nullptr) return;
+  const std::size_t n = at(pattern.size);
+  matrix_.assign(n * n, 0.0);
+  const auto add = [&](int i, int j, double value) {
+    matrix_[at(i) + n * at(j)] += value;
+    if (i != j) matrix_[at(j) + n * at(i)] += value;
+  };
+  for (std::size_t k = 0; k < sample->schur.size(); ++k) {
+    const auto& entry = sample->analysis->schur[k];
+    const int row = entry.row - sample->analysis->interior;
+    const int col = entry.col - sample->analysis->interior;
+    add(as_left(row, size), as_left(col, size), sample->schur[k].lane[lane]);
+    add(as_right(row, size), as_right(col, size),
+        sample->schur[k].lane[lane + 1]);
+  }
+  auto analysis = SymbolicAnalysis::make(pattern, matrix_);
+  if (analysis) how.pivots = store_->add({pattern, std::move(*analysis)});
+}
+
+void ChainLdlt::find_targets(const Run& run, Plan& plan) {
+  if (run.num_links < kSection) return;
+  std::vector<const SymbolicAnalysis*> below;
+  for (const auto& sequence : plan.sequences) {
+    below.push_back(&sequence->analysis());
+  }
+  for (Joining& how : plan.joinings) {
+    how.targets.clear();
+    if (!how.pivots) {
+      below.clear();
+      continue;
+    }
+    const SymbolicAnalysis& to = how.pivots->analysis;
+    const int size = run.left;
+    for (const SymbolicAnalysis* from : below) {
+      Joining::Targets& targets = how.targets.emplace_back();
+      targets.from = from;
+      for (const auto& entry : from->schur) {
+        const int row = entry.row - from->interior;
+        const int col = entry.col - from->interior;
+        targets.as_left.push_back(
+            to.slot(as_left(row, size), as_left(col, size)));
+        targets.as_right.push_back(
+            to.slot(as_right(row, size), as_right(col, size)));
+      }
+    }
+    below.assign(1, &to);
+  }
+}
+
+void ChainLdlt::keep_piece(Section& section, const Child& child, int lane,
+                           int first, int last) {
+  section.pieces.push_back({first, last, child.analysis, section.schur.size()});
+  for (const Lanes& value : child.schur) {
+    section.schur.push_back(value.lane[lane]);
+  }
+}
+
+}  // namespace brachisto

@@ -114,6 +114,7 @@ SolveOptions options_of(const ComparedMethod& method, const Fineness& fineness,
   const auto stated = base.or_default<Collocation>();
   auto& program = options.use<Collocation>();
   program.linear_solver = stated.linear_solver;
+  program.threads = stated.threads;
   program.tolerance = stated.tolerance;
   program.polish = stated.polish;
   if (has_meshes(method)) program.discretisation.elements = fineness.mesh;

@@ -497,6 +497,10 @@ Keys solver_keys() {
        "what factorises the KKT matrix. chain: along the chain of elements; "
        "mumps: a general sparse solver; auto: chain where it is possible, "
        "mumps otherwise"},
+      {"solver.threads", number(kProgram, &Collocation::threads),
+       "that factorise a chain of thousands of elements; the digits are the "
+       "same for any number",
+       within(1, kMostThreads)},
       {"solver.tolerance", number(kProgram, &Collocation::tolerance),
        "largest scaled KKT residual of a solution",
        within(kSmallestResidual, kLargestResidual)},

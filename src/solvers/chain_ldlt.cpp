@@ -118,8 +118,9 @@ bool ChainLdlt::choose_sequence(const Run& run, Plan& plan, int link) {
       const auto& source = entry.source;
       if (whole == (source.not_in_first || source.not_in_last)) continue;
       const int slot = chosen->analysis().slot(entry.row, entry.col);
-      chosen->sources.push_back(
-          {entry.array, slot, set[at(slot)] != 0, source.first, source.stride});
+      chosen->sources.push_back({entry.array, slot, set[at(slot)] != 0,
+                                 entry.row, entry.col, source.first,
+                                 source.stride});
       chosen->entries.push_back(k);
       set[at(slot)] = slot == 0 ? 0 : 1;
     }

@@ -157,6 +157,7 @@ class ChainLdlt {
   struct Worker {
     LaneArena arena;
     std::array<std::array<Child, 2>, kLevels + 1> children;
+    std::vector<Lanes> scale;  ///< of the local unknowns of a batch
   };
   using Run = ChainMap::Run;
 
@@ -193,8 +194,9 @@ class ChainLdlt {
   [[nodiscard]] Batch with_sequence(Section& section, Worker& worker,
                                     Sequence& sequence, int first,
                                     int count) const;
-  [[nodiscard]] unsigned fill(Section& section, const Sequence& sequence,
-                              int first, int count, Lanes* slots) const;
+  [[nodiscard]] unsigned fill(Section& section, Worker& worker,
+                              const Sequence& sequence, int first, int count,
+                              Lanes* slots) const;
   void join(Section& section, Worker& worker, int level, int first,
             bool choosing);
   [[nodiscard]] unsigned with_joining(const Joining& how, Worker& worker,

@@ -219,7 +219,7 @@ ChainLdlt::Batch ChainLdlt::with_sequence(Section& section, Worker& worker,
   const SymbolicAnalysis& analysis = sequence.analysis();
   Batch batch{.sequence = &sequence,
               .slots = worker.arena.top(at(analysis.num_slots))};
-  batch.failed = fill(section, sequence, first, count, batch.slots);
+  batch.failed = fill(section, worker, sequence, first, count, batch.slots);
   FactorisationOutcome outcome;
   numeric_factorisation(analysis, batch.slots, outcome);
   batch.failed |= grown(outcome);
@@ -230,8 +230,9 @@ ChainLdlt::Batch ChainLdlt::with_sequence(Section& section, Worker& worker,
 
 /// Gathers the matrices of `count` links, idle lanes repeating the last one. A
 /// bit to each link with an entry that was assumed to be zero.
-unsigned ChainLdlt::fill(Section& section, const Sequence& sequence, int first,
-                         int count, Lanes* slots) const {
+unsigned ChainLdlt::fill(Section& section, Worker& worker,
+                         const Sequence& sequence, int first, int count,
+                         Lanes* slots) const {
   const Run& run = map_.runs()[section.run];
   for (const int slot : sequence.others) slots[slot] = {};
   Lanes largest;
@@ -240,15 +241,25 @@ unsigned ChainLdlt::fill(Section& section, const Sequence& sequence, int first,
   for (int b = 0; b < kLanes; ++b) {
     links[at(b)] = first + std::min(b, count - 1);
   }
-  // The rest one by one: of those at the ends some have no place, and a scale
-  // has to be asked for.
+  std::vector<Lanes>& scale = worker.scale;
+  if (!scale_.empty()) {
+    scale.resize(run.unknowns.size());
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+      const ChainMap::Affine& unknown = run.unknowns[i];
+      for (int b = 0; b < kLanes; ++b) {
+        const int link = static_cast<int>(links[at(b)]);
+        const bool has = run.has(unknown, link);
+        scale[i].lane[b] = has ? scale_[unknown.at(link)] : 0.0;
+      }
+    }
+  }
+  // Of those at the ends some have no place: one by one.
   const bool at_end = first == 0 || first + count == run.num_links;
   const std::span<const LaneSource> sources = sequence.sources;
-  std::size_t k = !scale_.empty() ? 0
-                  : at_end        ? sequence.num_whole
-                                  : sources.size();
+  std::size_t k = at_end ? sequence.num_whole : sources.size();
   unsigned misfits =
-      gather(sources.first(k), values_.data(), links, slots, largest);
+      gather(sources.first(k), values_.data(), links,
+             scale_.empty() ? nullptr : scale.data(), slots, largest);
   for (; k < sources.size(); ++k) {
     const ChainMap::Entry& entry = run.entries[sequence.entries[k]];
     Lanes one;
@@ -258,9 +269,9 @@ unsigned ChainLdlt::fill(Section& section, const Sequence& sequence, int first,
       one.lane[b] = has ? scaled(run, entry, link) : 0.0;
     }
     const double* const array = one.lane;
-    const LaneSource source{0, sources[k].slot, sources[k].adds, 0, 1};
-    misfits |=
-        gather({&source, 1}, &array, {0, 1, 2, 3, 4, 5, 6, 7}, slots, largest);
+    const LaneSource source{0, sources[k].slot, sources[k].adds, 0, 0, 0, 1};
+    misfits |= gather({&source, 1}, &array, {0, 1, 2, 3, 4, 5, 6, 7}, nullptr,
+                      slots, largest);
   }
   for (const double lane : largest.lane) {
     section.largest = larger(section.largest, lane);

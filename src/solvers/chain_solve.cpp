@@ -15,6 +15,35 @@
 
 namespace brachisto {
 
+namespace {
+
+using Affine = ChainMap::Affine;
+using Run = ChainMap::Run;
+
+/// visit(lane, place) for an unknown of the links `first`, `first` + `step`, …
+/// that have it.
+template <class Visit>
+void for_each_lane(const Run& run, const Affine& unknown, int first, int step,
+                   Visit&& visit) {
+  const int end = first + step * (kLanes - 1) + 1;
+  const auto [begin, last] = run.having(unknown, {first, end});
+  if (begin == first && last == end) {
+    std::size_t place = unknown.at(first);
+    const std::ptrdiff_t stride = unknown.stride * step;
+    for (int b = 0; b < kLanes; ++b) {
+      visit(b, place);
+      place += static_cast<std::size_t>(stride);
+    }
+    return;
+  }
+  for (int b = 0; b < kLanes; ++b) {
+    const int link = first + b * step;
+    if (run.has(unknown, link)) visit(b, unknown.at(link));
+  }
+}
+
+}  // namespace
+
 void ChainLdlt::apply_scale(std::span<double> x) const {
   for (std::size_t i = 0; i < scale_.size(); ++i) x[i] *= scale_[i];
 }
@@ -46,7 +75,7 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
   const auto add = [&](std::span<const Lanes> from, int lane, int first,
                        int last) {
     for (int i = 0; i < outside; ++i) {
-      const ChainMap::Affine& unknown = run.unknowns[at(run.interior + i)];
+      const Affine& unknown = run.unknowns[at(run.interior + i)];
       const int link = i < size ? first : last;
       if (run.has(unknown, link)) x[unknown.at(link)] += from[at(i)].lane[lane];
     }
@@ -54,44 +83,55 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
   const auto join = [&](const Joint& joint, int level, int first) {
     const auto& below = added[at(level - 1)];
     const int links = 1 << level;
-    local.assign(at(size + outside), Lanes{});
     for (int b = 0; b < kLanes; ++b) {
+      if (((joint.failed >> at(b)) & 1U) == 0) continue;
       const auto& from = below[at(2 * b / kLanes)];
       const int lane = 2 * b % kLanes;
       const int begin = first + b * links;
-      const int middle = begin + links / 2;
-      if (((joint.failed >> at(b)) & 1U) != 0) {
-        if (((joint.left_failed >> at(b)) & 1U) == 0) {
-          add(from, lane, begin, middle - 1);
-        }
-        if (((joint.right_failed >> at(b)) & 1U) == 0) {
-          add(from, lane + 1, middle, begin + links - 1);
-        }
-        continue;
+      if (((joint.left_failed >> at(b)) & 1U) == 0) {
+        add(from, lane, begin, begin + links / 2 - 1);
       }
-      for (int i = 0; i < size; ++i) {
-        const std::size_t place = run.unknowns[at(run.interior + i)].at(middle);
-        local[at(i)].lane[b] = x[place] + from[at(size + i)].lane[lane] +
-                               from[at(i)].lane[lane + 1];
-        local[at(size + i)].lane[b] = from[at(i)].lane[lane];
-        local[at(2 * size + i)].lane[b] = from[at(size + i)].lane[lane + 1];
+      if (((joint.right_failed >> at(b)) & 1U) == 0) {
+        add(from, lane + 1, begin + links / 2, begin + links - 1);
       }
-      for (int i = 2 * size; i < outside; ++i) {
-        local[at(size + i)].lane[b] =
-            from[at(i)].lane[lane] + from[at(i)].lane[lane + 1];
+    }
+    // Those of pairs that stay two are not asked for.
+    const auto left = [&](int i, int b) {
+      return below[at(2 * b / kLanes)][at(i)].lane[2 * b % kLanes];
+    };
+    const auto right = [&](int i, int b) {
+      return below[at(2 * b / kLanes)][at(i)].lane[2 * b % kLanes + 1];
+    };
+    local.resize(at(size + outside));
+    for (int i = 0; i < size; ++i) {
+      for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
+                    links, [&](int b, std::size_t place) {
+                      local[at(i)].lane[b] =
+                          x[place] + left(size + i, b) + right(i, b);
+                    });
+      for (int b = 0; b < kLanes; ++b) {
+        local[at(size + i)].lane[b] = left(i, b);
+        local[at(2 * size + i)].lane[b] = right(size + i, b);
+      }
+    }
+    for (int i = 2 * size; i < outside; ++i) {
+      for (int b = 0; b < kLanes; ++b) {
+        local[at(size + i)].lane[b] = left(i, b) + right(i, b);
       }
     }
     if (joint.slots != nullptr) {
       forward_substitution(joint.how->pivots->analysis, joint.slots,
                            local.data());
     }
-    for (int b = 0; b < kLanes; ++b) {
+    for (int i = 0; i < size; ++i) {
+      for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
+                    links, [&](int b, std::size_t place) {
+                      if (((joint.failed >> at(b)) & 1U) != 0) return;
+                      x[place] = local[at(i)].lane[b];
+                    });
+    }
+    for (int b = 0; b < kLanes && level == kLevels; ++b) {
       if (((joint.failed >> at(b)) & 1U) != 0) continue;
-      const int middle = first + b * links + links / 2;
-      for (int i = 0; i < size; ++i) {
-        x[run.unknowns[at(run.interior + i)].at(middle)] = local[at(i)].lane[b];
-      }
-      if (level < kLevels) continue;
       add(std::span(local).subspan(at(size)), b, first + b * links,
           first + (b + 1) * links - 1);
     }
@@ -136,33 +176,28 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
   const int outside = run.size() - run.interior;
   const int size = run.left;
   std::vector<Lanes> local;
-  const auto value = [&](int outer, int first, int last) {
-    const ChainMap::Affine& unknown = run.unknowns[at(run.interior + outer)];
-    const int link = outer < size ? first : last;
-    return run.has(unknown, link) ? x[unknown.at(link)] : 0.0;
-  };
   // In the order opposite to that of their elimination.
   auto joint = section.joints.end();
   const auto part = [&](const Joint& one, int level, int first) {
     const int links = 1 << level;
     if (one.slots == nullptr) return;
-    local.resize(at(size + outside));
-    for (int b = 0; b < kLanes; ++b) {
-      const int begin = first + b * links;
-      for (int i = 0; i < size; ++i) {
-        local[at(i)].lane[b] = value(i, begin + links / 2, 0);
-      }
-      for (int i = 0; i < outside; ++i) {
-        local[at(size + i)].lane[b] = value(i, begin, begin + links - 1);
-      }
+    local.assign(at(size + outside), Lanes{});
+    const auto take = [&](int to, int outer, int link) {
+      for_each_lane(
+          run, run.unknowns[at(run.interior + outer)], link, links,
+          [&](int b, std::size_t place) { local[at(to)].lane[b] = x[place]; });
+    };
+    for (int i = 0; i < size; ++i) take(i, i, first + links / 2);
+    for (int i = 0; i < outside; ++i) {
+      take(size + i, i, i < size ? first : first + links - 1);
     }
     backward_substitution(one.how->pivots->analysis, one.slots, local.data());
-    for (int b = 0; b < kLanes; ++b) {
-      if (((one.failed >> at(b)) & 1U) != 0) continue;
-      const int middle = first + b * links + links / 2;
-      for (int i = 0; i < size; ++i) {
-        x[run.unknowns[at(run.interior + i)].at(middle)] = local[at(i)].lane[b];
-      }
+    for (int i = 0; i < size; ++i) {
+      for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
+                    links, [&](int b, std::size_t place) {
+                      if (((one.failed >> at(b)) & 1U) != 0) return;
+                      x[place] = local[at(i)].lane[b];
+                    });
     }
   };
   for (std::size_t k = section.batches.size(); k-- > 0;) {

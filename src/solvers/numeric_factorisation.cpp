@@ -31,10 +31,11 @@ static_assert(kLanes == 8);
 BRACHISTO_CLONES
 unsigned gather(std::span<const LaneSource> sources,
                 const double* const* arrays, const LaneLinks& links,
-                Lanes* slots, Lanes& largest) {
+                const Lanes* scale, Lanes* slots, Lanes& largest) {
   // In halves, for which every instruction set with wide registers has maxima.
   constexpr int kHalves = 2;
   auto* const all = reinterpret_cast<Half*>(slots);
+  const auto* const by = reinterpret_cast<const Half*>(scale);
   auto* const found = reinterpret_cast<Half*>(&largest);
   Half most[kHalves] = {found[0], found[1]};
   Half misfits[kHalves] = {};
@@ -44,7 +45,10 @@ unsigned gather(std::span<const LaneSource> sources,
     const std::ptrdiff_t s = source.stride;
     for (int h = 0; h < kHalves; ++h) {
       const std::ptrdiff_t* const i = links.data() + h * kLanes / kHalves;
-      const Half value = {v[s * i[0]], v[s * i[1]], v[s * i[2]], v[s * i[3]]};
+      Half value = {v[s * i[0]], v[s * i[1]], v[s * i[2]], v[s * i[3]]};
+      if (scale != nullptr) {
+        value *= by[kHalves * source.row + h] * by[kHalves * source.col + h];
+      }
       const Half size = value < 0.0 ? -value : value;
       most[h] = most[h] < size ? size : most[h];
       zero[h] += value - value;

@@ -33,8 +33,9 @@ struct FactorisationOutcome {
 /// are at first + stride i.
 struct LaneSource {
   int array = 0;
-  int slot = 0;       ///< 0: none, for they are zero
-  bool adds = false;  ///< to what is there
+  int slot = 0;          ///< 0: none, for they are zero
+  bool adds = false;     ///< to what is there
+  int row = 0, col = 0;  ///< local unknowns
   std::ptrdiff_t first = 0, stride = 0;
 };
 /// The link of each lane.
@@ -42,12 +43,14 @@ using LaneLinks = std::array<std::ptrdiff_t, kLanes>;
 
 /// Fills slots from arrays.
 ///
+/// \param scale    of the local unknowns, which the numbers are multiplied by;
+///                 may be null
 /// \param largest  [in,out] largest absolute value; not a number stays
 /// \return a bit to each lane with a number that is not zero for slot 0
 [[nodiscard]] unsigned gather(std::span<const LaneSource> sources,
                               const double* const* arrays,
-                              const LaneLinks& links, Lanes* slots,
-                              Lanes& largest);
+                              const LaneLinks& links, const Lanes* scale,
+                              Lanes* slots, Lanes& largest);
 
 /// Factorises: on entry the slots hold the matrix, zero elsewhere; on exit the
 /// factor and the Schur complement.

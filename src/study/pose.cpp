@@ -92,6 +92,7 @@ void check_arc_length(const Collocation& program, Checker& check) {
 void check_method(const Collocation& program, Checker& check) {
   check.known("solver", program.solver, ProgramSolver::NewtonKkt);
   check.known("linear_solver", program.linear_solver, LinearSolver::Mumps);
+  check.within("threads", program.threads, 1, kMostThreads);
   check.known("search", program.search, Search::Global);
   check.known("certify", program.certify, Certify::Extremal);
   check.known("sensitivities", program.sensitivities, SensitivityOrder::Second);

@@ -30,7 +30,6 @@ void end_by_memory(Solution& out) {
 void work_until(const StopCondition& stop, Solution& out,
                 const std::function<void(Solution&)>& work) {
   const StopScope scope(stop);
-  const ChainScope pivots;
   bool stopped = false;
   try {
     work(out);
@@ -62,6 +61,7 @@ Solution within_limits(const PosedProblem& posed,
   out.scene = posed.asked;
   out.options = posed.options;
   out.warnings = posed.warnings;
+  const ChainScope chains(posed.program.threads);
   work_until(posed.stop(), out, work);
   Effort& effort = out.effort;
   effort.seconds =

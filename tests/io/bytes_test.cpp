@@ -72,7 +72,7 @@ TEST(Bytes, TabsAreReadBetweenValuesAndComments) {
 TEST(Bytes, ColumnsCountCharacters) {
   EXPECT_EQ(errors("# β\n" + kBead + "solver: {\"θθ\": 1, guess: ö}\n"),
             "p.yaml:3:10: solver.θθ: unknown key; allowed in solver: method, "
-            "linear_solver, tolerance, search, polish, certify, "
+            "linear_solver, threads, tolerance, search, polish, certify, "
             "sensitivities, guess, seed, limits, fsolve\n"
             "p.yaml:3:26: solver.guess: \"ö\" was read; expected cycloid or "
             "straight or random");

@@ -180,8 +180,9 @@ std::string effective(const ProblemFile& p) {
        << mesh.elements.value_or(0) << ' ' << mesh.nodes.value_or(0) << ' '
        << p.options.method.index() << ' ' << static_cast<int>(program.solver)
        << ' ' << static_cast<int>(program.linear_solver) << ' '
-       << program.tolerance << ' ' << static_cast<int>(program.search) << ' '
-       << program.polish << ' ' << static_cast<int>(program.certify) << ' '
+       << program.threads << ' ' << program.tolerance << ' '
+       << static_cast<int>(program.search) << ' ' << program.polish << ' '
+       << static_cast<int>(program.certify) << ' '
        << static_cast<int>(program.sensitivities) << ' '
        << static_cast<int>(program.guess) << ' ' << program.seed << ' '
        << p.options.limits.iterations << ' ' << p.options.limits.seconds;

@@ -114,10 +114,11 @@ TEST(Overrides, OfKeysThatNestWithoutEndAreRefused) {
 }
 
 TEST(Overrides, DoNotHideThatTheFileHasNoMapThere) {
-  EXPECT_EQ(errors(kBead + "solver: ipopt\n", {"solver.guess=straight"}),
-            "p.yaml:2:9: solver: a single value was read; expected a map with "
-            "the keys method, linear_solver, tolerance, search, polish, "
-            "certify, sensitivities, guess, seed, limits, fsolve");
+  EXPECT_EQ(
+      errors(kBead + "solver: ipopt\n", {"solver.guess=straight"}),
+      "p.yaml:2:9: solver: a single value was read; expected a map with "
+      "the keys method, linear_solver, threads, tolerance, search, polish, "
+      "certify, sensitivities, guess, seed, limits, fsolve");
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ TEST(StrictSweep, KeysAreWrittenInFull) {
                 {"solver: {limits: {iterations: [1]}}", "scene.finish: [1]"}),
             "p.yaml:5:3: sweep.solver: a map; its keys vary one by one, each "
             "written with dots: solver.method, solver.linear_solver, "
-            "solver.tolerance, solver.search, solver.polish, solver.certify, "
+            "solver.threads, solver.tolerance, solver.search, solver.polish, "
+            "solver.certify, "
             "solver.sensitivities, solver.guess, solver.seed, "
             "solver.limits.iterations, "
             "solver.limits.seconds, solver.fsolve.quadrature, "

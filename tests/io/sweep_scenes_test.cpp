@@ -91,14 +91,15 @@ TEST(SweepScenes, WhatAllShareIsToldOnce) {
 }
 
 TEST(SweepScenes, MistakesOfScenesStandBesideThoseOfTheFile) {
-  EXPECT_EQ(sweep_text_errors("scene: {body: {shape: bead}, finish: {H: 1}}\n"
-                              "sweep: {scene.finish.L: [1, -2]}\n"
-                              "solver: ipopt\n"),
-            "p.yaml:2:29: scene.finish.L: scene 1 (scene.finish.L = -2): -2 m "
-            "is not allowed: it must be > 0, for B lies to the right of A\n"
-            "p.yaml:3:9: solver: a single value was read; expected a map with "
-            "the keys method, linear_solver, tolerance, search, polish, "
-            "certify, sensitivities, guess, seed, limits, fsolve");
+  EXPECT_EQ(
+      sweep_text_errors("scene: {body: {shape: bead}, finish: {H: 1}}\n"
+                        "sweep: {scene.finish.L: [1, -2]}\n"
+                        "solver: ipopt\n"),
+      "p.yaml:2:29: scene.finish.L: scene 1 (scene.finish.L = -2): -2 m "
+      "is not allowed: it must be > 0, for B lies to the right of A\n"
+      "p.yaml:3:9: solver: a single value was read; expected a map with "
+      "the keys method, linear_solver, threads, tolerance, search, polish, "
+      "certify, sensitivities, guess, seed, limits, fsolve");
 }
 
 TEST(SweepScenes, KeysUnderSomethingElseThanAMapAreNoHarm) {
@@ -107,7 +108,7 @@ TEST(SweepScenes, KeysUnderSomethingElseThanAMapAreNoHarm) {
                         "solver: ipopt\n"
                         "sweep: {solver.guess: [cycloid, straight]}\n"),
       "p.yaml:2:9: solver: a single value was read; expected a map with "
-      "the keys method, linear_solver, tolerance, search, polish, "
+      "the keys method, linear_solver, threads, tolerance, search, polish, "
       "certify, sensitivities, guess, seed, limits, fsolve");
 }
 

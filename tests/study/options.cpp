@@ -115,6 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
                       static_cast<LinearSolver>(-1);
                 },
                 "linear_solver has no value -1"},
+        Spoiled{"threads",
+                [](SolveOptions& o) { o.use<Collocation>().threads = 0; },
+                "threads is 0"},
         Spoiled{"search",
                 [](SolveOptions& o) {
                   o.use<Collocation>().search = static_cast<Search>(2);

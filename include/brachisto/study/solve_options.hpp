@@ -100,6 +100,7 @@ struct Limits {
 
 inline constexpr double kSmallestResidual = 1e-14;
 inline constexpr double kLargestResidual = 1e-6;
+inline constexpr int kMostThreads = 64;
 
 /// Who solves the nonlinear program.
 enum class ProgramSolver {
@@ -112,6 +113,7 @@ struct Collocation {
   Discretisation discretisation = {};
   ProgramSolver solver = ProgramSolver::Ipopt;
   LinearSolver linear_solver = LinearSolver::Auto;
+  int threads = 1;  ///< of the chain's factorisations, to kMostThreads
   /// Scaled KKT residual, in [kSmallestResidual, kLargestResidual].
   double tolerance = 1e-12;
   Search search = Search::Principal;

@@ -59,7 +59,7 @@ std::vector<std::size_t> distinct_rows(const std::vector<double>& times,
   return rows;
 }
 
-/// `of_rows` and the rows themselves.
+/// The steps and the rows.
 Json rounded(const TrajectoryTable& few, const Body& body) {
   Json track;
   const double step = step_of(few.time());
@@ -94,7 +94,7 @@ Json lifts_of(const TrajectoryTable& table) {
   Json lifts = Json::array();
   for (std::size_t row = 1; row < t.size(); ++row) {
     if (!lifted(row)) continue;
-    const double from = zero(row - 1);
+    const double from = force[row - 1] > 0.0 ? zero(row - 1) : t[row - 1];
     while (lifted(row + 1)) ++row;
     lifts.push_back({from, row + 1 < t.size() ? zero(row) : t[row]});
   }

@@ -167,8 +167,7 @@ TEST(SweepFile, WarmStartIsOnUnlessTurnedOff) {
 
 TEST(SweepFile, KeepsTracksIfAskedTo) {
   EXPECT_FALSE(sweep({"scene.body.k: [0.3]"}).keeps_tracks());
-  EXPECT_FALSE(
-      sweep({"scene.body.k: [0.3]", "keep: nothing"}).keeps_tracks());
+  EXPECT_FALSE(sweep({"scene.body.k: [0.3]", "keep: nothing"}).keeps_tracks());
   EXPECT_TRUE(sweep({"scene.body.k: [0.3]", "keep: tracks"}).keeps_tracks());
 }
 

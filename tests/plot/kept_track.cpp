@@ -57,14 +57,24 @@ TEST(KeptTrack, TellsBetweenWhichTimesTheBodyWouldLiftOff) {
   Incline incline;
   incline.normal = [](int row) { return std::abs(row - 200) - 50.5; };
 
-  const report::Json track = kept_track(
-      TrajectoryTable::read(incline.csv(401)), incline.scene().body);
+  const report::Json track =
+      kept_track(TrajectoryTable::read(incline.csv(401)), incline.scene().body);
 
   // R_n is linear on either side.
   const double step = incline.time / 400.0;
   ASSERT_EQ(track["lifts"].size(), 1u);
   EXPECT_NEAR(track["lifts"][0][0], 149.5 * step, 1e-12);
   EXPECT_NEAR(track["lifts"][0][1], 250.5 * step, 1e-12);
+}
+
+TEST(KeptTrack, MayLiftOffFromTheStartToTheEnd) {
+  Incline incline;
+  incline.normal = [](int row) { return -1.0 - row; };
+
+  const report::Json track =
+      kept_track(TrajectoryTable::read(incline.csv(41)), incline.scene().body);
+
+  EXPECT_EQ(track["lifts"], report::Json({{0.0, incline.time}}));
 }
 
 TEST(KeptTrack, OfABeadHasNoAngleOfTheBody) {

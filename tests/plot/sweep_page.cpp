@@ -405,8 +405,9 @@ void expect_cells_under_crosses(SweepTable table, const std::string& name) {
   const auto& cells = cells_of(data, name);
   ASSERT_GE(crosses.size(), 11u);
   for (std::size_t i = 0; i < cells["scenes"].size(); ++i) {
-    if (cells["scenes"][i] != 12 * (cells["scenes"][i].get<std::size_t>() / 13) +
-                                  cells["scenes"][i].get<std::size_t>() / 13) {
+    if (cells["scenes"][i] !=
+        12 * (cells["scenes"][i].get<std::size_t>() / 13) +
+            cells["scenes"][i].get<std::size_t>() / 13) {
       continue;
     }
     const double x = cells["x"][i], y = cells["y"][i];
@@ -421,11 +422,11 @@ TEST(SweepCells, LieWhereGnuplotDrawsTheirScenes) {
   expect_cells_under_crosses(plane(), "map-1");
   // On an axis of logarithms too.
   expect_cells_under_crosses(
-      testing::list_over({{"scene.body.eta_m",
-                           {.1, .11, .12, .15, .2, .3, .5, .7, 1., 3., 10.}},
-                          {"scene.body.k",
-                           {0., .1, .2, .3, .4, .5, .6, .7, .8, .9, 1., 1.1}}},
-                         sum),
+      testing::list_over(
+          {{"scene.body.eta_m",
+            {.1, .11, .12, .15, .2, .3, .5, .7, 1., 3., 10.}},
+           {"scene.body.k", {0., .1, .2, .3, .4, .5, .6, .7, .8, .9, 1., 1.1}}},
+          sum),
       "map-1");
 }
 

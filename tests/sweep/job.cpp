@@ -71,8 +71,7 @@ TEST(Job, IsAnotherOneIfTracksAreKept) {
 
   EXPECT_EQ(input_hash(file(", keep: nothing")), input_hash(file("")));
   EXPECT_NE(input_hash(file(", keep: tracks")), input_hash(file("")));
-  EXPECT_EQ(difference(file(""), file(", keep: tracks")),
-            "sweep.keep differs");
+  EXPECT_EQ(difference(file(""), file(", keep: tracks")), "sweep.keep differs");
 }
 
 TEST(Job, IsNotReadFromAnythingElse) {

@@ -417,7 +417,11 @@ function letTablesScroll() {
     if (wide.scrollWidth <= wide.clientWidth) continue;
     wide.tabIndex = 0;
     wide.setAttribute("role", "region");
-    wide.setAttribute("aria-label", "table");
+    let title = wide.previousElementSibling;
+    while (title !== null && !/^(H[1-6]|SUMMARY)$/.test(title.tagName)) {
+      title = title.previousElementSibling;
+    }
+    wide.setAttribute("aria-label", title === null ? "table" : `table: ${title.textContent}`);
   }
 }
 

@@ -17,12 +17,12 @@ const table = byId("scenes");
 /** What the table says of a scene, by its columns. */
 function valuesOf(scene) {
   const heads = table.tHead.rows[0].cells;
-  return [...table.tBodies[0].rows[scene].cells].map((cell, i) => [heads[i].innerHTML, cell]);
+  return [...table.tBodies[0].rows[scene].cells].map((cell, i) => [heads[i], cell]);
 }
 
 /** "scene 17, θ_m [°] −30, …": the same to be said. */
 const inWords = (scene) => [...valuesOf(scene).map(([head, cell]) =>
-    `${head.replace(/<[^>]*>/g, "")} ${cell.textContent}`),
+    `${head.textContent} ${cell.textContent}`),
   ...(data.remarks[scene] ? [data.remarks[scene]] : [])].join(", ");
 
 /** Sides that a scene is on or not, with an edge between. */
@@ -144,7 +144,9 @@ function layerOf(figure) {
   const spoken = document.createElement("p");
   spoken.className = "spoken";
   spoken.setAttribute("role", "status");
-  holder.after(key, told, spoken);
+  holder.after(key);
+  const around = holder.closest("figure");
+  around.append(told, spoken);
   let here = null, chosen = null;
 
   function tell(cell) {
@@ -152,7 +154,7 @@ function layerOf(figure) {
     if (cell === null) return;
     const scene = figure.scenes[cell];
     told.firstChild.innerHTML = valuesOf(scene).map(([head, value]) =>
-        `<div><dt>${head}</dt><dd>${value.innerHTML}</dd></div>`).join("");
+        `<div><dt>${head.innerHTML}</dt><dd>${value.innerHTML}</dd></div>`).join("");
     told.lastChild.textContent = data.remarks[scene] ?? "";
     told.dataset.scene = scene;
   }
@@ -163,7 +165,7 @@ function layerOf(figure) {
   }
   function choose(cell) {
     moveTo(cell);
-    const shown = showTrack(figure.scenes[cell], spoken);
+    const shown = showTrack(figure.scenes[cell], around);
     if (!shown) return;
     chosen = cell;
     for (const other of layers) other.unmark();
@@ -244,13 +246,13 @@ function show(t) {
 const player = section === null ? null : Motion.player(1, show);
 let started = false;
 
-/** Shows the track below what is told of its scene. \return whether there is one */
-function showTrack(scene, below) {
+/** Shows the track below a figure. \return whether there is one */
+function showTrack(scene, around) {
   const kept = data.tracks[scene];
   if (kept === undefined || player === null) return false;
   motion = Motion.motionOf({ ...kept, rows: rowsOf(kept) });
   ({ box, obstacles } = kept);
-  below.after(section);
+  around.after(section);
   section.hidden = false;
   byId("track-scene").textContent = scene;
   byId("track-rows").textContent = `${kept.rows[0].length} of ${kept.of_rows}`;

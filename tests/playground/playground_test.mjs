@@ -3,7 +3,9 @@
 
 // The module of the playground against the command, and how fast it answers:
 //
-//   node playground_test.mjs PLAYGROUND.wasm SOLVER.js BRACHISTO
+//   node playground_test.mjs PLAYGROUND.wasm WEB BRACHISTO
+//
+// where WEB is the folder of the page's parts.
 //
 // Exits with 77 where the module has not been built.
 
@@ -12,12 +14,15 @@ import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from
   'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
+import {answersASecond} from './drags.mjs';
 
-const [wasm, source, brachisto] = process.argv.slice(2);
+const [wasm, web, brachisto] = process.argv.slice(2);
 if (!existsSync(wasm) || !existsSync(brachisto)) process.exit(77);
 
-const loadSolver = new Function(`${readFileSync(source)}; return Solver;`);
-const solver = await loadSolver().load(readFileSync(wasm));
+/** What a script of the page defines. */
+const defined = (script, name) =>
+  new Function(`${readFileSync(join(web, script))}; return ${name};`)();
+const solver = await defined('solver.js', 'Solver').load(readFileSync(wasm));
 
 // Both ask for at least 1e-10 of T and run the same formulas, compiled
 // differently: what is left between them is their error.
@@ -110,29 +115,11 @@ expect('equal points are refused',
 solver.setScene(base);
 expect('time runs out', solver.solve(false, TOLERANCE, 1e-4) === null);
 
-// How many answers a second of one core's time, as somebody drags a slider.
-const DRAG_TOLERANCE = 1e-10;
-const drags = {
-  eta: [0.3, 0.67], theta: [-1, 1], k: [0.1, 0.55], radius: [0.2, 0.5],
-  L: [2, 4], H: [0.7, 1.5],
-};
-for (const [key, [from, to]] of Object.entries(drags)) {
-  const STEPS = 120;
-  let answers = 0;
-  let fallbacks = 0;
-  let seconds = 0;
-  for (let i = 0; i <= STEPS; ++i) {
-    solver.setScene({...base, [key]: from + (to - from) * i / STEPS});
-    const start = process.cpuUsage();
-    let found = i > 0 && solver.solve(true, DRAG_TOLERANCE, SECONDS);
-    if (i > 0 && !found) ++fallbacks;
-    found ||= solver.solve(false, DRAG_TOLERANCE, SECONDS);
-    solver.sampleExtremal(161);
-    const {user, system} = process.cpuUsage(start);
-    if (i > 0) seconds += (user + system) / 1e6;
-    answers += found && i > 0 ? 1 : 0;
-  }
-  console.log(`     dragging ${key.padEnd(7)} ${(answers / seconds).toFixed(0)
+for (const [key, rate, fallbacks] of answersASecond(solver, () => {
+  const {user, system} = process.cpuUsage();
+  return (user + system) / 1e6;
+})) {
+  console.log(`     dragging ${key.padEnd(7)} ${rate.toFixed(0)
   } answers a second, ${fallbacks} from the cycloid`);
 }
 process.exit(failures === 0 ? 0 : 1);

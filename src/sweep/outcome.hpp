@@ -46,6 +46,9 @@ inline constexpr std::size_t kLongestOutcome = std::size_t{1} << 20U;
 
 /// What a table shows of a document that satisfies is_outcome().
 [[nodiscard]] SweepOutcome read_outcome(const std::string& document);
+/// The same of one that may be something else; then nothing.
+[[nodiscard]] std::optional<SweepOutcome> find_outcome(
+    const nlohmann::ordered_json& document);
 
 /// Deepest nesting of maps and lists that is read. Copies and texts of a
 /// document are made recursively.

@@ -25,7 +25,8 @@ namespace {
 
 /// Searches from the body of a scene.
 Answer search_from_scene(const io::SweepFile& file, std::size_t scene) {
-  Answer answer{scene, {}, {}};
+  Answer answer;
+  answer.scene = scene;
   try {
     const io::ProblemFile problem = file.problem(scene);
     answer.result = outcome_json(

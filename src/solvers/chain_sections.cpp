@@ -25,7 +25,7 @@ constexpr int kManyDenseLinks = 4;
 // The factorisation of a link is taken if the Frobenius norm of its multipliers
 // is at most this: rounding errors are then magnified by less than its square,
 // and one step of refinement makes up for them.
-constexpr double kLargestGrowth = 1e3;
+constexpr double kLargestNorm = 1e3;
 
 bool bit(unsigned bits, int i) {
   return ((bits >> at(i)) & 1U) != 0;
@@ -35,7 +35,7 @@ bool bit(unsigned bits, int i) {
 unsigned grown(const FactorisationOutcome& outcome) {
   unsigned bits = 0;
   for (int b = 0; b < kLanes; ++b) {
-    const bool kept = outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth;
+    const bool kept = outcome.growth.lane[b] <= kLargestNorm * kLargestNorm;
     if (!kept) bits |= 1U << at(b);
   }
   return bits;

@@ -28,6 +28,10 @@ class SmallMatrix {
   [[nodiscard]] double operator()(int i, int j) const {
     return data_[index(i, j)];
   }
+  [[nodiscard]] std::span<double> row(int i) {
+    return std::span(data_).subspan(index(i, 0),
+                                    static_cast<std::size_t>(cols_));
+  }
   double& operator()(int i, int j) { return data_[index(i, j)]; }
 
  private:
@@ -49,28 +53,22 @@ class LagrangeBasis {
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }
 
   /// values[j] = ℓ_j(t); at the nodes exactly 0, and 1 up to rounding. size()
-  /// values.
+  /// values, in O(size()).
   void evaluate(double t, std::span<double> values) const;
-  /// slopes[j] = ℓ_j'(t); size() values.
-  void differentiate(double t, std::span<double> slopes) const;
+  /// With slopes[j] = ℓ_j'(t); also O(size()).
+  void evaluate(double t, std::span<double> values,
+                std::span<double> slopes) const;
 
   /// Row i holds ℓ_j(points[i]).
-  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const {
-    return rows(points, &LagrangeBasis::evaluate);
-  }
+  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const;
   /// Row i holds ℓ_j'(points[i]).
-  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const {
-    return rows(points, &LagrangeBasis::differentiate);
-  }
+  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const;
   /// Row i holds ∫ ℓ_j from 0 to ends[i], by a rule on [0, 1] that is exact for
   /// polynomials of their degree.
   [[nodiscard]] SmallMatrix integrals_to(std::span<const double> ends,
                                          const QuadratureRule& rule) const;
 
  private:
-  [[nodiscard]] SmallMatrix rows(
-      std::span<const double> points,
-      void (LagrangeBasis::*row_at)(double, std::span<double>) const) const;
   std::vector<double> nodes_;
   std::vector<double> weights_;  // 1 / Π_{i≠j} (t_j − t_i)
 };

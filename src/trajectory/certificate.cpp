@@ -338,7 +338,10 @@ void check_directions(const ArcLength& problem, std::span<const double> lambda,
                       double threshold, Certificate& certificate) {
   const Scene& scene = problem.scene();
   Largest flattest = kLeast, better = kLeast;
-  for (const ArcLength::PieceState& at : problem.piece_states(lambda)) {
+  const Costates end = problem.end_costates(lambda);
+  for (int node = 1; node <= problem.num_intervals(); ++node) {
+    check_stop(node);
+    const ArcLength::PieceState at = problem.piece_state(node, lambda, end);
     const RollingState state{at.theta, at.w};
     flattest.see(
         -slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 namespace brachisto {
@@ -14,28 +13,23 @@ PathByPlace::PathByPlace(const ExtremalCurve& curve)
     : curve_(curve),
       in_world_(curve.scene().world.changes_rates()),
       scheme_(collocation_scheme(curve.mesh().degree)),
+      nodes_(scheme_.nodes.nodes().size()),
       rule_(math::gauss_legendre((curve.mesh().degree + 2) / 2)),
-      bases_(kStages, ElementPlace(scheme_, 0.0)) {
-  for (const double t : scheme_.nodes.nodes()) {
-    first_w_.push_back(curve.without_slope(0, ElementPlace(scheme_, t)).w);
-  }
-  first_length_ =
-      curve.rolling_time() * share(0) * speed_in_first(1.0).integral;
-}
+      first_length_(length(0, basis_at(1.0))),
+      stages_(kStages, basis_at(0.0)),
+      start_(scheme_, 0.0) {}
 
-PathByPlace::Speed PathByPlace::speed_in_first(double t) const {
-  std::array<double, kLargestDegree + 1> storage{};
-  const auto basis = std::span(storage).first(first_w_.size());
-  const auto w = [&](double place) {
-    scheme_.nodes.evaluate(place, basis);
-    return std::inner_product(basis.begin(), basis.end(), first_w_.begin(),
-                              0.0);
-  };
-  double mean = 0.0;
+PathByPlace::Basis PathByPlace::basis_at(double t) const {
+  Basis out{ElementPlace(scheme_, t)};
+  std::array<double, kLargestDegree + 1> values{};
   for (std::size_t i = 0; i < rule_.points.size(); ++i) {
-    mean += rule_.weights[i] * w(t * rule_.points[i]);
+    scheme_.nodes.evaluate(t * rule_.points[i],
+                           std::span(values).first(nodes_));
+    for (std::size_t n = 0; n < nodes_; ++n) {
+      out.integrals[n] += t * rule_.weights[i] * values[n];
+    }
   }
-  return {w(t), t * mean};
+  return out;
 }
 
 double PathByPlace::in_first(double s) const {
@@ -43,33 +37,34 @@ double PathByPlace::in_first(double s) const {
   // The next step of Newton's method would be the square of this one, over the
   // place, on which w/t varies: rounding.
   constexpr double kLastStep = 1e-9;
-  const double hU = curve_.rolling_time() * share(0);
   // At the start s ~ t².
   double t = std::sqrt(std::max(s / first_length_, 0.0));
   for (int i = 0; i < kMostSteps; ++i) {
-    const Speed now = speed_in_first(t);
-    if (!(now.w > 0.0)) break;
-    const double step = (s / hU - now.integral) / now.w;
+    const Basis basis = basis_at(t);
+    const double now = pace(0, curve_.without_slope(0, basis.place).w);
+    if (!(now > 0.0)) break;
+    const double step = (s - length(0, basis)) / now;
     t += step;
     if (std::abs(step) < kLastStep * t) break;
   }
   return t;
 }
 
-const ElementPlace& PathByPlace::basis(double t) {
-  ElementPlace& kept = bases_[stage_];
-  stage_ = (stage_ + 1) % kStages;
-  if (kept.t != t) kept = ElementPlace(scheme_, t);
-  return kept;
-}
-
 PathByPlace::Place PathByPlace::at(int e, double t) {
-  const ElementPlace& place = basis(t);
+  Basis& basis = stages_[stage_];
+  stage_ = (stage_ + 1) % kStages;
+  if (basis.place.t != t) basis = basis_at(t);
+  if (e != element_) {
+    element_ = e;
+    begin_ = curve_.without_slope(e, start_).s;
+  }
+  const ElementPlace& place = basis.place;
   const ExtremalPoint point = curve_.at(e, place);
   const std::array<double, 8> rates = curve_.rates(e, place);
   Place out;
+  out.s = begin_ + length(e, basis);
   out.along = direction_of(point.beta);
-  out.pace = curve_.rolling_time() * curve_.mesh().length(e) * point.w;
+  out.pace = pace(e, point.w);
   // ∂𝓗/∂β = 0 differentiated along the polynomials.
   const Scene& scene = curve_.scene();
   if (in_world_) {

@@ -6,8 +6,10 @@
 
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "math/gauss.hpp"
@@ -34,6 +36,7 @@ struct Direction {
 class PathByPlace {
  public:
   struct Place {
+    double s;
     Direction along;  ///< NaN where the curve has none
     double turning;   ///< dβ/dt
     double pace;      ///< ds/dt
@@ -65,21 +68,31 @@ class PathByPlace {
   /// the same places in all of them.
   static constexpr std::size_t kStages = 13;
 
-  /// w at t and ∫₀ᵗ w, in the first element.
-  struct Speed {
-    double w, integral;
+  /// The bases at a place.
+  struct Basis {
+    ElementPlace place;
+    std::array<double, kLargestDegree + 1> integrals{};  ///< ∫₀ᵗ ℓ_n
   };
-  [[nodiscard]] Speed speed_in_first(double t) const;
-  [[nodiscard]] const ElementPlace& basis(double t);
+  [[nodiscard]] Basis basis_at(double t) const;
+  /// s less what it is where the element begins.
+  [[nodiscard]] double length(int e, const Basis& at) const {
+    return curve_.length_within(e, std::span(at.integrals).first(nodes_));
+  }
+  [[nodiscard]] double pace(int e, double w) const {
+    return curve_.rolling_time() * curve_.mesh().length(e) * w;
+  }
 
   const ExtremalCurve& curve_;
   const bool in_world_;
   const CollocationScheme& scheme_;
-  math::QuadratureRule rule_;    ///< exact for w
-  std::vector<double> first_w_;  ///< at the nodes of the first element
+  const std::size_t nodes_;    ///< of an element
+  math::QuadratureRule rule_;  ///< exact for w
   double first_length_;
-  std::vector<ElementPlace> bases_;
+  std::vector<Basis> stages_;  ///< of the last step
   std::size_t stage_ = 0;
+  const ElementPlace start_;
+  int element_ = 0;     ///< the last one that was asked for,
+  double begin_ = 0.0;  ///< and s where it begins
 };
 
 }  // namespace brachisto

@@ -72,14 +72,12 @@ double acceleration_in_world(const Scene& scene, double s, double v, Point at,
   return (force - 0.5 * rolled.A_s_v2) / rolled.A;
 }
 
-// t, ṡ, s, x, z along the places of a path.
-using Along = std::array<double, 5>;
-using Integrator = odeint::runge_kutta_fehlberg78<Along>;
+using State = std::array<double, 4>;
+using Integrator = odeint::runge_kutta_fehlberg78<State>;
 // Copied before it has computed anything; being static it holds zeros then.
 const Integrator kFreshIntegrator;
 
-template <std::size_t Size>
-bool finite(const std::array<double, Size>& y) {
+bool finite(const State& y) {
   return std::all_of(y.begin(), y.end(),
                      [](double value) { return std::isfinite(value); });
 }
@@ -92,20 +90,24 @@ class Journey {
         start_(curve.at(0.0)),
         duration_(curve.transit_time()),
         path_(curve),
-        y_{0.0, scene_.world.start_speed, 0.0, start_.centre.x,
-           start_.centre.z} {}
+        y_{0.0, scene_.world.start_speed, start_.centre.x, start_.centre.z} {}
 
   MotionEnd run() {
     MotionEnd end = leave();
     for (int e = 0; e < path_.num_elements() && end == MotionEnd::Arrived;
          ++e) {
+      element_ = e;
       end = cross(e);
     }
     return end;
   }
   [[nodiscard]] int steps() const { return steps_; }
-  /// Where the motion ended.
-  [[nodiscard]] const Along& state() const { return y_; }
+  /// s there.
+  [[nodiscard]] double length() {
+    return element_ < 0 ? 0.0 : path_.at(element_, place_).s;
+  }
+  /// t, ṡ, x, z where the motion ended.
+  [[nodiscard]] const State& state() const { return y_; }
 
  private:
   static constexpr int kMaxSteps = 1000000;
@@ -125,11 +127,11 @@ class Journey {
                : acceleration(scene_, s, v, along, v_kappa);
   }
   /// By the place in element e.
-  [[nodiscard]] Along rates(int e, const Along& y, double place);
+  [[nodiscard]] State rates(int e, const State& y, double place);
   /// Where ṡ² falls to zero, steps shrink towards that place for ever.
   [[nodiscard]] bool about_to_rest(int e) {
     constexpr double kAlmostThere = 1e-9;  // of S
-    const Along rate = rates(e, y_, place_);
+    const State rate = rates(e, y_, place_);
     const double gain = rate[1] / rate[0];
     return gain < 0.0 &&
            y_[1] * y_[1] / (-2.0 * gain) < kAlmostThere * path_.length();
@@ -141,30 +143,28 @@ class Journey {
   PathByPlace path_;
   odeint::controlled_runge_kutta<Integrator> integrator_ =
       odeint::make_controlled(kTolerance, kTolerance, kFreshIntegrator);
-  Along y_;
-  double place_ = 0.0;  ///< in the element
+  State y_;
+  int element_ = -1;    ///< where it is; none while it leaves
+  double place_ = 0.0;  ///< in it
   double step_ = 0.0;   ///< to try next, as a share of U
   int steps_ = 0;
 };
 
-Along Journey::rates(int e, const Along& y, double place) {
+State Journey::rates(int e, const State& y, double place) {
   const PathByPlace::Place at = path_.at(e, place);
   const double v = y[1];
   const double time = at.pace / v;
   const double gain =
-      s_ddot(e, y[2], v, {y[3], y[4]}, at.along, v * at.turning / at.pace);
-  return {time, gain * time, at.pace, at.pace * at.along.cosine,
+      s_ddot(e, at.s, v, {y[2], y[3]}, at.along, v * at.turning / at.pace);
+  return {time, gain * time, at.pace * at.along.cosine,
           at.pace * at.along.sine};
 }
 
 MotionEnd Journey::leave() {
   constexpr double kPart = 0.1;
   constexpr double kFirstStep = 1e-3;
-  using State = std::array<double, 4>;  // s, ṡ, x, z
-  // As kFreshIntegrator.
-  static const odeint::runge_kutta_fehlberg78<State> kFreshStepper;
-  auto stepper = odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
   const bool pushed = scene_.world.start_speed > 0.0;
+  // Of s, ṡ, x, z.
   const auto in_time = [&](const State& y, State& dy, double) {
     const auto [s, v, x, z] = y;
     Direction along = direction_of(start_.beta);
@@ -181,14 +181,14 @@ MotionEnd Journey::leave() {
   };
   double t = 0.0;
   double dt = kFirstStep * duration_;
-  State y{0.0, y_[1], y_[3], y_[4]};
+  State y{0.0, y_[1], y_[2], y_[3]};
   while (y[0] < kPart * path_.first_length()) {
     check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
     const State before = y;
     const double t_before = t;
     const double tried = dt;
-    const bool failed = stepper.try_step(in_time, y, t, dt) == odeint::fail;
+    const bool failed = integrator_.try_step(in_time, y, t, dt) == odeint::fail;
     if (!finite(y)) return MotionEnd::PathUndefined;
     if (failed && dt < kShortest * duration_) return MotionEnd::StepTooSmall;
     if (!failed && y[0] > path_.first_length()) {
@@ -201,7 +201,7 @@ MotionEnd Journey::leave() {
     // Where it does not roll forward now it never will.
     if (!failed && !(y[1] > 0.0)) return MotionEnd::ComesToRest;
   }
-  y_ = {t, y[1], y[0], y[2], y[3]};
+  y_ = {t, y[1], y[2], y[3]};
   place_ = path_.in_first(y[0]);
   step_ = place_ * path_.share(0);
   return MotionEnd::Arrived;
@@ -209,7 +209,8 @@ MotionEnd Journey::leave() {
 
 MotionEnd Journey::cross(int e) {
   const double h = path_.share(e);
-  const auto by_place = [&](const Along& y, Along& dy, double place) {
+  if (e > 0) place_ = 0.0;
+  const auto by_place = [&](const State& y, State& dy, double place) {
     dy = rates(e, y, place);
   };
   while (place_ < 1.0) {
@@ -233,7 +234,6 @@ MotionEnd Journey::cross(int e) {
       step_ = std::max(step_, h * step);
     }
   }
-  place_ = 0.0;
   return MotionEnd::Arrived;
 }
 
@@ -262,8 +262,8 @@ Reintegration reintegrate(const ExtremalCurve& curve) {
   out.end = journey.run();
   out.steps = journey.steps();
   out.integration_error = kTolerance * out.steps;
-  const auto [time, speed, s, x, z] = journey.state();
-  out.share = s / S;
+  const auto [time, speed, x, z] = journey.state();
+  out.share = journey.length() / S;
   if (!out.arrived()) return out;
   const double v =
       end.w / std::sqrt(inertia_factor(scene.body, end.theta, end.beta));
@@ -326,6 +326,10 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
 }
 
 LimitedReintegration reintegrate(const LimitedCurve& curve) {
+  // t, ṡ, s, x, z along the place in an element.
+  using Along = std::array<double, 5>;
+  // As kFreshIntegrator.
+  static const odeint::runge_kutta_fehlberg78<Along> kFreshStepper;
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
   const RadauScheme& scheme = problem.scheme();
@@ -378,7 +382,7 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
     double t = e == 0 ? begin : 0.0;
     double dt = 0.25;
     auto stepper =
-        odeint::make_controlled(kTolerance, kTolerance, kFreshIntegrator);
+        odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
     constexpr int kMostSteps = 10000;
     for (int step = 0; t < 1.0; ++step) {
       dt = std::min(dt, 1.0 - t);

@@ -184,6 +184,16 @@ ExtremalPoint ExtremalCurve::at(int element, const ElementPlace& place) const {
   return point;
 }
 
+double ExtremalCurve::length_within(int element,
+                                    std::span<const double> integrals) const {
+  const std::size_t first = at_index(element * mesh_.degree);
+  double integral = 0.0;
+  for (std::size_t n = 0; n < integrals.size(); ++n) {
+    integral += integrals[n] * nodes_[first + n][kW];
+  }
+  return U_ * mesh_.length(element) * integral;
+}
+
 std::array<double, 8> ExtremalCurve::rates(int element,
                                            const ElementPlace& place) const {
   const int first = element * mesh_.degree;
@@ -214,6 +224,11 @@ double ExtremalCurve::interpolated_slope(int element,
 ExtremalPoint ExtremalCurve::at(double sigma) const {
   const auto [element, t] = mesh_.locate(sigma);
   return at(element, t);
+}
+
+ExtremalPoint ExtremalCurve::without_slope(double sigma) const {
+  const auto [element, t] = mesh_.locate(sigma);
+  return without_slope(element, ElementPlace(*scheme_, t));
 }
 
 double ExtremalCurve::interpolated_slope(double sigma) const {

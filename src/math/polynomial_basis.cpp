@@ -3,12 +3,30 @@
 
 #include "math/polynomial_basis.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "math/index.hpp"
 
 namespace brachisto::math {
+
+namespace {
+
+/// What rounding leaves of the sum of a row would be multiplied by values of
+/// any size, on element after element to the same side. The smallest entry,
+/// whose last digit is the finest, takes it.
+void sum_to_zero(std::span<double> row) {
+  double& smallest = *std::ranges::min_element(
+      row, {}, [](double entry) { return std::abs(entry); });
+  smallest = 0.0;
+  smallest =
+      static_cast<double>(-std::accumulate(row.begin(), row.end(), 0.0L));
+}
+
+}  // namespace
 
 LagrangeBasis::LagrangeBasis(std::vector<double> nodes)
     : nodes_(std::move(nodes)), weights_(nodes_.size()) {
@@ -59,6 +77,12 @@ void LagrangeBasis::evaluate(double t, std::span<double> values,
   }
 }
 
+double LagrangeBasis::node_polynomial(double t) const {
+  double product = 1.0;
+  for (const double node : nodes_) product *= t - node;
+  return product;
+}
+
 SmallMatrix LagrangeBasis::values_at(std::span<const double> points) const {
   SmallMatrix matrix(static_cast<int>(points.size()), size());
   for (int i = 0; i < matrix.rows(); ++i)
@@ -71,6 +95,7 @@ SmallMatrix LagrangeBasis::slopes_at(std::span<const double> points) const {
   std::vector<double> values(nodes_.size());
   for (int i = 0; i < matrix.rows(); ++i) {
     evaluate(points[at(i)], values, matrix.row(i));
+    sum_to_zero(matrix.row(i));
   }
   return matrix;
 }

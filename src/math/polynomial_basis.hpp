@@ -51,6 +51,11 @@ class LagrangeBasis {
 
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }
+  /// 1/Π_{i≠j} (t_j − t_i): Σ_j weights()[j] f(t_j) is the leading coefficient
+  /// of the polynomial through values f(t_j).
+  [[nodiscard]] std::span<const double> weights() const { return weights_; }
+  /// Π_j (t − t_j).
+  [[nodiscard]] double node_polynomial(double t) const;
 
   /// values[j] = ℓ_j(t); at the nodes exactly 0, and 1 up to rounding. size()
   /// values, in O(size()).
@@ -61,7 +66,8 @@ class LagrangeBasis {
 
   /// Row i holds ℓ_j(points[i]).
   [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const;
-  /// Row i holds ℓ_j'(points[i]).
+  /// Row i holds ℓ_j'(points[i]). Every row sums to zero exactly, for that is
+  /// the slope of a constant, however large.
   [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const;
   /// Row i holds ∫ ℓ_j from 0 to ends[i], by a rule on [0, 1] that is exact for
   /// polynomials of their degree.
@@ -70,7 +76,7 @@ class LagrangeBasis {
 
  private:
   std::vector<double> nodes_;
-  std::vector<double> weights_;  // 1 / Π_{i≠j} (t_j − t_i)
+  std::vector<double> weights_;
 };
 
 }  // namespace brachisto::math

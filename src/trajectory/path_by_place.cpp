@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 namespace brachisto {
 
@@ -13,37 +12,24 @@ PathByPlace::PathByPlace(const ExtremalCurve& curve)
     : curve_(curve),
       in_world_(curve.scene().world.changes_rates()),
       scheme_(collocation_scheme(curve.mesh().degree)),
-      nodes_(scheme_.nodes.nodes().size()),
-      rule_(math::gauss_legendre((curve.mesh().degree + 2) / 2)),
-      first_length_(length(0, basis_at(1.0))),
-      stages_(kStages, basis_at(0.0)),
-      start_(scheme_, 0.0) {}
-
-PathByPlace::Basis PathByPlace::basis_at(double t) const {
-  Basis out{ElementPlace(scheme_, t)};
-  std::array<double, kLargestDegree + 1> values{};
-  for (std::size_t i = 0; i < rule_.points.size(); ++i) {
-    scheme_.nodes.evaluate(t * rule_.points[i],
-                           std::span(values).first(nodes_));
-    for (std::size_t n = 0; n < nodes_; ++n) {
-      out.integrals[n] += t * rule_.weights[i] * values[n];
-    }
-  }
-  return out;
-}
+      first_length_(curve.without_slope(0, ElementPlace(scheme_, 1.0)).s),
+      stages_(kStages, Basis(scheme_, 0.0)),
+      leading_s_(leading_s(0)) {}
 
 double PathByPlace::in_first(double s) const {
   constexpr int kMostSteps = 20;
   // The next step of Newton's method would be the square of this one, over the
   // place, on which w/t varies: rounding.
   constexpr double kLastStep = 1e-9;
+  const double leading = leading_s(0);
   // At the start s ~ t².
   double t = std::sqrt(std::max(s / first_length_, 0.0));
   for (int i = 0; i < kMostSteps; ++i) {
-    const Basis basis = basis_at(t);
-    const double now = pace(0, curve_.without_slope(0, basis.place).w);
-    if (!(now > 0.0)) break;
-    const double step = (s - length(0, basis)) / now;
+    const Basis basis(scheme_, t);
+    const ExtremalPoint point = curve_.without_slope(0, basis.place);
+    if (!(point.w > 0.0)) break;
+    const double step =
+        (s - point.s - leading * basis.beyond) / pace(0, point.w);
     t += step;
     if (std::abs(step) < kLastStep * t) break;
   }
@@ -53,16 +39,16 @@ double PathByPlace::in_first(double s) const {
 PathByPlace::Place PathByPlace::at(int e, double t) {
   Basis& basis = stages_[stage_];
   stage_ = (stage_ + 1) % kStages;
-  if (basis.place.t != t) basis = basis_at(t);
+  if (basis.place.t != t) basis = Basis(scheme_, t);
   if (e != element_) {
     element_ = e;
-    begin_ = curve_.without_slope(e, start_).s;
+    leading_s_ = leading_s(e);
   }
   const ElementPlace& place = basis.place;
   const ExtremalPoint point = curve_.at(e, place);
   const std::array<double, 8> rates = curve_.rates(e, place);
   Place out;
-  out.s = begin_ + length(e, basis);
+  out.s = point.s + leading_s_ * basis.beyond;
   out.along = direction_of(point.beta);
   out.pace = pace(e, point.w);
   // ∂𝓗/∂β = 0 differentiated along the polynomials.

@@ -6,13 +6,10 @@
 
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <vector>
 
-#include "math/gauss.hpp"
 #include "transcription/extremal_curve.hpp"
 
 namespace brachisto {
@@ -30,8 +27,9 @@ struct Direction {
 /// the length of what is passed, its arc length. Slopes have kinks where
 /// elements meet.
 ///
-/// In an element s is the integral of h U w, of degree p + 1, and dβ/dt is the
-/// exact derivative of β, so that both belong to one and the same path on
+/// In an element s is the integral of h U w, of degree p + 1: to the polynomial
+/// through its values at the nodes belongs a multiple of Π (t − t_n). dβ/dt is
+/// the exact derivative of β, so that both belong to one and the same path on
 /// coarse meshes too: κ_c = (dβ/dt)/(ds/dt).
 class PathByPlace {
  public:
@@ -71,12 +69,15 @@ class PathByPlace {
   /// The bases at a place.
   struct Basis {
     ElementPlace place;
-    std::array<double, kLargestDegree + 1> integrals{};  ///< ∫₀ᵗ ℓ_n
+    double
+        beyond;  ///< Π (t − t_n), what a polynomial of degree p cannot follow
+
+    Basis(const CollocationScheme& scheme, double t)
+        : place(scheme, t), beyond(scheme.nodes.node_polynomial(t)) {}
   };
-  [[nodiscard]] Basis basis_at(double t) const;
-  /// s less what it is where the element begins.
-  [[nodiscard]] double length(int e, const Basis& at) const {
-    return curve_.length_within(e, std::span(at.integrals).first(nodes_));
+  /// The coefficient of t^(p+1) of s.
+  [[nodiscard]] double leading_s(int e) const {
+    return pace(e, curve_.leading_w(e)) / (scheme_.degree + 1);
   }
   [[nodiscard]] double pace(int e, double w) const {
     return curve_.rolling_time() * curve_.mesh().length(e) * w;
@@ -85,14 +86,11 @@ class PathByPlace {
   const ExtremalCurve& curve_;
   const bool in_world_;
   const CollocationScheme& scheme_;
-  const std::size_t nodes_;    ///< of an element
-  math::QuadratureRule rule_;  ///< exact for w
-  double first_length_;
+  const double first_length_;
   std::vector<Basis> stages_;  ///< of the last step
   std::size_t stage_ = 0;
-  const ElementPlace start_;
-  int element_ = 0;     ///< the last one that was asked for,
-  double begin_ = 0.0;  ///< and s where it begins
+  int element_ = 0;   ///< the last one that was asked for,
+  double leading_s_;  ///< and its coefficient
 };
 
 }  // namespace brachisto

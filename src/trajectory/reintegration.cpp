@@ -281,48 +281,91 @@ Reintegration reintegrate(const ExtremalCurve& curve) {
   return out;
 }
 
-double reintegration_error(const PrescribedMotion& motion, double from) {
-  using Pair = std::array<double, 2>;  // s, ṡ
-  // As kFreshIntegrator.
-  static const odeint::runge_kutta_fehlberg78<Pair> kFreshPairStepper;
-  constexpr double kLoose = 1e-13;
-  constexpr double kFirstStep = 1e-3;
+namespace {
+
+/// t, s, ṡ on a given path.
+using OnPath = std::array<double, 3>;
+using PathStepper =
+    odeint::controlled_runge_kutta<odeint::runge_kutta_fehlberg78<OnPath>>;
+
+/// s̈ at a place of the path.
+double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
+                    double s, double v) {
+  // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
+  const double v_kappa =
+      place.speed > 0.0 ? v * place.turning / place.speed : 0.0;
+  return acceleration(motion.scene(), s, v, direction_of(place.beta), v_kappa);
+}
+
+/// From `from` to `to`, in steps the next of which is `step`. False if steps
+/// become too short.
+template <class Rates>
+bool integrate(PathStepper& stepper, const Rates& rates, OnPath& y, double from,
+               double to, double& step) {
   constexpr double kShortest = 1e-15;
-  constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
-  const double T = motion.transit_time();
-  const auto body = [&](const Pair& y, Pair& dy, double) {
-    const double s = std::clamp(y[0], 0.0, motion.centre_path_length());
-    const CurvePlace place = motion.curve().at(motion.place_at_length(s));
-    // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
-    const double v_kappa =
-        place.speed > 0.0 ? y[1] * place.turning / place.speed : 0.0;
-    dy = {y[1], acceleration(motion.scene(), s, y[1], direction_of(place.beta),
-                             v_kappa)};
-  };
-  auto stepper = odeint::make_controlled(kLoose, kLoose, kFreshPairStepper);
-  Pair y{0.0, 0.0};
-  double t = 0.0;
-  if (from > 0.0) {
-    const TrajectoryPoint start = motion.at(from);
-    y = {start.s, start.motion.v_c};
-    t = start.t;
-  }
-  double dt = kFirstStep * T;
-  // Cell by cell: where the curvature has kinks the steps end, for the error
-  // estimate of this method does not see them.
-  for (const TrajectoryPoint& cell : motion.at_nodes()) {
-    while (t < cell.t) {
-      check_stop();
-      dt = std::min(dt, cell.t - t);
-      if (stepper.try_step(body, y, t, dt) == odeint::fail &&
-          dt < kShortest * T) {
-        return kFailed;
-      }
+  const double shortest = kShortest * std::abs(to);
+  while (from < to) {
+    check_stop();
+    const bool last = step >= to - from;
+    double tried = last ? to - from : step;
+    const bool failed = stepper.try_step(rates, y, from, tried) == odeint::fail;
+    if (failed && tried < shortest) return false;
+    if (failed || !last) {
+      step = tried;
+    } else {
+      from = to;  // but for rounding it is
+      step = std::max(step, tried);
     }
   }
+  return true;
+}
+
+}  // namespace
+
+double reintegration_error(const PrescribedMotion& motion, double from) {
+  // As kFreshIntegrator.
+  static const odeint::runge_kutta_fehlberg78<OnPath> kFreshStepper;
+  constexpr double kLoose = 1e-13;
+  constexpr double kFirstStep = 1e-3;
+  constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
+  const double T = motion.transit_time();
+  const std::vector<TrajectoryPoint> cells = motion.at_nodes();
+  PathStepper stepper = odeint::make_controlled(kLoose, kLoose, kFreshStepper);
+  OnPath y{0.0, 0.0, 0.0};
+  double q = from;
+  if (from > 0.0) {
+    const TrajectoryPoint start = motion.at(from);
+    y = {start.t, start.s, start.motion.v_c};
+  } else {
+    // At rest nothing is a function of the place: the first cell in time.
+    const auto in_time = [&](const OnPath& at, OnPath& rate, double) {
+      const auto [t, s, v] = at;
+      const double along = std::clamp(s, 0.0, motion.centre_path_length());
+      const CurvePlace place = motion.curve().at(motion.place_at_length(along));
+      rate = {1.0, v, acceleration(motion, place, along, v)};
+    };
+    double dt = kFirstStep * T;
+    if (!integrate(stepper, in_time, y, 0.0, cells[1].t, dt)) return kFailed;
+    q = motion.place_at_length(y[1]);
+  }
+  const auto by_place = [&](const OnPath& at, OnPath& rate, double there) {
+    const auto [t, s, v] = at;
+    const CurvePlace place = motion.curve().at(there);
+    const double time = place.speed / v;
+    rate = {time, place.speed, acceleration(motion, place, s, v) * time};
+  };
+  double dq = kFirstStep;
+  // Cell by cell: where the curvature has kinks the steps end, for the error
+  // estimate of this method does not see them.
+  for (const TrajectoryPoint& cell : cells) {
+    if (!integrate(stepper, by_place, y, q, cell.sigma, dq)) return kFailed;
+    q = std::max(q, cell.sigma);
+  }
   const double v = motion.at(1.0).motion.v_c;
-  const double late = std::abs(y[0] - motion.centre_path_length()) / (v * T);
-  return std::max(late, std::abs(y[1] - v) / v);
+  const double late = std::abs(y[0] - T) / T;
+  const double faster = std::abs(y[2] - v) / v;
+  // The larger of two may not be the one that is no number.
+  return std::isnan(late + faster) ? kFailed : std::max(late, faster);
 }
 
 LimitedReintegration reintegrate(const LimitedCurve& curve) {

@@ -184,14 +184,8 @@ ExtremalPoint ExtremalCurve::at(int element, const ElementPlace& place) const {
   return point;
 }
 
-double ExtremalCurve::length_within(int element,
-                                    std::span<const double> integrals) const {
-  const std::size_t first = at_index(element * mesh_.degree);
-  double integral = 0.0;
-  for (std::size_t n = 0; n < integrals.size(); ++n) {
-    integral += integrals[n] * nodes_[first + n][kW];
-  }
-  return U_ * mesh_.length(element) * integral;
+double ExtremalCurve::leading_w(int element) const {
+  return combined(scheme_->nodes.weights(), nodes_, element * mesh_.degree)[kW];
 }
 
 std::array<double, 8> ExtremalCurve::rates(int element,

@@ -72,10 +72,8 @@ class ExtremalCurve {
   [[nodiscard]] ExtremalPoint without_slope(int element,
                                             const ElementPlace& place) const;
   [[nodiscard]] ExtremalPoint without_slope(double sigma) const;
-  /// h U Σ integrals[n] w_n: the arc length from the start of an element to the
-  /// place that ∫ ℓ_n are taken to. As exact as w, of degree p + 1.
-  [[nodiscard]] double length_within(int element,
-                                     std::span<const double> integrals) const;
+  /// The coefficient of tᵖ of w in an element.
+  [[nodiscard]] double leading_w(int element) const;
   /// Derivatives of the polynomials by t ∈ [0, 1], of x, z, θ, w and the
   /// costates p_x, p_z, p_θ, p_w.
   [[nodiscard]] std::array<double, 8> rates(int element,

@@ -4,6 +4,7 @@
 // The command `brachisto`.
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <csignal>
@@ -165,5 +166,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // What is longer than the shell allows cannot be written, and is told so.
   std::signal(SIGXFSZ, SIG_IGN);
+  // Large arrays come and go with every mesh. Memory that was given back to the
+  // kernel comes back page by page, each zeroed: it is kept.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
   return brachisto::app::run(argc, argv);
 }

@@ -3,12 +3,30 @@
 
 #include "math/polynomial_basis.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "math/index.hpp"
 
 namespace brachisto::math {
+
+namespace {
+
+/// What rounding leaves of the sum of a row would be multiplied by values of
+/// any size, on element after element to the same side. The smallest entry,
+/// whose last digit is the finest, takes it.
+void sum_to_zero(std::span<double> row) {
+  double& smallest = *std::ranges::min_element(
+      row, {}, [](double entry) { return std::abs(entry); });
+  smallest = 0.0;
+  smallest =
+      static_cast<double>(-std::accumulate(row.begin(), row.end(), 0.0L));
+}
+
+}  // namespace
 
 LagrangeBasis::LagrangeBasis(std::vector<double> nodes)
     : nodes_(std::move(nodes)), weights_(nodes_.size()) {
@@ -21,44 +39,63 @@ LagrangeBasis::LagrangeBasis(std::vector<double> nodes)
   }
 }
 
-// Products of differences rather than the barycentric quotient: for the dozen
-// nodes in use it is as stable, and it needs no special case at a node.
+// ℓ_j = w_j Π_{i<j} (t − t_i) Π_{i>j} (t − t_i), the products gathered from
+// both ends: no quotient, so that a node is no special case, and every factor
+// enters as in the definition, rounded once.
 void LagrangeBasis::evaluate(double t, std::span<double> values) const {
   assert(values.size() == nodes_.size());
-  for (int j = 0; j < size(); ++j) {
-    double product = weights_[at(j)];
-    for (int i = 0; i < size(); ++i) {
-      if (i != j) product *= t - nodes_[at(i)];
-    }
-    values[at(j)] = product;
+  double before = 1.0;
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    values[j] = weights_[j] * before;
+    before *= t - nodes_[j];
+  }
+  double behind = 1.0;
+  for (std::size_t j = nodes_.size(); j-- > 0;) {
+    values[j] *= behind;
+    behind *= t - nodes_[j];
   }
 }
 
-void LagrangeBasis::differentiate(double t, std::span<double> slopes) const {
+// The same with the derivatives of both products.
+void LagrangeBasis::evaluate(double t, std::span<double> values,
+                             std::span<double> slopes) const {
+  assert(values.size() == nodes_.size());
   assert(slopes.size() == nodes_.size());
-  for (int j = 0; j < size(); ++j) {
-    double sum = 0.0;
-    for (int skip = 0; skip < size(); ++skip) {
-      if (skip == j) continue;
-      double product = 1.0;
-      for (int i = 0; i < size(); ++i) {
-        if (i != j && i != skip) product *= t - nodes_[at(i)];
-      }
-      sum += product;
-    }
-    slopes[at(j)] = weights_[at(j)] * sum;
+  double before = 1.0, before_slope = 0.0;
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    values[j] = weights_[j] * before;
+    slopes[j] = weights_[j] * before_slope;
+    before_slope = before_slope * (t - nodes_[j]) + before;
+    before *= t - nodes_[j];
+  }
+  double behind = 1.0, behind_slope = 0.0;
+  for (std::size_t j = nodes_.size(); j-- > 0;) {
+    slopes[j] = slopes[j] * behind + values[j] * behind_slope;
+    values[j] *= behind;
+    behind_slope = behind_slope * (t - nodes_[j]) + behind;
+    behind *= t - nodes_[j];
   }
 }
 
-SmallMatrix LagrangeBasis::rows(std::span<const double> points,
-                                void (LagrangeBasis::*row_at)(double,
-                                                              std::span<double>)
-                                    const) const {
+double LagrangeBasis::node_polynomial(double t) const {
+  double product = 1.0;
+  for (const double node : nodes_) product *= t - node;
+  return product;
+}
+
+SmallMatrix LagrangeBasis::values_at(std::span<const double> points) const {
   SmallMatrix matrix(static_cast<int>(points.size()), size());
-  std::vector<double> row(nodes_.size());
+  for (int i = 0; i < matrix.rows(); ++i)
+    evaluate(points[at(i)], matrix.row(i));
+  return matrix;
+}
+
+SmallMatrix LagrangeBasis::slopes_at(std::span<const double> points) const {
+  SmallMatrix matrix(static_cast<int>(points.size()), size());
+  std::vector<double> values(nodes_.size());
   for (int i = 0; i < matrix.rows(); ++i) {
-    (this->*row_at)(points[at(i)], row);
-    for (int j = 0; j < size(); ++j) matrix(i, j) = row[at(j)];
+    evaluate(points[at(i)], values, matrix.row(i));
+    sum_to_zero(matrix.row(i));
   }
   return matrix;
 }

@@ -28,6 +28,10 @@ class SmallMatrix {
   [[nodiscard]] double operator()(int i, int j) const {
     return data_[index(i, j)];
   }
+  [[nodiscard]] std::span<double> row(int i) {
+    return std::span(data_).subspan(index(i, 0),
+                                    static_cast<std::size_t>(cols_));
+  }
   double& operator()(int i, int j) { return data_[index(i, j)]; }
 
  private:
@@ -47,32 +51,32 @@ class LagrangeBasis {
 
   [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
   [[nodiscard]] std::span<const double> nodes() const { return nodes_; }
+  /// 1/Π_{i≠j} (t_j − t_i): Σ_j weights()[j] f(t_j) is the leading coefficient
+  /// of the polynomial through values f(t_j).
+  [[nodiscard]] std::span<const double> weights() const { return weights_; }
+  /// Π_j (t − t_j).
+  [[nodiscard]] double node_polynomial(double t) const;
 
   /// values[j] = ℓ_j(t); at the nodes exactly 0, and 1 up to rounding. size()
-  /// values.
+  /// values, in O(size()).
   void evaluate(double t, std::span<double> values) const;
-  /// slopes[j] = ℓ_j'(t); size() values.
-  void differentiate(double t, std::span<double> slopes) const;
+  /// With slopes[j] = ℓ_j'(t); also O(size()).
+  void evaluate(double t, std::span<double> values,
+                std::span<double> slopes) const;
 
   /// Row i holds ℓ_j(points[i]).
-  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const {
-    return rows(points, &LagrangeBasis::evaluate);
-  }
-  /// Row i holds ℓ_j'(points[i]).
-  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const {
-    return rows(points, &LagrangeBasis::differentiate);
-  }
+  [[nodiscard]] SmallMatrix values_at(std::span<const double> points) const;
+  /// Row i holds ℓ_j'(points[i]). Every row sums to zero exactly, for that is
+  /// the slope of a constant, however large.
+  [[nodiscard]] SmallMatrix slopes_at(std::span<const double> points) const;
   /// Row i holds ∫ ℓ_j from 0 to ends[i], by a rule on [0, 1] that is exact for
   /// polynomials of their degree.
   [[nodiscard]] SmallMatrix integrals_to(std::span<const double> ends,
                                          const QuadratureRule& rule) const;
 
  private:
-  [[nodiscard]] SmallMatrix rows(
-      std::span<const double> points,
-      void (LagrangeBasis::*row_at)(double, std::span<double>) const) const;
   std::vector<double> nodes_;
-  std::vector<double> weights_;  // 1 / Π_{i≠j} (t_j − t_i)
+  std::vector<double> weights_;
 };
 
 }  // namespace brachisto::math

@@ -87,8 +87,10 @@ template <class Function>
 [[nodiscard]] double nearest_minimum(const Function& function, double near) {
   constexpr double kLongestStep = 0.25;
   constexpr int kMaxSteps = 100;
+  // The next step of Newton's method would be the square of this one times
+  // ½ h_βββ/h_ββ: less than the rounding of h_β over h_ββ, however flat h is.
+  constexpr double kLastStep = 1e-9;
   double beta = near;
-  double last_step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kMaxSteps; ++i) {
     const SlopeHamiltonian h = function(beta);
     double step = h.d2_beta > 0.0 ? -h.d_beta / h.d2_beta
@@ -96,12 +98,7 @@ template <class Function>
     step = std::clamp(step, -kLongestStep, kLongestStep);
     beta += step;
     if (std::isnan(beta)) break;
-    // Converged once a Newton step is at rounding level, where it no longer
-    // shrinks.
-    const double size = std::abs(step);
-    if (h.d2_beta > 0.0 && size < 1e-14 + 1e-15 * std::abs(beta)) return beta;
-    if (h.d2_beta > 0.0 && size < 1e-11 && size >= last_step) return beta;
-    last_step = size;
+    if (h.d2_beta > 0.0 && std::abs(step) < kLastStep) return beta;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

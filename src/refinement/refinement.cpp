@@ -112,9 +112,12 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
 
 /// How far a solution lies from the curve it started from: in T, relative, or
 /// in φ, whichever is more.
-double departure(const RollingTime& problem, const MeshSolution& solution,
+double departure(RollingTime& problem, const MeshSolution& solution,
                  const ExtremalCurve& curve, double phi) {
-  const double T = ExtremalCurve(problem, solution.point).transit_time();
+  if (!problem.set_point(solution.point.x)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double T = problem.eval_f();
   return std::max(std::abs(T / curve.transit_time() - 1.0),
                   std::abs(solution.tangency.phi - phi));
 }

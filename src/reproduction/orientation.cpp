@@ -37,8 +37,8 @@ class Interpolant {
     return sum(weights);
   }
   [[nodiscard]] double slope(double theta_m) const {
-    std::vector<double> weights(values_.size());
-    basis_.differentiate(theta_m, weights);
+    std::vector<double> values(values_.size()), weights(values_.size());
+    basis_.evaluate(theta_m, values, weights);
     return sum(weights);
   }
   [[nodiscard]] bool falls_below() const { return slope(low_) > 0.0; }

@@ -98,11 +98,11 @@ Answered answer_on_given_path(const PosedProblem& posed) {
           std::move(diagnostics)};
 }
 
-Certified certify(const PosedProblem& posed, MeshAnswer& found) {
+Certified certify(const PosedProblem& posed, MeshAnswer& found,
+                  const ExtremalCurve& curve) {
   tell_of_certificate(posed, found.problem.mesh().num_nodes());
-  const ExtremalCurve curve = found.curve();
   return cross_checked(
-      posed, certify_answer(found, posed.program.discretisation), curve,
+      posed, certify_answer(found, curve, posed.program.discretisation), curve,
       found.solution.tangency.phi, curve.transit_time() * posed.units.time,
       found.estimated_error);
 }

@@ -44,7 +44,9 @@ struct Certified {
   std::optional<CrossCheck> cross_check;  ///< if it was asked for
 };
 
-[[nodiscard]] Certified certify(const PosedProblem& posed, MeshAnswer& found);
+/// \param curve  of `found`
+[[nodiscard]] Certified certify(const PosedProblem& posed, MeshAnswer& found,
+                                const ExtremalCurve& curve);
 [[nodiscard]] Certified certify(const PosedProblem& posed,
                                 const LimitedAnswer& found);
 /// \param motion  of `found`

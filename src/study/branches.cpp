@@ -21,7 +21,7 @@ namespace {
 Branch judge(const PosedScene& scene, const Discretisation& wanted,
              MeshAnswer& answer) {
   const Trajectory trajectory(answer.curve(), scene.scene, scene.units);
-  const Certificate checks = certify_answer(answer, wanted);
+  const Certificate checks = certify_answer(answer, trajectory.curve(), wanted);
   Branch branch;
   branch.tau = trajectory.tau();
   branch.estimated_error =

@@ -51,11 +51,11 @@ bool under_resolved(const Certificate& certificate) {
                      });
 }
 
-Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
+Certificate certify_answer(MeshAnswer& answer, const ExtremalCurve& curve,
+                           const Discretisation& wanted) {
   const double estimated = answer.estimated_error.value_or(kUnknown);
   // A mesh that missed the tolerance is judged by what it reached. Errors of
   // either sign may cancel in T; along the path they do not.
-  const ExtremalCurve curve = answer.curve();
   double shares = 0.0;
   for (const double share : element_errors(curve)) shares += std::abs(share);
   const double error = std::max(
@@ -63,7 +63,7 @@ Certificate certify_answer(MeshAnswer& answer, const Discretisation& wanted) {
                           : std::max(wanted.wanted_tolerance(), estimated),
       shares / curve.transit_time());
   Certificate certificate = certify(answer.problem, answer.solution.point,
-                                    answer.solution.tangency.phi, error);
+                                    curve, answer.solution.tangency.phi, error);
   const Mesh& mesh = answer.problem.mesh();
   add_agreement(
       estimated, wanted,

@@ -23,7 +23,9 @@ inline constexpr double kCoarsestAgreement = 1e-2;
 
 /// certify(), and the check "agreement": the estimated error against the wanted
 /// tolerance, or kCoarsestAgreement where none is wanted of a fixed mesh.
+/// \param curve  of `answer`
 [[nodiscard]] Certificate certify_answer(MeshAnswer& answer,
+                                         const ExtremalCurve& curve,
                                          const Discretisation& wanted);
 
 /// certify(), and the check "agreement" as in certify_answer().

@@ -328,7 +328,8 @@ void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
   record(answer_of(posed, found, transit_time), out);
   {
     const CertificateTimer timer(out.effort);
-    record(certify(posed, found), out);
+    const auto& answer = std::get<CollocationAnswer>(*out.answer);
+    record(certify(posed, found, answer.trajectory.curve()), out);
   }
   record(verdict(out, found.solution.message), out);
 }

@@ -133,20 +133,20 @@ void check_slope(const ExtremalCurve& curve, Certificate& certificate) {
 }
 
 void check_speed(const ExtremalCurve& curve, Certificate& certificate) {
-  std::vector<double> w = curve.w_at_points();
-  w.push_back(curve.at(1.0).w);
+  const std::vector<double>& w = curve.w_at_points();
   std::size_t at_rest = 0;
   std::string where;
-  for (std::size_t c = 0; c < w.size(); ++c) {
-    if (w[c] > 0.0) continue;  // written so that a NaN counts
-    if (at_rest++ == 0) {
-      where = fmt::format("w = {:.3g} at collocation point {} of {}", w[c], c,
-                          w.size() - 1);
-    }
-  }
-  certificate.add("speed",
-                  static_cast<double>(at_rest) / static_cast<double>(w.size()),
-                  0.0, where);
+  const auto see = [&](double speed, std::size_t c) {
+    if (speed > 0.0) return;  // written so that a NaN counts
+    if (at_rest++ > 0) return;
+    where = fmt::format("w = {:.3g} at collocation point {} of {}", speed, c,
+                        w.size());
+  };
+  for (std::size_t c = 0; c < w.size(); ++c) see(w[c], c);
+  see(curve.at(1.0).w, w.size());
+  certificate.add(
+      "speed", static_cast<double>(at_rest) / static_cast<double>(w.size() + 1),
+      0.0, where);
 }
 
 /// The largest of values that belong to places of the path, σ or the number of
@@ -171,59 +171,53 @@ struct Largest {
 
 constexpr Largest kLeast{-std::numeric_limits<double>::infinity(), 0.0};
 
-/// 𝓗 and its derivatives between the nodes.
-void check_hamiltonian(const ExtremalCurve& curve, double interior,
-                       double slope_threshold, Certificate& certificate) {
+/// What is seen along an extremal.
+struct Seen {
+  Largest hamiltonian, slope;
+  Largest flattest = kLeast;
+  Largest gain = kLeast;  ///< of other directions
+};
+
+/// 𝓗 and its derivatives between the nodes, and at ends and middles of elements
+/// that no other direction makes it smaller.
+Seen look_along(const ExtremalCurve& curve) {
   const Mesh& mesh = curve.mesh();
   const Scene& scene = curve.scene();
-  Largest hamiltonian_off, slope_off;
-  Largest flattest = kLeast;
+  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
   // Places that are neither nodes nor collocation points, both ends included.
-  const int places = mesh.degree + 2;
+  const int count = mesh.degree + 2;
+  std::vector<ElementPlace> places;
+  for (int i = 0; i <= count; ++i) {
+    places.emplace_back(scheme, static_cast<double>(i) / count);
+  }
+  const ElementPlace middle(scheme, 0.5);
+  Seen seen;
   for (int e = 0; e < mesh.num_elements(); ++e) {
     check_stop(e);
-    for (int i = 0; i <= places; ++i) {
-      const double t = static_cast<double>(i) / places;
-      const double sigma = mesh.sigma(e, t);
-      const ExtremalPoint at = curve.at(e, t);
+    const auto look_around = [&](const ExtremalPoint& at, double sigma) {
+      seen.gain.see(gain_of_other_directions(scene, at.state(), at.p, at.beta),
+                    sigma);
+    };
+    for (const ElementPlace& place : places) {
+      const double sigma = mesh.sigma(e, place.t);
+      const ExtremalPoint at = curve.at(e, place);
       const double root =
           std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
       const SlopeHamiltonian h =
           slope_hamiltonian(scene, at.state(), at.p, at.beta);
       const SlopeHamiltonian interpolated = slope_hamiltonian(
-          scene, at.state(), at.p, curve.interpolated_slope(e, t));
-      hamiltonian_off.see(
+          scene, at.state(), at.p, curve.interpolated_slope(e, place));
+      seen.hamiltonian.see(
           std::abs(hamiltonian(scene, at.state(), at.p, at.beta)) / root,
           sigma);
-      slope_off.see(std::abs(interpolated.d_beta) / root, sigma);
-      flattest.see(-h.d2_beta, sigma);
+      seen.slope.see(std::abs(interpolated.d_beta) / root, sigma);
+      seen.flattest.see(-h.d2_beta, sigma);
+      // The start of an element is the end of the one before.
+      if (place.t == 1.0 || sigma == 0.0) look_around(at, sigma);
     }
+    look_around(curve.at(e, middle), mesh.sigma(e, 0.5));
   }
-  certificate.add("hamiltonian", hamiltonian_off.value, interior,
-                  hamiltonian_off.where());
-  certificate.add("slope", slope_off.value, slope_threshold, slope_off.where());
-  certificate.add("legendre", flattest.value,
-                  -std::numeric_limits<double>::min(), flattest.where());
-}
-
-/// That no other direction makes 𝓗 smaller, at ends and middles of elements.
-void check_weierstrass(const ExtremalCurve& curve, double threshold,
-                       Certificate& certificate) {
-  const Scene& scene = curve.scene();
-  const Mesh& mesh = curve.mesh();
-  Largest worst = kLeast;
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    check_stop(e);
-    for (const double t : {0.0, 0.5, 1.0}) {
-      // The end of the element before.
-      if (e > 0 && t == 0.0) continue;
-      const ExtremalPoint at = curve.at(e, t);
-      const double sigma = mesh.sigma(e, t);
-      worst.see(gain_of_other_directions(scene, at.state(), at.p, at.beta),
-                sigma);
-    }
-  }
-  certificate.add("weierstrass", worst.value, threshold, worst.where());
+  return seen;
 }
 
 /// What ½ w² has gained against the fall of the potential at the centre of mass
@@ -237,6 +231,10 @@ void check_energy_in_world(const ExtremalCurve& curve, double threshold,
   };
   // Exact for polynomials of degree 2p + 5, of higher order than the solution.
   const math::QuadratureRule rule = math::gauss_legendre(mesh.degree + 3);
+  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  std::vector<ElementPlace> places;
+  for (const double t : rule.points) places.emplace_back(scheme, t);
+  const ElementPlace last(scheme, 1.0);
   const ExtremalPoint start = curve.at(0.0);
   double lost = 0.0;
   Largest drift;
@@ -244,12 +242,12 @@ void check_energy_in_world(const ExtremalCurve& curve, double threshold,
     check_stop(e);
     for (std::size_t i = 0; i < rule.points.size() && scene.world.air.any();
          ++i) {
-      const ExtremalPoint at = curve.at(e, rule.points[i]);
+      const ExtremalPoint at = curve.at(e, places[i]);
       const double v = at.w / root_of_inertia(scene.body, at.theta, at.beta);
       lost += rule.weights[i] * mesh.length(e) * curve.rolling_time() * at.w *
               drag(scene.world.air, v);
     }
-    const ExtremalPoint at = curve.at(e, 1.0);
+    const ExtremalPoint at = curve.without_slope(e, last);
     const double gained = 0.5 * (at.w * at.w - start.w * start.w);
     const double work = potential_fall(scene, heavy(start), heavy(at)) - lost;
     drift.see(std::abs(gained - work) / scene.gravity,
@@ -265,9 +263,10 @@ void check_energy(const ExtremalCurve& curve, double threshold,
     return check_energy_in_world(curve, threshold, certificate);
   }
   const double z_0 = curve.at(0.0).centre.z;
+  const ElementPlace last(collocation_scheme(curve.mesh().degree), 1.0);
   Largest drift;
   for (int e = 0; e < curve.mesh().num_elements(); ++e) {
-    const ExtremalPoint at = curve.at(e, 1.0);
+    const ExtremalPoint at = curve.without_slope(e, last);
     const double E = energy_height(scene.body, at.centre.z - z_0, at.theta);
     drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - E),
               curve.mesh().boundaries[static_cast<std::size_t>(e) + 1]);
@@ -290,9 +289,10 @@ void check_turning(const ExtremalCurve& curve, double threshold,
   const double distance = std::hypot(sphere->centre.x, sphere->centre.z);
   const double scale = curve.transit_time() * std::max(1.0, distance);
   const double end = costate(curve.at(1.0));
+  const ElementPlace first(collocation_scheme(curve.mesh().degree), 0.0);
   Largest drift;
   for (int e = 0; e < curve.mesh().num_elements(); ++e) {
-    drift.see(std::abs(costate(curve.at(e, 0.0)) - end) / scale,
+    drift.see(std::abs(costate(curve.without_slope(e, first)) - end) / scale,
               curve.mesh().boundaries[static_cast<std::size_t>(e)]);
   }
   certificate.add("turning_costate", drift.value, threshold, drift.where());
@@ -338,7 +338,10 @@ void check_directions(const ArcLength& problem, std::span<const double> lambda,
                       double threshold, Certificate& certificate) {
   const Scene& scene = problem.scene();
   Largest flattest = kLeast, better = kLeast;
-  for (const ArcLength::PieceState& at : problem.piece_states(lambda)) {
+  const Costates end = problem.end_costates(lambda);
+  for (int node = 1; node <= problem.num_intervals(); ++node) {
+    check_stop(node);
+    const ArcLength::PieceState at = problem.piece_state(node, lambda, end);
     const RollingState state{at.theta, at.w};
     flattest.see(
         -slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta)
@@ -414,12 +417,11 @@ double relative_contact_error(const PrescribedMotion& motion) {
 
 }  // namespace
 
-Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
-                    double error) {
+Certificate certify(RollingTime& problem, const PrimalDual& point,
+                    const ExtremalCurve& curve, double phi, double error) {
   Certificate certificate;
   if (!evaluable(problem, point, phi, certificate)) return certificate;
   check_residual(extended_residual(problem, point), 0.0, certificate);
-  const ExtremalCurve curve(problem, point);
   const ExtremalPoint end = curve.at(1.0);
   check_ends(problem.scene(), curve.at(0.0).centre, end.centre, end.beta, phi,
              0.0, certificate);
@@ -435,9 +437,15 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   const double interior = factor * std::pow(error, 0.5 * (p + 1.0) / p);
   const double slopes =
       at_most(kThresholds.largest_slope, factor * std::sqrt(error));
-  check_hamiltonian(curve, at_most(kThresholds.largest_interior, interior),
-                    slopes, certificate);
-  check_weierstrass(curve, kThresholds.weierstrass, certificate);
+  const Seen seen = look_along(curve);
+  certificate.add("hamiltonian", seen.hamiltonian.value,
+                  at_most(kThresholds.largest_interior, interior),
+                  seen.hamiltonian.where());
+  certificate.add("slope", seen.slope.value, slopes, seen.slope.where());
+  certificate.add("legendre", seen.flattest.value,
+                  -std::numeric_limits<double>::min(), seen.flattest.where());
+  certificate.add("weierstrass", seen.gain.value, kThresholds.weierstrass,
+                  seen.gain.where());
   check_start(curve, slopes, certificate);
   const double at_ends = at_most(kThresholds.largest_at_end, factor * error);
   check_energy(curve, at_ends, certificate);
@@ -446,6 +454,11 @@ Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
   check_motion(curve, kThresholds.time_factor * error,
                at_most(kThresholds.largest_at_end, interior), certificate);
   return certificate;
+}
+
+Certificate certify(RollingTime& problem, const PrimalDual& point, double phi,
+                    double error) {
+  return certify(problem, point, ExtremalCurve(problem, point), phi, error);
 }
 
 Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,

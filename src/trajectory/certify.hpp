@@ -7,6 +7,7 @@
 #pragma once
 
 #include "brachisto/trajectory/certificate.hpp"
+#include "transcription/extremal_curve.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto {
@@ -70,8 +71,13 @@ struct CertificateThresholds {
 ///   slope_angle      continuous slope angle within [−π, π]: no loop
 ///   speed            share of the places after the start without w > 0
 ///
+/// \param curve  of that solution
 /// \param error  relative error of T that the solution has or may have; the
 ///               thresholds between nodes follow from it
+[[nodiscard]] Certificate certify(RollingTime& problem, const PrimalDual& point,
+                                  const ExtremalCurve& curve, double phi,
+                                  double error);
+/// The same where the curve is not at hand.
 [[nodiscard]] Certificate certify(RollingTime& problem, const PrimalDual& point,
                                   double phi, double error);
 

@@ -115,14 +115,20 @@ Rates<Jet> rates(const Scene& scene, bool has_theta, const PointState& at) {
 // of its own one, and S.
 using NodeJet = math::Jet1<Real, 7>;
 
-/// Place and rotation of a node.
+/// Place, rotation and √(2 g E) of a node.
 struct Node {
-  NodeJet x, z, turned;
+  Real x = 0.0L, z = 0.0L, turned = 0.0L;
+  /// By the place z and the rotation alone; 0 at the start, where it is given.
+  math::Jet1<Real, 2> w;
 };
 
-NodeJet speed(const Scene& scene, const Node& node) {
-  return sqrt(energy_height_after(scene.body, node.z, node.turned) *
-              NodeJet(static_cast<Real>(2.0 * scene.gravity)));
+/// w as a function of all, z being number `z` of them and the rotation the
+/// next.
+NodeJet speed(const Node& node, std::size_t z) {
+  NodeJet out(node.w.value);
+  out.gradient[z] = node.w.gradient[0];
+  out.gradient[z + 1] = node.w.gradient[1];
+  return out;
 }
 
 template <class Jet>
@@ -218,14 +224,15 @@ ExtendedResidual extended_residual(const ArcLength& problem,
   const bool has_theta = layout.has_theta();
   const int stride = layout.num_states();
   const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
-  const auto node_at = [&](int node, int first) {
+  const auto node_at = [&](int node) {
+    using Jet = math::Jet1<Real, 2>;
     Node out;
-    if (node == 0) return out;
-    out.x = NodeJet::variable(x(layout.state(node, X)), first);
-    out.z = NodeJet::variable(x(layout.state(node, Z)), first + 1);
-    if (has_theta) {
-      out.turned = NodeJet::variable(x(layout.state(node, Theta)), first + 2);
-    }
+    out.x = x(layout.state(node, X));
+    out.z = x(layout.state(node, Z));
+    if (has_theta) out.turned = x(layout.state(node, Theta));
+    out.w = sqrt(energy_height_after(body, Jet::variable(out.z, 0),
+                                     Jet::variable(out.turned, 1)) *
+                 Jet(static_cast<Real>(2.0 * scene.gravity)));
     return out;
   };
   const NodeJet S = NodeJet::variable(x(layout.arc_length()), 6);
@@ -233,30 +240,35 @@ ExtendedResidual extended_residual(const ArcLength& problem,
   std::vector<Real> gradient(point.x.size());
   Worst defect;
 
+  // The start is given.
+  Node before;
   for (int j = 1; j <= problem.num_intervals(); ++j) {
     check_stop(j);
-    const Node before = node_at(j - 1, 0);
-    const Node own = node_at(j, 3);
-    const NodeJet dx = own.x - before.x;
-    const NodeJet dz = own.z - before.z;
+    const Node own = node_at(j);
+    const NodeJet dx =
+        NodeJet::variable(own.x, 3) - NodeJet::variable(before.x, 0);
+    const NodeJet dz =
+        NodeJet::variable(own.z, 4) - NodeJet::variable(before.z, 1);
+    const NodeJet own_turned = NodeJet::variable(own.turned, 5);
+    const NodeJet turned_before = NodeJet::variable(before.turned, 2);
     const Real share = (2.0L * j - 1.0L) / (n * n);
     NodeJet length = S * NodeJet(share);
     NodeJet turn;
     if (has_theta) {
-      turn = own.turned - before.turned;
+      turn = own_turned - turned_before;
       length = turn * NodeJet(static_cast<Real>(body.radius));
     }
     const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
     const NodeJet theta = NodeJet(static_cast<Real>(body.theta_m)) +
-                          before.turned + turn * NodeJet(middle);
+                          turned_before + turn * NodeJet(middle);
     // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
     const Real eta = body.eta_m;
     const NodeJet A =
         NodeJet(1.0L + eta * eta + body.k) -
         (sin(theta) * dx - cos(theta) * dz) / length * NodeJet(2.0L * eta);
     const NodeJet root = sqrt(A);
-    NodeJet sum = speed(scene, own);
-    if (j > 1) sum += speed(scene, before);
+    NodeJet sum = speed(own, 4);
+    if (j > 1) sum += speed(before, 1);
     NodeJet lagrangian = length * root * NodeJet(2.0L) / sum;
     const int row = layout.no_slip(j);
     const NodeJet slip = (dx * dx + dz * dz - length * length) /
@@ -267,7 +279,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
       const int place_row = layout.place(j);
       const Real sigma = j / n;
       const NodeJet place =
-          own.turned * NodeJet(static_cast<Real>(body.radius)) -
+          own_turned * NodeJet(static_cast<Real>(body.radius)) -
           S * NodeJet(sigma * sigma);
       defect.see(place.value, place_row);
       lagrangian +=
@@ -279,6 +291,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
       gradient[at(layout.state(j, X) + i)] += lagrangian.gradient[at(3 + i)];
     }
     gradient[at(layout.arc_length())] += lagrangian.gradient[6];
+    before = own;
   }
 
   return summarise(problem, point, gradient, defect);

@@ -24,15 +24,15 @@ double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
   return motion.scene().limits.friction ? beyond - kRounding : beyond;
 }
 
-/// The rows, and those between them where the excess changes its sign and back.
-std::vector<TrajectoryPoint> with_hidden_extremes(
+/// The places between rows where the excess changes its sign and back, in their
+/// order.
+std::vector<TrajectoryPoint> hidden_extremes(
     const Motion& motion, const std::vector<TrajectoryPoint>& rows, double mu) {
-  std::vector<TrajectoryPoint> out = rows;
+  std::vector<TrajectoryPoint> out;
+  std::vector<math::Sample> samples(rows.size());
   for (const double sign : {1.0, -1.0}) {
-    std::vector<math::Sample> samples;
-    samples.reserve(rows.size());
-    for (const TrajectoryPoint& row : rows) {
-      samples.push_back({row.sigma, sign * excess(motion, row, mu)});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      samples[i] = {rows[i].sigma, sign * excess(motion, rows[i], mu)};
     }
     for (const math::Sample& found :
          math::minima_below(0.0, samples, [&](double sigma) {
@@ -48,42 +48,44 @@ std::vector<TrajectoryPoint> with_hidden_extremes(
   return out;
 }
 
-/// Share of the transit time on which not |R_t| ≤ μ R_n.
-///
-/// \param samples  so close that |R_t| − μ R_n has at most one extreme between
-///                 neighbours, the first one the start, the last one the end;
-///                 changes of its sign are found as roots
-double friction_share(const Motion& motion,
-                      const std::vector<TrajectoryPoint>& samples, double mu) {
-  const std::vector<TrajectoryPoint> rows =
-      with_hidden_extremes(motion, samples, mu);
+/// Time with more than μ R_n between two places next to each other.
+double time_above(const Motion& motion, const TrajectoryPoint& from,
+                  const TrajectoryPoint& to, double mu) {
+  const double ends[] = {excess(motion, from, mu), excess(motion, to, mu)};
   // NaN counts as too much. At the start both forces may vanish: then the first
   // step counts like its end. Where they jump two rows may be of one place.
-  const auto above = [&](const TrajectoryPoint& at) {
-    return !(excess(motion, at, mu) <= 0.0);
-  };
+  const bool before = !(ends[0] <= 0.0);
+  const bool after = !(ends[1] <= 0.0);
+  if (before == after || ends[0] == 0.0 || ends[1] == 0.0 ||
+      !(from.sigma < to.sigma) || std::isnan(ends[0] + ends[1])) {
+    return after ? to.t - from.t : 0.0;
+  }
+  const double change = math::find_root(
+      [&](double sigma) { return excess(motion, motion.at(sigma), mu); },
+      from.sigma, to.sigma, ends[0], ends[1]);
+  const double t = motion.at(change).t;
+  return after ? to.t - t : t - from.t;
+}
+
+/// Share of the transit time on which not |R_t| ≤ μ R_n.
+///
+/// \param rows  so close that |R_t| − μ R_n has at most one extreme between
+///              neighbours, the first one the start, the last one the end;
+///              changes of its sign are found as roots
+double friction_share(const Motion& motion,
+                      const std::vector<TrajectoryPoint>& rows, double mu) {
+  const std::vector<TrajectoryPoint> hidden = hidden_extremes(motion, rows, mu);
+  auto between = hidden.begin();
   double time = 0.0;
-  bool before = above(rows.front());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     check_stop(i);
-    const double step = rows[i].t - rows[i - 1].t;
-    const bool after = above(rows[i]);
-    const double ends[] = {excess(motion, rows[i - 1], mu),
-                           excess(motion, rows[i], mu)};
-    if (before == after) {
-      if (after) time += step;
-    } else if (ends[0] == 0.0 || ends[1] == 0.0 ||
-               !(rows[i - 1].sigma < rows[i].sigma) ||
-               std::isnan(ends[0] + ends[1])) {
-      if (after) time += step;
-    } else {
-      const double change = math::find_root(
-          [&](double sigma) { return excess(motion, motion.at(sigma), mu); },
-          rows[i - 1].sigma, rows[i].sigma, ends[0], ends[1]);
-      const double t = motion.at(change).t;
-      time += after ? rows[i].t - t : t - rows[i - 1].t;
+    const TrajectoryPoint* from = &rows[i - 1];
+    for (; between != hidden.end() && between->sigma < rows[i].sigma;
+         ++between) {
+      time += time_above(motion, *from, *between, mu);
+      from = &*between;
     }
-    before = after;
+    time += time_above(motion, *from, rows[i], mu);
   }
   return time / rows.back().t;
 }
@@ -222,7 +224,9 @@ PathDiagnostics Motion::diagnose() const {
     out.max_curvature = {kInfinity, out.min_fold_margin.x};
   }
   out.max_abs_slope = std::abs(rows.front().beta);
-  std::vector<Point> track{rows.front().motion.contact};
+  std::vector<Point> track;
+  track.reserve(rows.size());
+  track.push_back(rows.front().motion.contact);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Kinematics& moving = rows[i].motion;
     out.max_abs_slope = std::max(out.max_abs_slope, std::abs(rows[i].beta));

@@ -14,161 +14,11 @@
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
+#include "trajectory/path_by_place.hpp"
 
 namespace brachisto {
 
 namespace {
-
-/// Slope angle and curvature of the centre's path as functions of its arc
-/// length s, element by element: slopes have kinks where elements meet.
-///
-/// In an element s is the integral of U w, of degree p + 1, and κ_c is the
-/// exact derivative of β along it, so that both belong to one and the same path
-/// on coarse meshes too.
-class PathByLength {
- public:
-  struct Place {
-    double beta = 0.0;   ///< NaN where the curve has none
-    double kappa = 0.0;  ///< κ_c
-  };
-
-  /// \param curve  must outlive this
-  explicit PathByLength(const ExtremalCurve& curve);
-
-  [[nodiscard]] int num_elements() const {
-    return static_cast<int>(ends_.size()) - 1;
-  }
-  /// s where element e begins, or where element e − 1 ends.
-  [[nodiscard]] double end(int e) const {
-    return ends_[static_cast<std::size_t>(e)];
-  }
-  /// The scene as element e sees it.
-  [[nodiscard]] const Scene& scene_in(int e) const {
-    return curve_.scene_in(e);
-  }
-  /// In element e; beyond its ends the path goes on with its polynomials.
-  /// \pre s > 0
-  [[nodiscard]] Place at(int e, double s) const;
-
- private:
-  [[nodiscard]] double combine(int e, const std::vector<double>& values,
-                               const std::vector<double>& nodal) const;
-  /// w at t and ∫₀ᵗ w, of element e.
-  struct Speed {
-    double w, integral;
-  };
-  [[nodiscard]] Speed speed(int e, double t) const;
-  /// dβ/dt, of the place t in element e, along the polynomials.
-  [[nodiscard]] double rate_in_world(int e, double t,
-                                     const ExtremalPoint& point) const;
-
-  const ExtremalCurve& curve_;
-  const bool in_world_;
-  const CollocationScheme& scheme_;
-  math::QuadratureRule rule_;  ///< exact for w
-  std::vector<double> ends_;
-  std::vector<double> theta_, w_, p_w_;  ///< at nodes
-  /// In other worlds, all states and costates at nodes.
-  std::array<std::vector<double>, 8> all_;
-};
-
-PathByLength::PathByLength(const ExtremalCurve& curve)
-    : curve_(curve),
-      in_world_(curve.scene().world.changes_rates()),
-      scheme_(collocation_scheme(curve.mesh().degree)),
-      rule_(math::gauss_legendre((curve.mesh().degree + 2) / 2)) {
-  const Mesh& mesh = curve.mesh();
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
-    const ExtremalPoint at = curve.at_node(node);
-    theta_.push_back(at.theta);
-    w_.push_back(at.w);
-    p_w_.push_back(at.p.p_w);
-    if (!in_world_) continue;
-    const std::array values{at.centre.x, at.centre.z, at.theta,     at.w,
-                            at.p.p_x,    at.p.p_z,    at.p.p_theta, at.p.p_w};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      all_[i].push_back(values[i]);
-    }
-  }
-  ends_.push_back(0.0);
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    check_stop(e);
-    ends_.push_back(ends_.back() + curve.rolling_time() * mesh.length(e) *
-                                       speed(e, 1.0).integral);
-  }
-}
-
-double PathByLength::combine(int e, const std::vector<double>& values,
-                             const std::vector<double>& nodal) const {
-  const auto first = static_cast<std::size_t>(e * scheme_.degree);
-  double sum = 0.0;
-  for (std::size_t n = 0; n < values.size(); ++n) {
-    sum += values[n] * nodal[first + n];
-  }
-  return sum;
-}
-
-PathByLength::Speed PathByLength::speed(int e, double t) const {
-  std::vector<double> basis(static_cast<std::size_t>(scheme_.nodes.size()));
-  const auto w = [&](double place) {
-    scheme_.nodes.evaluate(place, basis);
-    return combine(e, basis, w_);
-  };
-  double integral = 0.0;
-  for (std::size_t i = 0; i < rule_.points.size(); ++i) {
-    integral += t * rule_.weights[i] * w(t * rule_.points[i]);
-  }
-  return {w(t), integral};
-}
-
-PathByLength::Place PathByLength::at(int e, double s) const {
-  const double hU = curve_.rolling_time() * curve_.mesh().length(e);
-  // Solve hU ∫₀ᵗ w = s − s_e. At the start s ~ t², hence the root.
-  double t = (s - end(e)) / (end(e + 1) - end(e));
-  if (e == 0) t = std::sqrt(std::max(t, 0.0));
-  Speed now = speed(e, t);
-  constexpr int kMostSteps = 20;
-  for (int i = 0; i < kMostSteps && now.w > 0.0; ++i) {
-    const double step = (s - end(e) - hU * now.integral) / (hU * now.w);
-    t += step;
-    now = speed(e, t);
-    if (std::abs(step) < 1e-15) break;
-  }
-
-  // ∂𝓗/∂β = 0 differentiated along the polynomials.
-  const ExtremalPoint point = curve_.at(e, t);
-  const Scene& scene = curve_.scene();
-  if (in_world_) {
-    return {point.beta, rate_in_world(e, t, point) / (hU * point.w)};
-  }
-  const SlopeHamiltonian h = slope_hamiltonian(
-      scene.body, scene.gravity, {point.theta, point.w}, point.p, point.beta);
-  const double sine = std::sin(point.beta);
-  const double cosine = std::cos(point.beta);
-  const double pull_z = point.w * point.p.p_z + point.p.p_w * scene.gravity;
-  const double d2_root =
-      h.d2_beta + point.w * point.p.p_x * cosine + pull_z * sine;
-  std::vector<double> slopes(static_cast<std::size_t>(scheme_.nodes.size()));
-  scheme_.nodes.differentiate(t, slopes);
-  const double rate =
-      (d2_root * combine(e, slopes, theta_) -
-       (point.p.p_z * cosine - point.p.p_x * sine) * combine(e, slopes, w_) -
-       scene.gravity * cosine * combine(e, slopes, p_w_)) /
-      h.d2_beta;
-  return {point.beta, rate / (hU * point.w)};
-}
-
-double PathByLength::rate_in_world(int e, double t,
-                                   const ExtremalPoint& point) const {
-  std::vector<double> slopes(static_cast<std::size_t>(scheme_.nodes.size()));
-  scheme_.nodes.differentiate(t, slopes);
-  std::array<double, 8> rates{};
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    rates[i] = combine(e, slopes, all_[i]);
-  }
-  return in_world::slope_rate_along(curve_.scene_in(e), point.state(), point.p,
-                                    point.beta, rates);
-}
 
 namespace odeint = boost::numeric::odeint;
 
@@ -180,70 +30,52 @@ double turning(const Body& body) {
   return body.rolls() ? 1.0 / body.radius : 0.0;
 }
 
+/// The body where its centre has come the length s along a path.
+struct Rolled {
+  const Body& body;
+  double theta, cosine, sine;  ///< of θ
+  double A;
+  double A_s_v2;  ///< A_s ṡ²
+
+  /// \param v_kappa  ṡ κ_c
+  Rolled(const Body& of, double s, double v, const Direction& along,
+         double v_kappa)
+      : body(of),
+        theta(body.theta_m + s * turning(body)),
+        cosine(std::cos(theta)),
+        sine(std::sin(theta)),
+        A(inertia_factor(body, theta, along.beta)),
+        A_s_v2(-2.0 * body.eta_m * (cosine * along.cosine + sine * along.sine) *
+               v * (v * turning(body) - v_kappa)) {}
+};
+
 /// s̈ at the arc length s, by A s̈ = g (sin β + η cos θ) − ½ A_s ṡ².
 /// \param v_kappa  ṡ κ_c
-double acceleration(const Scene& scene, double s, double v, double beta,
-                    double v_kappa) {
-  const Body& body = scene.body;
-  const double theta = body.theta_m + s * turning(body);
-  const double A = inertia_factor(body, theta, beta);
-  const double A_s_v2 = -2.0 * body.eta_m * std::cos(theta - beta) * v *
-                        (v * turning(body) - v_kappa);
-  return (scene.gravity * energy_slope(body, theta, beta) - 0.5 * A_s_v2) / A;
+double acceleration(const Scene& scene, double s, double v,
+                    const Direction& along, double v_kappa) {
+  const Rolled at(scene.body, s, v, along, v_kappa);
+  const double slope = along.sine + scene.body.eta_m * at.cosine;
+  return (scene.gravity * slope - 0.5 * at.A_s_v2) / at.A;
 }
 
 /// The same in any world, at a place of the centre: the force along the path of
 /// field and drag, per mass, in place of g (sin β + η cos θ).
 double acceleration_in_world(const Scene& scene, double s, double v, Point at,
-                             double beta, double v_kappa) {
+                             const Direction& along, double v_kappa) {
   const Body& body = scene.body;
-  const double theta = body.theta_m + s * turning(body);
-  const double A = inertia_factor(body, theta, beta);
-  const double A_s_v2 = -2.0 * body.eta_m * std::cos(theta - beta) * v *
-                        (v * turning(body) - v_kappa);
-  const Point heavy = mass_centre(body, at, theta);
+  const Rolled rolled(body, s, v, along, v_kappa);
+  const Point heavy = mass_centre(body, at, rolled.theta);
   const Pull<double> G = field_at(scene, heavy.x, heavy.z);
-  const double force = G.x * (std::cos(beta) - body.eta_m * std::sin(theta)) +
-                       G.z * (std::sin(beta) + body.eta_m * std::cos(theta)) -
+  const double force = G.x * (along.cosine - body.eta_m * rolled.sine) +
+                       G.z * (along.sine + body.eta_m * rolled.cosine) -
                        drag(scene.world.air, v);
-  return (force - 0.5 * A_s_v2) / A;
+  return (force - 0.5 * rolled.A_s_v2) / rolled.A;
 }
 
-// s, ṡ, x, z
 using State = std::array<double, 4>;
-
-/// The equation of motion on a found path, in time.
-struct EquationOfMotion {
-  const Scene& scene;
-  const PathByLength& path;
-  double start_angle;
-  bool in_world = scene.world.changes_rates();
-  bool pushed = scene.world.start_speed > 0.0;
-
-  /// Rates while the body is in element e.
-  void rates(int e, const State& y, State& dy) const {
-    const double s = y[0];
-    const double v = y[1];
-    double beta = start_angle;
-    // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
-    // for κ_c ~ 1/ṡ.
-    double v_kappa = v * turning(scene.body);
-    if (s > 0.0 || pushed) {
-      const PathByLength::Place place = path.at(e, s);
-      beta = place.beta;
-      v_kappa = v * place.kappa;
-    }
-    const double s_ddot =
-        in_world ? acceleration_in_world(path.scene_in(e), s, v, {y[2], y[3]},
-                                         beta, v_kappa)
-                 : acceleration(scene, s, v, beta, v_kappa);
-    dy = {v, s_ddot, v * std::cos(beta), v * std::sin(beta)};
-  }
-};
-
-using Stepper = odeint::runge_kutta_fehlberg78<State>;
+using Integrator = odeint::runge_kutta_fehlberg78<State>;
 // Copied before it has computed anything; being static it holds zeros then.
-const Stepper kFreshStepper;
+const Integrator kFreshIntegrator;
 
 bool finite(const State& y) {
   return std::all_of(y.begin(), y.end(),
@@ -253,74 +85,113 @@ bool finite(const State& y) {
 /// One motion from the start, at rest or with its speed.
 class Journey {
  public:
-  Journey(const EquationOfMotion& motion, const PathByLength& path, Point start,
-          double duration)
-      : motion_(motion),
-        path_(path),
-        duration_(duration),
-        q_{0.0, motion.scene.world.start_speed, start.x, start.z} {}
+  explicit Journey(const ExtremalCurve& curve)
+      : scene_(curve.scene()),
+        start_(curve.at(0.0)),
+        duration_(curve.transit_time()),
+        path_(curve),
+        y_{0.0, scene_.world.start_speed, start_.centre.x, start_.centre.z} {}
 
   MotionEnd run() {
     MotionEnd end = leave();
     for (int e = 0; e < path_.num_elements() && end == MotionEnd::Arrived;
          ++e) {
+      element_ = e;
       end = cross(e);
     }
     return end;
   }
-  [[nodiscard]] double length() const { return s_; }
   [[nodiscard]] int steps() const { return steps_; }
+  /// s there.
+  [[nodiscard]] double length() {
+    return element_ < 0 ? 0.0 : path_.at(element_, place_).s;
+  }
   /// t, ṡ, x, z where the motion ended.
-  [[nodiscard]] const State& state() const { return q_; }
+  [[nodiscard]] const State& state() const { return y_; }
 
  private:
   static constexpr int kMaxSteps = 1000000;
-  static constexpr double kShortest = 1e-15;  // of T or S
+  static constexpr double kShortest = 1e-15;  // of T or U
 
-  /// In time, for at rest nothing is a function of s, through a part of the
-  /// first element.
+  /// In time, for at rest nothing is a function of the place, through a part of
+  /// the first element.
   MotionEnd leave();
-  /// In s, from where the body is to the end of element e.
+  /// By the place, from where the body is to the end of element e.
   MotionEnd cross(int e);
-  /// Where ṡ² falls to zero, steps in s shrink towards that place for ever.
-  [[nodiscard]] bool about_to_rest(int e) const {
+  /// s̈ in element e.
+  [[nodiscard]] double s_ddot(int e, double s, double v, Point at,
+                              const Direction& along, double v_kappa) const {
+    return scene_.world.changes_rates()
+               ? acceleration_in_world(path_.scene_in(e), s, v, at, along,
+                                       v_kappa)
+               : acceleration(scene_, s, v, along, v_kappa);
+  }
+  /// By the place in element e.
+  [[nodiscard]] State rates(int e, const State& y, double place);
+  /// Where ṡ² falls to zero, steps shrink towards that place for ever.
+  [[nodiscard]] bool about_to_rest(int e) {
     constexpr double kAlmostThere = 1e-9;  // of S
-    State rate{};
-    motion_.rates(e, {s_, q_[1], q_[2], q_[3]}, rate);
-    return rate[1] < 0.0 && q_[1] * q_[1] / (-2.0 * rate[1]) <
-                                kAlmostThere * path_.end(path_.num_elements());
+    const State rate = rates(e, y_, place_);
+    const double gain = rate[1] / rate[0];
+    return gain < 0.0 &&
+           y_[1] * y_[1] / (-2.0 * gain) < kAlmostThere * path_.length();
   }
 
-  const EquationOfMotion& motion_;
-  const PathByLength& path_;
-  double duration_;
-  State q_;
-  double s_ = 0.0;
-  double ds_ = 0.0;
+  const Scene& scene_;
+  const ExtremalPoint start_;
+  const double duration_;
+  PathByPlace path_;
+  odeint::controlled_runge_kutta<Integrator> integrator_ =
+      odeint::make_controlled(kTolerance, kTolerance, kFreshIntegrator);
+  State y_;
+  int element_ = -1;    ///< where it is; none while it leaves
+  double place_ = 0.0;  ///< in it
+  double step_ = 0.0;   ///< to try next, as a share of U
   int steps_ = 0;
 };
+
+State Journey::rates(int e, const State& y, double place) {
+  const PathByPlace::Place at = path_.at(e, place);
+  const double v = y[1];
+  const double time = at.pace / v;
+  const double gain =
+      s_ddot(e, at.s, v, {y[2], y[3]}, at.along, v * at.turning / at.pace);
+  return {time, gain * time, at.pace * at.along.cosine,
+          at.pace * at.along.sine};
+}
 
 MotionEnd Journey::leave() {
   constexpr double kPart = 0.1;
   constexpr double kFirstStep = 1e-3;
-  const double goal = kPart * path_.end(1);
-  auto stepper = odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
+  const bool pushed = scene_.world.start_speed > 0.0;
+  // Of s, ṡ, x, z.
   const auto in_time = [&](const State& y, State& dy, double) {
-    motion_.rates(0, y, dy);
+    const auto [s, v, x, z] = y;
+    Direction along = direction_of(start_.beta);
+    // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
+    // for κ_c ~ 1/ṡ.
+    double v_kappa = v * turning(scene_.body);
+    if (s > 0.0 || pushed) {
+      const PathByPlace::Place at = path_.at(0, path_.in_first(s));
+      along = at.along;
+      v_kappa = v * at.turning / at.pace;
+    }
+    dy = {v, s_ddot(0, s, v, {x, z}, along, v_kappa), v * along.cosine,
+          v * along.sine};
   };
   double t = 0.0;
   double dt = kFirstStep * duration_;
-  State y{0.0, q_[1], q_[2], q_[3]};
-  while (y[0] < goal) {
+  State y{0.0, y_[1], y_[2], y_[3]};
+  while (y[0] < kPart * path_.first_length()) {
     check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
     const State before = y;
     const double t_before = t;
     const double tried = dt;
-    const bool failed = stepper.try_step(in_time, y, t, dt) == odeint::fail;
+    const bool failed = integrator_.try_step(in_time, y, t, dt) == odeint::fail;
     if (!finite(y)) return MotionEnd::PathUndefined;
     if (failed && dt < kShortest * duration_) return MotionEnd::StepTooSmall;
-    if (!failed && y[0] > path_.end(1)) {
+    if (!failed && y[0] > path_.first_length()) {
       // Right over the kink at the element's end: once more, shorter.
       y = before;
       t = t_before;
@@ -330,37 +201,37 @@ MotionEnd Journey::leave() {
     // Where it does not roll forward now it never will.
     if (!failed && !(y[1] > 0.0)) return MotionEnd::ComesToRest;
   }
-  q_ = {t, y[1], y[2], y[3]};
-  s_ = y[0];
-  ds_ = s_;
+  y_ = {t, y[1], y[2], y[3]};
+  place_ = path_.in_first(y[0]);
+  step_ = place_ * path_.share(0);
   return MotionEnd::Arrived;
 }
 
 MotionEnd Journey::cross(int e) {
-  const double end = path_.end(e + 1);
-  auto stepper = odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
-  const auto by_length = [&](const State& q, State& dq, double s) {
-    State rate{};
-    motion_.rates(e, {s, q[1], q[2], q[3]}, rate);
-    dq = {1.0 / q[1], rate[1] / q[1], rate[2] / q[1], rate[3] / q[1]};
+  const double h = path_.share(e);
+  if (e > 0) place_ = 0.0;
+  const auto by_place = [&](const State& y, State& dy, double place) {
+    dy = rates(e, y, place);
   };
-  while (s_ < end) {
+  while (place_ < 1.0) {
     check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
-    const bool last = ds_ >= end - s_;
-    double ds = last ? end - s_ : ds_;
-    const bool failed = stepper.try_step(by_length, q_, s_, ds) == odeint::fail;
-    if (!finite(q_)) return MotionEnd::PathUndefined;
-    if (!(q_[1] > 0.0)) return MotionEnd::ComesToRest;
-    if (failed && ds < kShortest * path_.end(path_.num_elements())) {
+    const double left = 1.0 - place_;
+    const bool last = step_ >= h * left;
+    double step = last ? left : step_ / h;
+    const bool failed =
+        integrator_.try_step(by_place, y_, place_, step) == odeint::fail;
+    if (!finite(y_)) return MotionEnd::PathUndefined;
+    if (!(y_[1] > 0.0)) return MotionEnd::ComesToRest;
+    if (failed && h * step < kShortest) {
       return about_to_rest(e) ? MotionEnd::ComesToRest
                               : MotionEnd::StepTooSmall;
     }
     if (failed || !last) {
-      ds_ = ds;
+      step_ = h * step;
     } else {
-      s_ = end;  // but for rounding it is
-      ds_ = std::max(ds_, ds);
+      place_ = 1.0;  // but for rounding it is
+      step_ = std::max(step_, h * step);
     }
   }
   return MotionEnd::Arrived;
@@ -382,20 +253,18 @@ std::string_view describe(MotionEnd end) {
 
 Reintegration reintegrate(const ExtremalCurve& curve) {
   const Scene& scene = curve.scene();
-  const PathByLength path(curve);
-  const EquationOfMotion motion{scene, path, curve.at(0.0).beta};
   const ExtremalPoint end = curve.at(1.0);
   const double T = curve.transit_time();
   const double S = curve.arc_length();
 
-  Journey journey(motion, path, curve.at(0.0).centre, T);
+  Journey journey(curve);
   Reintegration out;
   out.end = journey.run();
   out.steps = journey.steps();
   out.integration_error = kTolerance * out.steps;
+  const auto [time, speed, x, z] = journey.state();
   out.share = journey.length() / S;
   if (!out.arrived()) return out;
-  const auto [time, speed, x, z] = journey.state();
   const double v =
       end.w / std::sqrt(inertia_factor(scene.body, end.theta, end.beta));
   const Point beyond{x - end.centre.x, z - end.centre.z};
@@ -412,52 +281,98 @@ Reintegration reintegrate(const ExtremalCurve& curve) {
   return out;
 }
 
-double reintegration_error(const PrescribedMotion& motion, double from) {
-  using Pair = std::array<double, 2>;  // s, ṡ
-  // As kFreshStepper.
-  static const odeint::runge_kutta_fehlberg78<Pair> kFreshPairStepper;
-  constexpr double kLoose = 1e-13;
-  constexpr double kFirstStep = 1e-3;
+namespace {
+
+/// t, s, ṡ on a given path.
+using OnPath = std::array<double, 3>;
+using PathStepper =
+    odeint::controlled_runge_kutta<odeint::runge_kutta_fehlberg78<OnPath>>;
+
+/// s̈ at a place of the path.
+double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
+                    double s, double v) {
+  // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
+  const double v_kappa =
+      place.speed > 0.0 ? v * place.turning / place.speed : 0.0;
+  return acceleration(motion.scene(), s, v, direction_of(place.beta), v_kappa);
+}
+
+/// From `from` to `to`, in steps the next of which is `step`. False if steps
+/// become too short.
+template <class Rates>
+bool integrate(PathStepper& stepper, const Rates& rates, OnPath& y, double from,
+               double to, double& step) {
   constexpr double kShortest = 1e-15;
-  constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
-  const double T = motion.transit_time();
-  const auto body = [&](const Pair& y, Pair& dy, double) {
-    const double s = std::clamp(y[0], 0.0, motion.centre_path_length());
-    const CurvePlace place = motion.curve().at(motion.place_at_length(s));
-    // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
-    const double v_kappa =
-        place.speed > 0.0 ? y[1] * place.turning / place.speed : 0.0;
-    dy = {y[1], acceleration(motion.scene(), s, y[1], place.beta, v_kappa)};
-  };
-  auto stepper = odeint::make_controlled(kLoose, kLoose, kFreshPairStepper);
-  Pair y{0.0, 0.0};
-  double t = 0.0;
-  if (from > 0.0) {
-    const TrajectoryPoint start = motion.at(from);
-    y = {start.s, start.motion.v_c};
-    t = start.t;
-  }
-  double dt = kFirstStep * T;
-  // Cell by cell: where the curvature has kinks the steps end, for the error
-  // estimate of this method does not see them.
-  for (const TrajectoryPoint& cell : motion.at_nodes()) {
-    while (t < cell.t) {
-      check_stop();
-      dt = std::min(dt, cell.t - t);
-      if (stepper.try_step(body, y, t, dt) == odeint::fail &&
-          dt < kShortest * T) {
-        return kFailed;
-      }
+  const double shortest = kShortest * std::abs(to);
+  while (from < to) {
+    check_stop();
+    const bool last = step >= to - from;
+    double tried = last ? to - from : step;
+    const bool failed = stepper.try_step(rates, y, from, tried) == odeint::fail;
+    if (failed && tried < shortest) return false;
+    if (failed || !last) {
+      step = tried;
+    } else {
+      from = to;  // but for rounding it is
+      step = std::max(step, tried);
     }
   }
+  return true;
+}
+
+}  // namespace
+
+double reintegration_error(const PrescribedMotion& motion, double from) {
+  // As kFreshIntegrator.
+  static const odeint::runge_kutta_fehlberg78<OnPath> kFreshStepper;
+  constexpr double kLoose = 1e-13;
+  constexpr double kFirstStep = 1e-3;
+  constexpr double kFailed = std::numeric_limits<double>::quiet_NaN();
+  const double T = motion.transit_time();
+  const std::vector<TrajectoryPoint> cells = motion.at_nodes();
+  PathStepper stepper = odeint::make_controlled(kLoose, kLoose, kFreshStepper);
+  OnPath y{0.0, 0.0, 0.0};
+  double q = from;
+  if (from > 0.0) {
+    const TrajectoryPoint start = motion.at(from);
+    y = {start.t, start.s, start.motion.v_c};
+  } else {
+    // At rest nothing is a function of the place: the first cell in time.
+    const auto in_time = [&](const OnPath& at, OnPath& rate, double) {
+      const auto [t, s, v] = at;
+      const double along = std::clamp(s, 0.0, motion.centre_path_length());
+      const CurvePlace place = motion.curve().at(motion.place_at_length(along));
+      rate = {1.0, v, acceleration(motion, place, along, v)};
+    };
+    double dt = kFirstStep * T;
+    if (!integrate(stepper, in_time, y, 0.0, cells[1].t, dt)) return kFailed;
+    q = motion.place_at_length(y[1]);
+  }
+  const auto by_place = [&](const OnPath& at, OnPath& rate, double there) {
+    const auto [t, s, v] = at;
+    const CurvePlace place = motion.curve().at(there);
+    const double time = place.speed / v;
+    rate = {time, place.speed, acceleration(motion, place, s, v) * time};
+  };
+  double dq = kFirstStep;
+  // Cell by cell: where the curvature has kinks the steps end, for the error
+  // estimate of this method does not see them.
+  for (const TrajectoryPoint& cell : cells) {
+    if (!integrate(stepper, by_place, y, q, cell.sigma, dq)) return kFailed;
+    q = std::max(q, cell.sigma);
+  }
   const double v = motion.at(1.0).motion.v_c;
-  const double late = std::abs(y[0] - motion.centre_path_length()) / (v * T);
-  return std::max(late, std::abs(y[1] - v) / v);
+  const double late = std::abs(y[0] - T) / T;
+  const double faster = std::abs(y[2] - v) / v;
+  // The larger of two may not be the one that is no number.
+  return std::isnan(late + faster) ? kFailed : std::max(late, faster);
 }
 
 LimitedReintegration reintegrate(const LimitedCurve& curve) {
   // t, ṡ, s, x, z along the place in an element.
   using Along = std::array<double, 5>;
+  // As kFreshIntegrator.
+  static const odeint::runge_kutta_fehlberg78<Along> kFreshStepper;
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
   const RadauScheme& scheme = problem.scheme();
@@ -502,15 +417,15 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
       const TurningPoint<double> path = curve.at(e, t).state;
       const double v = at[1];
       const double ds = h * path.w;
+      const Direction along = direction_of(path.beta);
       const double s_ddot =
-          acceleration(scene, at[2], v, path.beta, v * path.q / path.w);
-      rate = {ds / v, s_ddot * ds / v, ds, ds * std::cos(path.beta),
-              ds * std::sin(path.beta)};
+          acceleration(scene, at[2], v, along, v * path.q / path.w);
+      rate = {ds / v, s_ddot * ds / v, ds, ds * along.cosine, ds * along.sine};
     };
     double t = e == 0 ? begin : 0.0;
     double dt = 0.25;
-    auto stepper = odeint::make_controlled(
-        kTolerance, kTolerance, odeint::runge_kutta_fehlberg78<Along>());
+    auto stepper =
+        odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
     constexpr int kMostSteps = 10000;
     for (int step = 0; t < 1.0; ++step) {
       dt = std::min(dt, 1.0 - t);

@@ -51,15 +51,17 @@ struct Reintegration {
 ///     ẋ = ṡ cos β,  ż = ṡ sin β,  θ̇ = ṡ/r,  A_s = −2η cos(θ − β)(1/r − κ_c),
 ///
 /// with β and κ_c along the path as functions of s, from rest, by an adaptive
-/// Runge–Kutta–Fehlberg method of order 8: first in time, then in s with t' =
-/// 1/ṡ, started anew at the end of each element, where the curvature jumps.
+/// Runge–Kutta–Fehlberg method of order 8: first in time, then by the place in
+/// the element, which s is a polynomial of, with t' = s'/ṡ, started anew at the
+/// end of each element, where the curvature jumps.
 /// Neither w nor the rolling time, energy conservation or the objective enter,
 /// only the geometry does.
 [[nodiscard]] Reintegration reintegrate(const ExtremalCurve& curve);
 
-/// The equation of motion, A s̈ = g (sin β + η cos θ) − ½ A_s ṡ², integrated in
-/// time on the path of a motion that arrived: where the body is at T, as a
-/// relative error of T, or its end speed, whichever is worse. NaN if it fails.
+/// The equation of motion, A s̈ = g (sin β + η cos θ) − ½ A_s ṡ², integrated on
+/// the path of a motion that arrived, from rest in time, then by the place: the
+/// relative error of T or of the end speed, whichever is worse. NaN if it
+/// fails.
 ///
 /// \param from  the place q where it begins with the speed that energy gives;
 ///              0: at rest. Where the curvature is infinite at the start the

@@ -68,32 +68,36 @@ TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
   return out;
 }
 
-std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
-  std::vector<TrajectoryPoint> rows;
+std::vector<TrajectoryPoint> Trajectory::at_places(
+    std::span<const double> places) const {
   const Mesh& mesh = curve_.mesh();
-  const auto& nodes = collocation_scheme(mesh.degree).nodes;
-  rows.reserve(static_cast<std::size_t>(mesh.num_nodes()));
-  for (int node = 0; node < mesh.num_nodes(); ++node) {
-    check_stop(node);
-    const int e = std::min(node / mesh.degree, mesh.num_elements() - 1);
-    const double t =
-        nodes.nodes()[static_cast<std::size_t>(node - e * mesh.degree)];
-    rows.push_back(convert(curve_.at(e, t), mesh.sigma(e, t)));
+  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  std::vector<ElementPlace> in_element;
+  for (const double t : places) in_element.emplace_back(scheme, t);
+  std::vector<TrajectoryPoint> rows;
+  rows.reserve(1 + in_element.size() *
+                       static_cast<std::size_t>(mesh.num_elements()));
+  rows.push_back(convert(curve_.at(0, 0.0), 0.0));
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
+    for (const ElementPlace& place : in_element) {
+      rows.push_back(convert(curve_.at(e, place), mesh.sigma(e, place.t)));
+    }
   }
   return rows;
 }
 
+std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
+  return at_places(
+      collocation_scheme(curve_.mesh().degree).nodes.nodes().subspan(1));
+}
+
 std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
-  std::vector<TrajectoryPoint> rows{convert(curve_.at(0, 0.0), 0.0)};
-  const Mesh& mesh = curve_.mesh();
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    check_stop(e);
-    for (int i = 1; i <= per_element; ++i) {
-      const double t = static_cast<double>(i) / per_element;
-      rows.push_back(convert(curve_.at(e, t), mesh.sigma(e, t)));
-    }
+  std::vector<double> places;
+  for (int i = 1; i <= per_element; ++i) {
+    places.push_back(static_cast<double>(i) / per_element);
   }
-  return rows;
+  return at_places(places);
 }
 
 std::vector<TrajectoryPoint> Trajectory::fine_sample(int least) const {

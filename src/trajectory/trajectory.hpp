@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "brachisto/trajectory/motion.hpp"
@@ -50,6 +51,9 @@ class Trajectory final : public Motion {
  private:
   [[nodiscard]] TrajectoryPoint convert(const ExtremalPoint& point,
                                         double sigma) const;
+  /// At the start, and at the same places 0 < t ≤ 1 of all elements.
+  [[nodiscard]] std::vector<TrajectoryPoint> at_places(
+      std::span<const double> places) const;
 
   ExtremalCurve curve_;
   Scene scene_;

@@ -86,10 +86,11 @@ class ArcLength final : public Transcription {
     double theta, w, beta;
     Costates p;  ///< p_θ is not set
   };
-  /// Of all pieces, at the current point. ∂𝓗/∂β = 0 holds on each of them if
-  /// it is stationary.
-  [[nodiscard]] std::vector<PieceState> piece_states(
-      std::span<const double> lambda) const;
+  /// Of the piece that leads to a node, at the current point. ∂𝓗/∂β = 0 holds
+  /// on each of them if it is stationary.
+  /// \param end  the costates at the end, end_costates()
+  [[nodiscard]] PieceState piece_state(int node, std::span<const double> lambda,
+                                       const Costates& end) const;
 
   /// Multipliers that make the current point as stationary as it can be, given
   /// the costates at the end: the no-slip multiplier of each piece from the

@@ -72,32 +72,25 @@ std::optional<Transcription::End> ArcLength::end(
   return out;
 }
 
-std::vector<ArcLength::PieceState> ArcLength::piece_states(
-    std::span<const double> lambda) const {
-  const auto [p_x, p_z, p_theta, p_w] = end_costates(lambda);
-  std::vector<PieceState> states;
-  states.reserve(at(num_intervals()));
-  for (int node = 1; node <= num_intervals(); ++node) {
-    check_stop(node);
-    const Piece& piece = pieces_[at(node)];
-    const Five d = time_slopes(node);
-    const double w = 1.0 / piece.inverse_speed;
-    const double dx = piece.dx;
-    const double dz = piece.dz;
-    // ∂/∂Δz of the Lagrangian is −(p_z + p_w g / w): what z and, with it, w
-    // are worth from here on.
-    const double momentum_z =
-        d.z + lambda[at(layout().no_slip(node))] * dz / reference_length(node);
-    const double theta = std::atan2(piece.sin_theta, piece.cos_theta);
-    states.push_back({node,
-                      theta,
-                      w,
-                      std::atan2(dz, dx),
-                      {.p_x = p_x,
-                       .p_z = p_z,
-                       .p_w = -(momentum_z + p_z) * w / scene().gravity}});
-  }
-  return states;
+ArcLength::PieceState ArcLength::piece_state(int node,
+                                             std::span<const double> lambda,
+                                             const Costates& end) const {
+  const Piece& piece = pieces_[at(node)];
+  const Five d = time_slopes(node);
+  const double w = 1.0 / piece.inverse_speed;
+  const double dx = piece.dx;
+  const double dz = piece.dz;
+  // ∂/∂Δz of the Lagrangian is −(p_z + p_w g / w): what z and, with it, w are
+  // worth from here on.
+  const double momentum_z =
+      d.z + lambda[at(layout().no_slip(node))] * dz / reference_length(node);
+  return {node,
+          std::atan2(piece.sin_theta, piece.cos_theta),
+          w,
+          std::atan2(dz, dx),
+          {.p_x = end.p_x,
+           .p_z = end.p_z,
+           .p_w = -(momentum_z + end.p_z) * w / scene().gravity}};
 }
 
 std::vector<double> ArcLength::multipliers(double p_x, double p_z) const {

@@ -12,6 +12,7 @@
 #include "math/gauss.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
+#include "transcription/costates.hpp"
 
 namespace brachisto {
 
@@ -23,17 +24,38 @@ std::size_t at_index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-std::vector<double> nodal(const RollingTime& problem, const PrimalDual& point,
-                          StateComponent component) {
-  std::vector<double> values;
-  values.reserve(at_index(problem.mesh().num_nodes()));
-  for (int n = 0; n < problem.mesh().num_nodes(); ++n) {
-    values.push_back(point.x[at_index(problem.layout().state(n, component))]);
+/// Σ weights[n] nodes[n], each of the values by itself.
+template <std::size_t Values>
+std::array<double, Values> combined(
+    std::span<const double> weights,
+    const std::vector<std::array<double, Values>>& nodes, int first) {
+  std::array<double, Values> sum{};
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    const std::array<double, Values>& node = nodes[at_index(first) + n];
+    for (std::size_t i = 0; i < Values; ++i) sum[i] += weights[n] * node[i];
   }
-  return values;
+  return sum;
+}
+
+/// A basis of `size` polynomials, stored in an array for the largest degree.
+template <std::size_t Most>
+std::span<double> of_basis(std::array<double, Most>& storage, int size) {
+  return std::span(storage).first(at_index(size));
+}
+template <std::size_t Most>
+std::span<const double> of_basis(const std::array<double, Most>& storage,
+                                 int size) {
+  return std::span(storage).first(at_index(size));
 }
 
 }  // namespace
+
+ElementPlace::ElementPlace(const CollocationScheme& scheme, double place)
+    : t(place) {
+  scheme.nodes.evaluate(t, of_basis(nodes, scheme.degree + 1),
+                        of_basis(slopes, scheme.degree + 1));
+  scheme.points.evaluate(t, of_basis(points, scheme.degree));
+}
 
 ExtremalCurve::ExtremalCurve(const RollingTime& problem,
                              const PrimalDual& point)
@@ -41,26 +63,42 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
       mesh_(problem.mesh()),
       scheme_(&problem.scheme()),
       U_(point.x[at_index(problem.layout().rolling_time())]),
-      nodes_{nodal(problem, point, X),
-             nodal(problem, point, Z),
-             {},
-             nodal(problem, point, W),
-             std::vector<double>(at_index(mesh_.num_nodes())),
-             std::vector<double>(at_index(mesh_.num_nodes()))},
-      costates_(costates(problem, point.x, point.lambda)) {
+      nodes_(at_index(mesh_.num_nodes())),
+      has_theta_(problem.layout().has_theta()) {
+  const VariableLayout& layout = problem.layout();
   const int p = mesh_.degree;
-  const Body& body = scene_.body;
-  const bool has_theta = problem.layout().has_theta();
-  if (has_theta) nodes_.theta = nodal(problem, point, Theta);
+  {
+    const CostateSolution along = costates(problem, point.x, point.lambda);
+    p_x_ = along.p_x;
+    p_z_ = along.p_z;
+    const auto state = [&](int n, StateComponent component) {
+      return point.x[at_index(layout.state(n, component))];
+    };
+    for (int n = 0; n < mesh_.num_nodes(); ++n) {
+      const std::size_t i = at_index(n);
+      nodes_[i] = {state(n, X),
+                   state(n, Z),
+                   has_theta_ ? state(n, Theta) : 0.0,
+                   state(n, W),
+                   has_theta_ ? along.p_theta_nodes[i] : 0.0,
+                   along.p_w_nodes[i],
+                   0.0,
+                   0.0};
+      if (along.p_x_nodes.empty()) continue;
+      pulls_.push_back({along.p_x_nodes[i], along.p_z_nodes[i]});
+    }
+  }
 
   constexpr double kTurn = 2.0 * std::numbers::pi;
   double neighbour = start_angle(scene_);
-  std::vector<double> ds(at_index(p));
-  std::vector<double> dt(at_index(p));
+  beta_points_.reserve(at_index(mesh_.num_points()));
+  w_points_.reserve(at_index(mesh_.num_points()));
+  std::array<double, kLargestDegree> ds{}, dt{};
   for (int e = 0; e < mesh_.num_elements(); ++e) {
     check_stop(e);
+    const double hU = mesh_.length(e) * U_;
     for (int j = 0; j < p; ++j) {
-      const double raw = point.x[at_index(problem.layout().beta(e * p + j))];
+      const double raw = point.x[at_index(layout.beta(e * p + j))];
       const double beta = raw - kTurn * std::round((raw - neighbour) / kTurn);
       beta_points_.push_back(beta);
       neighbour = beta;
@@ -69,25 +107,26 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
       double theta = 0.0;
       for (int n = 0; n <= p; ++n) {
         const double weight = scheme_->interpolation(j, n);
-        w += weight * nodes_.w[at_index(e * p + n)];
-        if (has_theta) theta += weight * nodes_.theta[at_index(e * p + n)];
+        theta += weight * nodes_[at_index(e * p + n)][kTheta];
+        w += weight * nodes_[at_index(e * p + n)][kW];
       }
       w_points_.push_back(w);
-      const double hU = mesh_.length(e) * U_;
       ds[at_index(j)] = hU * w;
       dt[at_index(j)] =
-          hU * std::sqrt(has_theta ? inertia_factor(body, theta, beta)
-                                   : axisymmetric_inertia_factor(body));
+          hU * std::sqrt(has_theta_ ? inertia_factor(scene_.body, theta, beta)
+                                    : axisymmetric_inertia_factor(scene_.body));
     }
+    const Node& before = nodes_[at_index(e * p)];
     for (int n = 1; n <= p; ++n) {
-      const std::size_t node = at_index(e * p + n);
-      const std::size_t first = at_index(e * p);
-      nodes_.s[node] = nodes_.s[first];
-      nodes_.t[node] = nodes_.t[first];
+      double s = before[kS];
+      double t = before[kT];
       for (int j = 0; j < p; ++j) {
-        nodes_.s[node] += scheme_->integral(n, j) * ds[at_index(j)];
-        nodes_.t[node] += scheme_->integral(n, j) * dt[at_index(j)];
+        s += scheme_->integral(n, j) * ds[at_index(j)];
+        t += scheme_->integral(n, j) * dt[at_index(j)];
       }
+      Node& node = nodes_[at_index(e * p + n)];
+      node[kS] = s;
+      node[kT] = t;
     }
   }
   if (scene_.world.sphere) find_sides();
@@ -99,7 +138,7 @@ void ExtremalCurve::find_sides() {
     sides_.back().world.side = side;
   }
   const auto side_at = [&](int e, double t) {
-    const ExtremalPoint there = at(e, t);
+    const ExtremalPoint there = without_slope(e, ElementPlace(*scheme_, t));
     return side_of_surface(scene_,
                            mass_centre(scene_.body, there.centre, there.theta));
   };
@@ -120,49 +159,58 @@ const Scene& ExtremalCurve::scene_in(int element) const {
   return sides_[*side_[at_index(element)] == SphereSide::Inside ? 0 : 1];
 }
 
-ExtremalPoint ExtremalCurve::at(int element, double t) const {
-  const int p = mesh_.degree;
-  const std::size_t first = at_index(element * p);
-  std::array<double, kLargestDegree + 1> storage{};
-  const std::span<double> basis(storage.data(), at_index(p + 1));
-  scheme_->nodes.evaluate(t, basis);
-  const auto value = [&](const std::vector<double>& nodes) {
-    double sum = 0.0;
-    for (std::size_t n = 0; n < basis.size(); ++n) {
-      sum += basis[n] * nodes[first + n];
-    }
-    return sum;
-  };
-
-  ExtremalPoint point;
-  point.centre = {value(nodes_.x), value(nodes_.z)};
-  point.w = value(nodes_.w);
-  point.s = value(nodes_.s);
-  point.t = value(nodes_.t);
-  point.p = {costates_.p_x, costates_.p_z, 0.0, value(costates_.p_w_nodes)};
-  if (!costates_.p_x_nodes.empty()) {
-    point.p.p_x = value(costates_.p_x_nodes);
-    point.p.p_z = value(costates_.p_z_nodes);
+ExtremalPoint ExtremalCurve::without_slope(int element,
+                                           const ElementPlace& place) const {
+  const int first = element * mesh_.degree;
+  const auto weights = of_basis(place.nodes, mesh_.degree + 1);
+  const auto [x, z, theta, w, p_theta, p_w, s, t] =
+      combined(weights, nodes_, first);
+  ExtremalPoint point{{x, z}, theta, w, s, t, {p_x_, p_z_, p_theta, p_w}};
+  if (!pulls_.empty()) {
+    const auto [p_x, p_z] = combined(weights, pulls_, first);
+    point.p.p_x = p_x;
+    point.p.p_z = p_z;
   }
-  if (!nodes_.theta.empty()) {
-    point.theta = value(nodes_.theta);
-    point.p.p_theta = value(costates_.p_theta_nodes);
-  } else if (scene_.body.rolls()) {
-    point.theta = scene_.body.theta_m + point.s / scene_.body.radius;
+  if (!has_theta_ && scene_.body.rolls()) {
+    point.theta = scene_.body.theta_m + s / scene_.body.radius;
   }
-
-  point.beta = minimising_slope(scene_, point.state(), point.p,
-                                interpolated_slope(element, t));
   return point;
 }
 
-double ExtremalCurve::interpolated_slope(int element, double t) const {
-  std::array<double, kLargestDegree> storage{};
-  const std::span<double> basis(storage.data(), at_index(mesh_.degree));
-  scheme_->points.evaluate(t, basis);
+ExtremalPoint ExtremalCurve::at(int element, const ElementPlace& place) const {
+  ExtremalPoint point = without_slope(element, place);
+  point.beta = minimising_slope(scene_, point.state(), point.p,
+                                interpolated_slope(element, place));
+  return point;
+}
+
+double ExtremalCurve::leading_w(int element) const {
+  return combined(scheme_->nodes.weights(), nodes_, element * mesh_.degree)[kW];
+}
+
+std::array<double, 8> ExtremalCurve::rates(int element,
+                                           const ElementPlace& place) const {
+  const int first = element * mesh_.degree;
+  const auto weights = of_basis(place.slopes, mesh_.degree + 1);
+  const auto [x, z, theta, w, p_theta, p_w, s, t] =
+      combined(weights, nodes_, first);
+  std::array<double, 8> out{x, z, theta, w, 0.0, 0.0, p_theta, p_w};
+  if (!pulls_.empty()) {
+    const auto [p_x, p_z] = combined(weights, pulls_, first);
+    out[4] = p_x;
+    out[5] = p_z;
+  }
+  if (!has_theta_ && scene_.body.rolls()) out[2] = s / scene_.body.radius;
+  return out;
+}
+
+double ExtremalCurve::interpolated_slope(int element,
+                                         const ElementPlace& place) const {
+  const double* const slopes =
+      beta_points_.data() + at_index(element * mesh_.degree);
   double slope = 0.0;
-  for (std::size_t j = 0; j < basis.size(); ++j) {
-    slope += basis[j] * beta_points_[at_index(element * mesh_.degree) + j];
+  for (std::size_t j = 0; j < at_index(mesh_.degree); ++j) {
+    slope += place.points[j] * slopes[j];
   }
   return slope;
 }
@@ -172,9 +220,14 @@ ExtremalPoint ExtremalCurve::at(double sigma) const {
   return at(element, t);
 }
 
+ExtremalPoint ExtremalCurve::without_slope(double sigma) const {
+  const auto [element, t] = mesh_.locate(sigma);
+  return without_slope(element, ElementPlace(*scheme_, t));
+}
+
 double ExtremalCurve::interpolated_slope(double sigma) const {
   const auto [element, t] = mesh_.locate(sigma);
-  return interpolated_slope(element, t);
+  return interpolated_slope(element, ElementPlace(*scheme_, t));
 }
 
 ExtremalPoint ExtremalCurve::at_node(int node) const {
@@ -184,13 +237,25 @@ ExtremalPoint ExtremalCurve::at_node(int node) const {
 
 namespace {
 
+/// A quadrature rule at places of any element.
+struct RuleInElements {
+  std::vector<ElementPlace> places;
+  std::vector<double> weights;
+
+  RuleInElements(const CollocationScheme& scheme,
+                 const math::QuadratureRule& rule)
+      : weights(rule.weights) {
+    for (const double t : rule.points) places.emplace_back(scheme, t);
+  }
+};
+
 /// ∫ 𝓗 over an element divided by its length, by the given rule.
 double mean_hamiltonian(const ExtremalCurve& curve, int element,
-                        const math::QuadratureRule& rule) {
+                        const RuleInElements& rule) {
   const Scene& scene = curve.scene();
   double mean = 0.0;
-  for (std::size_t i = 0; i < rule.points.size(); ++i) {
-    const ExtremalPoint at = curve.at(element, rule.points[i]);
+  for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+    const ExtremalPoint at = curve.at(element, rule.places[i]);
     mean += rule.weights[i] * hamiltonian(scene, at.state(), at.p, at.beta);
   }
   return mean;
@@ -200,9 +265,10 @@ double mean_hamiltonian(const ExtremalCurve& curve, int element,
 
 std::vector<double> element_errors(const ExtremalCurve& curve) {
   const Mesh& mesh = curve.mesh();
+  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
   // Exact for polynomials of degree 2p + 5, three orders above the error.
-  const math::QuadratureRule fine = math::gauss_legendre(mesh.degree + 3);
-  const math::QuadratureRule& own = collocation_scheme(mesh.degree).rule;
+  const RuleInElements fine(scheme, math::gauss_legendre(mesh.degree + 3));
+  const RuleInElements own(scheme, scheme.rule);
   std::vector<double> errors;
   errors.reserve(static_cast<std::size_t>(mesh.num_elements()));
   for (int e = 0; e < mesh.num_elements(); ++e) {

@@ -6,12 +6,13 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
 #include "model/world_hamiltonian.hpp"
-#include "transcription/costates.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto {
@@ -27,6 +28,17 @@ struct ExtremalPoint {
   double beta = 0.0;  ///< slope angle, continuous along the path
 
   [[nodiscard]] MovingState state() const { return {centre, theta, w}; }
+};
+
+/// A place t ∈ [0, 1] of an element with the bases there, which are the same in
+/// all elements: a loop over elements makes it once.
+struct ElementPlace {
+  ElementPlace(const CollocationScheme& scheme, double place);
+
+  double t;
+  std::array<double, kLargestDegree + 1> nodes{};   ///< ℓ_n(t) of the nodes
+  std::array<double, kLargestDegree + 1> slopes{};  ///< ℓ_n'(t)
+  std::array<double, kLargestDegree> points{};  ///< of the collocation points
 };
 
 /// The collocation polynomials of a solution, of order 2p at element ends and
@@ -45,19 +57,33 @@ class ExtremalCurve {
   [[nodiscard]] const Scene& scene_in(int element) const;
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] double rolling_time() const { return U_; }
-  [[nodiscard]] double transit_time() const { return nodes_.t.back(); }
-  [[nodiscard]] double arc_length() const { return nodes_.s.back(); }
+  [[nodiscard]] double transit_time() const { return nodes_.back()[kT]; }
+  [[nodiscard]] double arc_length() const { return nodes_.back()[kS]; }
   /// At the end.
-  [[nodiscard]] double p_x() const { return costates_.p_x; }
-  [[nodiscard]] double p_z() const { return costates_.p_z; }
+  [[nodiscard]] double p_x() const { return p_x_; }
+  [[nodiscard]] double p_z() const { return p_z_; }
 
-  /// At the place t ∈ [0, 1] of element e.
-  [[nodiscard]] ExtremalPoint at(int element, double t) const;
+  /// At a place of an element.
+  [[nodiscard]] ExtremalPoint at(int element, const ElementPlace& place) const;
+  [[nodiscard]] ExtremalPoint at(int element, double t) const {
+    return at(element, ElementPlace(*scheme_, t));
+  }
+  /// All but β, which is left at 0: what costs no search for a minimum.
+  [[nodiscard]] ExtremalPoint without_slope(int element,
+                                            const ElementPlace& place) const;
+  [[nodiscard]] ExtremalPoint without_slope(double sigma) const;
+  /// The coefficient of tᵖ of w in an element.
+  [[nodiscard]] double leading_w(int element) const;
+  /// Derivatives of the polynomials by t ∈ [0, 1], of x, z, θ, w and the
+  /// costates p_x, p_z, p_θ, p_w.
+  [[nodiscard]] std::array<double, 8> rates(int element,
+                                            const ElementPlace& place) const;
   /// At σ ∈ [0, 1].
   [[nodiscard]] ExtremalPoint at(double sigma) const;
   /// The polynomial of degree p − 1 through the slopes at the collocation
-  /// points of element e, at t ∈ [0, 1].
-  [[nodiscard]] double interpolated_slope(int element, double t) const;
+  /// points of an element.
+  [[nodiscard]] double interpolated_slope(int element,
+                                          const ElementPlace& place) const;
   [[nodiscard]] double interpolated_slope(double sigma) const;
   /// At node 0 … N p.
   [[nodiscard]] ExtremalPoint at_node(int node) const;
@@ -75,16 +101,20 @@ class ExtremalCurve {
  private:
   void find_sides();
 
-  struct Nodes {
-    std::vector<double> x, z, theta, w, s, t;
-  };
+  /// The values of a node stand side by side, for all are combined with the
+  /// same weights; θ and p_θ are 0 if the problem has none.
+  enum Value : std::size_t { kX, kZ, kTheta, kW, kPTheta, kPW, kS, kT, kCount };
+  using Node = std::array<double, kCount>;
 
   Scene scene_;
   Mesh mesh_;
   const CollocationScheme* scheme_;
   double U_;
-  Nodes nodes_;
-  CostateSolution costates_;
+  double p_x_, p_z_;  ///< at the end
+  std::vector<Node> nodes_;
+  /// p_x and p_z of the nodes; empty where they are constant.
+  std::vector<std::array<double, 2>> pulls_;
+  bool has_theta_;
   std::vector<double> beta_points_, w_points_;
   /// With a sphere: the scenes of both sides, and what each element sees.
   std::vector<Scene> sides_;

@@ -19,9 +19,9 @@ using enum StateComponent;
 
 /// Where the centre has come the length s.
 ExtremalPoint at_length(const ExtremalCurve& curve, double s) {
-  return curve.at(
-      math::find_root([&](double sigma) { return curve.at(sigma).s - s; }, 0.0,
-                      1.0, -s, curve.arc_length() - s));
+  return curve.at(math::find_root(
+      [&](double sigma) { return curve.without_slope(sigma).s - s; }, 0.0, 1.0,
+      -s, curve.arc_length() - s));
 }
 
 /// The end of the path is given, θ and S belong together, and the multipliers
@@ -48,21 +48,11 @@ PrimalDual completed(ArcLength& problem, std::vector<double> x, double S,
   return out;
 }
 
-}  // namespace
-
-PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
-  return sample_at_mesh(problem, curve.rolling_time(), [&](double sigma) {
-    ExtremalPoint point = curve.at(sigma);
-    if (!std::isfinite(point.beta)) {
-      point.beta = curve.interpolated_slope(sigma);
-    }
-    return point;
-  });
-}
-
-PrimalDual sample_at_mesh(
-    const RollingTime& problem, double rolling_time,
-    const std::function<ExtremalPoint(double sigma)>& extremal) {
+/// \param state     at σ of a node, where β does not matter
+/// \param extremal  at σ of a collocation point
+template <class State, class Extremal>
+PrimalDual sampled(const RollingTime& problem, double rolling_time,
+                   const State& state, const Extremal& extremal) {
   const VariableLayout& layout = problem.layout();
   const Mesh& mesh = problem.mesh();
   const CollocationScheme& scheme = problem.scheme();
@@ -73,7 +63,7 @@ PrimalDual sample_at_mesh(
     check_stop(n);
     const int e = std::min(n / mesh.degree, mesh.num_elements() - 1);
     const double t = scheme.nodes.nodes()[at(n - e * mesh.degree)];
-    const ExtremalPoint point = extremal(mesh.sigma(e, t));
+    const ExtremalPoint point = state(mesh.sigma(e, t));
     out.x[at(layout.state(n, X))] = point.centre.x;
     out.x[at(layout.state(n, Z))] = point.centre.z;
     out.x[at(layout.state(n, W))] = point.w;
@@ -96,6 +86,27 @@ PrimalDual sample_at_mesh(
   }
   out.x[at(layout.rolling_time())] = rolling_time;
   return out;
+}
+
+}  // namespace
+
+PrimalDual prolong(const ExtremalCurve& curve, const RollingTime& problem) {
+  return sampled(
+      problem, curve.rolling_time(),
+      [&](double sigma) { return curve.without_slope(sigma); },
+      [&](double sigma) {
+        ExtremalPoint point = curve.at(sigma);
+        if (!std::isfinite(point.beta)) {
+          point.beta = curve.interpolated_slope(sigma);
+        }
+        return point;
+      });
+}
+
+PrimalDual sample_at_mesh(
+    const RollingTime& problem, double rolling_time,
+    const std::function<ExtremalPoint(double sigma)>& extremal) {
+  return sampled(problem, rolling_time, extremal, extremal);
 }
 
 PrimalDual prolong(const ExtremalCurve& curve, ArcLength& problem) {

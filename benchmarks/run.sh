@@ -70,6 +70,7 @@ usual() {
       --out "$results/work_precision/$name" --force
   done
   step scaling "${program}scaling" --out "$results/scaling"
+  step peers "${program}peers" --out "$results/peers"
   step million_nodes "$brachisto" solve problems/large/million_nodes.yaml
   step gallery "${program}gallery" --jobs 2 --out "$results/gallery.csv"
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"

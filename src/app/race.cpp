@@ -29,6 +29,7 @@
 #include "brachisto/study/solve.hpp"
 #include "io/visible_text.hpp"
 #include "plot/race_page.hpp"
+#include "plot/racer_names.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::app {
@@ -47,13 +48,6 @@ struct RaceFlags {
 };
 
 constexpr std::size_t kFewest = 2, kMost = 24;  // that start
-
-/// "uniform cylinder" of uniform_cylinder.yaml.
-std::string racer_name(const std::string& file) {
-  std::string name = fs::path(file).stem().string();
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
 
 /// The ends of a track, from A to B.
 std::array<Point, 2> ends(const Racer& racer) {
@@ -91,9 +85,9 @@ void check_ends(const std::string& file, const Racer& first,
 }
 
 /// What has to be known of a verified solution.
-Racer racer_of(const std::string& file, const Solution& solution) {
+Racer racer_of(const std::string& name, const Solution& solution) {
   return {
-      .name = racer_name(file),
+      .name = name,
       .result = report::Json::parse(report::result_json(solution)),
       .scene = solution.scene,
       .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};
@@ -130,6 +124,7 @@ int run(const RaceFlags& flags) {
     }
   }
 
+  const std::vector<std::string> racer_names = plot::racer_names(flags.files);
   const std::atomic<int>& signal = catch_signals();
   std::vector<Racer> racers;
   for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -143,7 +138,7 @@ int run(const RaceFlags& flags) {
       tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
       return exit_code(solution, signal.load());
     }
-    racers.push_back(racer_of(file, solution));
+    racers.push_back(racer_of(racer_names[i], solution));
     check_ends(file, racers.front(), racers.back());
   }
   racers = plot::in_order_of_arrival(std::move(racers));

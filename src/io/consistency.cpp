@@ -285,8 +285,9 @@ void check_mesh(const YamlValue& root, const Draft& problem,
 
 /// Whether every problem needs a key, not only those with the maps it is in.
 bool is_required(const KeySpec& spec) {
+  if (!spec.is_required()) return false;
   const KeySpec* map = find_key(spec.parent());
-  return spec.is_required() && (map == nullptr || is_required(*map));
+  return map == nullptr || is_required(*map);
 }
 
 void check_scene(const YamlValue& root, const Draft& problem,
@@ -297,13 +298,13 @@ void check_scene(const YamlValue& root, const Draft& problem,
   std::vector<std::string_view> unread;
   const bool has_parts = find_entry(root, "scene.body.parts") != nullptr;
   for (const KeySpec& spec : key_table()) {
-    const bool of_scene = spec.path.starts_with("scene.");
+    if (!spec.path.starts_with("scene.")) continue;
     const bool of_other_body = spec.presence == Presence::RequiredOfCylinder &&
                                !problem.scene.body.rolls();
     const bool of_parts = has_parts && follows_from_parts(spec);
     const bool absent = is_required(spec) && !of_other_body && !of_parts &&
                         find_entry(root, spec.path) == nullptr;
-    if (of_scene && (findings.concern(spec.path) || absent)) {
+    if (findings.concern(spec.path) || absent) {
       if (spec.type() == KeyType::Number || spec.type() == KeyType::Angle) {
         spec.value.set(marked, std::numeric_limits<double>::quiet_NaN());
       }

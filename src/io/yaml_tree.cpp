@@ -45,13 +45,13 @@ void refuse_kind(const YamlValue& value, std::string key,
 
 const Entry* find_entry(const YamlValue& root, std::string_view path) {
   const YamlValue* node = &root;
-  const Entry* entry = nullptr;
-  for (const std::string& part : parts_of(path)) {
-    entry = node->find(part);
-    if (entry == nullptr) return nullptr;
+  while (true) {
+    const std::size_t dot = path.find('.');
+    const Entry* entry = node->find(path.substr(0, dot));
+    if (entry == nullptr || dot == std::string_view::npos) return entry;
     node = &entry->value;
+    path.remove_prefix(dot + 1);
   }
-  return entry;
 }
 
 Entry* make_entry(YamlValue& root, const std::vector<std::string>& parts,

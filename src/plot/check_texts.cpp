@@ -10,10 +10,6 @@ namespace brachisto::plot {
 
 namespace {
 
-struct CheckText {
-  std::string_view check, meaning;
-};
-
 constexpr std::array kTexts{
     CheckText{"kkt_residual",
               "the optimality conditions, computed anew outside the solver"},
@@ -68,6 +64,10 @@ constexpr std::array kTexts{
     CheckText{"discretisation", "its time, against that of the extremal"}};
 
 }  // namespace
+
+std::span<const CheckText> check_texts() {
+  return kTexts;
+}
 
 std::string_view check_meaning(std::string_view check) {
   const auto found = std::ranges::find(kTexts, check, &CheckText::check);

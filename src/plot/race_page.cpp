@@ -30,7 +30,7 @@ using report::xml_escaped;
 
 constexpr double kMilli = 1e3;     // ms in a second
 constexpr int kClockDecimals = 4;  // of clocks, in seconds
-constexpr std::size_t kColours = 6;
+constexpr std::size_t kColours = 6, kDashes = 4;
 
 double transit_time(const Racer& racer) {
   return racer.result.at("transit_time").get<double>();
@@ -67,6 +67,13 @@ std::string reasons(const Racer& racer) {
   return out;
 }
 
+/// Classes of race.css: the colour of a racer and the dashes of its track, of
+/// which no two of 24 have both.
+std::string style(std::size_t i) {
+  return fmt::format("racer{} dash{}", i % kColours + 1,
+                     i / kColours % kDashes + 1);
+}
+
 /// The order of arrival, with a clock for each.
 std::string arrivals(const std::vector<Racer>& racers) {
   std::string out =
@@ -79,12 +86,14 @@ std::string arrivals(const std::vector<Racer>& racers) {
     const double T = transit_time(racer);
     constexpr int kDecimals = 6;
     out += fmt::format(
-        "<tr id=\"racer-{}\" class=\"racer{}\"><td>{}</td>"
-        "<th scope=\"row\"><i class=\"swatch\"></i>{}{}</th>"
-        "<td class=\"lap\" id=\"clock-{}\">{:.{}f} s</td>"
-        "<td class=\"exact\">{}</td><td>{}</td></tr>\n",
-        i, i % kColours + 1, i + 1, xml_escaped(racer.name),
-        feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", i, T,
+        "<tr id=\"racer-{0}\" class=\"{1}\"><td>{2}</td>"
+        "<th scope=\"row\"><svg class=\"swatch\" viewBox=\"0 0 40 6\" "
+        "aria-hidden=\"true\"><path class=\"track {1}\" d=\"M0 3H40\"/></svg>"
+        "{3}{4}</th>"
+        "<td class=\"lap\" id=\"clock-{0}\">{5:.{6}f} s</td>"
+        "<td class=\"exact\">{7}</td><td>{8}</td></tr>\n",
+        i, style(i), i + 1, xml_escaped(racer.name),
+        feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", T,
         kClockDecimals, rounded(T, time_error(racer), kDecimals),
         behind(racers[0], racer));
   }

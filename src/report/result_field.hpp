@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/study/solution.hpp"
+
 namespace brachisto::report {
 
 using Json = nlohmann::ordered_json;
@@ -185,5 +187,9 @@ template <class Source>
 
 /// The keys of a result document; see report/result_json.cpp.
 [[nodiscard]] std::vector<FieldText> result_texts();
+
+/// What result_json() writes, without the keys that tell where the result comes
+/// from: provenance, scene and input.
+[[nodiscard]] Json outcome_document(const Solution& solution);
 
 }  // namespace brachisto::report

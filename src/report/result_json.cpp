@@ -587,7 +587,8 @@ Fields<Solution> origin_fields() {
                       input)};
 }
 
-const Fields<Solution>& result_fields() {
+/// All but where the result comes from.
+const Fields<Solution>& outcome_fields() {
   static const Fields<Solution> table = joined<Solution>(
       {verdict_fields(),
        of_part<Solution>(answer_of, motion_fields()),
@@ -603,8 +604,13 @@ const Fields<Solution>& result_fields() {
        {mesh_field()},
        of_part<Solution>(&Solution::effort, effort_fields()),
        search_fields(),
-       {design_field(), seconds_field(), certificate_field()},
-       origin_fields()});
+       {design_field(), seconds_field(), certificate_field()}});
+  return table;
+}
+
+const Fields<Solution>& result_fields() {
+  static const Fields<Solution> table =
+      joined<Solution>({outcome_fields(), origin_fields()});
   return table;
 }
 
@@ -612,6 +618,10 @@ const Fields<Solution>& result_fields() {
 
 std::string result_json(const Solution& solution) {
   return written(result_fields(), solution).dump(2) + "\n";
+}
+
+Json outcome_document(const Solution& solution) {
+  return written(outcome_fields(), solution);
 }
 
 std::vector<FieldText> result_texts() {

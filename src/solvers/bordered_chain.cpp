@@ -35,7 +35,7 @@ BorderedChain::BorderedChain(const KktSystem& system,
   const nlp::Problem& problem = system.problem();
   const int n = problem.num_variables();
   const auto see = [&](int i, int j, int array, std::size_t e) {
-    if (system.given(i) || !system.given(j)) return;
+    if (!system.given(j) || system.given(i)) return;
     couplings_.push_back({i, j, array, static_cast<int>(e)});
   };
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
@@ -51,6 +51,8 @@ BorderedChain::BorderedChain(const KktSystem& system,
     see(jac.cols[e], n + jac.rows[e], 1, e);
   }
 }
+
+BorderedChain::~BorderedChain() = default;
 
 /// rhs −= C v, v the given unknowns in x.
 void BorderedChain::couple(std::span<const double> x,

@@ -10,10 +10,11 @@
 #include <span>
 #include <vector>
 
-#include "solvers/chain_ldlt.hpp"
 #include "solvers/kkt_system.hpp"
 
 namespace brachisto {
+
+class ChainLdlt;
 
 /// With u the free variables and the multipliers of constraints that are held,
 /// v the unknowns whose values are given and φ the parameter, the Jacobian of a
@@ -31,6 +32,7 @@ class BorderedChain {
   /// Null if the problem is no chain. `system` must outlive this.
   [[nodiscard]] static std::unique_ptr<BorderedChain> make(
       const KktSystem& system);
+  ~BorderedChain();
 
   /// At the point of the last KktSystem::evaluate_jacobian(). False if the
   /// system is singular, or K is although the system is not.

@@ -46,82 +46,62 @@ EntriesByLink::Links EntriesByLink::links_of(std::size_t array,
   return {link, link};
 }
 
-std::optional<EntriesByLink> EntriesByLink::make(
-    const ChainStructure& chain, std::span<const EntryPositions> positions) {
-  EntriesByLink entries(chain, positions);
-  if (!entries.find_ranges() && !entries.sort()) return std::nullopt;
-  return entries;
+EntriesByLink::EntriesByLink(const nlp::ChainStructure& chain,
+                             std::span<const EntryPositions> positions,
+                             Order order)
+    : chain_(&chain),
+      positions_(positions),
+      order_(order),
+      next_(positions.size(), 0) {
+  if (order == Order::Any) sort();
 }
 
-/// False if an array goes back to an earlier link.
-bool EntriesByLink::find_ranges() {
-  const std::size_t num_links = at(chain_->num_links);
-  starts_.assign(positions_.size(), {});
+bool EntriesByLink::next(int link, std::vector<Place>& places) {
+  places.clear();
+  if (order_ == Order::Any) {
+    if (!is_chain_) return false;
+    const auto from = [&](int i) {
+      return sorted_.begin() + static_cast<std::ptrdiff_t>(starts_[at(i)]);
+    };
+    places.assign(from(link), from(link + 1));
+    return true;
+  }
   for (std::size_t a = 0; a < positions_.size(); ++a) {
-    std::vector<std::size_t>& starts = starts_[a];
-    starts.reserve(num_links + 1);
-    starts.push_back(0);
     const std::size_t size = positions_[a].rows.size();
-    int now = 0;
-    for (std::size_t e = 0; e < size; ++e) {
-      check_stop(e);
+    for (std::size_t& e = next_[a]; e < size; ++e) {
       const Links links = links_of(a, e);
+      if (links.first > link) break;
       if (links.first == kBorderAlone) border_.push_back({a, e});
-      if (links.first < 0) {
-        if (links.first == kNoChain) return false;
-        continue;
-      }
-      if (links.last < now) return false;
-      for (; now < links.first; ++now) starts.push_back(e);
+      if (links.first == kNoChain) return false;
+      if (links.first < 0) continue;
+      if (links.last < link) return false;
+      places.push_back({a, e});
     }
-    starts.resize(num_links + 1, size);
   }
   return true;
 }
 
-bool EntriesByLink::sort() {
-  border_.clear();
-  std::vector<std::size_t> starts(at(chain_->num_links) + 1, 0);
+void EntriesByLink::sort() {
+  starts_.assign(at(chain_->num_links) + 1, 0);
   const auto each = [&](auto&& visit) {
     for (std::size_t a = 0; a < positions_.size(); ++a) {
       for (std::size_t e = 0; e < positions_[a].rows.size(); ++e) {
         check_stop(e);
-        if (!visit(Place{a, e}, links_of(a, e).first)) return false;
+        visit(Place{a, e}, links_of(a, e).first);
       }
     }
-    return true;
   };
-  const bool chain = each([&](const Place& place, int link) {
-    if (link == kBorderAlone) border_.push_back(place);
-    if (link >= 0) ++starts[at(link) + 1];
-    return link != kNoChain;
-  });
-  if (!chain) return false;
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  sorted_.resize(starts.back());
-  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
   each([&](const Place& place, int link) {
-    if (link >= 0) sorted_[next[at(link)]++] = place;
-    return true;
+    if (link == kBorderAlone) border_.push_back(place);
+    if (link == kNoChain) is_chain_ = false;
+    if (link >= 0) ++starts_[at(link) + 1];
   });
-  starts_.assign(1, std::move(starts));
-  return true;
-}
-
-void EntriesByLink::collect(int link, std::vector<Place>& places) const {
-  places.clear();
-  if (!in_order()) {
-    const Range r = range(0, link);
-    places.assign(sorted_.begin() + static_cast<std::ptrdiff_t>(r.begin),
-                  sorted_.begin() + static_cast<std::ptrdiff_t>(r.end));
-    return;
-  }
-  for (std::size_t a = 0; a < positions_.size(); ++a) {
-    const Range r = range(a, link);
-    for (std::size_t e = r.begin; e < r.end; ++e) {
-      if (links_of(a, e).first >= 0) places.push_back({a, e});
-    }
-  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  sorted_.resize(starts_.back());
+  std::vector<std::size_t> free(starts_.begin(), starts_.end() - 1);
+  each([&](const Place& place, int link) {
+    if (link >= 0) sorted_[free[at(link)]++] = place;
+  });
 }
 
 }  // namespace brachisto

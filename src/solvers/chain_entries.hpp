@@ -15,45 +15,45 @@
 
 namespace brachisto {
 
-/// The entries of each link. Where every array lists them link by link, as a
-/// transcription does, they are ranges of these arrays; else they are sorted.
+/// The entries of one link after the other.
 class EntriesByLink {
  public:
   /// An entry: the array and the place in it.
   struct Place {
     std::size_t array, entry;
   };
-
-  /// Nothing if an entry couples unknowns that do not belong to one link.
-  [[nodiscard]] static std::optional<EntriesByLink> make(
-      const nlp::ChainStructure& chain,
-      std::span<const EntryPositions> positions);
-
-  /// Whether the entries of a link are range(array, link) in every array.
-  [[nodiscard]] bool in_order() const { return sorted_.empty(); }
-
-  struct Range {
-    std::size_t begin, end;
+  enum class Order {
+    AsTheyStand,  ///< every array lists them link by link
+    Any           ///< they are sorted
   };
-  /// Entries of absent unknowns and of the border alone may lie between.
-  /// \pre in_order()
-  [[nodiscard]] Range range(std::size_t array, int link) const {
-    const auto i = static_cast<std::size_t>(link);
-    return {starts_[array][i], starts_[array][i + 1]};
+
+  EntriesByLink(const nlp::ChainStructure& chain,
+                std::span<const EntryPositions> positions, Order order);
+
+  /// The entries of the next link, by ascending place. False if one of them is
+  /// of an earlier link, or couples unknowns that do not belong to one link.
+  [[nodiscard]] bool next(int link, std::vector<Place>& places);
+
+  /// Where the next link begins in an array.
+  /// \pre Order::AsTheyStand
+  [[nodiscard]] std::size_t position(std::size_t array) const {
+    return next_[array];
+  }
+  /// Leaves out entries of an array, which are known to be the next link's but
+  /// for some of the border alone, numbered from position() on.
+  void skip(std::size_t array, std::size_t count,
+            std::span<const std::size_t> of_border) {
+    for (const std::size_t k : of_border) {
+      border_.push_back({array, next_[array] + k});
+    }
+    next_[array] += count;
   }
 
-  /// The entries of a link, by ascending place.
-  void collect(int link, std::vector<Place>& places) const;
-
-  /// Those of the border alone.
+  /// Those of the border alone that were met so far.
   [[nodiscard]] const std::vector<Place>& of_border() const { return border_; }
 
  private:
-  EntriesByLink(const nlp::ChainStructure& chain,
-                std::span<const EntryPositions> positions)
-      : chain_(&chain), positions_(positions) {}
-  bool find_ranges();
-  bool sort();
+  void sort();
   /// First and last link that an entry may belong to; both negative if it
   /// belongs to none.
   struct Links {
@@ -63,9 +63,12 @@ class EntriesByLink {
 
   const nlp::ChainStructure* chain_;
   std::span<const EntryPositions> positions_;
-  std::vector<std::vector<std::size_t>> starts_;  ///< by array and link
-  std::vector<Place> sorted_;                     ///< by link; starts_[0]
+  Order order_;
+  std::vector<std::size_t> next_;    ///< by array, or of sorted_
+  std::vector<Place> sorted_;        ///< by link
+  std::vector<std::size_t> starts_;  ///< of the links in sorted_
   std::vector<Place> border_;
+  bool is_chain_ = true;
 };
 
 }  // namespace brachisto

@@ -20,8 +20,7 @@ namespace {
 // Interiors of about this size keep the share of the separators small.
 constexpr int kJoinTo = 45;
 // To choose pivots takes as long as some dense fronts.
-constexpr int kFewLinks = 6;
-constexpr int kManyDenseLinks = 16;
+constexpr int kManyDenseLinks = 4;
 // Sequences of a run: as many as there are kinds of links, by which bounds they
 // are next to; and how many of them are chosen in one factorisation at most.
 constexpr std::size_t kMostSequences = 8;
@@ -63,6 +62,7 @@ ChainLdlt::ChainLdlt(ChainMap map, std::vector<double> scale)
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     const Run& run = map_.runs()[r];
     plans_[r].batches.resize(at(batches(run.num_links)));
+    if (run.num_links > map_.runs()[longest_].num_links) longest_ = r;
   }
 }
 
@@ -73,6 +73,7 @@ void ChainLdlt::link_matrix(const Run& run, int link,
   const std::size_t n = run.unknowns.size();
   matrix.assign(n * n, 0.0);
   for (const ChainMap::Entry& entry : run.entries) {
+    if (!run.has(entry.source, link)) continue;
     const double value = scaled(run, entry, link);
     matrix[at(entry.row) + n * at(entry.col)] += value;
     if (entry.row != entry.col) {
@@ -81,30 +82,59 @@ void ChainLdlt::link_matrix(const Run& run, int link,
   }
 }
 
-/// Which entries of a link's matrix, which is left in matrix_, differ from
-/// zero.
-std::vector<char> ChainLdlt::pattern_of(const Run& run, int link) {
-  link_matrix(run, link, matrix_);
-  std::vector<char> pattern(matrix_.size());
-  for (std::size_t i = 0; i < matrix_.size(); ++i) {
-    pattern[i] = matrix_[i] != 0.0;
+/// Which entries of a link differ from zero.
+std::vector<char> ChainLdlt::nonzero_of(const Run& run, int link) const {
+  std::vector<char> nonzero(run.entries.size());
+  for (std::size_t k = 0; k < nonzero.size(); ++k) {
+    const ChainMap::Entry& entry = run.entries[k];
+    nonzero[k] = run.has(entry.source, link) &&
+                 values_[at(entry.array)][entry.source.at(link)] != 0.0;
   }
-  return pattern;
+  return nonzero;
 }
 
-/// Chooses a sequence on one link, to be tried first from now on. False if
-/// there is none, or no more are wanted.
+/// Pivots for a link: those that were chosen for such a link before, those of
+/// the links in the middle of the chain, or its own.
+std::shared_ptr<const ChosenPivots> ChainLdlt::pivots_for(
+    const Run& run, const Plan& plan, const LinkPattern& pattern, int link) {
+  auto known = store_->find(pattern);
+  const auto tried = [&](const auto& s) { return s->pivots == known; };
+  if (known && std::ranges::none_of(plan.sequences, tried)) return known;
+  const Plan& middle = plans_[longest_];
+  std::optional<SymbolicAnalysis> analysis;
+  if (plan.sequences.empty() && !middle.sequences.empty()) {
+    analysis = middle.sequences.front()->analysis().moved_to(pattern);
+  }
+  if (!analysis) {
+    link_matrix(run, link, matrix_);
+    analysis = SymbolicAnalysis::make(pattern, matrix_);
+  }
+  if (!analysis) return nullptr;
+  return store_->add({pattern, std::move(*analysis)});
+}
+
+/// Chooses a sequence for a link, to be tried first from now on. False if there
+/// is none, or no more are wanted.
 bool ChainLdlt::choose_sequence(const Run& run, Plan& plan, int link) {
   if (plan.sequences.size() == kMostSequences) return false;
-  std::vector<char> pattern = pattern_of(run, link);
-  std::optional<SymbolicAnalysis> analysis =
-      SymbolicAnalysis::make(matrix_, run.size(), run.interior);
-  if (!analysis) return false;
   auto chosen = std::make_unique<Sequence>();
-  chosen->pattern = std::move(pattern);
-  chosen->analysis = std::move(*analysis);
+  chosen->nonzero = nonzero_of(run, link);
+  LinkPattern pattern(run.size(), run.interior);
+  for (std::size_t k = 0; k < run.entries.size(); ++k) {
+    if (chosen->nonzero[k] == 0) continue;
+    pattern.set(run.entries[k].row, run.entries[k].col);
+  }
+  chosen->pivots = pivots_for(run, plan, pattern, link);
+  if (!chosen->pivots) return false;
+  std::vector<char> set(at(chosen->analysis().num_slots), 0);
   for (const ChainMap::Entry& entry : run.entries) {
-    chosen->slots.push_back(chosen->analysis.slot(entry.row, entry.col));
+    const int slot = chosen->analysis().slot(entry.row, entry.col);
+    chosen->slots.push_back(slot);
+    chosen->sets.push_back(set[at(slot)] == 0 ? 1 : 0);
+    set[at(slot)] = slot == 0 ? 0 : 1;
+  }
+  for (std::size_t s = 0; s < set.size(); ++s) {
+    if (set[s] == 0) chosen->others.push_back(static_cast<int>(s));
   }
   plan.sequences.insert(plan.sequences.begin(), std::move(chosen));
   return true;
@@ -115,17 +145,16 @@ bool ChainLdlt::choose_sequence(const Run& run, Plan& plan, int link) {
 void ChainLdlt::begin_run(const Run& run, Plan& plan) {
   plan.dense_links = 0;
   plan.most_dense_links = kManyDenseLinks;
-  if (run.num_links < kFewLinks) return;
   auto& sequences = plan.sequences;
   if (sequences.size() == kMostSequences) {
     std::erase_if(sequences, [](const auto& s) { return !s->used; });
   }
   for (auto& sequence : sequences) sequence->used = false;
   const int sample = run.num_links / 2;
-  const std::vector<char> pattern = pattern_of(run, sample);
+  const std::vector<char> nonzero = nonzero_of(run, sample);
   const auto found =
       std::find_if(sequences.begin(), sequences.end(),
-                   [&](const auto& s) { return s->pattern == pattern; });
+                   [&](const auto& s) { return s->nonzero == nonzero; });
   if (found == sequences.end()) {
     (void)choose_sequence(run, plan, sample);
   } else {
@@ -133,63 +162,65 @@ void ChainLdlt::begin_run(const Run& run, Plan& plan) {
   }
 }
 
+/// An entry of `count` links; idle lanes repeat the last one.
+Lanes ChainLdlt::gather(const Run& run, const ChainMap::Entry& entry, int first,
+                        int count) const {
+  Lanes out;
+  const double* const values = values_[at(entry.array)].data();
+  const auto [begin, end] = run.having(entry.source, {first, first + count});
+  if (scale_.empty() && end - begin == kLanes) {
+    const double* value =
+        values + entry.source.first + entry.source.stride * first;
+    for (double& lane : out.lane) {
+      lane = *value;
+      value += entry.source.stride;
+    }
+    return out;
+  }
+  for (int b = 0; b < kLanes; ++b) {
+    const int link = first + std::min(b, count - 1);
+    const bool has = begin <= link && link < end;
+    out.lane[b] = has ? scaled(run, entry, link) : 0.0;
+  }
+  return out;
+}
+
 /// Gathers the matrices of `count` links. A bit to each link with an entry that
 /// was assumed to be zero.
 unsigned ChainLdlt::fill(const Run& run, const Sequence& sequence, int first,
                          int count, Lanes* slots) {
-  const int num_slots = sequence.analysis.num_slots;
-  std::fill_n(&slots[0].lane[0], at(num_slots) * at(kLanes), 0.0);
-  double largest = largest_;
+  for (const int slot : sequence.others) slots[slot] = {};
+  Lanes largest;
+  std::fill_n(largest.lane, kLanes, largest_);
   unsigned misfits = 0;
   for (std::size_t k = 0; k < run.entries.size(); ++k) {
-    const ChainMap::Entry& entry = run.entries[k];
-    const double* const values = values_[at(entry.array)].data();
-    std::ptrdiff_t place = entry.source.first + entry.source.stride * first;
-    double* const lane = slots[sequence.slots[k]].lane;
-    double seen = 0.0;
-    if (scale_.empty()) {
+    const Lanes value = gather(run, run.entries[k], first, count);
+    for (int b = 0; b < kLanes; ++b) {
+      largest.lane[b] = larger(largest.lane[b], std::abs(value.lane[b]));
+    }
+    const int slot = sequence.slots[k];
+    if (slot == 0) {
       for (int b = 0; b < count; ++b) {
-        const double value = values[place];
-        place += entry.source.stride;
-        lane[b] += value;
-        seen = larger(seen, std::abs(value));
+        if (value.lane[b] != 0.0) misfits |= 1U << at(b);
       }
+    } else if (sequence.sets[k] != 0) {
+      slots[slot] = value;
     } else {
-      for (int b = 0; b < count; ++b) {
-        const double value = scaled(run, entry, first + b);
-        lane[b] += value;
-        seen = larger(seen, std::abs(value));
-      }
-    }
-    largest = larger(largest, seen);
-    if (sequence.slots[k] != 0 || seen == 0.0) continue;
-    for (int b = 0; b < count; ++b) {
-      if (lane[b] != 0.0) misfits |= 1U << at(b);
-    }
-    std::fill_n(lane, kLanes, 0.0);
-  }
-  largest_ = largest;
-  // Idle lanes repeat the last one.
-  if (count < kLanes) {
-    for (int s = 0; s < num_slots; ++s) {
-      for (int b = count; b < kLanes; ++b) {
-        slots[s].lane[b] = slots[s].lane[count - 1];
-      }
+      for (int b = 0; b < kLanes; ++b) slots[slot].lane[b] += value.lane[b];
     }
   }
+  for (const double lane : largest.lane) largest_ = larger(largest_, lane);
   return misfits;
 }
 
 bool ChainLdlt::factorise(EntryValues values) {
   values_.assign(values.begin(), values.end());
   inertia_ = {};
-  const Run& longest = *std::max_element(
-      map_.runs().begin(), map_.runs().end(),
-      [](const Run& a, const Run& b) { return a.num_links < b.num_links; });
   // The scale of the matrix, for what counts as zero in its first links.
-  link_matrix(longest, longest.num_links / 2, matrix_);
+  const Run& longest = map_.runs()[longest_];
   largest_ = 0.0;
-  for (const double value : matrix_) {
+  for (const ChainMap::Entry& entry : longest.entries) {
+    const double value = scaled(longest, entry, longest.num_links / 2);
     largest_ = larger(largest_, std::abs(value));
   }
   factorise_links();
@@ -214,6 +245,11 @@ void ChainLdlt::factorise_links() {
   overflow_ = false;
   carried_.reset(0);
   carried_.candidates = 0;
+  // That with the most links first: others take its pivots.
+  begin_run(map_.runs()[longest_], plans_[longest_]);
+  for (std::size_t r = 0; r < plans_.size(); ++r) {
+    if (r != longest_) begin_run(map_.runs()[r], plans_[r]);
+  }
   for (std::size_t r = 0; r < plans_.size(); ++r) {
     factorise_run(map_.runs()[r], plans_[r]);
     if (overflow_ || !std::isfinite(largest_)) return;
@@ -222,7 +258,6 @@ void ChainLdlt::factorise_links() {
 }
 
 void ChainLdlt::factorise_run(const Run& run, Plan& plan) {
-  begin_run(run, plan);
   for (int first = 0; first < run.num_links; first += kLanes) {
     check_stop(first);
     const int count = std::min(kLanes, run.num_links - first);
@@ -237,7 +272,7 @@ void ChainLdlt::factorise_run(const Run& run, Plan& plan) {
         dense_link(run, first + b);
         ++plan.dense_links;
       }
-      separator(run, first + b, dense ? nullptr : &batch.sequence->analysis,
+      separator(run, first + b, dense ? nullptr : &batch.sequence->analysis(),
                 batch.slots, b);
       if (overflow_) return;
     }
@@ -273,7 +308,7 @@ ChainLdlt::Batch ChainLdlt::factorise_batch(const Run& run, Plan& plan,
     best = with_sequence(run, *best.sequence, first, count);
   }
   best.sequence->used = true;
-  arena_.keep(at(best.sequence->analysis.num_factor_slots));
+  arena_.keep(at(best.sequence->analysis().num_factor_slots));
   return best;
 }
 
@@ -281,10 +316,10 @@ ChainLdlt::Batch ChainLdlt::factorise_batch(const Run& run, Plan& plan,
 ChainLdlt::Batch ChainLdlt::with_sequence(const Run& run, Sequence& sequence,
                                           int first, int count) {
   Batch batch{.sequence = &sequence,
-              .slots = arena_.top(at(sequence.analysis.num_slots))};
+              .slots = arena_.top(at(sequence.analysis().num_slots))};
   batch.failed = fill(run, sequence, first, count, batch.slots);
   FactorisationOutcome outcome;
-  numeric_factorisation(sequence.analysis, batch.slots, outcome);
+  numeric_factorisation(sequence.analysis(), batch.slots, outcome);
   for (int b = 0; b < count; ++b) {
     if (!(outcome.growth.lane[b] <= kLargestGrowth * kLargestGrowth)) {
       batch.failed |= 1U << at(b);
@@ -298,15 +333,26 @@ ChainLdlt::Batch ChainLdlt::with_sequence(const Run& run, Sequence& sequence,
 
 /// Eliminates the interior of a link as a dense front.
 void ChainLdlt::dense_link(const Run& run, int link) {
-  link_matrix(run, link, matrix_);
-  for (const double value : matrix_) {
-    largest_ = larger(largest_, std::abs(value));
+  place_.clear();
+  int size = 0;
+  for (const ChainMap::Affine& unknown : run.unknowns) {
+    place_.push_back(run.has(unknown, link) ? size++ : -1);
   }
-  link_front_.reset(run.unknowns.size());
-  link_front_.values.swap(matrix_);
+  link_front_.reset(at(size));
   link_front_.candidates = run.interior;
   for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
-    link_front_.unknowns[i] = static_cast<int>(run.unknowns[i].at(link));
+    if (place_[i] < 0) continue;
+    link_front_.unknowns[at(place_[i])] =
+        static_cast<int>(run.unknowns[i].at(link));
+  }
+  for (const ChainMap::Entry& entry : run.entries) {
+    if (!run.has(entry.source, link)) continue;
+    const double value = scaled(run, entry, link);
+    const int i = place_[at(entry.row)];
+    const int j = place_[at(entry.col)];
+    link_front_.at(i, j) += value;
+    if (i != j) link_front_.at(j, i) += value;
+    largest_ = larger(largest_, std::abs(value));
   }
   fronts_.eliminate(link_front_, {0.1, zero_, false});
   rejects_ = link_front_.candidates;
@@ -320,21 +366,21 @@ void ChainLdlt::separator(const Run& run, int link,
                           const SymbolicAnalysis* analysis, const Lanes* slots,
                           int lane) {
   const int border = static_cast<int>(map_.border().size());
+  const int first_right = run.interior + run.left;
+  const int end_right = first_right + run.right;
+  const auto count = [&](int from, int to) {
+    int sum = 0;
+    for (int i = from; i < to; ++i) sum += run.has(run.unknowns[at(i)], link);
+    return sum;
+  };
+  const int left = count(run.interior, first_right);
+  const int right = count(first_right, end_right);
   // carried_: delayed | left separator | border
-  if (carried_.size() == 0) {
-    carried_.reset(at(run.left + border));
-    for (int i = 0; i < run.left; ++i) {
-      carried_.unknowns[at(i)] =
-          static_cast<int>(run.unknowns[at(run.interior + i)].at(link));
-    }
-    std::copy(map_.border().begin(), map_.border().end(),
-              carried_.unknowns.begin() + run.left);
-  }
+  if (carried_.size() == 0) carried_.reset(at(left + border));
   const int old = carried_.size() - border;
   const int rejects = analysis == nullptr ? rejects_ : 0;
   const int candidates = old + rejects;
-  const int first_right = candidates;
-  const int first_border = candidates + run.right;
+  const int first_border = candidates + right;
   front_.reset(at(first_border + border));
   front_.candidates = candidates;
   // front_: delayed | left separator | rejects | right separator | border
@@ -349,32 +395,33 @@ void ChainLdlt::separator(const Run& run, int link,
       front_.at(first_border + i - old, to) = carried_.at(i, j);
     }
   }
-  const int outside = run.left + run.right;
-  // Local unknowns from `interior` on.
-  const auto from_link = [&](int i) {
-    if (i < run.left) return old - run.left + i;
-    if (i < outside) return first_right + i - run.left;
-    return first_border + i - outside;
-  };
-  for (int i = run.left; i < outside; ++i) {
-    front_.unknowns[at(from_link(i))] =
-        static_cast<int>(run.unknowns[at(run.interior + i)].at(link));
+  // The link's unknowns from `interior` on.
+  place_.clear();
+  int next = old - left;
+  for (int i = run.interior; i < run.size(); ++i) {
+    if (i == first_right) next = candidates;
+    const ChainMap::Affine& unknown = run.unknowns[at(i)];
+    const bool has = run.has(unknown, link);
+    if (has) front_.unknowns[at(next)] = static_cast<int>(unknown.at(link));
+    place_.push_back(has ? next++ : -1);
   }
   if (analysis != nullptr) {
     for (const SymbolicAnalysis::SchurEntry& entry : analysis->schur) {
-      const int i = from_link(entry.row - run.interior);
-      const int j = from_link(entry.col - run.interior);
+      const int i = place_[at(entry.row - run.interior)];
+      const int j = place_[at(entry.col - run.interior)];
+      if (i < 0 || j < 0) continue;
       const double value = slots[entry.slot].lane[lane];
       front_.at(i, j) += value;
       if (i != j) front_.at(j, i) += value;
     }
   } else {
+    std::erase(place_, -1);
     const auto from_front = [&](int i) {
-      return i < rejects ? old + i : from_link(i - rejects);
+      return i < rejects ? old + i : place_[at(i - rejects)];
     };
     for (int j = 0; j < link_front_.size(); ++j) {
       const int to = from_front(j);
-      if (j < rejects) front_.unknowns[at(to)] = link_front_.unknowns[at(j)];
+      front_.unknowns[at(to)] = link_front_.unknowns[at(j)];
       for (int i = 0; i < link_front_.size(); ++i) {
         front_.at(from_front(i), to) += link_front_.at(i, j);
       }

@@ -18,7 +18,7 @@
 #include "solvers/inertia.hpp"
 #include "solvers/lane_arena.hpp"
 #include "solvers/numeric_factorisation.hpp"
-#include "solvers/symbolic_analysis.hpp"
+#include "solvers/pivot_store.hpp"
 
 namespace brachisto {
 
@@ -73,12 +73,17 @@ class ChainLdlt {
  private:
   static constexpr unsigned kAllFailed = (1U << kLanes) - 1U;
 
-  /// Pivots that were chosen on one link of a run.
+  /// Pivots for a link of a run.
   struct Sequence {
-    std::vector<char> pattern;  ///< entries not zero there
-    SymbolicAnalysis analysis;
-    std::vector<int> slots;  ///< of the run's entries
-    bool used = true;        ///< since the last factorisation began
+    std::shared_ptr<const ChosenPivots> pivots;
+    std::vector<char> nonzero;  ///< of the run's entries, on that link
+    std::vector<int> slots;     ///< of the run's entries
+    std::vector<char> sets;     ///< entries that are the first of their slots
+    std::vector<int> others;    ///< slots that no such entry sets
+    bool used = true;           ///< since the last factorisation began
+    [[nodiscard]] const SymbolicAnalysis& analysis() const {
+      return pivots->analysis;
+    }
   };
   /// Links that are factorised at once.
   struct Batch {
@@ -113,14 +118,18 @@ class ChainLdlt {
 
   void factorise_links();
   void link_matrix(const Run& run, int link, std::vector<double>& matrix) const;
-  [[nodiscard]] std::vector<char> pattern_of(const Run& run, int link);
+  [[nodiscard]] std::vector<char> nonzero_of(const Run& run, int link) const;
   [[nodiscard]] bool choose_sequence(const Run& run, Plan& plan, int link);
+  [[nodiscard]] std::shared_ptr<const ChosenPivots> pivots_for(
+      const Run& run, const Plan& plan, const LinkPattern& pattern, int link);
   void begin_run(const Run& run, Plan& plan);
   void factorise_run(const Run& run, Plan& plan);
   [[nodiscard]] Batch factorise_batch(const Run& run, Plan& plan, int first,
                                       int count);
   [[nodiscard]] Batch with_sequence(const Run& run, Sequence& sequence,
                                     int first, int count);
+  [[nodiscard]] Lanes gather(const Run& run, const ChainMap::Entry& entry,
+                             int first, int count) const;
   [[nodiscard]] unsigned fill(const Run& run, const Sequence& sequence,
                               int first, int count, Lanes* slots);
   void dense_link(const Run& run, int link);
@@ -132,17 +141,20 @@ class ChainLdlt {
 
   ChainMap map_;
   std::vector<double> scale_;  ///< of the structure, by unknown
+  std::shared_ptr<PivotStore> store_ = PivotScope::store();
   std::vector<Plan> plans_;
+  std::size_t longest_ = 0;  ///< run with the most links
   std::vector<std::span<const double>> values_;
   LaneArena arena_;
   FrontStack fronts_;
   FrontStack::Front front_, carried_, link_front_;
-  int rejects_ = 0;  ///< interior unknowns of link_front_ left over
+  int rejects_ = 0;         ///< interior unknowns of link_front_ left over
+  std::vector<int> place_;  ///< of a link's unknowns in a front; −1: absent
   double largest_ = 0.0, zero_ = 0.0;
   int negative_ = 0;
   bool overflow_ = false;  ///< too many pivots were delayed
   Inertia inertia_;
-  std::vector<double> matrix_;
+  std::vector<double> matrix_;  ///< scratch
 };
 
 /// For the matrix [H Jᵀ; J 0] of variables that are not held and constraints

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -14,6 +15,8 @@
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto {
+
+class EntriesByLink;
 
 /// Positions of part of the entries of a symmetric matrix, either triangle,
 /// each pair of unknowns from one side only. Repeated positions add up.
@@ -25,19 +28,25 @@ struct EntryPositions {
 
 /// A chain cut into runs of links that look alike: the same entries at the same
 /// places of the link, with unknowns and values at places of the caller's
-/// arrays that advance by a constant from link to link. A uniform problem has
-/// three runs, first link, last link and the rest, and so needs memory for
-/// three links; the worst case, a run for each link, is linear in the number
-/// of entries.
+/// arrays that advance by a constant from link to link. A link at the end of
+/// the chain is part of the run beside it if it is such a link but for unknowns
+/// that are absent. A uniform problem thus has one run, and needs memory for
+/// one link; the worst case, a run for each link, is linear in the number of
+/// entries.
 class ChainMap {
  public:
   /// The place first + stride i for link i of a run.
   struct Affine {
     std::ptrdiff_t first = 0;
     std::ptrdiff_t stride = 0;
+    bool not_in_first = false, not_in_last = false;  ///< links of the run
     [[nodiscard]] std::size_t at(int i) const {
       return static_cast<std::size_t>(first + stride * i);
     }
+  };
+  /// Links from `begin` to before `end`.
+  struct Links {
+    int begin, end;
   };
   /// An entry by local unknowns, row ≥ col, and the place of its value.
   struct Entry {
@@ -54,6 +63,16 @@ class ChainMap {
     std::vector<Affine> unknowns;  ///< places in vectors of the caller
     std::vector<Entry> entries;
     [[nodiscard]] int size() const { return static_cast<int>(unknowns.size()); }
+    /// Those of some links that have an unknown or an entry.
+    [[nodiscard]] Links having(const Affine& what, Links among) const {
+      return {
+          what.not_in_first ? std::max(among.begin, 1) : among.begin,
+          what.not_in_last ? std::min(among.end, num_links - 1) : among.end};
+    }
+    [[nodiscard]] bool has(const Affine& what, int link) const {
+      return !(what.not_in_first && link == 0) &&
+             !(what.not_in_last && link == num_links - 1);
+    }
   };
 
   /// Nothing if an entry couples unknowns that do not belong to one link.
@@ -73,6 +92,11 @@ class ChainMap {
   }
 
  private:
+  /// False if the entries are in another order, or the matrix is no such chain.
+  [[nodiscard]] bool read(const nlp::ChainStructure& chain,
+                          std::span<const EntryPositions> positions,
+                          EntriesByLink& by_link, bool in_order);
+
   int num_links_ = 0;
   int num_unknowns_ = 0;  ///< without absent ones
   std::vector<Run> runs_;

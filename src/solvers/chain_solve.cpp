@@ -25,7 +25,7 @@ void ChainLdlt::for_each_batch(Visit&& visit) const {
       check_stop(first);
       const Batch& batch = plan.batches[at(first / kLanes)];
       if (batch.sequence == nullptr) continue;
-      visit(run, batch.sequence->analysis, batch.slots, first,
+      visit(run, batch.sequence->analysis(), batch.slots, first,
             std::min(kLanes, run.num_links - first), batch.failed);
     }
   }
@@ -41,6 +41,7 @@ void ChainLdlt::solve(std::span<double> x) const {
   for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
                      const Lanes* slots, int first, int count,
                      unsigned failed) {
+    const ChainMap::Links links{first, first + count};
     local.assign(run.unknowns.size(), Lanes{});
     for (int i = 0; i < run.interior; ++i) {
       for (int b = 0; b < count; ++b) {
@@ -48,13 +49,13 @@ void ChainLdlt::solve(std::span<double> x) const {
       }
     }
     forward_substitution(analysis, slots, local.data());
-    for (int b = 0; b < count; ++b) {
-      if (((failed >> b) & 1U) != 0) continue;
-      for (int i = 0; i < run.interior; ++i) {
-        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
-      }
-      for (int i = run.interior; i < run.size(); ++i) {
-        x[run.unknowns[at(i)].at(first + b)] += local[at(i)].lane[b];
+    for (int i = 0; i < run.size(); ++i) {
+      const auto [begin, end] = run.having(run.unknowns[at(i)], links);
+      for (int link = begin; link < end; ++link) {
+        const int b = link - first;
+        if (((failed >> b) & 1U) != 0) continue;
+        double& value = x[run.unknowns[at(i)].at(link)];
+        value = local[at(i)].lane[b] + (i < run.interior ? 0.0 : value);
       }
     }
   });
@@ -64,16 +65,18 @@ void ChainLdlt::solve(std::span<double> x) const {
   for_each_batch([&](const Run& run, const SymbolicAnalysis& analysis,
                      const Lanes* slots, int first, int count,
                      unsigned failed) {
+    const ChainMap::Links links{first, first + count};
     local.assign(run.unknowns.size(), Lanes{});
     for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
-      for (int b = 0; b < count; ++b) {
-        local[i].lane[b] = x[run.unknowns[i].at(first + b)];
+      const auto [begin, end] = run.having(run.unknowns[i], links);
+      for (int link = begin; link < end; ++link) {
+        local[i].lane[link - first] = x[run.unknowns[i].at(link)];
       }
     }
     backward_substitution(analysis, slots, local.data());
-    for (int b = 0; b < count; ++b) {
-      if (((failed >> b) & 1U) != 0) continue;
-      for (int i = 0; i < run.interior; ++i) {
+    for (int i = 0; i < run.interior; ++i) {
+      for (int b = 0; b < count; ++b) {
+        if (((failed >> b) & 1U) != 0) continue;
         x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
       }
     }
@@ -83,20 +86,36 @@ void ChainLdlt::solve(std::span<double> x) const {
 
 void ChainLdlt::subtract_product(std::span<const double> x,
                                  std::span<long double> residual) const {
+  std::vector<double> local;
+  std::vector<long double> sum;
+  for (const Run& run : map_.runs()) {
+    local.resize(run.unknowns.size());
+    sum.resize(run.unknowns.size());
+    for (int link = 0; link < run.num_links; ++link) {
+      check_stop(link);
+      for (std::size_t i = 0; i < local.size(); ++i) {
+        const bool has = run.has(run.unknowns[i], link);
+        local[i] = has ? x[run.unknowns[i].at(link)] : 0.0;
+        sum[i] = 0.0L;
+      }
+      for (const ChainMap::Entry& entry : run.entries) {
+        if (!run.has(entry.source, link)) continue;
+        const long double value =
+            values_[at(entry.array)][entry.source.at(link)];
+        sum[at(entry.row)] += value * local[at(entry.col)];
+        if (entry.row == entry.col) continue;
+        sum[at(entry.col)] += value * local[at(entry.row)];
+      }
+      for (std::size_t i = 0; i < local.size(); ++i) {
+        if (!run.has(run.unknowns[i], link)) continue;
+        residual[run.unknowns[i].at(link)] -= sum[i];
+      }
+    }
+  }
   const auto add = [&](std::size_t i, std::size_t j, double value) {
     residual[i] -= static_cast<long double>(value) * x[j];
     if (i != j) residual[j] -= static_cast<long double>(value) * x[i];
   };
-  for (const Run& run : map_.runs()) {
-    for (int link = 0; link < run.num_links; ++link) {
-      check_stop(link);
-      for (const ChainMap::Entry& entry : run.entries) {
-        add(run.unknowns[at(entry.row)].at(link),
-            run.unknowns[at(entry.col)].at(link),
-            values_[at(entry.array)][entry.source.at(link)]);
-      }
-    }
-  }
   for (const ChainMap::Entry& entry : map_.border_entries()) {
     add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
         values_[at(entry.array)][entry.source.at(0)]);

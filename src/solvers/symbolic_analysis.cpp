@@ -4,8 +4,11 @@
 #include "solvers/symbolic_analysis.hpp"
 
 #include <algorithm>
-#include <bitset>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "math/index.hpp"
 
@@ -14,165 +17,253 @@ namespace brachisto {
 namespace {
 
 using Kind = SymbolicAnalysis::Kind;
-using Set = std::bitset<SymbolicAnalysis::kMaxSize>;
 
 // Wanted of the multipliers, and what is still accepted where no pivot keeps
 // to it.
 constexpr double kWantedGrowth = 10.0;
 constexpr double kLargestGrowth = 1e3;
 
+/// A set of unknowns, a bit to each.
+template <int kWords>
+class BitSet {
+ public:
+  void set(int i) { word(i) |= bit(i); }
+  void reset(int i) { word(i) &= ~bit(i); }
+  [[nodiscard]] bool operator[](int i) const {
+    return (words_[at(i / kBits)] & bit(i)) != 0;
+  }
+  [[nodiscard]] bool none() const {
+    return std::ranges::all_of(words_, [](auto word) { return word == 0; });
+  }
+  [[nodiscard]] int count() const {
+    int sum = 0;
+    for (const std::uint64_t word : words_) sum += std::popcount(word);
+    return sum;
+  }
+  BitSet& operator|=(const BitSet& other) {
+    for (std::size_t w = 0; w < kWords; ++w) words_[w] |= other.words_[w];
+    return *this;
+  }
+  BitSet& operator&=(const BitSet& other) {
+    for (std::size_t w = 0; w < kWords; ++w) words_[w] &= other.words_[w];
+    return *this;
+  }
+  friend BitSet operator|(BitSet a, const BitSet& b) { return a |= b; }
+  friend BitSet operator&(BitSet a, const BitSet& b) { return a &= b; }
+  [[nodiscard]] BitSet without(const BitSet& other) const {
+    BitSet out = *this;
+    for (std::size_t w = 0; w < kWords; ++w) out.words_[w] &= ~other.words_[w];
+    return out;
+  }
+  /// visit(i) in ascending order.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (int w = 0; w < kWords; ++w) {
+      for (std::uint64_t left = words_[at(w)]; left != 0; left &= left - 1) {
+        visit(w * kBits + std::countr_zero(left));
+      }
+    }
+  }
+
+ private:
+  static constexpr int kBits = 64;
+  static std::uint64_t bit(int i) { return std::uint64_t{1} << (i % kBits); }
+  std::uint64_t& word(int i) { return words_[at(i / kBits)]; }
+
+  std::array<std::uint64_t, kWords> words_{};
+};
+
 struct Candidate {
-  double cost = 0.0;  ///< operations per eliminated unknown
   Kind kind = Kind::Single;
   int p = 0, q = 0;
+  double cost = 0.0;  ///< operations per eliminated unknown
+  /// Largest multiplier it would produce; negative: not asked yet.
+  double growth = -1.0;
 };
 
 struct Step {
-  Candidate pivot;
+  Kind kind = Kind::Single;
+  int p = 0, q = 0;
   bool has_d_pp = true;
   std::vector<int> in_p, in_q;  ///< unknowns with an entry; Saddle: q's first
 };
 
-/// The elimination on one matrix, structure and numbers.
-class Elimination {
+/// The structure of what is left of a matrix.
+template <int kWords>
+class Structure {
  public:
-  Elimination(std::span<const double> matrix, int size, int interior)
-      : size_(size), a_(matrix.begin(), matrix.end()), adjacent_(at(size)) {
-    for (int i = 0; i < interior; ++i) left_.set(at(i));
-    for (int j = 0; j < size; ++j) {
-      for (int i = 0; i < size; ++i) {
-        if (value(i, j) != 0.0) adjacent_[at(j)].set(at(i));
+  using Set = BitSet<kWords>;
+
+  explicit Structure(const LinkPattern& pattern) : adjacent(at(pattern.size)) {
+    for (int i = 0; i < pattern.interior; ++i) left.set(i);
+    for (int i = 0; i < pattern.size; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        if (!pattern.has(i, j)) continue;
+        adjacent[at(i)].set(j);
+        adjacent[at(j)].set(i);
       }
     }
   }
 
-  [[nodiscard]] bool done() const { return left_.none(); }
-  [[nodiscard]] const std::vector<Set>& adjacent() const { return adjacent_; }
-
-  /// The cheapest stable pivot, or nothing.
-  [[nodiscard]] std::optional<Candidate> best() const {
-    std::vector<Candidate> candidates = all_candidates();
-    std::sort(
-        candidates.begin(), candidates.end(),
-        [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    const Candidate* least = nullptr;
-    double least_growth = kLargestGrowth;
-    for (const Candidate& candidate : candidates) {
-      const double found = growth(candidate);
-      if (found <= kWantedGrowth) return candidate;
-      if (!(found <= least_growth)) continue;
-      least_growth = found;
-      least = &candidate;
-    }
-    if (least == nullptr) return std::nullopt;
-    return *least;
+  [[nodiscard]] bool has_diagonal(int i) const { return adjacent[at(i)][i]; }
+  /// Neighbours of i but p and q.
+  [[nodiscard]] Set others(int i, int p, int q) const {
+    Set set = adjacent[at(i)];
+    set.reset(p);
+    set.reset(q);
+    return set;
   }
 
-  /// Eliminates, structure and numbers.
+  /// \pre has_diagonal(p)
+  [[nodiscard]] Candidate single(int p) const {
+    const auto k = static_cast<double>(others(p, p, p).count());
+    return {Kind::Single, p, p, 0.5 * k * (k + 1.0) + k};
+  }
+  /// \pre p and q are neighbours
+  [[nodiscard]] Candidate pair(int p, int q) const {
+    if (!has_diagonal(p)) std::swap(p, q);
+    const Set P = others(p, p, q);
+    const Set Q = others(q, p, q);
+    const auto in_q = static_cast<double>(Q.count());
+    if (!has_diagonal(p)) {
+      const auto in_p = static_cast<double>(P.count());
+      return {Kind::Saddle, p, q, 0.5 * (in_p * in_q + in_p + in_q)};
+    }
+    const auto both = static_cast<double>((P | Q).count());
+    if (!has_diagonal(q)) {
+      return {Kind::Saddle, p, q, 0.5 * (both * in_q + both + in_q)};
+    }
+    return {Kind::Pair, p, q, 0.5 * (both * both + 2.0 * both)};
+  }
+
   [[nodiscard]] Step eliminate(const Candidate& pivot) {
-    Step step;
-    step.pivot = pivot;
     const int p = pivot.p;
     const int q = pivot.q;
+    Step step;
+    step.kind = pivot.kind;
+    step.p = p;
+    step.q = q;
+    const auto list = [](const Set& set, std::vector<int>& out) {
+      set.for_each([&](int i) { out.push_back(i); });
+    };
     const Set P = others(p, p, q);
     if (pivot.kind == Kind::Single) {
-      step.in_p = list(P);
-      const double inverse = 1.0 / value(p, p);
-      for (const int i : step.in_p) {
-        const double multiplier = inverse * value(i, p);
-        for (const int j : step.in_p) value(i, j) -= multiplier * value(j, p);
-        adjacent_[at(i)] |= P;
-      }
+      list(P, step.in_p);
+      P.for_each([&](int i) { adjacent[at(i)] |= P; });
       drop(p);
       return step;
     }
     const Set Q = others(q, p, q);
-    const double det = value(p, p) * value(q, q) - value(p, q) * value(p, q);
     const bool saddle = pivot.kind == Kind::Saddle;
-    step.has_d_pp = !saddle || adjacent_[at(p)][at(p)];
-    // Structure: a product of entries in p and q each; with d_pp ≠ 0 also one
-    // of two entries in q, with d_qq ≠ 0 one of two in p.
+    step.has_d_pp = !saddle || has_diagonal(p);
+    // A product of entries in p and q each; with d_pp ≠ 0 also one of two
+    // entries in q, with d_qq ≠ 0 one of two in p.
     const Set in_p = step.has_d_pp ? P | Q : P;
     const Set in_q = saddle ? Q : P | Q;
-    step.in_q = list(in_q);
-    step.in_p = list(in_p & in_q);
-    for (const int i : list(in_p & ~in_q)) step.in_p.push_back(i);
-    const Set all = P | Q;
-    std::vector<double> to_p(at(size_)), to_q(at(size_));
-    for (const int i : list(all)) {
-      const double c_p = value(i, p);
-      const double c_q = value(i, q);
-      to_p[at(i)] = (value(q, q) * c_p - value(p, q) * c_q) / det;
-      to_q[at(i)] = (value(p, p) * c_q - value(p, q) * c_p) / det;
-    }
-    const std::vector<int> rows = list(all);
-    for (const int i : rows) {
-      for (const int j : rows) {
-        value(i, j) -= to_p[at(i)] * value(j, p) + to_q[at(i)] * value(j, q);
-      }
-    }
-    for (const int i : list(in_p)) adjacent_[at(i)] |= in_q;
-    for (const int i : list(in_q)) adjacent_[at(i)] |= in_p;
+    list(in_q, step.in_q);
+    list(in_p & in_q, step.in_p);
+    list(in_p.without(in_q), step.in_p);
+    in_p.for_each([&](int i) { adjacent[at(i)] |= in_q; });
+    in_q.for_each([&](int i) { adjacent[at(i)] |= in_p; });
     drop(p);
     drop(q);
     return step;
   }
+
+  Set left;  ///< of the interior
+  std::vector<Set> adjacent;
+
+ private:
+  void drop(int i) {
+    left.reset(i);
+    for (Set& set : adjacent) set.reset(i);
+    adjacent[at(i)] = {};
+  }
+};
+
+/// The elimination on one matrix, structure and numbers.
+template <int kWords>
+class Elimination {
+ public:
+  using Set = BitSet<kWords>;
+
+  Elimination(const LinkPattern& pattern, std::span<const double> matrix)
+      : structure(pattern),
+        size_(pattern.size),
+        a_(matrix.begin(), matrix.end()) {
+    add_candidates(structure.left);
+  }
+
+  [[nodiscard]] bool done() const { return structure.left.none(); }
+
+  /// The cheapest stable pivot, or nothing.
+  [[nodiscard]] std::optional<Candidate> best() {
+    for (;;) {
+      Candidate* cheapest = nullptr;
+      for (Candidate& one : candidates_) {
+        if (one.growth > kWantedGrowth) continue;
+        if (cheapest == nullptr || one.cost < cheapest->cost) cheapest = &one;
+      }
+      if (cheapest == nullptr) break;
+      if (cheapest->growth < 0.0) cheapest->growth = growth(*cheapest);
+      if (cheapest->growth <= kWantedGrowth) return *cheapest;
+    }
+    const auto least =
+        std::ranges::min_element(candidates_, {}, &Candidate::growth);
+    if (least == candidates_.end() || least->growth > kLargestGrowth) {
+      return std::nullopt;
+    }
+    return *least;
+  }
+
+  [[nodiscard]] Step eliminate(const Candidate& pivot) {
+    const int p = pivot.p;
+    const int q = pivot.q;
+    const Set rows = structure.others(p, p, q) | structure.others(q, p, q);
+    if (pivot.kind == Kind::Single) {
+      const double inverse = 1.0 / value(p, p);
+      rows.for_each([&](int i) {
+        const double multiplier = inverse * value(i, p);
+        rows.for_each([&](int j) { value(j, i) -= multiplier * value(j, p); });
+      });
+    } else {
+      const double det = value(p, p) * value(q, q) - value(p, q) * value(p, q);
+      rows.for_each([&](int i) {
+        const double c_p = value(i, p);
+        const double c_q = value(i, q);
+        const double to_p = (value(q, q) * c_p - value(p, q) * c_q) / det;
+        const double to_q = (value(p, p) * c_q - value(p, q) * c_p) / det;
+        rows.for_each([&](int j) {
+          value(j, i) -= to_p * value(j, p) + to_q * value(j, q);
+        });
+      });
+    }
+    Step step = structure.eliminate(pivot);
+    // What others would do is as before where no neighbour went.
+    std::erase_if(candidates_, [&](const Candidate& one) {
+      return one.p == p || one.p == q || one.q == p || one.q == q ||
+             rows[one.p] || rows[one.q];
+    });
+    add_candidates(rows & structure.left);
+    return step;
+  }
+
+  Structure<kWords> structure;
 
  private:
   double& value(int i, int j) { return a_[at(i) + at(size_) * at(j)]; }
   [[nodiscard]] double value(int i, int j) const {
     return a_[at(i) + at(size_) * at(j)];
   }
-  [[nodiscard]] std::vector<int> list(const Set& set) const {
-    std::vector<int> out;
-    for (int i = 0; i < size_; ++i) {
-      if (set[at(i)]) out.push_back(i);
-    }
-    return out;
-  }
-  /// Neighbours of i but p and q.
-  [[nodiscard]] Set others(int i, int p, int q) const {
-    Set set = adjacent_[at(i)];
-    set.reset(at(p));
-    set.reset(at(q));
-    return set;
-  }
-  void drop(int i) {
-    left_.reset(at(i));
-    for (Set& set : adjacent_) set.reset(at(i));
-    adjacent_[at(i)].reset();
-  }
-  [[nodiscard]] std::vector<Candidate> all_candidates() const {
-    std::vector<Candidate> out;
-    for (const int p : list(left_)) {
-      if (adjacent_[at(p)][at(p)]) {
-        const auto k = static_cast<double>(others(p, p, p).count());
-        out.push_back({0.5 * k * (k + 1.0) + k, Kind::Single, p, p});
-      }
-      for (const int q : list(adjacent_[at(p)] & left_)) {
-        if (q <= p) continue;
-        const bool p_zero = !adjacent_[at(p)][at(p)];
-        const bool q_zero = !adjacent_[at(q)][at(q)];
-        const Set P = others(p, p, q);
-        const Set Q = others(q, p, q);
-        const auto both = static_cast<double>((P | Q).count());
-        const auto in_p = static_cast<double>(P.count());
-        const auto in_q = static_cast<double>(Q.count());
-        if (p_zero && q_zero) {
-          out.push_back(
-              {0.5 * (in_p * in_q + in_p + in_q), Kind::Saddle, p, q});
-        } else if (q_zero) {
-          out.push_back(
-              {0.5 * (both * in_q + both + in_q), Kind::Saddle, p, q});
-        } else if (p_zero) {
-          out.push_back(
-              {0.5 * (both * in_p + both + in_p), Kind::Saddle, q, p});
-        } else {
-          out.push_back({0.5 * (both * both + 2.0 * both), Kind::Pair, p, q});
-        }
-      }
-    }
-    return out;
+
+  /// All pivots that one of these unknowns has part in.
+  void add_candidates(const Set& unknowns) {
+    unknowns.for_each([&](int p) {
+      if (structure.has_diagonal(p)) candidates_.push_back(structure.single(p));
+      (structure.others(p, p, p) & structure.left).for_each([&](int q) {
+        if (q > p || !unknowns[q]) candidates_.push_back(structure.pair(p, q));
+      });
+    });
   }
 
   /// Largest multiplier the pivot would produce; infinite if it is singular.
@@ -187,40 +278,39 @@ class Elimination {
     };
     if (pivot.kind == Kind::Single) {
       see(1.0 / value(p, p) * value(p, p));
-      for (const int i : list(others(p, p, p))) {
-        see(value(i, p) / value(p, p));
-      }
+      structure.others(p, p, p).for_each(
+          [&](int i) { see(value(i, p) / value(p, p)); });
       return largest;
     }
     const double det = value(p, p) * value(q, q) - value(p, q) * value(p, q);
     see(1.0 / det * det);
-    for (const int i : list(others(p, p, q) | others(q, p, q))) {
+    const Set rows = structure.others(p, p, q) | structure.others(q, p, q);
+    rows.for_each([&](int i) {
       see((value(q, q) * value(i, p) - value(p, q) * value(i, q)) / det);
       see((value(p, p) * value(i, q) - value(p, q) * value(i, p)) / det);
-    }
+    });
     return largest;
   }
 
   int size_;
   std::vector<double> a_;
-  std::vector<Set> adjacent_;
-  Set left_;
+  std::vector<Candidate> candidates_;
 };
 
 /// Numbers the slots and lists the targets of a sequence of steps.
 class Numbering {
  public:
-  Numbering(int size, int interior) {
-    analysis.size = size;
-    analysis.interior = interior;
-    analysis.slot_of.assign(at(size) * at(size), 0);
+  explicit Numbering(const LinkPattern& pattern) {
+    analysis.size = pattern.size;
+    analysis.interior = pattern.interior;
+    analysis.slot_of.assign(at(pattern.size) * at(pattern.size), 0);
   }
 
   void columns(const Step& step) {
     SymbolicAnalysis::Pivot pivot;
-    pivot.kind = step.pivot.kind;
-    pivot.p = step.pivot.p;
-    pivot.q = step.pivot.q;
+    pivot.kind = step.kind;
+    pivot.p = step.p;
+    pivot.q = step.q;
     if (step.has_d_pp) pivot.d_pp = add(pivot.p, pivot.p);
     if (pivot.kind != Kind::Single) pivot.d_pq = add(pivot.p, pivot.q);
     if (pivot.kind == Kind::Pair) pivot.d_qq = add(pivot.q, pivot.q);
@@ -246,11 +336,12 @@ class Numbering {
     analysis.pivots.push_back(pivot);
   }
 
+  template <class Set>
   void schur(const std::vector<Set>& adjacent) {
     analysis.num_factor_slots = analysis.num_slots;
     for (int j = analysis.interior; j < analysis.size; ++j) {
       for (int i = j; i < analysis.size; ++i) {
-        if (adjacent[at(j)][at(i)]) analysis.schur.push_back({i, j, add(i, j)});
+        if (adjacent[at(j)][i]) analysis.schur.push_back({i, j, add(i, j)});
       }
     }
   }
@@ -292,21 +383,67 @@ class Numbering {
   }
 };
 
-}  // namespace
-
-std::optional<SymbolicAnalysis> SymbolicAnalysis::make(
-    std::span<const double> matrix, int size, int interior) {
-  if (size > kMaxSize) return std::nullopt;
-  Elimination elimination(matrix, size, interior);
-  Numbering numbering(size, interior);
+template <int kWords>
+std::optional<SymbolicAnalysis> chosen(const LinkPattern& pattern,
+                                       std::span<const double> matrix) {
+  Elimination<kWords> elimination(pattern, matrix);
+  Numbering numbering(pattern);
   while (!elimination.done()) {
     const std::optional<Candidate> pivot = elimination.best();
     if (!pivot) return std::nullopt;
     numbering.columns(elimination.eliminate(*pivot));
   }
-  numbering.schur(elimination.adjacent());
+  numbering.schur(elimination.structure.adjacent);
   numbering.targets();
   return std::move(numbering.analysis);
+}
+
+template <int kWords>
+std::optional<SymbolicAnalysis> moved(
+    const LinkPattern& pattern,
+    std::span<const SymbolicAnalysis::Pivot> pivots) {
+  Structure<kWords> structure(pattern);
+  Numbering numbering(pattern);
+  for (const SymbolicAnalysis::Pivot& pivot : pivots) {
+    const bool single = pivot.kind == Kind::Single;
+    const int p = pivot.p;
+    const int q = pivot.q;
+    if (!structure.adjacent[at(p)][q]) return std::nullopt;
+    numbering.columns(structure.eliminate(single ? structure.single(p)
+                                                 : structure.pair(p, q)));
+  }
+  numbering.schur(structure.adjacent);
+  numbering.targets();
+  return std::move(numbering.analysis);
+}
+
+/// Calls work<kWords>() with as many words as a set of `size` unknowns has.
+template <class Work>
+auto with_words(int size, Work&& work) {
+  static_assert(SymbolicAnalysis::kMaxSize == 3 * 64);
+  if (size <= 64) return work.template operator()<1>();
+  if (size <= 128) return work.template operator()<2>();
+  return work.template operator()<3>();
+}
+
+}  // namespace
+
+std::optional<SymbolicAnalysis> SymbolicAnalysis::make(
+    const LinkPattern& pattern, std::span<const double> matrix) {
+  if (pattern.size > kMaxSize) return std::nullopt;
+  return with_words(pattern.size, [&]<int kWords>() {
+    return chosen<kWords>(pattern, matrix);
+  });
+}
+
+std::optional<SymbolicAnalysis> SymbolicAnalysis::moved_to(
+    const LinkPattern& pattern) const {
+  if (pattern.size > kMaxSize || pattern.interior != interior) {
+    return std::nullopt;
+  }
+  return with_words(pattern.size, [&]<int kWords>() {
+    return moved<kWords>(pattern, pivots);
+  });
 }
 
 }  // namespace brachisto

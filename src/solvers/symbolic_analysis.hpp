@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "solvers/link_pattern.hpp"
+
 namespace brachisto {
 
 /// Sequence of pivots for a symmetric matrix whose first `interior` unknowns
@@ -63,11 +65,17 @@ struct SymbolicAnalysis {
   /// the one with the fewest operations (Markowitz), then the next. 2×2 pivots
   /// join an unknown to the multiplier of its equation, as pivots [h j; j 0].
   ///
-  /// \param matrix  size × size, symmetric and full; its zeros are taken to be
-  ///                zeros of every matrix that is factorised
+  /// \param pattern  zeros in it are taken to be zeros of every matrix that is
+  ///                 factorised
+  /// \param matrix   size × size, symmetric and full
   /// \return nothing if size > kMaxSize or no stable sequence exists
   [[nodiscard]] static std::optional<SymbolicAnalysis> make(
-      std::span<const double> matrix, int size, int interior);
+      const LinkPattern& pattern, std::span<const double> matrix);
+
+  /// The same pivots in the same order for another pattern, with other unknowns
+  /// around the interior. Nothing if one of them is none there.
+  [[nodiscard]] std::optional<SymbolicAnalysis> moved_to(
+      const LinkPattern& pattern) const;
 };
 
 }  // namespace brachisto

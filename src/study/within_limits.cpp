@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "solvers/pivot_store.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -28,6 +30,7 @@ void end_by_memory(Solution& out) {
 void work_until(const StopCondition& stop, Solution& out,
                 const std::function<void(Solution&)>& work) {
   const StopScope scope(stop);
+  const PivotScope pivots;
   bool stopped = false;
   try {
     work(out);

@@ -105,7 +105,7 @@ class Manager {
 
   void keep(const std::vector<Answer>& answers) {
     store_.record(answers, plan_);
-    for (const Answer& answer : answers) count(answer.scene, answer.result);
+    for (const Answer& answer : answers) count(answer.scene, answer.outcome);
   }
 
   /// Counts what is there. \return whether each scene has a result
@@ -114,15 +114,14 @@ class Manager {
     store_.for_each_result([&](std::size_t scene, const std::string& document) {
       finished.at(scene) = true;
       if (options_.shard.has(plan_.of_scene(scene).id)) {
-        count(scene, document);
+        count(scene, read_outcome(document));
       }
     });
     counts_.before = counts_.finished();
     return finished;
   }
 
-  void count(std::size_t scene, const std::string& document) {
-    const SweepOutcome outcome = read_outcome(document);
+  void count(std::size_t scene, const SweepOutcome& outcome) {
     if (outcome.state == SweepOutcome::State::Verified) {
       ++counts_.verified;
       if (outcome.feasible) ++counts_.feasible;
@@ -236,8 +235,8 @@ class Manager {
     if (slot.retrying) {
       // Held back until some worker answers: it may not be the scene's fault.
       if (slot.next >= slot.run.first) {
-        held_.push_back(
-            {slot.next, failure_json(status, message + ", twice"), ""});
+        const std::string result = failure_json(status, message + ", twice");
+        held_.push_back({slot.next, result, "", read_outcome(result)});
       }
       advance(slot, "");
     } else {

@@ -3,13 +3,14 @@
 
 #include "sweep/message.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "sweep/outcome.hpp"
 #include "transcription/collocation.hpp"
 #include "transcription/variable_layout.hpp"
 
@@ -86,9 +87,10 @@ Request request_from_line(std::string_view line) {
 }
 
 std::string to_line(const Answer& answer) {
-  return line_of({{"scene", answer.scene},
-                  {"result", Json::parse(answer.result)},
-                  {"state", answer.state.value_or("")}});
+  return fmt::format(R"({{"scene":{},"result":{},"state":{}}})"
+                     "\n",
+                     answer.scene, answer.result,
+                     Json(answer.state.value_or("")).dump());
 }
 
 std::optional<Answer> answer_from_line(std::string_view line) {
@@ -104,9 +106,12 @@ std::optional<Answer> answer_from_line(std::string_view line) {
       is("state", [](const Json& j) { return j.is_string(); }) &&
       is("result", [](const Json& j) { return j.is_object(); });
   if (!good) return std::nullopt;
-  Answer answer{json["scene"], json["result"].dump(), json["state"]};
+  std::optional<SweepOutcome> outcome = find_outcome(json["result"]);
+  if (!outcome) return std::nullopt;
+  Answer answer{json["scene"], json["result"].dump(), json["state"],
+                *std::move(outcome)};
   // Whatever is stored can be read again.
-  const bool readable = is_outcome(answer.result) &&
+  const bool readable = answer.result.size() <= kLongestOutcome &&
                         (answer.state->empty() || Json::accept(*answer.state));
   return readable ? std::optional(std::move(answer)) : std::nullopt;
 }

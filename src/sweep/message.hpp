@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "search/continuation.hpp"
+#include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
 
@@ -25,10 +26,12 @@ struct Request {
 /// From a worker, or about it: what came out for a scene.
 struct Answer {
   std::size_t scene = 0;
-  std::string result;  ///< JSON document, compact
+  std::string result;  ///< JSON document on one line
   /// What the next scene starts from; empty: the cycloid. Nothing if that is
   /// not known or not wanted.
   std::optional<std::string> state;
+  /// What is read of the result, on the side of those who read it.
+  SweepOutcome outcome = {};
 };
 
 /// One line each, its end included.

@@ -11,6 +11,8 @@
 
 #include "brachisto/report/result.hpp"
 #include "design/design_record.hpp"
+#include "plot/kept_track.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::sweep {
 
@@ -33,6 +35,23 @@ std::string failed_checks(const Solution& solution) {
   }
   const std::string advice = solution.advice();
   return advice.empty() ? text : text + "; to try: " + advice;
+}
+
+Json document_of(const Solution& solution) {
+  Json json = report::outcome_document(solution);
+  // A table has one message per scene; let it be the one that matters.
+  if (solution.status == Status::Solved && !solution.verified()) {
+    json["status"] = "not_verified";
+    json["message"] = failed_checks(solution);
+  }
+  return json;
+}
+
+Json failure_document(std::string_view status, std::string_view message) {
+  return {{"schema_version", report::kSchemaVersion},
+          {"status", status},
+          {"message", message},
+          {"verified", false}};
 }
 
 /// Of the list `limits` of a result, which may be absent.
@@ -67,28 +86,30 @@ SweepOutcome outcome_of(const Json& json) {
   outcome.estimated_error = json.at("estimated_error");
   outcome.end_angle = json.at("end_angle");
   outcome.arcs = arcs_of(json);
+  const auto read = [&](const char* key, auto& list) {
+    const Json value = json.value(key, Json());
+    if (value.is_array()) value.get_to(list);
+  };
+  read("infeasible_because", outcome.infeasible_because);
+  read("folds", outcome.folds);
   return outcome;
 }
 
 }  // namespace
 
-std::string outcome_json(const Solution& solution) {
-  Json json = Json::parse(report::result_json(solution));
-  json.erase("provenance");
-  json.erase("scene");
-  json.erase("input");
-  // A table has one message per scene; let it be the one that matters.
-  if (solution.status == Status::Solved && !solution.verified()) {
-    json["status"] = "not_verified";
-    json["message"] = failed_checks(solution);
+std::string outcome_json(const Solution& solution, bool with_track) {
+  Json json = document_of(solution);
+  if (with_track && solution.verified()) {
+    json["track"] = plot::kept_track(
+        plot::TrajectoryTable::read(report::trajectory_csv(solution)),
+        solution.scene.body);
   }
   return compact(json);
 }
 
 std::string outcome_json(const DesignSearch& search) {
-  Json json = Json::parse(search.answer
-                              ? outcome_json(*search.answer)
-                              : failure_json("not_converged", search.message));
+  Json json = search.answer ? document_of(*search.answer)
+                            : failure_document("not_converged", search.message);
   json["design"] = to_json(search);
   return compact(json);
 }
@@ -98,21 +119,20 @@ DesignSearch read_design_search(const std::string& document) {
 }
 
 std::string failure_json(std::string_view status, std::string_view message) {
-  return compact({{"schema_version", report::kSchemaVersion},
-                  {"status", status},
-                  {"message", message},
-                  {"verified", false}});
+  return compact(failure_document(status, message));
 }
 
 bool is_outcome(const std::string& document) {
   if (document.size() > kLongestOutcome) return false;
   const std::optional<Json> json = parse_bounded_json(document);
-  if (!json) return false;
+  return json && find_outcome(*json);
+}
+
+std::optional<SweepOutcome> find_outcome(const nlohmann::ordered_json& json) {
   try {
-    (void)outcome_of(*json);
-    return true;
+    return outcome_of(json);
   } catch (const Json::exception&) {
-    return false;
+    return std::nullopt;
   }
 }
 

@@ -20,7 +20,11 @@ namespace brachisto::sweep {
 
 /// The result document of a solve, compact, without what all scenes of a sweep
 /// share.
-[[nodiscard]] std::string outcome_json(const Solution& solution);
+/// \param with_track  if it is verified also plot::kept_track() of it, under
+/// the
+///                    key `track`
+[[nodiscard]] std::string outcome_json(const Solution& solution,
+                                       bool with_track = false);
 
 /// The document of a search: that of its answer, or of its failure, and the
 /// search itself under the key `design`.
@@ -42,6 +46,9 @@ inline constexpr std::size_t kLongestOutcome = std::size_t{1} << 20U;
 
 /// What a table shows of a document that satisfies is_outcome().
 [[nodiscard]] SweepOutcome read_outcome(const std::string& document);
+/// The same of one that may be something else; then nothing.
+[[nodiscard]] std::optional<SweepOutcome> find_outcome(
+    const nlohmann::ordered_json& document);
 
 /// Deepest nesting of maps and lists that is read. Copies and texts of a
 /// document are made recursively.

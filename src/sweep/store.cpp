@@ -347,12 +347,13 @@ void Store::record(std::span<const Answer> answers, const ChainPlan& plan) {
                      "scene = ?2, value = ?3, checksum = ?4 WHERE scene < ?2");
   Statement forget_state(*database_, "DELETE FROM state WHERE chain = ?");
   for (const Answer& answer : answers) {
-    const auto& [scene, result, state] = answer;
-    insert.with(scene, result, result_checksum(scene, result)).run();
+    const std::size_t scene = answer.scene;
+    insert.with(scene, answer.result, result_checksum(scene, answer.result))
+        .run();
     const Chain chain = plan.of_scene(scene);
     if (scene + 1 == chain.last) {
       forget_state.with(chain.id).run();
-    } else if (state) {
+    } else if (const auto& state = answer.state) {
       remember
           .with(chain.id, scene, *state,
                 state_checksum(chain.id, scene, *state))

@@ -8,8 +8,7 @@ load_cache(${BUILD} READ_WITH_PREFIX "" BUILD_SHARED_LIBS BRACHISTO_BUILD_PYTHON
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" soversion ${CMAKE_PROJECT_VERSION})
 set(lib ${CMAKE_INSTALL_LIBDIR})
 
-# Regular expressions of paths. Each matches something, and something matches each path;
-# what only may be there is OPTIONAL.
+# Regular expressions of paths. Each matches something, and something matches each path.
 set(components command development)
 set(command
   bin/brachisto
@@ -17,10 +16,12 @@ set(command
   share/brachisto/problems/.+[.]yaml
   share/doc/brachisto/[A-Z]+[.]md
   share/doc/brachisto/LICENSE
-  share/doc/brachisto/docs/.+)
-set(OPTIONAL_command
-  share/brachisto/.+[.]json
-  share/man/man[15]/brachisto.*[.][15]
+  share/doc/brachisto/docs/.+
+  share/brachisto/schemas/problem[.]schema[.]json
+  share/brachisto/schemas/result[.]schema[.]json
+  share/man/man1/brachisto[.]1
+  share/man/man1/brachisto-[a-z-]+[.]1
+  share/man/man5/brachisto-problem[.]5
   share/bash-completion/completions/brachisto
   share/zsh/site-functions/_brachisto
   share/fish/vendor_completions[.]d/brachisto[.]fish)
@@ -65,10 +66,10 @@ installed(all all)
 foreach(component IN LISTS components)
   installed(paths ${component} --component ${component})
   set(unexpected ${paths})
-  foreach(pattern IN LISTS ${component} OPTIONAL_${component})
+  foreach(pattern IN LISTS ${component})
     set(found ${paths})
     list(FILTER found INCLUDE REGEX "^${pattern}$")
-    if(NOT found AND NOT pattern IN_LIST OPTIONAL_${component})
+    if(NOT found)
       message(SEND_ERROR "${component} has no ${pattern}")
     endif()
     list(FILTER unexpected EXCLUDE REGEX "^${pattern}$")

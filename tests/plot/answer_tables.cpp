@@ -9,14 +9,12 @@
 #include <string>
 
 #include "brachisto/report/result.hpp"
-#include "plot/check_texts.hpp"
 #include "report/solutions.hpp"
 #include "report/xml.hpp"
 
 namespace brachisto {
 namespace {
 
-using plot::check_meaning;
 using plot::symbols_html;
 using report::Json;
 using testing::xml_flaw;
@@ -36,18 +34,6 @@ TEST(Symbols, AreLoweredAndKeysStay) {
   EXPECT_EQ(symbols_html("a < b & c_1^2"), "a &lt; b &amp; c_1^2");
   EXPECT_EQ(symbols_html("R_n = -1 m g, 1e-9"), "R<sub>n</sub> = −1 m g, 1e-9");
   EXPECT_EQ(symbols_html(""), "");
-}
-
-TEST(CheckMeaning, IsThereForEveryCheck) {
-  for (const Solution* solution :
-       {&testing::off_centred_solution(), &testing::bead_solution(),
-        &testing::discrete_solution(), &testing::unverified_solution()}) {
-    ASSERT_FALSE(solution->certificate.checks.empty());
-    for (const Check& check : solution->certificate.checks) {
-      EXPECT_NE(check_meaning(check.name), "") << check.name;
-    }
-  }
-  EXPECT_EQ(check_meaning("no such check"), "");
 }
 
 TEST(AnswerTables, AreWellFormed) {

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +140,24 @@ TEST(RacePage, OfFiveIsSmallWhateverTheMeshes) {
   EXPECT_LT(page.size(), kMostBytes);
   EXPECT_TRUE(has(page, " of the 150000 nodes"));
   EXPECT_TRUE(has(page, "miss none of the others by more than"));
+}
+
+TEST(RacePage, HasAnotherStyleForEachOfTheMostThatStart) {
+  constexpr int kMost = 24;
+  const std::string page =
+      race_page(std::vector<Racer>(kMost, on_incline("of many", Incline(), 9)));
+
+  const std::regex row("<tr id=\"racer-[0-9]+\" class=\"(\\w+) (\\w+)\">");
+  std::set<std::string> styles;
+  for (std::sregex_iterator match(page.begin(), page.end(), row), end;
+       match != end; ++match) {
+    styles.insert((*match)[1].str() + (*match)[2].str());
+    EXPECT_TRUE(has(page, "." + (*match)[1].str() + " {"));
+    // The first one has a line without gaps.
+    EXPECT_TRUE((*match)[2] == "dash1" ||
+                has(page, ".track." + (*match)[2].str() + " {"));
+  }
+  EXPECT_EQ(styles.size(), kMost);
 }
 
 TEST(RacePage, MarksThoseThatCouldNotRun) {

@@ -7,11 +7,13 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "sweep/outcome.hpp"
 
@@ -129,6 +131,8 @@ TEST(Answer, SurvivesALine) {
   EXPECT_EQ(read->scene, 7U);
   EXPECT_EQ(read->result, answer.result);
   EXPECT_EQ(read->state, answer.state);
+  EXPECT_EQ(read->outcome.status, "solved");
+  EXPECT_EQ(read->outcome.tau, solved().motion()->tau());
 }
 
 TEST(Answer, IsNotReadFromAnythingElse) {
@@ -189,6 +193,16 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
   EXPECT_EQ(outcome.transit_time, solved().motion()->transit_time());
   EXPECT_EQ(outcome.estimated_error, solved().estimated_error);
   EXPECT_EQ(outcome.feasible, solved().feasible());
+}
+
+TEST(Outcome, IsTheResultButForItsOrigin) {
+  using Json = nlohmann::ordered_json;
+  Json result = Json::parse(report::result_json(solved()));
+  for (const char* key : {"provenance", "scene", "input"}) {
+    EXPECT_EQ(result.erase(key), 1U) << key;
+  }
+
+  EXPECT_EQ(outcome_json(solved()), result.dump());
 }
 
 TEST(Outcome, HasTheArcsOfItsLimitsInTheOrderOfThePath) {

@@ -11,8 +11,8 @@ const { byId, draw, pathOf } = Motion;
 const data = JSON.parse(byId("data").textContent);
 const stage = byId("stage");
 const racers = data.racers.map((racer, i) => ({
-  motion: Motion.motionOf(racer), obstacles: racer.obstacles, colour: `racer${i % 6 + 1}`,
-  clock: byId(`clock-${i}`), row: byId(`racer-${i}`),
+  motion: Motion.motionOf(racer), obstacles: racer.obstacles, clock: byId(`clock-${i}`),
+  row: byId(`racer-${i}`), style: [...byId(`racer-${i}`).classList],
 }));
 const T = Math.max(...racers.map(({ motion }) => motion.T));
 const view = {};
@@ -24,8 +24,8 @@ function layOut() {
   const place = (x, z) => `${X(x).toFixed(2)} ${Y(z).toFixed(2)}`;
   for (const { obstacles } of racers) Motion.drawObstacles(svg, obstacles, plane);
   let lifts = false;
-  racers.forEach(({ motion, colour }, i) => {
-    draw("path", { id: `track-${i}`, class: `track ${colour}`,
+  racers.forEach(({ motion, style }, i) => {
+    draw("path", { id: `track-${i}`, class: `track ${style.join(" ")}`,
       d: pathOf(motion.poses, "xb", "zb", place) }, svg);
     const lifted = Motion.liftedPath(motion.poses, place);
     draw("path", { class: "lifted", d: lifted }, svg);
@@ -36,15 +36,15 @@ function layOut() {
   Motion.markEnds(svg, racers[0].motion.poses, plane);
   // The winner is drawn last, above the others.
   [...racers.keys()].reverse().forEach((i) => {
-    const { motion, colour } = racers[i];
+    const { motion, style } = racers[i];
     racers[i].shape = Motion.bodyShape(svg, scale * motion.body.radius, `body-${i}`, motion.body);
-    racers[i].shape.classList.add(colour);
+    racers[i].shape.classList.add(...style);
   });
   // A number beside each body and, where its track keeps away from the others,
   // on the track: colours alone do not tell them apart.
   racers.forEach((racer, i) => {
     const number = (kind) => {
-      const text = draw("text", { class: `number ${kind} ${racer.colour}` }, svg);
+      const text = draw("text", { class: `number ${kind} ${racer.style.join(" ")}` }, svg);
       text.textContent = String(i + 1);
       return text;
     };

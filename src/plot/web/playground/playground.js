@@ -15,6 +15,7 @@ const ROWS = 241;              // of a drawn path
 const AGREEMENT = 1e-9;        // between two answers that count as one
 const DURATIONS = 15;          // of answers that the shown one is the median of
 const PAUSE = 0.6;             // of the animation at B [s]
+const STROKE_POINTS = 10;      // of a track drawn in one stroke
 const DEGREE = Math.PI / 180;
 const REFERENCE = {radius: 1 / 3, eta: 2 / 3, theta: 0, k: 1 / 2, L: 3, H: 1};
 
@@ -40,6 +41,7 @@ let solver = null;
 let answer = null;  // {numbers, rows, scene}
 let durations = [];   // of the last answers [ms]
 let own = null;     // {numbers, rows}, or null
+let stroke = null;  // [x, z] of a track that is being drawn, or null
 let view = null;    // metres to pixels
 let clock = {playing: !stillness.matches, time: 0, last: null};
 let changedAt = null;
@@ -221,7 +223,7 @@ function ownIsOn() {
 
 function updateOwn() {
   own = null;
-  if (!ownIsOn() || !solver?.setScene(scene())) return;
+  if (!ownIsOn() || stroke || !solver?.setScene(scene())) return;
   const numbers = solver.ride(ownTrack());
   const result = element('own-result');
   const remark = element('own-remark');
@@ -287,6 +289,51 @@ function setOwnPoints(points) {
     return handle;
   }));
   ownChanged();
+}
+
+/** Waits for a stroke on the picture, or no longer. */
+function setDrawing(on) {
+  element('draw').setAttribute('aria-pressed', on);
+  picture.classList.toggle('drawing', on);
+  if (!on) return;
+  picture.scrollIntoView({block: 'nearest'});
+  element('own-result').textContent =
+    'Draw from A to B on the picture, with mouse, pen or finger.';
+  element('own-remark').textContent = '';
+}
+
+function isDrawing() {
+  return picture.classList.contains('drawing');
+}
+
+function listenToStrokes() {
+  picture.addEventListener('pointerdown', (event) => {
+    if (!isDrawing() || !event.isPrimary) return;
+    picture.setPointerCapture(event.pointerId);
+    stroke = [placeOf(event)];
+    dragging = true;
+  });
+  picture.addEventListener('pointermove', (event) => {
+    if (!stroke || !event.isPrimary) return;
+    stroke.push(placeOf(event));
+    own = null;
+    requestDraw();
+  });
+  const end = (event) => {
+    if (!stroke || !event.isPrimary) return;
+    const {L, H} = wanted;
+    const points = event.type === 'pointerup' &&
+      pointsOfStroke(stroke, [L, H], STROKE_POINTS);
+    stroke = null;
+    dragging = false;
+    if (points) {
+      setDrawing(false);
+      setOwnPoints(points.map(([x, z]) => [x / L, z / H]));
+    }
+    changed();
+  };
+  picture.addEventListener('pointerup', end);
+  picture.addEventListener('pointercancel', end);
 }
 
 function movePoint(i, {x, z}) {
@@ -408,8 +455,8 @@ function draw() {
     answer ? line(answer.rows.map((row) => [row.trackX, row.trackZ])) : '');
   drawBody('body', answer?.rows, answer?.scene ?? {});
   drawBody('own-body', own?.rows, scene());
-  element('own-track').setAttribute('d', !ownIsOn() ? ''
-    : line(own ? own.rows.map((row) => [row.trackX, row.trackZ]) : ownTrack()));
+  element('own-track').setAttribute('d', !ownIsOn() ? '' : line(stroke ??
+    own?.rows.map((row) => [row.trackX, row.trackZ]) ?? ownTrack()));
   element('points').toggleAttribute('hidden', !ownIsOn());
   element('points').childNodes.forEach((handle, i) =>
     place(handle, ...ownTrack()[i + 1]));
@@ -451,25 +498,27 @@ function setPlaying(playing) {
   requestDraw();
 }
 
+/** Where in metres a pointer is. */
+function placeOf(event) {
+  const box = picture.getBoundingClientRect();
+  return [(event.clientX - box.left - view.x) / view.scale,
+    (event.clientY - box.top - view.z) / view.scale];
+}
+
 /** Tells `moved` where in metres a handle is dragged to. */
 function draggable(handle, moved) {
   let offset = null;
-  const at = (event) => {
-    const box = picture.getBoundingClientRect();
-    return [(event.clientX - box.left - view.x) / view.scale,
-      (event.clientY - box.top - view.z) / view.scale];
-  };
   handle.addEventListener('pointerdown', (event) => {
     handle.setPointerCapture(event.pointerId);
     const [hx, hz] = /\(([-\d.]+) ([-\d.]+)\)/.exec(
       handle.getAttribute('transform')).slice(1).map(Number);
-    const [x, z] = at(event);
+    const [x, z] = placeOf(event);
     offset = [(hx - view.x) / view.scale - x, (hz - view.z) / view.scale - z];
     dragging = true;
   });
   handle.addEventListener('pointermove', (event) => {
     if (!offset) return;
-    const [x, z] = at(event);
+    const [x, z] = placeOf(event);
     moved({x: x + offset[0], z: z + offset[1]});
   });
   const release = () => {
@@ -512,12 +561,18 @@ function listen() {
   });
   element('own').addEventListener('change', () => {
     element('own-panel').hidden = !ownIsOn();
+    setDrawing(false);
     if (ownIsOn() && ownPoints.length === 0) {
       setOwnPoints([[0.1, 0.45], [0.35, 0.9], [0.65, 1.1]]);
     } else {
       ownChanged();
     }
   });
+  element('draw').addEventListener('click', () => {
+    setDrawing(!isDrawing());
+    if (!isDrawing()) updateOwn();
+  });
+  listenToStrokes();
   element('more').addEventListener('click', () => {
     const [x, z] = ownPoints[ownPoints.length - 1] ?? [0, 0];
     setOwnPoints([...ownPoints, [(x + 1) / 2, (z + 1) / 2]]);

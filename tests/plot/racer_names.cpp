@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/racer_names.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace brachisto {
+namespace {
+
+using plot::racer_names;
+using Names = std::vector<std::string>;
+
+TEST(RacerNames, AreThoseOfTheFiles) {
+  EXPECT_EQ(racer_names({"/a/bead.yaml", "uniform_cylinder.yaml"}),
+            (Names{"bead", "uniform cylinder"}));
+  EXPECT_EQ(racer_names({}), Names{});
+}
+
+TEST(RacerNames, HaveAsManyFoldersAsTellThemApart) {
+  EXPECT_EQ(racer_names({"/near_B/steep/a.yaml", "/near_B/flat/a.yaml",
+                         "/far/flat/a.yaml", "/far/flat/b.yaml"}),
+            (Names{"steep/a", "near B/flat/a", "far/flat/a", "b"}));
+  // Of a path that has no more folders.
+  EXPECT_EQ(racer_names({"/a.yaml", "/steep/a.yaml"}),
+            (Names{"/a.yaml", "steep/a"}));
+  EXPECT_EQ(racer_names({"steep/a.yaml", "steep/../flat/./a.yaml"}),
+            (Names{"steep/a", "flat/a"}));
+}
+
+TEST(RacerNames, AreThePathsWhereNoFolderTellsThemApart) {
+  EXPECT_EQ(racer_names({"a.yaml", "a.yml", "b_c.yaml", "b c.yaml"}),
+            (Names{"a.yaml", "a.yml", "b_c.yaml", "b c.yaml"}));
+  EXPECT_EQ(racer_names({"a.yaml", "a.yaml"}), (Names{"a.yaml", "a.yaml"}));
+}
+
+}  // namespace
+}  // namespace brachisto

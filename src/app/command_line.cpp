@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -180,11 +181,8 @@ void describe(const Flag& flag, CLI::App& verb) {
   if (flag.excludes != nullptr) option->excludes(flag.excludes);
 }
 
-void describe(const Verb& verb, const std::vector<Flag>& everywhere,
-              CLI::App& app) {
-  CLI::App* const out = app.add_subcommand(verb.name, verb.text);
-  out->footer(verb.footer);
-  if (verb.hidden) out->group("");
+void describe_flags(const Verb& verb, const std::vector<Flag>& everywhere,
+                    CLI::App* out) {
   std::map<std::string, CLI::App*> choices;
   for (const Flag& flag : verb.flags) {
     if (flag.choice == nullptr) {
@@ -199,6 +197,38 @@ void describe(const Verb& verb, const std::vector<Flag>& everywhere,
     describe(flag, *group);
   }
   for (const Flag& flag : everywhere) describe(flag, *out);
+}
+
+/// What the words ask for. The flags of verbs that are not among them matter to
+/// the explanation of an error alone: without them there is none, but nothing.
+std::optional<Asked> read(const CommandLine& command, int argc, char** argv,
+                          bool every_flag) {
+  CLI::App app(command.text, "brachisto");
+  app.set_version_flag("--version", command.version,
+                       "Print versions of the program and its libraries");
+  app.require_subcommand(1);
+  app.footer(command.footer);
+  for (const Verb& verb : command.verbs) {
+    CLI::App* const out = app.add_subcommand(verb.name, verb.text);
+    out->footer(verb.footer);
+    if (verb.hidden) out->group("");
+    if (every_flag ||
+        std::count(argv, argv + argc, std::string_view(verb.name)) > 0) {
+      describe_flags(verb, command.everywhere, out);
+    }
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    std::ostringstream text;
+    app.exit(help_or_version, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    if (!every_flag) return std::nullopt;
+    throw explained(app, error);
+  }
+  const std::string name = app.get_subcommands().front()->get_name();
+  return &*std::ranges::find(command.verbs, name, &Verb::name);
 }
 
 }  // namespace
@@ -338,25 +368,8 @@ std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
 }
 
 Asked read_command_line(const CommandLine& command, int argc, char** argv) {
-  CLI::App app(command.text, "brachisto");
-  app.set_version_flag("--version", command.version,
-                       "Print versions of the program and its libraries");
-  app.require_subcommand(1);
-  app.footer(command.footer);
-  for (const Verb& verb : command.verbs) {
-    describe(verb, command.everywhere, app);
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    std::ostringstream text;
-    app.exit(help_or_version, text);
-    return text.str();
-  } catch (const CLI::ParseError& error) {
-    throw explained(app, error);
-  }
-  const std::string name = app.get_subcommands().front()->get_name();
-  return &*std::ranges::find(command.verbs, name, &Verb::name);
+  const std::optional<Asked> asked = read(command, argc, argv, false);
+  return asked ? *asked : read(command, argc, argv, true).value();
 }
 
 }  // namespace brachisto::app

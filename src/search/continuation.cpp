@@ -26,44 +26,46 @@ namespace brachisto {
 
 namespace {
 
-// Newton's method near its solution doubles the digits in each step; more than
-// a handful means that it went looking.
-constexpr int kMostNewtonSteps = 6;
-// How far a slope angle may end from its prediction [rad], and how far is
-// wanted: the secant predicts to second order in the step.
+// How far a slope angle may end from its prediction [rad].
 constexpr double kLargestPredictorError = 0.1;
-constexpr double kWantedPredictorError = 0.03;
 // Good enough to tell where the branch runs; the final mesh does the rest.
 constexpr double kTolerance = 1e-8;
-
 // Of θ on equal turns, where it is all but known: far from the next turn.
 constexpr double kMostTurned = 0.5;
 
-/// How far unknowns, `index(0)` to `index(count − 1)`, ended from their
-/// prediction.
-template <class Index>
-double largest_error(int count, Index&& index, const NewtonResult& found,
-                     const BranchPoint& predicted) {
-  double worst = 0.0;
-  for (int n = 0; n < count; ++n) {
-    const std::size_t i = at(index(n));
-    worst = std::max(worst, std::abs(found.point.x[i] - predicted.point.x[i]));
+/// How far two solutions are apart [rad].
+struct Gap {
+  double slope = 0.0;     ///< φ and β
+  double rotation = 0.0;  ///< θ
+
+  [[nodiscard]] double largest() const { return std::max(slope, rotation); }
+};
+
+/// \param rotation  whether that counts too
+Gap gap_between(const VariableLayout& layout, const BranchPoint& a,
+                const BranchPoint& b, bool rotation) {
+  const auto difference = [&](int unknown) {
+    const std::size_t i = at(unknown);
+    return std::abs(a.point.x[i] - b.point.x[i]);
+  };
+  Gap gap{std::abs(a.phi - b.phi), 0.0};
+  for (int c = 0; c < layout.num_points(); ++c) {
+    gap.slope = std::max(gap.slope, difference(layout.beta(c)));
   }
-  return worst;
+  for (int n = 0; rotation && n < layout.num_nodes(); ++n) {
+    gap.rotation = std::max(gap.rotation,
+                            difference(layout.state(n, StateComponent::Theta)));
+  }
+  return gap;
 }
 
-bool moves_forward(const ExtremalCurve& curve) {
-  const auto& w = curve.w_at_points();
-  return std::all_of(w.begin(), w.end(), [](double v) { return v > 0.0; });
-}
-
-/// A solution in terms of the body's rotation: on the mesh of equal turns.
-BranchPoint by_equal_turns(const RollingTime& problem, double fraction,
-                           const NewtonResult& found) {
+/// A solution of `problem` in terms of the body's rotation: on the mesh of
+/// equal turns, to which the problem moves.
+BranchPoint by_equal_turns(RollingTime& problem, const BranchPoint& found) {
   const ExtremalCurve curve(problem, found.point);
   Mesh mesh = mesh_of_equal_turns(problem, found.point.x);
-  const RollingTime moved(problem.scene(), mesh, found.phi);
-  return {fraction, std::move(mesh), prolong(curve, moved), found.phi};
+  problem.move_to(Scene(problem.scene()), mesh, found.phi);
+  return {found.fraction, std::move(mesh), prolong(curve, problem), found.phi};
 }
 
 bool in_order(const Mesh& mesh) {
@@ -76,78 +78,95 @@ bool in_order(const Mesh& mesh) {
 struct Way {
   double first_step;     ///< as a fraction of the whole way
   double smallest_step;  ///< a shorter one that fails ends the way
-  Prediction prediction;
-  double largest_growth = 4.0;  ///< of a step over the last
-  double tolerance = kTolerance;
+  Prediction prediction = {};
+  /// How far a slope angle should end from its prediction [rad].
+  double wanted_error = 0.05;
+  double largest_growth = 16.0;  ///< of a step over the last
+  /// The same after a step that failed. Next to a fold steps shrink from one to
+  /// the next, and one that does not may lead across.
+  double growth_after_failure = 1.5;
+  double stretch = 1.15;  ///< of the last step, so that it is the last
+  /// Newton's method near its solution doubles the digits in each step; more
+  /// than a handful means that it went looking.
+  int most_newton_steps = 5;
+  int most_halvings = 0;
+  double tolerance_between = 1e-5;  ///< of the residual, on the way
+  double tolerance = kTolerance;    ///< at its end
 };
 
 /// A line through the space of scenes, in natural units.
 using SceneLine = std::function<Scene(double fraction)>;
 
-/// Follows the extremal from `start` at fraction 0 to fraction 1.
-Continuation follow(const SceneLine& scene_at, BranchPoint start,
-                    const Way& way, const StopCondition& stop,
-                    const ProgressHook& progress) {
+/// Follows the extremal from `start` at fraction 0, a solution of `problem`, to
+/// fraction 1.
+Continuation follow(const SceneLine& scene_at, RollingTime problem,
+                    BranchPoint start, const Way& way,
+                    const StopCondition& stop, const ProgressHook& progress) {
   Continuation result;
   NewtonOptions newton;
-  newton.tolerance = way.tolerance;
-  newton.max_iterations = kMostNewtonSteps;
-  newton.max_halvings = 1;
+  newton.max_iterations = way.most_newton_steps;
+  newton.max_halvings = way.most_halvings;
   newton.stop = stop;
-  const auto correct = [&](RollingTime& problem, const BranchPoint& predicted) {
+  const auto correct = [&](const BranchPoint& predicted) {
+    const bool between = predicted.fraction < 1.0;
+    newton.tolerance = between ? way.tolerance_between : way.tolerance;
+    // On the way one step at least is made, which tells the determinant's sign.
+    newton.to_rounding = between;
+    newton.rounding = newton.tolerance;
     std::optional<ContactEquation> contact;
     if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
     return solve_with_newton(problem, contact ? &*contact : nullptr,
                              predicted.point, predicted.phi, newton);
   };
+  const bool turning = way.prediction.moving_mesh;
+  const BranchDistance error = [&](const BranchPoint& a, const BranchPoint& b) {
+    return gap_between(problem.layout(), a, b, false).slope;
+  };
 
   result.steps.push_back({scene_at(0.0).body.eta_m, start.phi, 0});
   BranchHistory history(std::move(start), way.prediction);
   int orientation = 0;  // of the branch: sign of the Jacobian's determinant
+  double growth = way.largest_growth;
   double step = history.distance(way.first_step);
   while (history.last().fraction < 1.0) {
     const double from = history.last().fraction;
     const double here = history.distance(from);
-    const double fraction = std::min(1.0, history.fraction_at(here + step));
-    const double gone = history.distance(fraction) - here;
+    const double fraction = history.fraction_at(here + way.stretch * step) < 1.0
+                                ? history.fraction_at(here + step)
+                                : 1.0;
     const BranchPoint predicted = history.predict(fraction);
     const Scene scene = scene_at(fraction);
-    NewtonResult corrected;
-    double slope_error = 0.0;
-    double rotation_error = 0.0;
+    BranchPoint found;
+    Gap gap;
     bool on_branch = in_order(predicted.mesh);
-    std::optional<RollingTime> problem;
     if (on_branch) {
-      problem.emplace(scene, predicted.mesh, predicted.phi);
-      corrected = correct(*problem, predicted);
+      problem.move_to(scene, predicted.mesh, predicted.phi);
+      NewtonResult corrected = correct(predicted);
       result.newton_steps += corrected.iterations;
       if (stop.met()) {
         result.status = stopped_by(stop);
         return result;
       }
+      found = {fraction, predicted.mesh, std::move(corrected.point),
+               corrected.phi};
+      gap = gap_between(problem.layout(), found, predicted, turning);
       // A point without a Newton step is the prediction itself.
       const int sign = corrected.determinant_sign;
-      const VariableLayout& layout = problem->layout();
-      slope_error = std::max(
-          std::abs(corrected.phi - predicted.phi),
-          largest_error(
-              layout.num_points(), [&](int c) { return layout.beta(c); },
-              corrected, predicted));
-      if (way.prediction.moving_mesh) {
-        rotation_error = largest_error(
-            layout.num_nodes(),
-            [&](int n) { return layout.state(n, StateComponent::Theta); },
-            corrected, predicted);
-      }
       on_branch = corrected.status == Status::Solved &&
-                  slope_error <= kLargestPredictorError &&
-                  rotation_error <= kMostTurned &&
-                  (sign == orientation || orientation == 0 || sign == 0) &&
-                  moves_forward(ExtremalCurve(*problem, corrected.point));
+                  gap.slope <= kLargestPredictorError &&
+                  gap.rotation <= kMostTurned &&
+                  (sign == orientation || orientation == 0 || sign == 0);
+      if (on_branch) {
+        if (sign != 0) orientation = sign;
+        result.steps.push_back(
+            {scene.body.eta_m, found.phi, corrected.iterations});
+      }
     }
     if (!on_branch) {
       ++result.rejected_steps;
-      step = 0.5 * gone;
+      history.expect_less();
+      growth = way.growth_after_failure;
+      step = 0.5 * (history.distance(fraction) - here);
       if (0.5 * (fraction - from) >= way.smallest_step) continue;
       result.message = fmt::format(
           "the extremal that continues from η_m = {:.6g} could be followed to "
@@ -156,19 +175,6 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
           scene_at(1.0).body.eta_m);
       return result;
     }
-    if (corrected.determinant_sign != 0) {
-      orientation = corrected.determinant_sign;
-    }
-    // The predictor's error is of the order that follows the prediction's.
-    const int order = std::max(history.degree(), 1) + 1;
-    step =
-        gone *
-        std::clamp(std::pow(kWantedPredictorError /
-                                std::max({slope_error, rotation_error, 1e-6}),
-                            1.0 / order),
-                   0.5, way.largest_growth);
-    result.steps.push_back(
-        {scene.body.eta_m, corrected.phi, corrected.iterations});
     if (progress) {
       progress("continuation",
                fmt::format("η_m = {:.4g} of {:.4g} after {} steps on {} × {}",
@@ -177,14 +183,15 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
                            predicted.mesh.num_elements()));
     }
     if (fraction == 1.0) {
-      result.curve.emplace(*problem, corrected.point);
-      result.phi = corrected.phi;
+      result.curve.emplace(problem, found.point);
+      result.phi = found.phi;
       break;
     }
-    history.add(way.prediction.moving_mesh
-                    ? by_equal_turns(*problem, fraction, corrected)
-                    : BranchPoint{fraction, predicted.mesh,
-                                  std::move(corrected.point), corrected.phi});
+    step = turning
+               ? history.add(by_equal_turns(problem, found), gap.largest(),
+                             way.wanted_error, growth)
+               : history.add(std::move(found), error, way.wanted_error, growth);
+    growth = way.largest_growth;
   }
   result.status = Status::Solved;
   return result;
@@ -194,7 +201,7 @@ Continuation follow(const SceneLine& scene_at, BranchPoint start,
 /// of the rolling time θ runs through many radians as η_m grows, and with it
 /// all that depends on it; at a fixed share of the turns only the slow part of
 /// the motion changes, and polynomials predict it far ahead.
-Continuation follow_turns(const SceneLine& scene_at, const RollingTime& uniform,
+Continuation follow_turns(const SceneLine& scene_at, RollingTime problem,
                           const CycloidArc& arc, double number,
                           const StopCondition& stop,
                           const ProgressHook& progress) {
@@ -205,18 +212,26 @@ Continuation follow_turns(const SceneLine& scene_at, const RollingTime& uniform,
   // Polynomials amplify noise, so that steps twice as far must not be twice as
   // daring; and what a residual means for the phase grows with the turns.
   constexpr double kLargestGrowth = 2.0;
+  constexpr double kWantedError = 0.03;
   constexpr double kTurnsAtTolerance = 300.0;
   const double tolerance =
       kTolerance * std::min(1.0, kTurnsAtTolerance / number);
   const double phi = arc.slope_angle(arc.psi_end);
-  const Mesh mesh = mesh_of_equal_turns(uniform, cycloid_guess(uniform, arc).x);
-  const RollingTime problem(uniform.scene(), mesh, phi);
-  return follow(scene_at, {0.0, mesh, cycloid_extremal(problem, arc), phi},
-                {knee,
-                 kSmallestShareOfKnee * knee,
-                 {kDegree, knee, true},
-                 kLargestGrowth,
-                 tolerance},
+  const Mesh mesh = mesh_of_equal_turns(problem, cycloid_guess(problem, arc).x);
+  problem.move_to(Scene(problem.scene()), mesh, phi);
+  BranchPoint start{0.0, mesh, cycloid_extremal(problem, arc), phi};
+  return follow(scene_at, std::move(problem), std::move(start),
+                {.first_step = knee,
+                 .smallest_step = kSmallestShareOfKnee * knee,
+                 .prediction = {kDegree, knee, true},
+                 .wanted_error = kWantedError,
+                 .largest_growth = kLargestGrowth,
+                 .growth_after_failure = kLargestGrowth,
+                 .stretch = 1.0,
+                 .most_newton_steps = 6,
+                 .most_halvings = 1,
+                 .tolerance_between = tolerance,
+                 .tolerance = tolerance},
                 stop, progress);
 }
 
@@ -237,17 +252,18 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
   const double number = turns(scene.body, arc.arc_length(arc.psi_end));
   RollingTime problem(scene_at(kNextToNothing), mesh, phi_0);
   if (are_many(number)) {
-    return follow_turns(scene_at, problem, arc, number, stop, progress);
+    return follow_turns(scene_at, std::move(problem), arc, number, stop,
+                        progress);
   }
   // The first step has no secant to follow and tells on which side of a
   // neighbouring branch the path begins: near η_m = 0 there may be one so close
   // that a step of a tenth already lands on it.
   constexpr double kFirstStep = 1.0 / 256.0;
   constexpr double kSmallestStep = 1e-5;
-  return follow(
-      scene_at, {0.0, mesh, cycloid_extremal(problem, arc), phi_0},
-      {scene.body.off_centred() ? kFirstStep : 1.0, kSmallestStep, {}}, stop,
-      progress);
+  BranchPoint start{0.0, mesh, cycloid_extremal(problem, arc), phi_0};
+  return follow(scene_at, std::move(problem), std::move(start),
+                {scene.body.off_centred() ? kFirstStep : 1.0, kSmallestStep},
+                stop, progress);
 }
 
 bool comparable(const Scene& a, const Scene& b) {
@@ -286,8 +302,9 @@ Continuation continue_from_neighbour(const Scene& scene,
   };
   // Beyond a few steps the way from the cycloid is the shorter one.
   constexpr double kSmallestStep = 1.0 / 8.0;
-  return follow(scene_at, {0.0, neighbour.mesh, neighbour.point, neighbour.phi},
-                {1.0, kSmallestStep, {}}, stop, {});
+  return follow(scene_at, RollingTime(from, neighbour.mesh, neighbour.phi),
+                {0.0, neighbour.mesh, neighbour.point, neighbour.phi},
+                {1.0, kSmallestStep}, stop, {});
 }
 
 }  // namespace brachisto

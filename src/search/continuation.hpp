@@ -57,11 +57,11 @@ struct Neighbour {
 /// have opposite; otherwise it is halved. That keeps the path on one branch, or
 /// ends it with the η_m that could not be passed.
 ///
-/// A body that makes a few turns is followed on the given mesh, along the
-/// secant of the last two solutions. One that makes many is followed on meshes
-/// of equal turns, of as many elements, by a polynomial through the last five
-/// solutions as functions of the rotation; then θ may not end far from its
-/// prediction either.
+/// A body that makes a few turns is followed on the given mesh, by polynomials
+/// through up to four solutions, of the degree that reaches furthest. One that
+/// makes many is followed on meshes of equal turns, of as many elements, by a
+/// polynomial through the last five solutions as functions of the rotation;
+/// then θ may not end far from its prediction either.
 ///
 /// \param scene  in natural units
 [[nodiscard]] Continuation continue_from_cycloid(const Scene& scene,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
@@ -24,7 +25,6 @@ RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
     : Transcription(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
                     {}, "collocation point"),
       scheme_(&collocation_scheme(mesh.degree)) {
-  if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
   fix_start();
   set_end_angle(phi);
 
@@ -40,7 +40,15 @@ RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
   build_patterns();
 }
 
+void RollingTime::move_to(const Scene& scene, Mesh mesh, double phi) {
+  change_scene(scene);
+  change_lengths(std::move(mesh));
+  fix_start();
+  set_end_angle(phi);
+}
+
 void RollingTime::fix_start() {
+  if (layout().has_theta()) fix(layout().state(0, Theta), scene().body.theta_m);
   const Point start = start_of_centre(scene());
   fix(layout().state(0, X), start.x);
   fix(layout().state(0, Z), start.z);

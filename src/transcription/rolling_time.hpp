@@ -46,6 +46,11 @@ class RollingTime final : public Transcription {
 
   [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
 
+  /// Becomes the program of another scene, whose unknowns and kind of world are
+  /// the same, on as many elements of the same degree: bounds and values
+  /// change, patterns do not.
+  void move_to(const Scene& scene, Mesh mesh, double phi);
+
   /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
   void set_start_slope(double alpha);
 

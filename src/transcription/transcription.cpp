@@ -69,6 +69,15 @@ void Transcription::release(int variable) {
 
 void Transcription::change_lengths(Mesh mesh) {
   mesh_ = std::move(mesh);
+  forget_point();
+}
+
+void Transcription::change_scene(const Scene& scene) {
+  scene_ = scene;
+  forget_point();
+}
+
+void Transcription::forget_point() {
   // No point is equal to this one.
   x_.front() = std::numeric_limits<double>::quiet_NaN();
 }

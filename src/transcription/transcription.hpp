@@ -142,6 +142,8 @@ class Transcription : public nlp::Problem {
   void release(int variable);
   /// As many elements of other lengths. The current point is forgotten.
   void change_lengths(Mesh mesh);
+  /// Another scene with the same unknowns and patterns, likewise.
+  void change_scene(const Scene& scene);
   /// Once all that stencils need has its size.
   void build_patterns();
   /// \param place  negative: none
@@ -153,6 +155,7 @@ class Transcription : public nlp::Problem {
   }
 
  private:
+  void forget_point();
   bool do_set_point(std::span<const double> x) final;
   [[nodiscard]] std::span<const double> current_point() const final {
     return x_;

@@ -115,6 +115,32 @@ TEST(RollingTimeBounds, FollowTheEndAngle) {
 }
 
 /// An evaluable point, to be spoilt.
+TEST(RollingTimeMove, BecomesTheProgramOfTheOtherScene) {
+  Scene other = off_centred_scene();
+  other.body.eta_m *= 0.5;
+  other.body.theta_m += 0.3;
+  other.L += 1.0;
+  const Mesh mesh{3, {0.0, 0.3, 1.0}};
+  RollingTime moved(off_centred_scene(), uniform_mesh(3, 2), -0.1);
+  RollingTime fresh(other, mesh, -0.2);
+  Random random(1);
+  const std::vector<double> x = random_point(fresh, random);
+  ASSERT_TRUE(moved.set_point(x));
+  moved.move_to(other, mesh, -0.2);
+
+  ASSERT_TRUE(moved.set_point(x));
+  ASSERT_TRUE(fresh.set_point(x));
+
+  EXPECT_TRUE(std::ranges::equal(moved.lower(), fresh.lower()));
+  EXPECT_TRUE(std::ranges::equal(moved.upper(), fresh.upper()));
+  EXPECT_EQ(moved.eval_f(), fresh.eval_f());
+  std::vector<double> of_moved(at(fresh.num_constraints()));
+  std::vector<double> of_fresh(of_moved.size());
+  moved.eval_g(of_moved);
+  fresh.eval_g(of_fresh);
+  EXPECT_EQ(of_moved, of_fresh);
+}
+
 class RefusedPoint : public ::testing::Test {
  protected:
   RollingTime problem{off_centred_scene(), uniform_mesh(2, 3), 0.0};

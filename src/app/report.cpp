@@ -3,19 +3,11 @@
 
 // brachisto report DIR: a sweep as a page with figures.
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <memory>
+#include <string>
 
-#include "app/exit_code.hpp"
-#include "app/signals.hpp"
-#include "app/terminal.hpp"
+#include "app/sweep_report.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/report/output_files.hpp"
-#include "io/visible_text.hpp"
-#include "report/sweep_page.hpp"
-#include "sweep/table.hpp"
 
 namespace brachisto::app {
 
@@ -26,26 +18,6 @@ struct ReportFlags {
   bool force = false;
   bool quiet = false;
 };
-
-int run(const ReportFlags& flags) {
-  sweep::Store store =
-      sweep::Store::open(flags.directory, sweep::Database::Access::ReadOnly);
-  const sweep::Job job = store.job();
-  const report::SweepPage page =
-      report::sweep_report(read_table(store, job), &catch_signals());
-  if (!page.missing.empty()) {
-    warn(page.missing);
-  }
-  const std::filesystem::path out =
-      std::filesystem::path(flags.directory) / "report";
-  report::write_files(out, page.files, flags.force);
-  if (!flags.quiet) {
-    for (const report::OutputFile& file : page.files) {
-      print(io::visible((out / file.name).string()) + "\n");
-    }
-  }
-  return exit_code(store);
-}
 
 }  // namespace
 
@@ -61,7 +33,10 @@ Verb report_verb() {
   brachisto report map && xdg-open map/report/index.html
 Exit codes: 0 drawn, 6 I/O, or results are damaged, which are named and
 not in the figures.)",
-          .run = [flags] { return run(*flags); }};
+          .run = [flags] {
+            return write_sweep_report(flags->directory, flags->force,
+                                      flags->quiet);
+          }};
 }
 
 }  // namespace brachisto::app

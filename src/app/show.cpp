@@ -14,11 +14,13 @@
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solution_output.hpp"
+#include "app/sweep_report.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "io/input_tree.hpp"
 #include "io/visible_text.hpp"
+#include "sweep/store.hpp"
 
 namespace brachisto::app {
 
@@ -51,9 +53,7 @@ report::Json document(const fs::path& directory) {
   if (!fs::is_directory(directory, error)) refuse(directory, "no directory");
   const fs::path file = directory / kResultFile;
   const char* const hint =
-      fs::exists(directory / "sweep.sqlite", error)
-          ? "has the results of a sweep, which `brachisto report` draws"
-          : "has no result.json; `brachisto solve FILE --out DIR` writes one";
+      "has no result.json; `brachisto solve FILE --out DIR` writes one";
   report::Json result = report::Json::parse(whole(file, hint), nullptr, false);
   const bool known = result.is_object() && result.contains("verified") &&
                      result.contains("certificate") && result.contains("input");
@@ -66,6 +66,12 @@ report::Json document(const fs::path& directory) {
 
 int run(const ShowFlags& flags) {
   const fs::path directory = flags.directory;
+  std::error_code unknown;
+  if (!fs::exists(directory / kResultFile, unknown) &&
+      sweep::Store::exists(directory)) {
+    if (flags.gif) refuse(directory, "--gif is of one motion, not of a sweep");
+    return write_sweep_report(flags.directory, true, flags.quiet);
+  }
   const std::atomic<int>& signal = catch_signals();
   const report::Json result = document(directory);
   const std::string csv =
@@ -94,23 +100,24 @@ int run(const ShowFlags& flags) {
 
 Verb show_verb() {
   const auto flags = std::make_shared<ShowFlags>();
-  return {.name = "show",
-          .text =
-              "Write the page of a result anew: the motion to be played, "
-              "curves and the certificate",
-          .flags = {{.name = "DIR",
-                     .value = &flags->directory,
-                     .text = "Directory of `brachisto solve --out`",
-                     .check = not_empty(),
-                     .required = true},
-                    {"--gif", &flags->gif, "Write motion.gif too"},
-                    {"--quiet", &flags->quiet, "Do not list what was written"}},
-          .footer =
-              R"(Example:
+  return {
+      .name = "show",
+      .text =
+          "Write the page of a result anew: the motion to be played, "
+          "curves and the certificate; of a sweep, its report",
+      .flags = {{.name = "DIR",
+                 .value = &flags->directory,
+                 .text = "Directory of `brachisto solve --out` or of a sweep",
+                 .check = not_empty(),
+                 .required = true},
+                {"--gif", &flags->gif, "Write motion.gif too"},
+                {"--quiet", &flags->quiet, "Do not list what was written"}},
+      .footer =
+          R"(Example:
   brachisto solve problems/case.yaml --out results
   brachisto show results --gif
 Exit codes: 0 written, 6 there is no verified result, or I/O.)",
-          .run = [flags] { return run(*flags); }};
+      .run = [flags] { return run(*flags); }};
 }
 
 }  // namespace brachisto::app

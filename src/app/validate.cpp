@@ -102,6 +102,7 @@ std::string sweep_json(const io::SweepFile& sweep) {
                {"sweep",
                 {{"scenes", sweep.num_scenes()},
                  {"warm_start", sweep.warm_start()},
+                 {"keep", sweep.keeps_tracks() ? "tracks" : "nothing"},
                  {"keys", paths},
                  {"axes", axes},
                  {"first", values_json(sweep, 0, paths)},

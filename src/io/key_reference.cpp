@@ -208,6 +208,10 @@ Json sweep_schema() {
   swept["warm_start"] = {
       {"type", "boolean"},
       {"description", "start each scene from its neighbour's solution"}};
+  swept["keep"] = {{"enum", {"nothing", "tracks"}},
+                   {"description",
+                    "what is kept of each scene besides its "
+                    "numbers"}};
   return map_of(std::move(swept));
 }
 

@@ -261,6 +261,10 @@ bool SweepFile::warm_start() const {
   return content_->scenes.section().warm_start;
 }
 
+bool SweepFile::keeps_tracks() const {
+  return content_->scenes.section().keeps_tracks;
+}
+
 ProblemFile SweepFile::problem(std::size_t scene) const {
   Findings none;
   return content_->scenes.problem(content_->base, scene, values(scene), none)

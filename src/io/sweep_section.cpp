@@ -65,10 +65,10 @@ std::string objection_to_swept_key(std::string_view key) {
                        fmt::join(ends, " or "));
   }
   Paths known = swept_keys([](std::string_view) { return true; });
-  known.insert(known.end(), {"zip", "random", "warm_start"});
+  known.insert(known.end(), {"zip", "random", "warm_start", "keep"});
   return fmt::format(
       "unknown key; allowed in sweep: keys of the problem in full, such as "
-      "scene.body.eta_m, and zip, random, warm_start{}",
+      "scene.body.eta_m, and zip, random, warm_start, keep{}",
       suggestion(key, known));
 }
 
@@ -247,7 +247,8 @@ class SectionReader {
     for (const Entry& entry : sweep.value.entries) {
       if (entry.key == "random") {
         read_random(entry);
-      } else if (entry.key != "zip" && entry.key != "warm_start") {
+      } else if (entry.key != "zip" && entry.key != "warm_start" &&
+                 entry.key != "keep") {
         read_key(entry, "sweep", [&](const KeySpec& spec, std::string key) {
           return read_sweep_entry(spec, entry, std::move(key), findings_);
         });
@@ -256,6 +257,8 @@ class SectionReader {
     const FieldReader fields(sweep.value, "sweep", sweep.position, findings_);
     section_.warm_start =
         fields.word("warm_start", {"false", "true"}) == "true";
+    section_.keeps_tracks =
+        fields.word("keep", {"nothing", "tracks"}) == "tracks";
     build_axes(sweep, section_, findings_);
     return std::move(section_);
   }

@@ -77,6 +77,7 @@ struct SweepSection {
   std::vector<SweepEntry> entries;  ///< in file order
   std::vector<SweepFileAxis> axes;  ///< of indices of entries
   bool warm_start = false;
+  bool keeps_tracks = false;
 
   /// The entry of a key of the problem, nullptr if it does not vary.
   [[nodiscard]] const SweepEntry* find(std::string_view path) const;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string_view>
 
+#include "plot/page_parts.hpp"
 #include "report/obstacles.hpp"
 
 namespace brachisto::plot {
@@ -59,19 +60,8 @@ std::string numbers(const std::vector<double>& values) {
   return array(values, [](double value) { return number(value); });
 }
 
-/// As JSON that HTML and XML leave alone.
 std::string quoted(const std::string& text) {
-  const std::string json =
-      Json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  std::string out;
-  for (const char c : json) {
-    if (std::string_view("<>&").find(c) == std::string_view::npos) {
-      out += c;
-    } else {
-      out += fmt::format("\\u{:04x}", static_cast<int>(c));
-    }
-  }
-  return out;
+  return page_json(Json(text));
 }
 
 std::string point(Point p) {

@@ -5,10 +5,27 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 namespace brachisto::plot {
 
 std::string script_html(std::string_view content) {
   return fmt::format("<script>//<![CDATA[\n{}\n//]]></script>\n", content);
+}
+
+std::string page_json(const report::Json& json) {
+  const std::string text =
+      json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  std::string out;
+  // Outside of strings JSON has none of these.
+  for (const char c : text) {
+    if (std::string_view("<>&").find(c) == std::string_view::npos) {
+      out += c;
+    } else {
+      out += fmt::format("\\u{:04x}", static_cast<int>(c));
+    }
+  }
+  return out;
 }
 
 std::string data_html(std::string_view json) {

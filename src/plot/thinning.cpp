@@ -126,6 +126,20 @@ ShownRange shown_range(const TrajectoryTable& table,
   return all.width() <= kAll * most.width() ? all : most;
 }
 
+Miss worst_miss(const TrajectoryTable& table, const TrajectoryTable& few,
+                const Body& body) {
+  Miss worst;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    check_stop();
+    const Pose pose = few.pose(table.time()[i]);
+    const double miss = std::max(
+        distance(pose.centre, {table["x_c"][i], table["z_c"][i]}),
+        distance(pose.contact(body), {table["x_b"][i], table["z_b"][i]}));
+    if (miss > worst.distance) worst = {i, miss};
+  }
+  return worst;
+}
+
 ThinnedTable thinned(const TrajectoryTable& table, const Body& body,
                      const std::vector<ShownCurve>& curves, std::size_t most) {
   const std::size_t n = table.size();
@@ -142,15 +156,7 @@ ThinnedTable thinned(const TrajectoryTable& table, const Body& body,
   }
   ThinnedTable out{table.with_rows(rows), n, 0.0, 0.0};
   if (rows.size() == n) return out;
-  for (std::size_t i = 0; i < n; ++i) {
-    check_stop();
-    const double t = table.time()[i];
-    const Pose pose = out.table.pose(t);
-    out.path_error = std::max(
-        {out.path_error,
-         distance(pose.centre, {table["x_c"][i], table["z_c"][i]}),
-         distance(pose.contact(body), {table["x_b"][i], table["z_b"][i]})});
-  }
+  out.path_error = worst_miss(table, out.table, body).distance;
   for (const ShownCurve& curve : curves) {
     const std::vector<double>& values = table[curve.column];
     if (!(curve.range.width() > 0.0)) continue;

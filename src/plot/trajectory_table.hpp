@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "brachisto/model/body.hpp"
@@ -57,6 +58,11 @@ class TrajectoryTable {
   ///                       two times or with times that fall
   [[nodiscard]] static TrajectoryTable read(std::string_view csv);
 
+  /// The first two being u and t, which rises, and with those that are asked
+  /// for among the others.
+  explicit TrajectoryTable(std::vector<TableColumn> columns)
+      : columns_(std::move(columns)) {}
+
   [[nodiscard]] std::size_t size() const { return time().size(); }
   [[nodiscard]] const std::vector<TableColumn>& columns() const {
     return columns_;
@@ -78,6 +84,8 @@ class TrajectoryTable {
       const std::vector<std::size_t>& rows) const;
 
  private:
+  TrajectoryTable() = default;
+
   static constexpr std::size_t kTime = 1;  // behind u
 
   /// The row from which on a time lies, not the last one.

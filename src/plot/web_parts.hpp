@@ -15,6 +15,8 @@ namespace brachisto::plot {
 extern const std::string_view kMotionScript;  ///< web/motion.js
 extern const std::string_view kRaceScript;    ///< web/race.js
 extern const std::string_view kRaceStyle;     ///< web/race.css
+extern const std::string_view kSweepScript;   ///< web/sweep.js
+extern const std::string_view kSweepStyle;    ///< web/sweep.css
 extern const std::string_view kAnswerScript;  ///< web/answer.js
 extern const std::string_view kAnswerStyle;   ///< web/answer.css
 extern const std::string_view kChartScript;   ///< dygraph.min.js

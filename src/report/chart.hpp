@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/figure.hpp"
@@ -104,6 +105,9 @@ struct Chart {
   std::vector<Round> rounds;
   std::vector<Sketch> sketches;
   std::vector<Note> notes;
+  /// Scenes of a sweep and where they are, curve by curve.
+  std::vector<std::pair<std::size_t, Datum>> scenes = {};
+  std::size_t scenes_per_curve = 0;  ///< if all have so many
 };
 
 /// The chart as table (`part,x,y`, one row per point, 12 significant digits)

@@ -99,7 +99,8 @@ class Drawing {
             .commands = std::move(commands_),
             .width = kWidth,
             .height = height_,
-            .title = plain_words(title)};
+            .title = plain_words(title),
+            .scenes = scenes(above, bottom)};
   }
 
  private:
@@ -107,6 +108,22 @@ class Drawing {
   void put(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(commands_), format,
                    std::forward<Args>(args)...);
+  }
+
+  [[nodiscard]] SceneCells scenes(double above, double bottom) const {
+    const auto scale = [](const Extent& range, const Side& side, double from,
+                          double to) {
+      return PixelScale{range.low, range.high, from, to,
+                        side.scale == Scale::Logarithmic};
+    };
+    const PixelScale x = scale(x_, chart_.x, kLeft, kWidth - kRight);
+    const PixelScale y = chart_.y_down ? scale(y_, chart_.y, above, bottom)
+                                       : scale(y_, chart_.y, bottom, above);
+    SceneCells out{.cells = {}, .per_row = chart_.scenes_per_curve};
+    for (const auto& [scene, at] : chart_.scenes) {
+      out.cells.push_back({scene, x(at.x), y(at.y)});
+    }
+    return out;
   }
 
   /// From the sides, else from what is drawn, with a little room.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "brachisto/math/stop_condition.hpp"
 #include "math/enum_table.hpp"
 #include "process/child_process.hpp"
@@ -75,6 +77,13 @@ std::string with_title(std::string svg, const std::string& title) {
 }
 
 }  // namespace
+
+double PixelScale::operator()(double value) const {
+  const double share = logarithmic
+                           ? std::log(value / low) / std::log(high / low)
+                           : (value - low) / (high - low);
+  return std::lerp(from, to, share);
+}
 
 std::string_view ending(Format format) {
   constexpr auto kEndings = table_by<Format>(".svg", ".pdf", ".png", ".gif");

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,26 @@
 #include "brachisto/report/output_files.hpp"
 
 namespace brachisto::report {
+
+/// Where scenes of a sweep lie on a picture, in pixels from its upper left.
+struct SceneCells {
+  struct Cell {
+    std::size_t scene;
+    double x, y;
+  };
+  std::vector<Cell> cells;  ///< row by row
+  std::size_t per_row = 0;  ///< of rows that are alike; 0: there are none
+  bool meet = false;        ///< areas of a map between neighbours, not dots
+};
+
+/// A range of an axis and where it lies on the picture [px].
+struct PixelScale {
+  double low, high;
+  double from, to;
+  bool logarithmic = false;
+
+  [[nodiscard]] double operator()(double value) const;
+};
 
 /// A picture before it is drawn.
 struct Figure {
@@ -26,6 +47,7 @@ struct Figure {
   double width = 720.0, height = 480.0;  ///< [px]
   std::string title = {};  ///< plain: for those who cannot see the picture
   int frame_delay = 4;     ///< of a picture that moves [1/100 s]
+  SceneCells scenes = {};  ///< of a sweep
 };
 
 /// Gif is a picture that moves: `commands` draw it frame by frame.

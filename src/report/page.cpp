@@ -130,7 +130,8 @@ std::string figure_html(const DrawnFigure& drawn, const std::string& name,
     }
   }
   return fmt::format(
-      "<figure>\n<div class=\"drawing\">\n{0}</div>\n<figcaption>{1} "
+      "<figure>\n<div class=\"drawing\" "
+      "id=\"drawing-{3}\">\n{0}</div>\n<figcaption>{1} "
       "<span class=\"files\">{2}<a href=\"{3}.csv\">CSV</a>, "
       "<a href=\"{3}.gp\">gnuplot</a></span></figcaption>\n</figure>\n",
       picture, caption, link, name);

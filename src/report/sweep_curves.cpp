@@ -87,6 +87,7 @@ class Plot {
       add_curve(c, colours[c]);
     }
     add_states();
+    add_scenes();
     for (MarkedScene& marked : marked_scenes(table_, scenes_)) {
       chart_.curves.push_back(
           {.name = std::move(marked.name),
@@ -189,6 +190,19 @@ class Plot {
     };
     add(infeasible, "infeasible: the body could not follow the track");
     add(failed, "no verified result");
+  }
+
+  /// What has no τ lies at the bottom, where the crosses are.
+  void add_scenes() {
+    for (const std::size_t scene : scenes_) {
+      const bool drawn = has(scene, State::Verified);
+      chart_.scenes.push_back(
+          {scene, {x_(scene), drawn ? tau(scene) : *chart_.y.low}});
+    }
+    const std::size_t first = plot_.curves.front().size();
+    const bool alike = std::ranges::all_of(
+        plot_.curves, [&](const Scenes& one) { return one.size() == first; });
+    if (plot_.joined && alike) chart_.scenes_per_curve = first;
   }
 
   const SweepTable& table_;

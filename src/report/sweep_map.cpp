@@ -173,7 +173,8 @@ class Picture {
             .commands = head + fmt::format("{} {}\n", plot, items_),
             .width = kWidth,
             .height = height,
-            .title = plain_words(title_ + (fixed.empty() ? "" : ": ") + fixed)};
+            .title = plain_words(title_ + (fixed.empty() ? "" : ": ") + fixed),
+            .scenes = cells(top)};
   }
 
  private:
@@ -206,18 +207,44 @@ class Picture {
                        : "nan");
   }
 
-  [[nodiscard]] std::string side(char axis, std::size_t column) const {
-    Extent range = axis == 'x' ? xs_ : ys_;
-    Side scaled;
-    scaled.scale = scale_of(table_.columns[column], map_.scenes);
+  [[nodiscard]] SceneCells cells(double top) const {
+    const auto pixels = [&](const Extent& numbers, std::size_t column,
+                            double from, double to) {
+      const Extent shown = range(numbers, column);
+      return PixelScale{shown.low, shown.high, from, to,
+                        scale(column) == Scale::Logarithmic};
+    };
+    const PixelScale x = pixels(xs_, x_, kLeft, kWidth - kRight);
+    const PixelScale y = pixels(ys_, y_, top + kPlotHeight, top);
+    SceneCells out{
+        .cells = {}, .per_row = map_.n_second, .meet = map_.n_second > 0};
+    for (const std::size_t scene : map_.scenes) {
+      out.cells.push_back({scene, x(shown_number(table_.columns[x_], scene)),
+                           y(shown_number(table_.columns[y_], scene))});
+    }
+    return out;
+  }
+
+  [[nodiscard]] Scale scale(std::size_t column) const {
+    return scale_of(table_.columns[column], map_.scenes);
+  }
+  [[nodiscard]] Extent range(const Extent& numbers, std::size_t column) const {
+    Extent range = numbers;
     if (!(range.high > range.low)) {
       const double middle = std::isfinite(range.low) ? range.low : 0.0;
       range = {middle - 0.5, middle + 0.5};
-    } else if (map_.n_second == 0 && scaled.scale != Scale::Logarithmic) {
+    } else if (map_.n_second == 0 && scale(column) != Scale::Logarithmic) {
       // Dots are not cut by the frame.
       const double room = 0.02 * (range.high - range.low);
       range = {range.low - room, range.high + room};
     }
+    return range;
+  }
+
+  [[nodiscard]] std::string side(char axis, std::size_t column) const {
+    const Extent range = this->range(axis == 'x' ? xs_ : ys_, column);
+    Side scaled;
+    scaled.scale = scale(column);
     return fmt::format(
                "set {0}label {1}\nset {0}range [{2:.12g}:{3:.12g}] "
                "noextend\n",

@@ -51,6 +51,9 @@ struct SweepOutcome {
   double estimated_error = kNone;   ///< relative, of T
   double end_angle = kNone;         ///< [rad]
   std::vector<SweepArc> arcs = {};  ///< in the order of the path
+  std::vector<std::string> infeasible_because = {};
+  /// η_m at which the branch from the cycloid turned on the way to the scene.
+  std::vector<double> folds = {};
 };
 
 /// A key that has the same number in all scenes without being swept.

@@ -198,6 +198,7 @@ std::string input_hash(const io::SweepFile& file) {
   add(fmt::format("{} {} {}\n", file.num_scenes(),
                   file.axes().empty() ? 1 : file.axes().back().count,
                   file.warm_start()));
+  if (file.keeps_tracks()) add("tracks\n");
   if (!file.problem(0).design.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     add(effective_input(file, scene));
@@ -214,6 +215,9 @@ std::string difference(const io::SweepFile& stored,
   }
   if (stored.warm_start() != wanted.warm_start()) {
     return "sweep.warm_start differs";
+  }
+  if (stored.keeps_tracks() != wanted.keeps_tracks()) {
+    return "sweep.keep differs";
   }
   if (design_of(stored) != design_of(wanted)) return "the design differs";
   if (std::string points = difference_of_points(stored, wanted);

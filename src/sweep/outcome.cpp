@@ -11,6 +11,7 @@
 
 #include "brachisto/report/result.hpp"
 #include "design/design_record.hpp"
+#include "plot/kept_track.hpp"
 #include "report/result_field.hpp"
 
 namespace brachisto::sweep {
@@ -85,13 +86,25 @@ SweepOutcome outcome_of(const Json& json) {
   outcome.estimated_error = json.at("estimated_error");
   outcome.end_angle = json.at("end_angle");
   outcome.arcs = arcs_of(json);
+  const auto read = [&](const char* key, auto& list) {
+    const Json value = json.value(key, Json());
+    if (value.is_array()) value.get_to(list);
+  };
+  read("infeasible_because", outcome.infeasible_because);
+  read("folds", outcome.folds);
   return outcome;
 }
 
 }  // namespace
 
-std::string outcome_json(const Solution& solution) {
-  return compact(document_of(solution));
+std::string outcome_json(const Solution& solution, bool with_track) {
+  Json json = document_of(solution);
+  if (with_track && solution.verified()) {
+    json["track"] = plot::kept_track(
+        plot::TrajectoryTable::read(report::trajectory_csv(solution)),
+        solution.scene.body);
+  }
+  return compact(json);
 }
 
 std::string outcome_json(const DesignSearch& search) {

@@ -20,7 +20,11 @@ namespace brachisto::sweep {
 
 /// The result document of a solve, compact, without what all scenes of a sweep
 /// share.
-[[nodiscard]] std::string outcome_json(const Solution& solution);
+/// \param with_track  if it is verified also plot::kept_track() of it, under
+/// the
+///                    key `track`
+[[nodiscard]] std::string outcome_json(const Solution& solution,
+                                       bool with_track = false);
 
 /// The document of a search: that of its answer, or of its failure, and the
 /// search itself under the key `design`.

@@ -190,6 +190,18 @@ SweepTable read_table(Store& store, const Job& job) {
   return table;
 }
 
+std::vector<plot::SweepTrack> read_tracks(Store& store, const Job& job) {
+  std::vector<plot::SweepTrack> tracks;
+  if (!job.file.keeps_tracks()) return tracks;
+  store.for_each_result([&](std::size_t scene, const std::string& document) {
+    Json result = Json::parse(document);
+    if (!result.contains("track")) return;
+    tracks.push_back(
+        {scene, job.file.problem(scene).scene, std::move(result["track"])});
+  });
+  return tracks;
+}
+
 ExportedTable export_csv(Store& store, const Job& job) {
   std::string text = csv_line(column_names(job.file), report::csv_field);
   const std::size_t rows = for_each_row(

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <string>
 
+#include "plot/sweep_data.hpp"
 #include "report/sweep_table.hpp"
 #include "sweep/job.hpp"
 #include "sweep/store.hpp"
@@ -17,6 +18,10 @@ namespace brachisto::sweep {
 
 /// All scenes of the store's sweep with what came out.
 [[nodiscard]] SweepTable read_table(Store& store, const Job& job);
+
+/// The tracks that it kept; none of a sweep without `keep: tracks`.
+[[nodiscard]] std::vector<plot::SweepTrack> read_tracks(Store& store,
+                                                        const Job& job);
 
 /// A table as text.
 struct ExportedTable {

@@ -49,7 +49,7 @@ Answer solve_scene(const io::SweepFile& file, std::size_t scene,
     const Solution solution =
         solve(problem.scene, problem.options,
               {.neighbour = warm ? neighbour.get() : nullptr});
-    answer.result = outcome_json(solution);
+    answer.result = outcome_json(solution, file.keeps_tracks());
     neighbour.reset();
     if (solution.verified()) neighbour = solution.as_neighbour();
   } catch (const std::exception& error) {

@@ -177,7 +177,7 @@ TEST(Show, RefusesADirectoryWithoutAResult) {
 
   EXPECT_TRUE(says(refusal(), "has no result.json"));
   put("sweep.sqlite", "");
-  EXPECT_TRUE(says(refusal(), "brachisto report"));
+  EXPECT_TRUE(says(refusal(), "sweep.sqlite: is empty"));
   put("result.json", "{}");
   EXPECT_TRUE(says(refusal(), "no result of `brachisto solve`"));
   put("result.json",

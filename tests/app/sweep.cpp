@@ -15,12 +15,15 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/pages.hpp"
 #include "app/sweep_command.hpp"
+#include "plot/pages.hpp"
 
 namespace brachisto {
 namespace {
 
 using nlohmann::json;
+using testing::content;
 using testing::kScenes;
 using testing::Output;
 using testing::Process;
@@ -177,6 +180,64 @@ TEST(Sweep, RunsNoFinishedSceneAgain) {
   EXPECT_EQ(json::parse(again.out)["new"], 0);
 }
 
+/// The tracks on the page of a sweep.
+json tracks_of(const ScratchDirectory& scratch, const std::string& name) {
+  const std::filesystem::path out = scratch.path() / name;
+  EXPECT_EQ(run({"show", out.string(), "--quiet"}).code, 0);
+  return testing::data_of(content(out / "report/index.html"))["tracks"];
+}
+
+TEST(Sweep, KeepsTheSameTracksWhoeverSolvesIt) {
+  const ScratchDirectory scratch;
+  const std::vector<std::string> keep{"--set", "sweep.keep=tracks"};
+  const auto kept = [&](std::vector<std::string> more) {
+    more.insert(more.end(), keep.begin(), keep.end());
+    return more;
+  };
+  ASSERT_EQ(sweep(scratch, "plain").code, 0);
+  ASSERT_EQ(sweep(scratch, "one", kept({"--jobs", "1"})).code, 0);
+  const json tracks = tracks_of(scratch, "one");
+
+  EXPECT_EQ(tracks.size(), kScenes);
+  EXPECT_EQ(table_of(scratch, "one"), table_of(scratch, "plain"));
+  EXPECT_TRUE(tracks_of(scratch, "plain").empty());
+
+  ASSERT_EQ(sweep(scratch, "two", kept({"--jobs", "2"})).code, 0);
+  EXPECT_EQ(table_of(scratch, "two"), table_of(scratch, "one"));
+  EXPECT_EQ(tracks_of(scratch, "two"), tracks);
+
+  Process process({"sweep", small_sweep(scratch), "--out",
+                   (scratch.path() / "killed").string(), "--jobs", "2", "--set",
+                   "sweep.keep=tracks"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  process.signal(SIGKILL);
+  ASSERT_TRUE(process.wait(std::chrono::seconds(5)));
+  ASSERT_EQ(sweep(scratch, "killed", kept({"--resume"})).code, 0);
+  EXPECT_EQ(table_of(scratch, "killed"), table_of(scratch, "one"));
+  EXPECT_EQ(tracks_of(scratch, "killed"), tracks);
+
+  std::vector<std::string> merge{"merge"};
+  for (const std::string i : {"1", "2"}) {
+    ASSERT_EQ(sweep(scratch, "part" + i, kept({"--shard", i + "/2"})).code, 0);
+    merge.push_back((scratch.path() / ("part" + i)).string());
+  }
+  merge.insert(merge.end(), {"--out", (scratch.path() / "merged").string()});
+  ASSERT_EQ(run(merge).code, 0);
+  EXPECT_EQ(table_of(scratch, "merged"), table_of(scratch, "one"));
+  EXPECT_EQ(tracks_of(scratch, "merged"), tracks);
+}
+
+TEST(Sweep, IsNotResumedWithOtherThingsKept) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(sweep(scratch, "out").code, 0);
+
+  const Output output =
+      sweep(scratch, "out", {"--resume", "--set", "sweep.keep=tracks"});
+
+  EXPECT_EQ(output.code, 6);
+  EXPECT_NE(output.err.find("sweep.keep differs"), std::string::npos);
+}
+
 TEST(Sweep, DrawsAReport) {
   const ScratchDirectory scratch;
   ASSERT_EQ(sweep(scratch, "out").code, 0);
@@ -187,6 +248,8 @@ TEST(Sweep, DrawsAReport) {
       std::filesystem::exists(scratch.path() / "out/report/index.html"));
   EXPECT_EQ(run({"report", out}).code, 6) << "an earlier report is kept";
   EXPECT_EQ(run({"report", out, "--force"}).code, 0);
+  EXPECT_EQ(run({"show", out}).code, 0) << "show writes anew";
+  EXPECT_EQ(run({"show", out, "--gif"}).code, 6) << "there is no one motion";
 }
 
 }  // namespace

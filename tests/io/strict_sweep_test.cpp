@@ -50,7 +50,7 @@ TEST(StrictSweep, UnknownKeysGetTheNearestKnown) {
   EXPECT_EQ(sweep_errors({"scene.body.eta: [0]"}),
             "p.yaml:5:3: sweep.scene.body.eta: unknown key; allowed in sweep: "
             "keys of the problem in full, such as scene.body.eta_m, and zip, "
-            "random, warm_start; did you mean scene.body.eta_m?");
+            "random, warm_start, keep; did you mean scene.body.eta_m?");
   EXPECT_NE(sweep_errors({"zap: [0]"}).find("did you mean zip?"),
             std::string::npos);
 }
@@ -190,6 +190,12 @@ TEST(StrictSweep, WarmStartIsTrueOrFalse) {
             "true");
 }
 
+TEST(StrictSweep, WhatIsKeptIsNothingOrTracks) {
+  EXPECT_EQ(sweep_errors({"scene.body.k: [0.1]", "keep: track"}),
+            "p.yaml:6:9: sweep.keep: \"track\" was read; expected nothing or "
+            "tracks; did you mean tracks?");
+}
+
 TEST(StrictSweep, AllMistakesAreReportedAtOnce) {
   EXPECT_EQ(
       sweep_text_errors("scene:\n"
@@ -206,7 +212,7 @@ TEST(StrictSweep, AllMistakesAreReportedAtOnce) {
       "no meaning here; expected a number in m, > 0\n"
       "p.yaml:6:3: sweep.scene.body.eta: unknown key; allowed in sweep: keys "
       "of the problem in full, such as scene.body.eta_m, and zip, random, "
-      "warm_start; did you mean scene.body.eta_m?");
+      "warm_start, keep; did you mean scene.body.eta_m?");
 }
 
 TEST(StrictSweep, NamesAreForTheSectionOnly) {

@@ -165,6 +165,12 @@ TEST(SweepFile, WarmStartIsOnUnlessTurnedOff) {
       sweep({"scene.body.k: [0.3]", "warm_start: false"}).warm_start());
 }
 
+TEST(SweepFile, KeepsTracksIfAskedTo) {
+  EXPECT_FALSE(sweep({"scene.body.k: [0.3]"}).keeps_tracks());
+  EXPECT_FALSE(sweep({"scene.body.k: [0.3]", "keep: nothing"}).keeps_tracks());
+  EXPECT_TRUE(sweep({"scene.body.k: [0.3]", "keep: tracks"}).keeps_tracks());
+}
+
 TEST(SweepFile, ScenesBeyondTheLastAreOutOfRange) {
   const SweepFile file = sweep({"scene.body.k: [0.1, 0.2]"});
 

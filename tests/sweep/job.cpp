@@ -59,6 +59,21 @@ TEST_F(JobWithPoints, TellsWhichPointHasChanged) {
             "it has 3 points from track.csv, which has 4 now");
 }
 
+TEST(Job, IsAnotherOneIfTracksAreKept) {
+  const auto file = [](const std::string& keep) {
+    return io::read_sweep_text(
+        "scene:\n  body: {shape: cylinder, radius: 1/3, k: 1/2}\n"
+        "  finish: {L: 3, H: 1}\n"
+        "sweep: {scene.body.eta_m: [0.1, 0.2]" +
+            keep + "}\n",
+        "p.yaml");
+  };
+
+  EXPECT_EQ(input_hash(file(", keep: nothing")), input_hash(file("")));
+  EXPECT_NE(input_hash(file(", keep: tracks")), input_hash(file("")));
+  EXPECT_EQ(difference(file(""), file(", keep: tracks")), "sweep.keep differs");
+}
+
 TEST(Job, IsNotReadFromAnythingElse) {
   const std::string deep(300'000, '[');
   for (const std::string& line :

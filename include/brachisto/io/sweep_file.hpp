@@ -60,6 +60,9 @@ class SweepFile {
   /// Whether a scene may start from the solution of a neighbour.
   [[nodiscard]] bool warm_start() const;
 
+  /// Whether the track of each scene is kept beside its numbers.
+  [[nodiscard]] bool keeps_tracks() const;
+
   /// The problem of a scene, as if the file had values(scene) in place of its
   /// own. Satisfies what read_problem_file() promises.
   /// \throws std::out_of_range  unless scene < num_scenes()

@@ -12,8 +12,9 @@ const byId = (id) => document.getElementById(id);
 
 // ---------------------------------------------------------------- the motion
 
-/** The motion of a body from the rows of its table. */
-function motionOf({ body, rows }) {
+/** The motion of a body from the rows of its table. Where these have no forces
+    there are the times between which it would lift off. */
+function motionOf({ body, rows, lifts }) {
   const times = rows.t;
   const last = times.length - 1;
   const T = times[last];
@@ -74,6 +75,8 @@ function motionOf({ body, rows }) {
     return between(i, t, values, (j) => curveSlope(values, j));
   }
 
+  const liftedAt = (t) => lifts.some(([from, to]) => from <= t && t <= to);
+
   /** All that is drawn of the body at a time. */
   function at(t) {
     const i = rowBefore(t);
@@ -91,8 +94,8 @@ function motionOf({ body, rows }) {
     now.xm = now.x + offset * Math.cos(now.theta);
     now.zm = now.z + offset * Math.sin(now.theta);
     now.v = value("v_c", t, i);
-    now.normal = value("R_n", t, i);
-    now.tangential = body.rolls ? value("R_t", t, i) : 0;
+    now.normal = rows.R_n ? value("R_n", t, i) : liftedAt(t) ? -Infinity : Infinity;
+    now.tangential = body.rolls && rows.R_t ? value("R_t", t, i) : 0;
     return now;
   }
 
@@ -353,6 +356,7 @@ function player(T, show) {
     const lasts = (r) => Math.abs(Math.log(T / r / 8));
     const best = rates.reduce((a, b) => (lasts(b) < lasts(a) ? b : a));
     const holder = byId("rates");
+    holder.textContent = "";
     for (const r of rates) {
       const label = document.createElement("label");
       label.innerHTML = `<input type="radio" name="rate" value="${r}"/> ` +
@@ -396,7 +400,15 @@ function player(T, show) {
     if (!fromAddress()) showAt(now);
   }
 
-  return { start, goTo, now: () => now, again: () => showAt(now) };
+  /** The same for another motion. */
+  function restart(otherT) {
+    stop();
+    T = otherT;
+    offerRates();
+    showAt(0.4 * T);
+  }
+
+  return { start, restart, goTo, now: () => now, again: () => showAt(now) };
 }
 
 /** Tables that scroll can be scrolled by keys. */
@@ -405,7 +417,11 @@ function letTablesScroll() {
     if (wide.scrollWidth <= wide.clientWidth) continue;
     wide.tabIndex = 0;
     wide.setAttribute("role", "region");
-    wide.setAttribute("aria-label", "table");
+    let title = wide.previousElementSibling;
+    while (title !== null && !/^(H[1-6]|SUMMARY)$/.test(title.tagName)) {
+      title = title.previousElementSibling;
+    }
+    wide.setAttribute("aria-label", title === null ? "table" : `table: ${title.textContent}`);
   }
 }
 

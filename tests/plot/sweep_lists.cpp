@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "report/sweep_page.hpp"
+#include "plot/sweep_page.hpp"
 #include "report/sweep_tables.hpp"
 
 namespace brachisto {
@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using testing::list_over;
 
 std::vector<OutputFile> sweep_report(const SweepTable& table) {
-  return report::sweep_report(table, nullptr).files;
+  return plot::sweep_report(table, {}, nullptr).files;
 }
 
 double sum(const std::vector<double>& at) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_page.hpp"
+#include "plot/sweep_page.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "brachisto/version.hpp"
+#include "plot/page_parts.hpp"
+#include "plot/web_parts.hpp"
 #include "report/csv.hpp"
 #include "report/key_label.hpp"
 #include "report/page.hpp"
@@ -18,18 +20,34 @@
 #include "report/sweep_figures.hpp"
 #include "report/text_table.hpp"
 
-namespace brachisto::report {
+namespace brachisto::plot {
 
 namespace {
 
+using report::all_scenes;
+using report::columns_that_vary;
+using report::digest;
+using report::key_label;
+using report::KeyLabel;
+using report::Markup;
+using report::place;
+using report::printed;
+using report::Scenes;
+using report::shown_number;
+using report::SweepDigest;
+using report::SweepDrawing;
+using report::SweepFigure;
+using report::SweepFigures;
+using report::xml_escaped;
+
 constexpr std::size_t kMostFailures = 200;
-constexpr std::size_t kMostRows = 3000;
 
 using State = SweepOutcome::State;
 
 /// With the digits that a relative error leaves; a dash if there is no number.
 std::string known(double value, double error) {
-  return std::isfinite(value) ? within_error(value, error * value) : "–";
+  return std::isfinite(value) ? report::within_error(value, error * value)
+                              : "–";
 }
 
 std::string column_heads(const SweepTable& table) {
@@ -56,7 +74,7 @@ std::string column_cells(const SweepTable& table, std::size_t scene) {
 std::string values_of(const SweepTable& table, const SweepColumn& column) {
   if (!column.numeric()) {
     const std::vector<std::string> words =
-        distinct_words(column, all_scenes(table));
+        report::distinct_words(column, all_scenes(table));
     std::string out;
     constexpr std::size_t kMostWords = 12;
     for (std::size_t i = 0; i < std::min(words.size(), kMostWords); ++i) {
@@ -180,6 +198,10 @@ std::string failures_table(const SweepTable& table) {
   return out;
 }
 
+bool is_listed(const SweepTable& table) {
+  return !table.outcomes.empty() && table.outcomes.size() <= kMostRows;
+}
+
 /// All scenes, folded; of a sweep too large for a page, where to find them.
 std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
   const std::string link = fmt::format("<a href=\"{0}\">{0}</a>", csv_name);
@@ -187,10 +209,10 @@ std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
       "<h2>All scenes</h2>\n<p>With 17 digits, in SI units and radians: "
       "{}.</p>\n",
       link);
-  if (table.outcomes.empty() || table.outcomes.size() > kMostRows) return out;
+  if (!is_listed(table)) return out;
   out += fmt::format(
       "<details><summary>Table of {} scenes</summary>\n<div class=\"wide\">"
-      "<table><thead><tr><th scope=\"col\">scene</th>{}"
+      "<table id=\"scenes\"><thead><tr><th scope=\"col\">scene</th>{}"
       "<th scope=\"col\"><i>τ</i></th><th scope=\"col\"><i>T</i> [s]</th>"
       "<th scope=\"col\">error</th><th scope=\"col\">feasible</th>"
       "<th scope=\"col\">status</th></tr></thead><tbody>\n",
@@ -210,7 +232,7 @@ std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
         !verified          ? "–"
         : outcome.feasible ? "yes"
                            : "no",
-        outcome.status.empty() ? name(outcome.state)
+        outcome.status.empty() ? report::name(outcome.state)
                                : xml_escaped(outcome.status));
   }
   return out + "</tbody></table></div></details>\n";
@@ -228,32 +250,82 @@ std::string warning(const SweepTable& table) {
       found.missing, table.outcomes.size());
 }
 
+/// The page as it grows.
+struct Drawn {
+  std::string html;
+  std::vector<report::Figure> figures;  ///< of which there is a picture
+  std::size_t number = 0;
+  std::size_t room = report::kMostOfPictures;
+};
+
 /// The drawings of a figure, drawn and put to the others.
-std::string figure_part(const SweepTable& table, const SweepFigure& figure,
-                        const std::atomic<int>* interrupt, SweepPage& out,
-                        std::size_t& number, std::size_t& room) {
-  std::string html = fmt::format(
+void add_figure(const SweepTable& table, const SweepFigure& figure,
+                const std::atomic<int>* interrupt, SweepPage& out,
+                Drawn& drawn) {
+  drawn.html += fmt::format(
       "<h2>{}</h2>\n<div class=\"part\">\n<div>\n",
       figure.fixed.empty()
           ? "Results"
           : place(table, figure.fixed, figure.scenes.front(), Markup::Html));
   for (const SweepDrawing& drawing : figure.drawings) {
-    DrawnFigure drawn = draw(drawing.figure, Format::Svg, interrupt);
-    html += figure_html(drawn, drawing.figure.name,
-                        fmt::format("Figure {}. {}", ++number, drawing.caption),
-                        room);
-    if (!drawn.missing.empty()) out.missing = drawn.missing;
-    std::move(drawn.files.begin(), drawn.files.end(),
+    report::DrawnFigure files =
+        report::draw(drawing.figure, report::Format::Svg, interrupt);
+    drawn.html += report::figure_html(
+        files, drawing.figure.name,
+        fmt::format("Figure {}. {}", ++drawn.number, drawing.caption),
+        drawn.room);
+    if (files.missing.empty()) {
+      drawn.figures.push_back(drawing.figure);
+    } else {
+      out.missing = files.missing;
+    }
+    std::move(files.files.begin(), files.files.end(),
               std::back_inserter(out.files));
   }
-  return html + "</div>\n" + digest_table(table, figure.scenes) + "</div>\n";
+  drawn.html += "</div>\n" + digest_table(table, figure.scenes) + "</div>\n";
 }
 
-/// \param figures  in HTML
+/// Where the script shows the track of a scene.
+constexpr const char* kTrackSection =
+    "<section id=\"track-section\" hidden=\"hidden\">\n"
+    "<h3 id=\"motion-heading\">The track of scene <b id=\"track-scene\"></b>"
+    "</h3>\n<div id=\"stage\"></div>\n";
+constexpr const char* kTrackWords =
+    "<p class=\"key\"><span id=\"lift-key\" hidden=\"hidden\"><i "
+    "class=\"swatch lift\"></i>here the body would lift off</span></p>\n"
+    "<p class=\"about\" id=\"motion-words\">The solid line is the track; the "
+    "dashed one is the path of the centre and the dotted one that of the "
+    "centre of mass, where they differ. The sweep kept <span "
+    "id=\"track-rows\"></span> rows of its table; "
+    "cubics of time between them miss none of the others by more than "
+    "<span id=\"track-error\"></span> m.</p>\n"
+    "<p class=\"about keys\">Space plays and stops.</p>\n</section>\n";
+
+/// How to point at scenes; what is not there is not spoken of.
+std::string directions(const std::vector<SweepTrack>& tracks) {
+  return fmt::format(
+      "<noscript><p>The values of single scenes are shown by a script, which "
+      "this browser does not run; the table below has them.</p></noscript>\n"
+      "<p class=\"about keys\">Each scene is a cell of the pictures: pointing "
+      "at it, or the arrow keys once a picture has the focus, tell its "
+      "values{}.</p>\n",
+      tracks.empty() ? "; a sweep with <code>keep: tracks</code> shows its "
+                       "track too"
+                     : ", a click or the Enter key shows its track");
+}
+
 std::string page(const SweepTable& table, const SweepFigures& planned,
-                 const std::string& figures) {
+                 const Drawn& drawn, const std::vector<SweepTrack>& tracks) {
+  const std::string title =
+      table.title.empty() ? "Sweep" : xml_escaped(table.title);
+  const bool pointed = is_listed(table) && !drawn.figures.empty();
   std::string out =
-      page_head(table.title.empty() ? "Sweep" : xml_escaped(table.title)) +
+      report::document_head(
+          title,
+          fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+                      "<style>{}\n{}</style>\n",
+                      kAnswerStyle, kSweepStyle)) +
+      "<header>\n<h1>" + title + "</h1>\n" +
       "<p class=\"about\">The transit time <i>T</i> of each "
       "scene as <i>τ</i> = <i>T</i> / √(<i>H</i> / 2<i>g</i>), on its "
       "smooth-contact extremal (docs/theory.md, section 3) unless the scene "
@@ -266,33 +338,42 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
   for (const std::string& remark : planned.remarks) {
     out += "<p>" + remark + "</p>\n";
   }
-  out += figures;
+  out += "</header>\n<main>\n";
+  if (pointed) out += directions(tracks);
+  out += drawn.html;
+  if (!tracks.empty()) out += kTrackSection + playback_html() + kTrackWords;
   if (planned.figures.empty() && !table.outcomes.empty()) {
     out += "<h2>Results</h2>\n" + digest_table(table, all_scenes(table));
   }
   out += failures_table(table) + scenes_table(table, kAllScenes);
-  return out + fmt::format(
-                   "<footer>Written by brachisto {}.</footer>\n</body>\n"
-                   "</html>\n",
-                   BRACHISTO_VERSION);
+  out += fmt::format("</main>\n<footer>Written by brachisto {}.</footer>\n",
+                     BRACHISTO_VERSION);
+  if (pointed) {
+    out += data_html(page_json(sweep_data(table, drawn.figures, tracks))) +
+           script_html(kMotionScript) + script_html(kSweepScript);
+  }
+  return out + "</body>\n</html>\n";
 }
 
 }  // namespace
 
 SweepPage sweep_report(const SweepTable& table,
+                       const std::vector<SweepTrack>& tracks,
                        const std::atomic<int>* interrupt) {
-  check(table);
-  const SweepFigures planned = sweep_figures(table);
+  report::check(table);
+  const SweepFigures planned = report::sweep_figures(table);
   SweepPage out;
-  std::string figures;
-  std::size_t number = 0, room = kMostOfPictures;
+  Drawn drawn;
   for (const SweepFigure& figure : planned.figures) {
-    figures += figure_part(table, figure, interrupt, out, number, room);
+    add_figure(table, figure, interrupt, out, drawn);
   }
-  out.files.push_back({kAllScenes, sweep_csv(table)});
+  const bool listed = is_listed(table);
+  out.files.push_back({kAllScenes, report::sweep_csv(table)});
   // Last, so that whoever sees the page sees what it refers to.
-  out.files.push_back({"index.html", page(table, planned, figures)});
+  out.files.push_back(
+      {"index.html", page(table, planned, drawn,
+                          listed ? tracks : std::vector<SweepTrack>())});
   return out;
 }
 
-}  // namespace brachisto::report
+}  // namespace brachisto::plot

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A sweep as a page to read.
+/// A sweep as a page to read and to point at.
 
 #pragma once
 
@@ -11,29 +11,38 @@
 #include <vector>
 
 #include "brachisto/report/output_files.hpp"
+#include "plot/sweep_data.hpp"
 #include "report/sweep_table.hpp"
 
-namespace brachisto::report {
+namespace brachisto::plot {
 
 /// The report of a sweep.
 struct SweepPage {
   /// index.html, scenes.csv, and each picture as an SVG document with the table
   /// and the gnuplot script that it is drawn from.
-  std::vector<OutputFile> files;
+  std::vector<report::OutputFile> files;
   std::string missing;  ///< why pictures are missing; empty if none is
 };
 
 /// The page needs nothing beside it, but that it shows pictures from their
-/// files when all take more than some megabytes.
+/// files when all take more than some megabytes. It is well-formed XML too.
 ///
 /// The two ordered axes that change fastest make a map of τ, one ordered axis a
 /// curve, a random sample one scatter plot per key; values may come in any
 /// order. Scenes that failed are marked and nothing is drawn across them;
 /// scenes not run yet stay open.
 ///
+/// Over the pictures lie the scenes as cells that tell their values and, if it
+/// was kept, show their track, unless there are more than kMostRows.
+///
+/// \param tracks     in the order of scenes
 /// \param interrupt  nonzero: stop; may be null
 /// \throws Stopped
 [[nodiscard]] SweepPage sweep_report(const SweepTable& table,
+                                     const std::vector<SweepTrack>& tracks,
                                      const std::atomic<int>* interrupt);
 
-}  // namespace brachisto::report
+/// Scenes that a page lists.
+inline constexpr std::size_t kMostRows = 3000;
+
+}  // namespace brachisto::plot

@@ -33,8 +33,8 @@ test_packages=(
 )
 # Of the page checks alone: the browser.
 page_packages=(chromium)
-# Of the benchmarks alone, the programs of others that they run among them.
-bench_packages=(libbenchmark-dev octave python3-scipy)
+# Of the benchmarks alone, the programs of others that they run and what reads .nl files among them.
+bench_packages=(libbenchmark-dev libamplsolver-dev octave python3-scipy)
 
 say() { printf '== %s\n' "$*"; }
 

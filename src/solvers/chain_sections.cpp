@@ -20,8 +20,10 @@ namespace brachisto {
 
 namespace {
 
-// To choose pivots takes as long as some dense fronts.
+// To choose pivots takes as long as some dense fronts,
 constexpr int kManyDenseLinks = 4;
+// and a dense front as long as some batches of links with their joining.
+constexpr int kBatchesOfDenseLink = 4;
 // The factorisation of a link is taken if the Frobenius norm of its multipliers
 // is at most this: rounding errors are then magnified by less than its square,
 // and one step of refinement makes up for them.
@@ -89,18 +91,24 @@ void ChainLdlt::factorise_run(std::size_t r) {
   }
   factorise_sections(left);
   // Until most links have their pivots; hard ones must not take all the time.
+  // Sections with few of them are left as they are: what is chosen serves the
+  // matrices to come.
   for (int many = kManyDenseLinks;; many *= 2) {
+    std::vector<int> dense;
     left.clear();
-    int dense = 0;
     for (Section* section : all) {
       largest_ = larger(largest_, section->largest);
-      dense += section->dense_links;
-      if (section->dense_links > 0) left.push_back(section);
+      for (const Piece& piece : section->pieces) {
+        if (piece.analysis == nullptr) dense.push_back(piece.first);
+      }
+      if (kBatchesOfDenseLink * section->dense_links >=
+          static_cast<int>(section->batches.size())) {
+        left.push_back(section);
+      }
     }
-    if (dense < many || !std::isfinite(largest_)) break;
-    const auto& hard =
-        *std::ranges::find(left.front()->pieces, nullptr, &Piece::analysis);
-    if (!choose_sequence(run, plan, hard.first)) break;
+    if (std::ssize(dense) < many || !std::isfinite(largest_)) break;
+    // Another one each time, for some have no pivots at all.
+    if (!choose_sequence(run, plan, dense[at(many - 1)])) continue;
     find_targets(run, plan);
     factorise_sections(left);
   }

@@ -109,6 +109,10 @@ bool BorderedChain::factorise() {
   return std::isfinite(pivot_) && pivot_ != 0.0;
 }
 
+void BorderedChain::forget_pivots() {
+  chain_->forget_pivots();
+}
+
 int BorderedChain::determinant_sign() const {
   if (pivot_ == 0.0 || !std::isfinite(pivot_)) return 0;
   const int sign = chain_->inertia().negative % 2 == 0 ? 1 : -1;

@@ -38,6 +38,10 @@ class BorderedChain {
   /// system is singular, or K is although the system is not.
   [[nodiscard]] bool factorise();
 
+  /// For another try, after factorise() or solve() refused: pivots chosen for
+  /// this very matrix.
+  void forget_pivots();
+
   /// Sign of the determinant of the system.
   [[nodiscard]] int determinant_sign() const;
 

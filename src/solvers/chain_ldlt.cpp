@@ -185,6 +185,11 @@ bool ChainLdlt::factorise(EntryValues values) {
   return true;
 }
 
+void ChainLdlt::forget_pivots() {
+  store_->clear();
+  for (Plan& plan : plans_) plan = {};
+}
+
 int ChainLdlt::num_dense_links() const {
   int sum = 0;
   for (const Section& section : sections_) sum += section.dense_links;

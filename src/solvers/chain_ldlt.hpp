@@ -62,6 +62,12 @@ class ChainLdlt {
   /// values must stay until the next call.
   [[nodiscard]] bool factorise(EntryValues values);
 
+  /// The next factorisation chooses pivots for its own numbers. Those that were
+  /// kept from other matrices keep multipliers within bounds, which may not be
+  /// enough where the matrix is nearly singular.
+  /// \post not factorised
+  void forget_pivots();
+
   /// That of the last factorisation.
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }
 

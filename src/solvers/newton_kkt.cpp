@@ -51,7 +51,14 @@ class StepSolver {
     std::vector<double> rhs(system_.residual().begin(),
                             system_.residual().end());
     for (double& value : rhs) value = -value;
-    if (chain_ && chain_->factorise() && chain_->solve(rhs, step_)) {
+    const auto by_chain = [&] {
+      return chain_->factorise() && chain_->solve(rhs, step_);
+    };
+    const auto by_chain_anew = [&] {
+      chain_->forget_pivots();
+      return by_chain();
+    };
+    if (chain_ && (by_chain() || by_chain_anew())) {
       determinant_sign_ = chain_->determinant_sign();
       by_chain_ = true;
       return true;

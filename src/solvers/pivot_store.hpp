@@ -28,6 +28,7 @@ class PivotStore {
   [[nodiscard]] std::shared_ptr<const ChosenPivots> find(
       const LinkPattern& pattern) const;
   std::shared_ptr<const ChosenPivots> add(ChosenPivots chosen);
+  void clear() { chosen_.clear(); }
 
  private:
   std::vector<std::shared_ptr<const ChosenPivots>> chosen_;

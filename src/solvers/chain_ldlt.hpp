@@ -124,7 +124,8 @@ class ChainLdlt {
   };
   /// Pairs of links that are joined at once.
   struct Joint {
-    const Joining* how = nullptr;
+    /// Null: all stay two. Those of the Joining may be others since.
+    std::shared_ptr<const ChosenPivots> pivots;
     Lanes* slots = nullptr;
     unsigned failed = kAllFailed;  ///< a bit to a pair that stays two
     unsigned left_failed = kAllFailed, right_failed = kAllFailed;
@@ -208,7 +209,8 @@ class ChainLdlt {
   [[nodiscard]] unsigned with_joining(const Joining& how, Worker& worker,
                                       int level, Lanes* slots,
                                       FactorisationOutcome& outcome) const;
-  void choose_joining(const Run& run, Worker& worker, int level, Joining& how);
+  [[nodiscard]] std::shared_ptr<const ChosenPivots> joining_pivots(
+      const Run& run, const Worker& worker, int level, const Joining& how);
   void find_targets(const Run& run, Plan& plan);
   static void keep_piece(Section& section, const Child& child, int lane,
                          int first, int last);

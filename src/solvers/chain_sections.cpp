@@ -295,7 +295,7 @@ void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
   const Run& run = map_.runs()[section.run];
   Joining& how = plans_[section.run].joinings[at(level - 1)];
   auto& below = worker.children[at(level - 1)];
-  Joint joint{.how = &how};
+  Joint joint;
   joint.left_failed = joint.right_failed = 0;
   for (int b = 0; b < kLanes; ++b) {
     const unsigned failed = below[at(2 * b / kLanes)].failed;
@@ -306,6 +306,7 @@ void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
   const unsigned before = joint.left_failed | joint.right_failed;
   FactorisationOutcome outcome;
   const auto factorise = [&] {
+    joint.pivots = how.pivots;
     if (!how.pivots) return;
     joint.slots = worker.arena.top(at(how.pivots->analysis.num_slots));
     joint.failed =
@@ -313,9 +314,11 @@ void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
   };
   factorise();
   if (choosing && (joint.failed & ~before) != 0) {
-    choose_joining(run, worker, level, how);
-    find_targets(run, plans_[section.run]);
-    factorise();
+    if (auto chosen = joining_pivots(run, worker, level, how)) {
+      how.pivots = std::move(chosen);
+      find_targets(run, plans_[section.run]);
+      factorise();
+    }
   }
   const int links = 1 << level;  // of a pair
   for (int b = 0; b < kLanes; ++b) {
@@ -335,8 +338,8 @@ void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
   Child& joined = worker.children[at(level)][at(batch % 2)];
   joined.failed = joint.failed;
   joined.analysis = nullptr;
-  if (how.pivots) {
-    joined.analysis = &how.pivots->analysis;
+  if (joint.pivots) {
+    joined.analysis = &joint.pivots->analysis;
     joined.schur.clear();
     for (const auto& entry : joined.analysis->schur) {
       joined.schur.push_back(joint.slots[entry.slot]);
@@ -387,9 +390,10 @@ unsigned ChainLdlt::with_joining(const Joining& how, Worker& worker, int level,
   return failed | grown(outcome);
 }
 
-/// Chooses pivots on the first pair whose links did not fail.
-void ChainLdlt::choose_joining(const Run& run, Worker& worker, int level,
-                               Joining& how) {
+/// Other pivots than there are: those of such a pair before, or chosen on the
+/// first pair whose links did not fail. Null if there are none.
+std::shared_ptr<const ChosenPivots> ChainLdlt::joining_pivots(
+    const Run& run, const Worker& worker, int level, const Joining& how) {
   const auto& below = worker.children[at(level - 1)];
   const int size = run.left;
   LinkPattern pattern(run.size() - run.interior + size, size);
@@ -410,12 +414,8 @@ void ChainLdlt::choose_joining(const Run& run, Worker& worker, int level,
     }
   }
   const auto known = store_->find(pattern);
-  if (known && known != how.pivots) {
-    how.pivots = known;
-    return;
-  }
-  how.pivots = nullptr;
-  if (sample == nullptr) return;
+  if (known && known != how.pivots) return known;
+  if (sample == nullptr) return nullptr;
   const std::size_t n = at(pattern.size);
   matrix_.assign(n * n, 0.0);
   const auto add = [&](int i, int j, double value) {
@@ -431,7 +431,8 @@ void ChainLdlt::choose_joining(const Run& run, Worker& worker, int level,
         sample->schur[k].lane[lane + 1]);
   }
   auto analysis = SymbolicAnalysis::make(pattern, matrix_);
-  if (analysis) how.pivots = store_->add({pattern, std::move(*analysis)});
+  if (!analysis) return nullptr;
+  return store_->add({pattern, std::move(*analysis)});
 }
 
 void ChainLdlt::find_targets(const Run& run, Plan& plan) {

@@ -119,9 +119,8 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
         local[at(size + i)].lane[b] = left(i, b) + right(i, b);
       }
     }
-    if (joint.slots != nullptr) {
-      forward_substitution(joint.how->pivots->analysis, joint.slots,
-                           local.data());
+    if (joint.pivots) {
+      forward_substitution(joint.pivots->analysis, joint.slots, local.data());
     }
     for (int i = 0; i < size; ++i) {
       for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
@@ -180,7 +179,7 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
   auto joint = section.joints.end();
   const auto part = [&](const Joint& one, int level, int first) {
     const int links = 1 << level;
-    if (one.slots == nullptr) return;
+    if (!one.pivots) return;
     local.assign(at(size + outside), Lanes{});
     const auto take = [&](int to, int outer, int link) {
       for_each_lane(
@@ -191,7 +190,7 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
     for (int i = 0; i < outside; ++i) {
       take(size + i, i, i < size ? first : first + links - 1);
     }
-    backward_substitution(one.how->pivots->analysis, one.slots, local.data());
+    backward_substitution(one.pivots->analysis, one.slots, local.data());
     for (int i = 0; i < size; ++i) {
       for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
                     links, [&](int b, std::size_t place) {

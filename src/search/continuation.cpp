@@ -59,6 +59,16 @@ Gap gap_between(const VariableLayout& layout, const BranchPoint& a,
   return gap;
 }
 
+/// Whether the speed is positive at all nodes but the first.
+bool moves_forward(const VariableLayout& layout, const BranchPoint& found) {
+  for (int n = 1; n < layout.num_nodes(); ++n) {
+    if (!(found.point.x[at(layout.state(n, StateComponent::W))] > 0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// A solution of `problem` in terms of the body's rotation: on the mesh of
 /// equal turns, to which the problem moves.
 BranchPoint by_equal_turns(RollingTime& problem, const BranchPoint& found) {
@@ -155,7 +165,8 @@ Continuation follow(const SceneLine& scene_at, RollingTime problem,
       on_branch = corrected.status == Status::Solved &&
                   gap.slope <= kLargestPredictorError &&
                   gap.rotation <= kMostTurned &&
-                  (sign == orientation || orientation == 0 || sign == 0);
+                  (sign == orientation || orientation == 0 || sign == 0) &&
+                  moves_forward(problem.layout(), found);
       if (on_branch) {
         if (sign != 0) orientation = sign;
         result.steps.push_back(

@@ -152,7 +152,6 @@ class ChainLdlt {
   struct Plan {
     std::vector<std::unique_ptr<Sequence>> sequences;  ///< the likeliest first
     std::array<Joining, kLevels> joinings;
-    int dense_links = 0;  ///< of the last factorisation
   };
   /// A batch of links, or of links that were joined, as the next level sees it.
   struct Child {

@@ -4,8 +4,11 @@
 // What is said about a wrong command line, and how names of others are shown.
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/wait.h>
+#include <unistd.h>
+#include <utmp.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -222,8 +225,12 @@ std::string on_terminal(const Words& arguments, unsigned short columns) {
   window.ws_col = columns;
   window.ws_row = 24;
   int terminal = -1;
-  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &window);
+  int line = -1;
+  if (::openpty(&terminal, &line, nullptr, nullptr, &window) != 0) return "";
+  const pid_t child = ::fork();
   if (child == 0) {
+    ::close(terminal);
+    ::login_tty(line);
     std::vector<char*> argv{const_cast<char*>(BRACHISTO_APP)};
     for (const std::string& word : arguments) {
       argv.push_back(const_cast<char*>(word.c_str()));
@@ -232,14 +239,24 @@ std::string on_terminal(const Words& arguments, unsigned short columns) {
     ::execv(BRACHISTO_APP, argv.data());
     ::_exit(127);
   }
+  // The line stays open here: when the last who has it lets go, what was not
+  // read yet may be lost.
   std::string text;
-  char buffer[4096];
-  ssize_t count = 0;
-  while ((count = ::read(terminal, buffer, sizeof buffer)) > 0) {
-    text.append(buffer, static_cast<std::size_t>(count));
+  constexpr int kMilliseconds = 50;
+  pollfd readable{terminal, POLLIN, 0};
+  for (bool ended = false;;) {
+    if (::poll(&readable, 1, kMilliseconds) > 0) {
+      char buffer[4096];
+      const ssize_t count = ::read(terminal, buffer, sizeof buffer);
+      if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
+    } else if (ended) {
+      break;
+    } else {
+      ended = ::waitpid(child, nullptr, WNOHANG) == child;
+    }
   }
+  ::close(line);
   ::close(terminal);
-  ::waitpid(child, nullptr, 0);
   return text;
 }
 

@@ -5,7 +5,6 @@
 // process, so that the peak memory is that of the task.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -20,9 +19,11 @@
 
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
+#include "math/cpu_clock.hpp"
 #include "model/cycloid.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/inequality_problems.hpp"
+#include "support/peak_memory.hpp"
 #include "support/refined_solution.hpp"
 #include "support/scenes.hpp"
 #include "transcription/contact_equation.hpp"
@@ -33,23 +34,6 @@
 namespace {
 
 using namespace brachisto;
-
-/// User and system time of this process [s].
-double cpu_seconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) +
-           1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-double peak_gigabytes() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024e-9 * static_cast<double>(usage.ru_maxrss);
-}
 
 /// Memory of this process that is in use [bytes].
 double resident_bytes() {
@@ -87,10 +71,10 @@ double bytes_per_second() {
   const std::vector<double> from(kNumbers, 1.0);
   std::vector<double> to(kNumbers);
   double best = 0.0;
-  double last = cpu_seconds();
+  double last = process_cpu_seconds();
   for (int i = 0; i < kCopies; ++i) {
     std::copy(from.begin(), from.end(), to.begin());
-    const double now = cpu_seconds();
+    const double now = process_cpu_seconds();
     best = std::max(best, 2.0 * sizeof(double) * kNumbers / (now - last));
     last = now;
   }
@@ -105,9 +89,9 @@ void factor(RollingTime& problem, const PrimalDual& point, bool with_floor) {
   problem.eval_hess_lag(1.0, point.lambda, hess);
   problem.eval_jac_g(jac);
   const std::array<std::span<const double>, 2> values = {hess, jac};
-  double start = cpu_seconds();
+  double start = process_cpu_seconds();
   const auto lap = [&] {
-    const double now = cpu_seconds();
+    const double now = process_cpu_seconds();
     return now - std::exchange(start, now);
   };
   problem.eval_hess_lag(1.0, point.lambda, hess);
@@ -185,10 +169,10 @@ void inequalities(int num_pieces, bool as_constraints, LinearSolver solver) {
   // Forces are differences of N y: no less is left of 1e5 pieces by rounding.
   options.tolerance = 1e-9;
   options.linear_solver = solver;
-  const double start = cpu_seconds();
+  const double start = process_cpu_seconds();
   const SolverResult result =
       solve_with_ipopt(problem, {problem.start(), {}}, options);
-  const double seconds = cpu_seconds() - start;
+  const double seconds = process_cpu_seconds() - start;
   fmt::print(
       "{} unknowns: {}, {:.3f} s, {:.2e} s for each unknown and "
       "iteration, peak {:.3f} GB\n",
@@ -197,7 +181,7 @@ void inequalities(int num_pieces, bool as_constraints, LinearSolver solver) {
       seconds /
           (result.iterations * static_cast<double>(problem.num_variables() +
                                                    problem.num_constraints())),
-      peak_gigabytes());
+      benchmarks::peak_gigabytes());
 }
 
 }  // namespace
@@ -239,7 +223,7 @@ int main(int argc, char** argv) {
   const Coarse coarse = solve_coarse(scene);
   RollingTime problem(scene, uniform_mesh(degree, elements), coarse.phi);
   const PrimalDual point = prolong(coarse.curve, problem);
-  const double start = cpu_seconds();
+  const double start = process_cpu_seconds();
   if (task == "factor") {
     factor(problem, point, with_floor);
   } else if (task == "threads") {
@@ -262,6 +246,6 @@ int main(int argc, char** argv) {
     fmt::print("{}\n", result.message);
   }
   fmt::print("{} nodes: {:.3f} s, peak {:.3f} GB\n", problem.mesh().num_nodes(),
-             cpu_seconds() - start, peak_gigabytes());
+             process_cpu_seconds() - start, benchmarks::peak_gigabytes());
   return 0;
 }

@@ -3,8 +3,6 @@
 
 #include "peers/measurement.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -15,9 +13,11 @@
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
+#include "math/cpu_clock.hpp"
 #include "peers/nl_program.hpp"
 #include "program_files/nl_numbering.hpp"
 #include "program_files/program_in_formulas.hpp"
+#include "support/peak_memory.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -26,23 +26,6 @@ namespace {
 /// On residuals, as each solver measures them.
 constexpr double kTolerance = 1e-10;
 constexpr int kMostIterations = 100;
-
-/// User and system.
-double processor_seconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) +
-           1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-double peak_gigabytes() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024e-9 * static_cast<double>(usage.ru_maxrss);
-}
 
 /// What Newton's method found, in the words of the others.
 SolverResult by_newton(nlp::Problem& problem, const PrimalDual& start) {
@@ -93,7 +76,7 @@ std::vector<double> times_hessian(nlp::Problem& problem,
 Record measure(const ReferenceCase& reference, const Way& way, int nodes,
                const std::filesystem::path& nl_file,
                const MumpsOptions& mumps) {
-  const double begun = processor_seconds();
+  const double begun = process_cpu_seconds();
   std::unique_ptr<nlp::Problem> problem;
   PrimalDual start;
   if (way.peer == Peer::IpoptMumpsNl) {
@@ -105,7 +88,7 @@ Record measure(const ReferenceCase& reference, const Way& way, int nodes,
     problem = std::move(made.problem);
     start = std::move(made.start);
   }
-  const double made = processor_seconds();
+  const double made = process_cpu_seconds();
   const double evaluated = phase_seconds().of(Phase::Evaluation);
   const SolverResult result =
       way.peer == Peer::NewtonChain ? by_newton(*problem, start)
@@ -114,7 +97,7 @@ Record measure(const ReferenceCase& reference, const Way& way, int nodes,
           : solve_with_mumps(*problem, start, kTolerance, kMostIterations,
                              mumps);
   Record record{};
-  record.solve_seconds = processor_seconds() - made;
+  record.solve_seconds = process_cpu_seconds() - made;
   record.made_seconds = made - begun;
   record.evaluation_seconds = phase_seconds().of(Phase::Evaluation) - evaluated;
   record.gigabytes = peak_gigabytes();

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scaling/runs.hpp"
+#include "support/peak_memory.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 
@@ -78,7 +79,7 @@ Record run(const Task& task, double exact_tau) {
   getrusage(RUSAGE_SELF, &usage);
   record.user_seconds = seconds(usage.ru_utime);
   record.system_seconds = seconds(usage.ru_stime);
-  record.gigabytes = 1024e-9 * static_cast<double>(usage.ru_maxrss);
+  record.gigabytes = peak_gigabytes();
   return record;
 }
 

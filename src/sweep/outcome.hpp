@@ -20,9 +20,8 @@ namespace brachisto::sweep {
 
 /// The result document of a solve, compact, without what all scenes of a sweep
 /// share.
-/// \param with_track  if it is verified also plot::kept_track() of it, under
-/// the
-///                    key `track`
+/// \param with_track  if it is verified, plot::kept_track() of it too, as
+///                    `track`
 [[nodiscard]] std::string outcome_json(const Solution& solution,
                                        bool with_track = false);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/sweep_page.hpp"
+#include "plot/sweep_files.hpp"
 #include "report/sweep_tables.hpp"
 
 namespace brachisto {
@@ -17,31 +17,9 @@ using report::OutputFile;
 using testing::count;
 using ::testing::ElementsAre;
 using testing::list_over;
-
-std::vector<OutputFile> sweep_report(const SweepTable& table) {
-  return plot::sweep_report(table, {}, nullptr).files;
-}
-
-double sum(const std::vector<double>& at) {
-  double tau = 5.0;
-  for (const double value : at) tau += value;
-  return tau;
-}
-
-/// Of the pictures, which each have a table and a script.
-std::vector<std::string> names(const std::vector<OutputFile>& files) {
-  std::vector<std::string> pictures, all;
-  for (const OutputFile& file : files) {
-    all.push_back(file.name);
-    if (!file.name.ends_with(".svg")) continue;
-    const std::string name = file.name.substr(0, file.name.size() - 4);
-    EXPECT_THAT(all, ::testing::IsSupersetOf({name + ".csv", name + ".gp"}));
-    pictures.push_back(name);
-  }
-  EXPECT_EQ(all[all.size() - 2], "scenes.csv");
-  EXPECT_EQ(all.back(), "index.html");
-  return pictures;
-}
+using testing::names;
+using testing::sum;
+using testing::sweep_report;
 
 TEST(SweepOfLists, DrawsTheMapOfItsValuesInOrder) {
   const auto map = [](const std::vector<double>& k) {

@@ -19,6 +19,7 @@
 
 #include "plot/kept_track.hpp"
 #include "plot/pages.hpp"
+#include "plot/sweep_files.hpp"
 #include "plot/tables.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/xml.hpp"
@@ -30,38 +31,16 @@ using report::OutputFile;
 using testing::count;
 using ::testing::ElementsAre;
 using testing::fail;
+using testing::names;
+using testing::sum;
 using testing::sweep_over;
+using testing::sweep_report;
 using testing::xml_flaw;
-
-std::vector<OutputFile> sweep_report(const SweepTable& table) {
-  return plot::sweep_report(table, {}, nullptr).files;
-}
-
-double sum(const std::vector<double>& at) {
-  double tau = 5.0;
-  for (const double value : at) tau += value;
-  return tau;
-}
 
 SweepTable plane() {
   return sweep_over(
       {{"scene.body.eta_m", 0.0, 0.5, 11}, {"scene.body.k", 0.0, 0.5, 12}},
       sum);
-}
-
-/// Of the pictures, which each have a table and a script.
-std::vector<std::string> names(const std::vector<OutputFile>& files) {
-  std::vector<std::string> pictures, all;
-  for (const OutputFile& file : files) {
-    all.push_back(file.name);
-    if (!file.name.ends_with(".svg")) continue;
-    const std::string name = file.name.substr(0, file.name.size() - 4);
-    EXPECT_THAT(all, ::testing::IsSupersetOf({name + ".csv", name + ".gp"}));
-    pictures.push_back(name);
-  }
-  EXPECT_EQ(all[all.size() - 2], "scenes.csv");
-  EXPECT_EQ(all.back(), "index.html");
-  return pictures;
 }
 
 bool says(const std::string& text, const std::string& part) {

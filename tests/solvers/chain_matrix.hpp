@@ -23,12 +23,11 @@ namespace brachisto::testing {
 inline constexpr double kRoundoff =
     0.5 * std::numeric_limits<double>::epsilon();
 
-/// A symmetric matrix by coordinates, and dense.
-struct ChainMatrix {
+/// A symmetric matrix by coordinates.
+struct ChainEntries {
   nlp::ChainStructure structure;
   std::vector<int> rows, cols;
   std::vector<double> values;
-  Eigen::MatrixXd dense;
 
   [[nodiscard]] int size() const {
     return static_cast<int>(structure.block.size());
@@ -37,8 +36,6 @@ struct ChainMatrix {
     rows.push_back(row);
     cols.push_back(col);
     values.push_back(value);
-    dense(row, col) += value;
-    if (row != col) dense(col, row) += value;
   }
   [[nodiscard]] std::unique_ptr<ChainLdlt> analysed() const {
     const std::array<EntryPositions, 1> positions = {
@@ -48,6 +45,17 @@ struct ChainMatrix {
   [[nodiscard]] bool factorise(ChainLdlt& ldlt) const {
     const std::array<std::span<const double>, 1> arrays = {values};
     return ldlt.factorise(arrays);
+  }
+};
+
+/// The same, and dense.
+struct ChainMatrix : ChainEntries {
+  Eigen::MatrixXd dense;
+
+  void add(int row, int col, double value) {
+    ChainEntries::add(row, col, value);
+    dense(row, col) += value;
+    if (row != col) dense(col, row) += value;
   }
 };
 

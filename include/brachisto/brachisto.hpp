@@ -20,6 +20,7 @@
 #include "brachisto/model/world.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/nlp/sparsity_pattern.hpp"
 #include "brachisto/paper/discrete_reading.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/report/result.hpp"

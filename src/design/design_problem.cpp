@@ -46,8 +46,7 @@ DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
   }
   for (int row = 0; row < num_constraints(); ++row) {
     for (int column = 0; column < num_variables(); ++column) {
-      jacobian_.rows.push_back(row);
-      jacobian_.cols.push_back(column);
+      jacobian_.add(row, column);
     }
   }
 }

@@ -50,18 +50,15 @@ Elastic::Elastic(Problem& problem, std::vector<double> give, double price)
     g_u_.push_back(problem.constraint_range(row).upper);
     give_.push_back(-give_[at(row)]);
   }
-  const auto entries = static_cast<int>(jac_.num_entries());
-  for (int e = 0; e < entries; ++e) {
-    const int twin = twin_of[at(jac_.rows[at(e)])];
-    if (twin < 0) continue;
-    twin_entries_.push_back(e);
-    jac_.rows.push_back(twin);
-    jac_.cols.push_back(jac_.cols[at(e)]);
-  }
+  problem.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
+    const int twin = twin_of[at(row)];
+    if (twin < 0) return;
+    twin_entries_.push_back(static_cast<int>(entry));
+    jac_.add(twin, col);
+  });
   for (int row = 0; row < num_constraints(); ++row) {
     if (give_[at(row)] == 0.0) continue;
-    jac_.rows.push_back(row);
-    jac_.cols.push_back(inner_n_);
+    jac_.add(row, inner_n_);
   }
   const std::span<const double> w = problem.weights();
   if (!w.empty()) {

@@ -80,10 +80,9 @@ std::vector<long double> lagrangian_gradient(
   const SparsityPattern& pattern = problem.jac_g_pattern();
   std::vector<double> values(pattern.num_entries());
   problem.eval_jac_g(values);
-  for (std::size_t e = 0; e < values.size(); ++e) {
-    grad[at(pattern.cols[e])] +=
-        static_cast<long double>(values[e]) * lambda[at(pattern.rows[e])];
-  }
+  pattern.for_each([&](std::size_t entry, int row, int col) {
+    grad[at(col)] += static_cast<long double>(values[entry]) * lambda[at(row)];
+  });
   return grad;
 }
 

@@ -25,11 +25,11 @@ void make_stationary(const Problem& problem, const std::vector<int>& variables,
   std::vector<double> jac(pattern.num_entries());
   problem.eval_jac_g(jac);
   Eigen::MatrixXd transposed = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t k = 0; k < jac.size(); ++k) {
-    const Eigen::Index i = row[at(pattern.cols[k])];
-    const Eigen::Index j = column[at(pattern.rows[k])];
-    if (i >= 0 && j >= 0) transposed(i, j) += jac[k];
-  }
+  pattern.for_each([&](std::size_t entry, int constraint, int variable) {
+    const Eigen::Index i = row[at(variable)];
+    const Eigen::Index j = column[at(constraint)];
+    if (i >= 0 && j >= 0) transposed(i, j) += jac[entry];
+  });
   const std::vector<long double> gradient =
       lagrangian_gradient(problem, point.lambda);
   Eigen::VectorXd rest(size);

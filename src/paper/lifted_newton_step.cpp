@@ -109,9 +109,7 @@ bool LiftedNewtonStep::operator()(std::span<const double> unknowns,
   values.reserve(num_entries_);
   for_entries(system_, unknowns, [&](int row, int col, double value) {
     values.push_back(value);
-    if (lu_) return;
-    pattern.rows.push_back(row);
-    pattern.cols.push_back(col);
+    if (!lu_) pattern.add(row, col);
   });
   if (!lu_) lu_ = std::make_unique<SparseLu>(pattern, order(n));
   num_entries_ = values.size();

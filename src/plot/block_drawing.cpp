@@ -23,14 +23,10 @@ std::string block_drawing(const Scene& scene, int degree, int elements) {
     entries.emplace(row, column);
     entries.emplace(column, row);
   };
-  const nlp::SparsityPattern& hessian = element.hess_lag_pattern();
-  for (std::size_t i = 0; i < hessian.num_entries(); ++i) {
-    put(hessian.rows[i], hessian.cols[i]);
-  }
-  const nlp::SparsityPattern& jacobian = element.jac_g_pattern();
-  for (std::size_t i = 0; i < jacobian.num_entries(); ++i) {
-    put(n + jacobian.rows[i], jacobian.cols[i]);
-  }
+  element.hess_lag_pattern().for_each(
+      [&](std::size_t, int row, int column) { put(row, column); });
+  element.jac_g_pattern().for_each(
+      [&](std::size_t, int row, int column) { put(n + row, column); });
   // Entries side by side are one rectangle.
   std::string path;
   for (auto entry = entries.begin(); entry != entries.end();) {

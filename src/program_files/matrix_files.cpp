@@ -35,9 +35,9 @@ ProgramMatrices::Entries ProgramMatrices::gathered(
     const nlp::SparsityPattern& pattern, const std::vector<double>& values) {
   Entries entries;
   entries.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    entries.push_back({pattern.rows[i], pattern.cols[i], values[i]});
-  }
+  pattern.for_each([&](std::size_t entry, int row, int col) {
+    entries.push_back({row, col, values[entry]});
+  });
   // Column by column, as readers store them.
   std::ranges::stable_sort(entries, {}, [](const Entry& entry) {
     return std::pair(entry.col, entry.row);

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 
@@ -31,26 +30,7 @@ BorderedChain::BorderedChain(const KktSystem& system,
       column_(at(system.size()), 0.0),
       wide_(at(system.size())),
       correction_(at(system.size())),
-      reduced_(at(system.size())) {
-  const nlp::Problem& problem = system.problem();
-  const int n = problem.num_variables();
-  const auto see = [&](int i, int j, int array, std::size_t e) {
-    if (!system.given(j) || system.given(i)) return;
-    couplings_.push_back({i, j, array, static_cast<int>(e)});
-  };
-  const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
-  for (std::size_t e = 0; e < hess.num_entries(); ++e) {
-    check_stop(e);
-    see(hess.rows[e], hess.cols[e], 0, e);
-    if (hess.rows[e] != hess.cols[e]) see(hess.cols[e], hess.rows[e], 0, e);
-  }
-  const nlp::SparsityPattern& jac = problem.jac_g_pattern();
-  for (std::size_t e = 0; e < jac.num_entries(); ++e) {
-    check_stop(e);
-    see(n + jac.rows[e], jac.cols[e], 1, e);
-    see(jac.cols[e], n + jac.rows[e], 1, e);
-  }
-}
+      reduced_(at(system.size())) {}
 
 BorderedChain::~BorderedChain() = default;
 
@@ -59,10 +39,10 @@ void BorderedChain::couple(std::span<const double> x,
                            std::span<long double> rhs) const {
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
                                                          system_.jac_g()};
-  for (const Coupling& c : couplings_) {
-    rhs[at(c.row)] -=
+  for (const ChainMap::Coupling& c : chain_->couplings()) {
+    rhs[at(c.unknown)] -=
         static_cast<long double>(values[at(c.array)][at(c.entry)]) *
-        x[at(c.given)];
+        x[at(c.absent)];
   }
 }
 

@@ -56,9 +56,6 @@ class BorderedChain {
                            double enough = 1e-6);
 
  private:
-  struct Coupling {  ///< an entry of C
-    int row, given, array, entry;
-  };
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
   void couple(std::span<const double> x, std::span<long double> rhs) const;
   void solve_once(std::span<const double> b, std::span<double> x);
@@ -68,7 +65,6 @@ class BorderedChain {
 
   const KktSystem& system_;
   std::unique_ptr<ChainLdlt> chain_;
-  std::vector<Coupling> couplings_;
   std::vector<double> column_;     ///< K⁻¹Cρ, and −ρ for v
   double pivot_ = 1.0;             ///< σ
   std::vector<long double> wide_;  ///< scratch

@@ -22,11 +22,16 @@ constexpr int kNoChain = -3;
 
 }  // namespace
 
-EntriesByLink::Links EntriesByLink::links_of(std::size_t array,
-                                             std::size_t entry) const {
-  const EntryPositions& position = positions_[array];
-  const int a = chain_->block[at(position.rows[entry] + position.row_offset)];
-  const int b = chain_->block[at(position.cols[entry])];
+EntriesByLink::Place EntriesByLink::place(std::size_t array,
+                                          std::size_t entry) const {
+  const auto& [pattern, row_offset] = positions_[array];
+  const auto [row, col] = pattern[entry];
+  return {array, entry, row + row_offset, col};
+}
+
+EntriesByLink::Links EntriesByLink::links_of(const Place& place) const {
+  const int a = chain_->block[at(place.row)];
+  const int b = chain_->block[at(place.col)];
   if (a == ChainStructure::kAbsent || b == ChainStructure::kAbsent) {
     return {kAbsent, kAbsent};
   }
@@ -52,7 +57,9 @@ EntriesByLink::EntriesByLink(const nlp::ChainStructure& chain,
     : chain_(&chain),
       positions_(positions),
       order_(order),
-      next_(positions.size(), 0) {
+      next_(positions.size()),
+      taken_(positions.size()),
+      couplings_(positions.size()) {
   if (order == Order::Any) sort();
 }
 
@@ -63,36 +70,66 @@ bool EntriesByLink::next(int link, std::vector<Place>& places) {
     const auto from = [&](int i) {
       return sorted_.begin() + static_cast<std::ptrdiff_t>(starts_[at(i)]);
     };
-    places.assign(from(link), from(link + 1));
+    for (auto it = from(link); it != from(link + 1); ++it) {
+      places.push_back(place(it->array, it->entry));
+    }
     return true;
   }
   for (std::size_t a = 0; a < positions_.size(); ++a) {
-    const std::size_t size = positions_[a].rows.size();
+    const std::size_t begin = next_[a];
+    const std::size_t size = positions_[a].pattern.num_entries();
     for (std::size_t& e = next_[a]; e < size; ++e) {
-      const Links links = links_of(a, e);
+      const Place one = place(a, e);
+      const Links links = links_of(one);
       if (links.first > link) break;
-      if (links.first == kBorderAlone) border_.push_back({a, e});
+      if (links.first == kBorderAlone) border_.push_back(one);
+      if (links.first == kAbsent) note_coupling(one);
       if (links.first == kNoChain) return false;
       if (links.first < 0) continue;
       if (links.last < link) return false;
-      places.push_back({a, e});
+      places.push_back(one);
     }
+    taken_[a] = next_[a] - begin;
   }
   return true;
+}
+
+void EntriesByLink::note_coupling(const Place& place) {
+  const auto absent = [&](int unknown) {
+    return chain_->block[at(unknown)] == ChainStructure::kAbsent;
+  };
+  const auto note = [&](int unknown, int of_absent) {
+    if (absent(unknown) || !absent(of_absent)) return;
+    couplings_[place.array].push_back({unknown, of_absent,
+                                       static_cast<int>(place.array),
+                                       static_cast<int>(place.entry)});
+  };
+  note(place.row, place.col);
+  note(place.col, place.row);
+}
+
+std::vector<ChainMap::Coupling> EntriesByLink::couplings() const {
+  std::vector<ChainMap::Coupling> all;
+  for (const auto& of_array : couplings_) {
+    all.insert(all.end(), of_array.begin(), of_array.end());
+  }
+  return all;
 }
 
 void EntriesByLink::sort() {
   starts_.assign(at(chain_->num_links) + 1, 0);
   const auto each = [&](auto&& visit) {
     for (std::size_t a = 0; a < positions_.size(); ++a) {
-      for (std::size_t e = 0; e < positions_[a].rows.size(); ++e) {
-        check_stop(e);
-        visit(Place{a, e}, links_of(a, e).first);
-      }
+      positions_[a].pattern.for_each([&](std::size_t entry, int row, int col) {
+        check_stop(entry);
+        const Place place{a, entry, row + positions_[a].row_offset, col};
+        visit(place, links_of(place).first);
+      });
     }
   };
   each([&](const Place& place, int link) {
     if (link == kBorderAlone) border_.push_back(place);
+    if (link == kAbsent) note_coupling(place);
     if (link == kNoChain) is_chain_ = false;
     if (link >= 0) ++starts_[at(link) + 1];
   });
@@ -100,7 +137,9 @@ void EntriesByLink::sort() {
   sorted_.resize(starts_.back());
   std::vector<std::size_t> free(starts_.begin(), starts_.end() - 1);
   each([&](const Place& place, int link) {
-    if (link >= 0) sorted_[free[at(link)]++] = place;
+    if (link < 0) return;
+    sorted_[free[at(link)]++] = {static_cast<unsigned>(place.array),
+                                 static_cast<unsigned>(place.entry)};
   });
 }
 

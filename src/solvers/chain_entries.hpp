@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,9 +17,10 @@ namespace brachisto {
 /// The entries of one link after the other.
 class EntriesByLink {
  public:
-  /// An entry: the array and the place in it.
+  /// An entry: the array, the place in it, and its position in the matrix.
   struct Place {
     std::size_t array, entry;
+    int row, col;
   };
   enum class Order {
     AsTheyStand,  ///< every array lists them link by link
@@ -34,40 +34,48 @@ class EntriesByLink {
   /// of an earlier link, or couples unknowns that do not belong to one link.
   [[nodiscard]] bool next(int link, std::vector<Place>& places);
 
-  /// Where the next link begins in an array.
+  /// Entries of an array that the last next() went through, listed or not, and
+  /// where it ended.
   /// \pre Order::AsTheyStand
+  [[nodiscard]] std::size_t taken(std::size_t array) const {
+    return taken_[array];
+  }
   [[nodiscard]] std::size_t position(std::size_t array) const {
     return next_[array];
   }
-  /// Leaves out entries of an array, which are known to be the next link's but
-  /// for some of the border alone, numbered from position() on.
-  void skip(std::size_t array, std::size_t count,
-            std::span<const std::size_t> of_border) {
-    for (const std::size_t k : of_border) {
-      border_.push_back({array, next_[array] + k});
-    }
-    next_[array] += count;
+  /// Leaves out as many, which are known to be the next link's.
+  void skip_as_many() {
+    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += taken_[a];
   }
 
   /// Those of the border alone that were met so far.
   [[nodiscard]] const std::vector<Place>& of_border() const { return border_; }
+  /// Those of one absent unknown that were met, array by array.
+  [[nodiscard]] std::vector<ChainMap::Coupling> couplings() const;
 
  private:
   void sort();
+  [[nodiscard]] Place place(std::size_t array, std::size_t entry) const;
   /// First and last link that an entry may belong to; both negative if it
   /// belongs to none.
   struct Links {
     int first, last;
   };
-  [[nodiscard]] Links links_of(std::size_t array, std::size_t entry) const;
+  [[nodiscard]] Links links_of(const Place& place) const;
+  void note_coupling(const Place& place);
+  /// Where an entry of any order is.
+  struct Sorted {
+    unsigned array, entry;
+  };
 
   const nlp::ChainStructure* chain_;
   std::span<const EntryPositions> positions_;
   Order order_;
-  std::vector<std::size_t> next_;    ///< by array, or of sorted_
-  std::vector<Place> sorted_;        ///< by link
-  std::vector<std::size_t> starts_;  ///< of the links in sorted_
+  std::vector<std::size_t> next_, taken_;  ///< by array
+  std::vector<Sorted> sorted_;             ///< by link
+  std::vector<std::size_t> starts_;        ///< of the links in sorted_
   std::vector<Place> border_;
+  std::vector<std::vector<ChainMap::Coupling>> couplings_;  ///< by array
   bool is_chain_ = true;
 };
 

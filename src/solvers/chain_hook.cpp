@@ -149,18 +149,15 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
     auto matrix = std::make_unique<Matrix>();
     matrix->size = n;
     matrix->num_entries = static_cast<std::size_t>(ptr[n] - 1);
-    std::vector<int> rows;
-    std::vector<int> cols;
-    rows.reserve(matrix->num_entries);
-    cols.reserve(matrix->num_entries);
+    nlp::SparsityPattern pattern;
+    pattern.reserve(matrix->num_entries);
     for (int i = 0; i < n; ++i) {
       for (int e = ptr[i] - 1; e < ptr[i + 1] - 1; ++e) {
-        rows.push_back(i);
-        cols.push_back(row[e] - 1);
+        pattern.add(i, row[e] - 1);
       }
     }
     const std::array<EntryPositions, 1> positions = {
-        EntryPositions{rows, cols, 0}};
+        EntryPositions{pattern, 0}};
     matrix->ldlt = ChainLdlt::make(current->structure, positions);
     if (!matrix->ldlt) {
       current->refusal =
@@ -187,14 +184,14 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
       inequality_of[static_cast<std::size_t>(slack)] = kSlack;
       inequality_of[static_cast<std::size_t>(multiplier)] = static_cast<int>(i);
     }
-    for (std::size_t e = 0; e < rows.size(); ++e) {
-      auto i = static_cast<std::size_t>(rows[e]);
-      auto j = static_cast<std::size_t>(cols[e]);
+    pattern.for_each([&](std::size_t entry, int one, int other) {
+      auto i = static_cast<std::size_t>(one);
+      auto j = static_cast<std::size_t>(other);
       if (inequality_of[i] < 0) std::swap(i, j);
-      if (inequality_of[i] < 0 || inequality_of[j] != kNeither) continue;
+      if (inequality_of[i] < 0 || inequality_of[j] != kNeither) return;
       matrix->derivatives.push_back(
-          {static_cast<std::size_t>(inequality_of[i]), j, e});
-    }
+          {static_cast<std::size_t>(inequality_of[i]), j, entry});
+    });
     *info = {};
     *akeep = matrix.release();
   });

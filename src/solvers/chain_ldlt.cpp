@@ -25,12 +25,13 @@ constexpr double kZeroUnits = 64.0;
 }  // namespace
 
 std::unique_ptr<ChainLdlt> ChainLdlt::make(
-    const nlp::ChainStructure& structure,
-    std::span<const EntryPositions> positions) {
-  std::optional<ChainMap> map = ChainMap::make(structure, positions, kJoinTo);
+    nlp::ChainStructure structure, std::span<const EntryPositions> positions) {
+  std::vector<double> scale = std::move(structure.scale);
+  std::optional<ChainMap> map =
+      ChainMap::make(std::move(structure), positions, kJoinTo);
   if (!map) return nullptr;
   return std::unique_ptr<ChainLdlt>(
-      new ChainLdlt(std::move(*map), structure.scale));
+      new ChainLdlt(std::move(*map), std::move(scale)));
 }
 
 ChainLdlt::ChainLdlt(ChainMap map, std::vector<double> scale)

@@ -52,8 +52,7 @@ class ChainLdlt {
   /// Null if the positions are no chain of that structure. The positions need
   /// not outlive the call.
   [[nodiscard]] static std::unique_ptr<ChainLdlt> make(
-      const nlp::ChainStructure& structure,
-      std::span<const EntryPositions> positions);
+      nlp::ChainStructure structure, std::span<const EntryPositions> positions);
 
   /// Replaces the scale of the structure, for the factorisations to come.
   void set_scale(std::vector<double> scale) { scale_ = std::move(scale); }
@@ -70,6 +69,12 @@ class ChainLdlt {
 
   /// That of the last factorisation.
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }
+
+  /// Entries that are no part of the matrix, for one of their unknowns is
+  /// absent and the other is not.
+  [[nodiscard]] std::span<const ChainMap::Coupling> couplings() const {
+    return map_.couplings();
+  }
 
   /// Solves in place; entries of absent unknowns are left alone.
   /// \pre factorised, no zero eigenvalue

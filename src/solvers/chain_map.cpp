@@ -4,155 +4,168 @@
 #include "solvers/chain_map.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
+#include "solvers/chain_blocks.hpp"
 #include "solvers/chain_entries.hpp"
 
 namespace brachisto {
 
 namespace {
 
-using nlp::ChainStructure;
 using Affine = ChainMap::Affine;
+using Entry = ChainMap::Entry;
 using Run = ChainMap::Run;
 
-/// Joins `group` links to one: separators within a group turn interior.
-ChainStructure joined(const ChainStructure& fine, int group) {
-  ChainStructure coarse = fine;
-  coarse.num_links = (fine.num_links + group - 1) / group;
-  for (int& block : coarse.block) {
-    if (block < 0) continue;
-    const int link = block / 2;
-    const bool separator = block % 2 == 0;
-    if (separator && link == fine.num_links) {
-      block = 2 * coarse.num_links;
-    } else {
-      block = 2 * (link / group) + (separator && link % group == 0 ? 0 : 1);
-    }
-  }
-  return coarse;
-}
-
-int links_to_join(const ChainStructure& structure, int join_to) {
-  const auto inside =
-      std::count_if(structure.block.begin(), structure.block.end(),
-                    [](int block) { return block >= 0; });
-  const auto per_link =
-      std::max(1, static_cast<int>(inside / structure.num_links));
-  return std::clamp(join_to / per_link, 1, structure.num_links);
-}
-
-/// The unknowns of every block, by ascending number.
-struct Members {
-  std::vector<int> start, unknown;
-  std::vector<int> place;  ///< of every unknown within its block
-
-  explicit Members(const ChainStructure& chain)
-      : start(at(2 * chain.num_links) + 2, 0), place(chain.block.size(), 0) {
-    for (const int block : chain.block) {
-      if (block >= 0) ++start[at(block) + 1];
-    }
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    unknown.resize(at(start.back()));
-    std::vector<int> next(start.begin(), start.end() - 1);
-    for (std::size_t i = 0; i < chain.block.size(); ++i) {
-      const int block = chain.block[i];
-      if (block < 0) continue;
-      place[i] = next[at(block)] - start[at(block)];
-      unknown[at(next[at(block)]++)] = static_cast<int>(i);
-    }
-  }
-  [[nodiscard]] int count(int block) const {
-    return start[at(block) + 1] - start[at(block)];
-  }
-};
-
-/// What the next link of a run has to look like, entry by entry in the order in
-/// which they stand: as the last one, every array by its own stride, with
-/// entries of the border alone where that has them.
-class Period {
+/// The unknowns of a link but for those of the border, by local number.
+class LinkUnknowns {
  public:
-  /// \pre run.num_links ≥ 2, and its entries are the last that were read
-  Period(const Run& run, const ChainStructure& chain,
-         std::span<const EntryPositions> positions,
-         const EntriesByLink& by_link)
-      : arrays_(positions.size()) {
-    for (const ChainMap::Entry& entry : run.entries) {
-      Array& array = arrays_[at(entry.array)];
-      const auto stride = static_cast<std::size_t>(entry.source.stride);
-      if (array.stride == 0) array.stride = stride;
-      regular_ = regular_ && array.stride == stride;
-    }
-    auto entry = run.entries.begin();  // by array, then by place
-    const int last = run.num_links - 1;
-    for (std::size_t a = 0; regular_ && a < arrays_.size(); ++a) {
-      const auto& [rows, cols, offset] = positions[a];
-      const std::size_t end = by_link.position(a);
-      if (end < arrays_[a].stride) regular_ = false;
-      for (std::size_t e = end - arrays_[a].stride; regular_ && e < end; ++e) {
-        Expected one{rows[e] + offset, 0, cols[e], 0};
-        const bool listed = entry != run.entries.end() &&
-                            at(entry->array) == a &&
-                            entry->source.at(last) == e;
-        if (listed) {
-          const Affine* row = &run.unknowns[at(entry->row)];
-          const Affine* col = &run.unknowns[at(entry->col)];
-          if (col->at(last) != at(one.col)) std::swap(row, col);
-          one.row_stride = static_cast<int>(row->stride);
-          one.col_stride = static_cast<int>(col->stride);
-          ++entry;
-        } else {
-          const auto of_border = [&](int unknown) {
-            return chain.block[at(unknown)] == ChainStructure::kBorder;
-          };
-          regular_ = of_border(one.row) && of_border(one.col);
-          arrays_[a].not_listed.push_back(arrays_[a].expected.size());
-        }
-        arrays_[a].expected.push_back(one);
-      }
-    }
-    regular_ = regular_ && entry == run.entries.end();
+  void read(const ChainBlocks& blocks, int link) {
+    ranges_.clear();
+    interior_ = add(blocks.of(2 * link + 1));
+    left_ = add(blocks.of(2 * link));
+    right_ = add(blocks.of(2 * link + 2));
   }
-
-  /// Reads the next link if it is what is expected.
-  [[nodiscard]] bool goes_on(std::span<const EntryPositions> positions,
-                             EntriesByLink& by_link) {
-    if (!regular_) return false;
-    for (std::size_t a = 0; a < arrays_.size(); ++a) {
-      const auto& [rows, cols, offset] = positions[a];
-      const Array& array = arrays_[a];
-      const std::size_t begin = by_link.position(a);
-      if (begin + array.stride > rows.size()) return false;
-      for (std::size_t k = 0; k < array.stride; ++k) {
-        const Expected& one = array.expected[k];
-        if (rows[begin + k] + offset != one.row + one.row_stride * links_ ||
-            cols[begin + k] != one.col + one.col_stride * links_) {
-          return false;
-        }
-      }
+  [[nodiscard]] int count() const { return interior_ + left_ + right_; }
+  /// The local number of an unknown; count() if it is none of these.
+  [[nodiscard]] int local(int unknown) const {
+    int before = 0;
+    for (const auto& [first, count] : ranges_) {
+      const int place = unknown - first;
+      if (place >= 0 && place < count) return before + place;
+      before += count;
     }
-    ++links_;
-    for (std::size_t a = 0; a < arrays_.size(); ++a) {
-      by_link.skip(a, arrays_[a].stride, arrays_[a].not_listed);
+    return before;
+  }
+  /// Ranges as long as those of another link.
+  [[nodiscard]] bool alike(const LinkUnknowns& other) const {
+    return interior_ == other.interior_ && left_ == other.left_ &&
+           right_ == other.right_ &&
+           std::ranges::equal(ranges_, other.ranges_, {},
+                              &ChainBlocks::Range::count,
+                              &ChainBlocks::Range::count);
+  }
+  /// Calls visit(local number, unknown) for the first one of each range, or for
+  /// all, until one of them is answered by false.
+  template <class Visit>
+  bool all_first(Visit&& visit) const {
+    int before = 0;
+    for (const auto& [first, count] : ranges_) {
+      if (!visit(before, first)) return false;
+      before += count;
     }
     return true;
   }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    int local = 0;
+    for (const auto& [first, count] : ranges_) {
+      for (int i = 0; i < count; ++i) visit(local++, first + i);
+    }
+  }
+  /// The link as a run of its own.
+  [[nodiscard]] Run run(const std::vector<int>& border,
+                        const std::vector<Entry>& entries) const {
+    Run out{1, interior_, left_, right_, {}, entries};
+    for_each([&](int, int unknown) { out.unknowns.push_back({unknown, 0}); });
+    for (const int unknown : border) out.unknowns.push_back({unknown, 0});
+    return out;
+  }
 
  private:
-  struct Expected {
-    int row, row_stride, col, col_stride;
-  };
-  struct Array {
-    std::size_t stride = 0;
-    std::vector<Expected> expected;
-    std::vector<std::size_t> not_listed;  ///< of the border alone
-  };
-  std::vector<Array> arrays_;
-  int links_ = 1;  ///< from the one that was read last to the next
-  bool regular_ = true;
+  int add(std::span<const ChainBlocks::Range> ranges) {
+    int sum = 0;
+    for (const ChainBlocks::Range& range : ranges) {
+      ranges_.push_back(range);
+      sum += range.count;
+    }
+    return sum;
+  }
+
+  int interior_ = 0, left_ = 0, right_ = 0;
+  std::vector<ChainBlocks::Range> ranges_;
 };
+
+/// Whether the next link of a run may have `next` where others have `what`. The
+/// second link sets the strides.
+bool fits(const Run& run, const Affine& what, std::ptrdiff_t next) {
+  return run.num_links == 1 || what.first + what.stride * run.num_links == next;
+}
+
+/// Whether the next link of a run may have these unknowns, which are alike.
+bool fits(const Run& run, const LinkUnknowns& next) {
+  return next.all_first([&](int local, int unknown) {
+    return fits(run, run.unknowns[at(local)], unknown);
+  });
+}
+
+bool fits(const Run& run, const std::vector<Entry>& next) {
+  return std::ranges::equal(
+      run.entries, next, [&](const Entry& old, const Entry& here) {
+        return old.row == here.row && old.col == here.col &&
+               old.array == here.array &&
+               fits(run, old.source, here.source.first);
+      });
+}
+
+/// \pre they fit
+void add_link(Run& run, const LinkUnknowns& unknowns,
+              const std::vector<Entry>& entries) {
+  if (run.num_links++ > 1) return;
+  unknowns.for_each([&](int local, int unknown) {
+    Affine& of_run = run.unknowns[at(local)];
+    of_run.stride = unknown - of_run.first;
+  });
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    Affine& of_run = run.entries[k].source;
+    of_run.stride = entries[k].source.first - of_run.first;
+  }
+}
+
+/// For how many links after the last one, which was just read, the entries of a
+/// run of two links or more go on by the repetitions of the patterns.
+int links_ahead(const Run& run, std::span<const EntryPositions> positions,
+                const EntriesByLink& by_link) {
+  std::size_t ahead = std::numeric_limits<int>::max();
+  std::size_t taken = 0;
+  for (std::size_t a = 0; a < positions.size(); ++a) {
+    const nlp::SparsityPattern& pattern = positions[a].pattern;
+    const std::size_t count = by_link.taken(a), end = by_link.position(a);
+    taken += count;
+    if (count == 0 && end == pattern.num_entries()) continue;
+    const auto* const repetition =
+        count == 0 ? nullptr : pattern.repetition_of(end - 1);
+    if (repetition == nullptr || count % repetition->length != 0 ||
+        end - repetition->begin < 2 * count) {
+      return 0;
+    }
+    ahead = std::min(ahead, (repetition->end() - end) / count);
+  }
+  // Some that are of no link may be of one farther on.
+  if (taken != run.entries.size()) return 0;
+  // Places in arrays and in the matrix have to go on alike.
+  const int last = run.num_links - 1;
+  const bool regular =
+      std::ranges::all_of(run.entries, [&](const Entry& entry) {
+        if (entry.source.stride !=
+            static_cast<std::ptrdiff_t>(by_link.taken(at(entry.array)))) {
+          return false;
+        }
+        const auto& [pattern, row_offset] = positions[at(entry.array)];
+        const auto [row, col] = pattern[entry.source.at(last)];
+        const auto [row_before, col_before] =
+            pattern[entry.source.at(last - 1)];
+        const Affine* of_row = &run.unknowns[at(entry.row)];
+        const Affine* of_col = &run.unknowns[at(entry.col)];
+        if (of_row->at(last) != at(row + row_offset)) std::swap(of_row, of_col);
+        return of_row->at(last - 1) == at(row_before + row_offset) &&
+               of_col->at(last - 1) == at(col_before);
+      });
+  return regular ? static_cast<int>(ahead) : 0;
+}
 
 /// What `place` of the run's `all` is in `some`, which may lack unknowns of
 /// separators: −1 if it is lacking. Nothing if `some` has others.
@@ -215,15 +228,15 @@ bool take_in(Run& run, const Run& end, bool before) {
 }  // namespace
 
 std::optional<ChainMap> ChainMap::make(
-    const ChainStructure& structure, std::span<const EntryPositions> positions,
+    nlp::ChainStructure structure, std::span<const EntryPositions> positions,
     int join_to) {
-  const ChainStructure chain =
-      joined(structure, links_to_join(structure, join_to));
+  join_links(structure, join_to);
+  const ChainBlocks blocks(structure);
   ChainMap map;
   using Order = EntriesByLink::Order;
   for (const Order order : {Order::AsTheyStand, Order::Any}) {
-    EntriesByLink by_link(chain, positions, order);
-    if (map.read(chain, positions, by_link, order == Order::AsTheyStand)) {
+    EntriesByLink by_link(structure, positions, order);
+    if (map.read(blocks, positions, by_link, order == Order::AsTheyStand)) {
       return map;
     }
     map = {};
@@ -231,123 +244,66 @@ std::optional<ChainMap> ChainMap::make(
   return std::nullopt;
 }
 
-bool ChainMap::read(const ChainStructure& chain,
+bool ChainMap::read(const ChainBlocks& blocks,
                     std::span<const EntryPositions> positions,
                     EntriesByLink& by_link, bool in_order) {
-  const Members members(chain);
-  num_links_ = chain.num_links;
-  std::vector<int> place = members.place;
-  for (std::size_t i = 0; i < chain.block.size(); ++i) {
-    if (chain.block[i] != ChainStructure::kAbsent) ++num_unknowns_;
-    if (chain.block[i] != ChainStructure::kBorder) continue;
-    place[i] = static_cast<int>(border_.size());
-    border_.push_back(static_cast<int>(i));
-  }
-  const auto row_of = [&](std::size_t array, std::size_t e) {
-    return at(positions[array].rows[e] + positions[array].row_offset);
+  num_links_ = blocks.num_links();
+  num_unknowns_ = blocks.num_unknowns();
+  border_ = blocks.border();
+  const auto in_border = [&](int unknown) {
+    return static_cast<int>(std::ranges::lower_bound(border_, unknown) -
+                            border_.begin());
   };
 
-  const auto fits = [](const Run& run, const Affine& old, const Affine& here) {
-    return run.num_links == 1 ||
-           old.at(run.num_links) == static_cast<std::size_t>(here.first);
-  };
-  Run now;
-  std::optional<Period> period;  // of the last run
+  LinkUnknowns here, of_run;
   std::vector<EntriesByLink::Place> places;
-  for (int link = 0; link < chain.num_links; ++link) {
+  std::vector<Entry> entries;
+  int ahead = 0;
+  for (int link = 0; link < num_links_; ++link) {
     check_stop(link);
-
-    now.num_links = 1;
-    now.interior = members.count(2 * link + 1);
-    now.left = members.count(2 * link);
-    now.right = members.count(2 * link + 2);
-    now.unknowns.clear();
-    for (const int block : {2 * link + 1, 2 * link, 2 * link + 2}) {
-      for (int i = 0; i < members.count(block); ++i) {
-        const int unknown = members.unknown[at(members.start[at(block)] + i)];
-        now.unknowns.push_back({unknown, 0});
-      }
-    }
-    for (const int unknown : border_) now.unknowns.push_back({unknown, 0});
-
-    // The second link of a run sets the strides of its unknowns.
-    const auto same_unknowns = [&](const Run& run) {
-      if (run.interior != now.interior || run.left != now.left ||
-          run.right != now.right ||
-          run.unknowns.size() != now.unknowns.size()) {
-        return false;
-      }
-      for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
-        if (!fits(run, run.unknowns[k], now.unknowns[k])) return false;
-      }
-      return true;
-    };
-    const bool alike = !runs_.empty() && same_unknowns(runs_.back());
-    if (alike && in_order && runs_.back().num_links > 1) {
-      Run& run = runs_.back();
-      if (!period) period.emplace(run, chain, positions, by_link);
-      if (period->goes_on(positions, by_link)) {
-        ++run.num_links;
-        continue;
-      }
-    }
-
-    const auto local = [&](std::size_t unknown) {
-      const int block = chain.block[unknown];
-      int offset = 0;
-      if (block != 2 * link + 1) offset += now.interior;
-      if (block == 2 * link + 2 || block < 0) offset += now.left;
-      if (block < 0) offset += now.right;
-      return offset + place[unknown];
-    };
-    now.entries.clear();
-    if (!by_link.next(link, places)) return false;
-    for (const auto& [a, e] : places) {
-      const int i = local(row_of(a, e));
-      const int j = local(at(positions[a].cols[e]));
-      now.entries.push_back({std::max(i, j),
-                             std::min(i, j),
-                             static_cast<int>(a),
-                             {static_cast<std::ptrdiff_t>(e), 0}});
-    }
-
-    const auto continues = [&](Run& run) {
-      if (run.entries.size() != now.entries.size()) return false;
-      for (std::size_t k = 0; k < now.entries.size(); ++k) {
-        const Entry& old = run.entries[k];
-        const Entry& here = now.entries[k];
-        if (old.row != here.row || old.col != here.col ||
-            old.array != here.array || !fits(run, old.source, here.source)) {
-          return false;
-        }
-      }
-      if (run.num_links > 1) return true;
-      for (std::size_t k = 0; k < now.unknowns.size(); ++k) {
-        run.unknowns[k].stride = now.unknowns[k].first - run.unknowns[k].first;
-      }
-      for (std::size_t k = 0; k < now.entries.size(); ++k) {
-        run.entries[k].source.stride =
-            now.entries[k].source.first - run.entries[k].source.first;
-      }
-      return true;
-    };
-    if (alike && continues(runs_.back())) {
+    here.read(blocks, link);
+    const bool alike =
+        !runs_.empty() && here.alike(of_run) && fits(runs_.back(), here);
+    if (alike && ahead > 0) {
+      by_link.skip_as_many();
       ++runs_.back().num_links;
-    } else {
-      runs_.push_back(now);
+      --ahead;
+      continue;
     }
-    period.reset();
+
+    const auto local = [&](int unknown) {
+      const int one = here.local(unknown);
+      return one < here.count() ? one : one + in_border(unknown);
+    };
+    if (!by_link.next(link, places)) return false;
+    entries.clear();
+    for (const auto& [array, entry, row, col] : places) {
+      const auto [low, high] = std::minmax({local(row), local(col)});
+      entries.push_back({high,
+                         low,
+                         static_cast<int>(array),
+                         {static_cast<std::ptrdiff_t>(entry), 0}});
+    }
+    if (alike && fits(runs_.back(), entries)) {
+      add_link(runs_.back(), here, entries);
+      ahead = in_order ? links_ahead(runs_.back(), positions, by_link) : 0;
+    } else {
+      runs_.push_back(here.run(border_, entries));
+      std::swap(of_run, here);
+      ahead = 0;
+    }
   }
   // What comes after the last link is of the border alone.
   if (in_order && !(by_link.next(num_links_ - 1, places) && places.empty())) {
     return false;
   }
-  for (const auto& [a, e] : by_link.of_border()) {
-    border_entries_.push_back({place[row_of(a, e)],
-                               place[at(positions[a].cols[e])],
-                               static_cast<int>(a),
-                               {static_cast<std::ptrdiff_t>(e), 0}});
+  for (const auto& [array, entry, row, col] : by_link.of_border()) {
+    border_entries_.push_back({in_border(row),
+                               in_border(col),
+                               static_cast<int>(array),
+                               {static_cast<std::ptrdiff_t>(entry), 0}});
   }
+  couplings_ = by_link.couplings();
   const std::size_t last = runs_.size() - 1;
   if (last > 0 && take_in(runs_[last - 1], runs_[last], false)) {
     runs_.pop_back();

@@ -16,13 +16,13 @@
 
 namespace brachisto {
 
+class ChainBlocks;
 class EntriesByLink;
 
 /// Positions of part of the entries of a symmetric matrix, either triangle,
 /// each pair of unknowns from one side only. Repeated positions add up.
 struct EntryPositions {
-  std::span<const int> rows;
-  std::span<const int> cols;
+  const nlp::SparsityPattern& pattern;
   int row_offset = 0;  ///< added to each row
 };
 
@@ -75,12 +75,20 @@ class ChainMap {
     }
   };
 
-  /// Nothing if an entry couples unknowns that do not belong to one link.
+  /// An entry of one unknown that is absent.
+  struct Coupling {
+    int unknown, absent;
+    int array, entry;  ///< where its value is
+  };
+
+  /// Nothing if an entry couples unknowns that do not belong to one link. The
+  /// time is linear in the number of unknowns and that of the entries that the
+  /// patterns store one by one.
   ///
   /// Links are joined until their interiors have about `join_to` unknowns.
   [[nodiscard]] static std::optional<ChainMap> make(
-      const nlp::ChainStructure& structure,
-      std::span<const EntryPositions> positions, int join_to);
+      nlp::ChainStructure structure, std::span<const EntryPositions> positions,
+      int join_to);
 
   [[nodiscard]] int num_links() const { return num_links_; }
   [[nodiscard]] int num_unknowns() const { return num_unknowns_; }
@@ -90,10 +98,14 @@ class ChainMap {
   [[nodiscard]] const std::vector<Entry>& border_entries() const {
     return border_entries_;
   }
+  /// With the unknowns that are absent, in the order of the arrays.
+  [[nodiscard]] const std::vector<Coupling>& couplings() const {
+    return couplings_;
+  }
 
  private:
   /// False if the entries are in another order, or the matrix is no such chain.
-  [[nodiscard]] bool read(const nlp::ChainStructure& chain,
+  [[nodiscard]] bool read(const ChainBlocks& blocks,
                           std::span<const EntryPositions> positions,
                           EntriesByLink& by_link, bool in_order);
 
@@ -102,6 +114,7 @@ class ChainMap {
   std::vector<Run> runs_;
   std::vector<int> border_;
   std::vector<Entry> border_entries_;
+  std::vector<Coupling> couplings_;
 };
 
 }  // namespace brachisto

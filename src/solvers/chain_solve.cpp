@@ -284,9 +284,8 @@ std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
   const nlp::SparsityPattern& jac = problem.jac_g_pattern();
   const std::array<EntryPositions, 2> positions = {
-      EntryPositions{hess.rows, hess.cols, 0},
-      EntryPositions{jac.rows, jac.cols, problem.num_variables()}};
-  return ChainLdlt::make(chain, positions);
+      EntryPositions{hess, 0}, EntryPositions{jac, problem.num_variables()}};
+  return ChainLdlt::make(std::move(chain), positions);
 }
 
 }  // namespace brachisto

@@ -96,16 +96,12 @@ Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
     cols.push_back(j);
     values.push_back(value);
   };
-  const auto& hess_pattern = problem.hess_lag_pattern();
-  for (std::size_t e = 0; e < hess.size(); ++e) {
-    put(variable[at(hess_pattern.rows[e])], variable[at(hess_pattern.cols[e])],
-        hess[e]);
-  }
-  const auto& jac_pattern = problem.jac_g_pattern();
-  for (std::size_t e = 0; e < jac.size(); ++e) {
-    put(row[at(jac_pattern.rows[e])], variable[at(jac_pattern.cols[e])],
-        jac[e]);
-  }
+  problem.hess_lag_pattern().for_each([&](std::size_t entry, int i, int j) {
+    put(variable[at(i)], variable[at(j)], hess[entry]);
+  });
+  problem.jac_g_pattern().for_each([&](std::size_t entry, int i, int j) {
+    put(row[at(i)], variable[at(j)], jac[entry]);
+  });
   return Mumps().factorise(size, rows, cols, values);
 }
 

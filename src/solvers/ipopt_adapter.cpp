@@ -21,8 +21,10 @@ constexpr Number kNoBound = 2e19;
 /// Gives Ipopt the positions of a pattern.
 void copy_pattern(const nlp::SparsityPattern& pattern, Index* rows,
                   Index* cols) {
-  std::copy(pattern.rows.begin(), pattern.rows.end(), rows);
-  std::copy(pattern.cols.begin(), pattern.cols.end(), cols);
+  pattern.for_each([&](std::size_t entry, int row, int col) {
+    rows[entry] = row;
+    cols[entry] = col;
+  });
 }
 
 }  // namespace

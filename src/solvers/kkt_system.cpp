@@ -60,11 +60,10 @@ bool KktSystem::evaluate(std::span<const double> x,
   // The sums of the stationarity conditions cancel at a solution; in long
   // double that leaves only the rounding of their terms.
   wide_.assign(grad_f_.begin(), grad_f_.end());
-  const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
-  for (std::size_t e = 0; e < jac_g_.size(); ++e) {
-    wide_[at(jac.cols[e])] +=
-        static_cast<long double>(jac_g_[e]) * lambda_[at(jac.rows[e])];
-  }
+  problem_.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
+    wide_[at(col)] +=
+        static_cast<long double>(jac_g_[entry]) * lambda_[at(row)];
+  });
   const auto bound = [](nlp::Held held, std::span<const double> lower,
                         std::span<const double> upper, int i) {
     return held == nlp::Held::AtUpper ? upper[at(i)] : lower[at(i)];
@@ -103,20 +102,14 @@ double KktSystem::max_residual() const {
 
 template <class Put>
 void KktSystem::visit(Put&& put) const {
-  const nlp::SparsityPattern& hess = problem_.hess_lag_pattern();
-  for (std::size_t e = 0; e < hess.num_entries(); ++e) {
-    const int i = hess.rows[e];
-    const int j = hess.cols[e];
-    if (!given(i)) put(i, j, hess_lag_[e]);
-    if (i != j && !given(j)) put(j, i, hess_lag_[e]);
-  }
-  const nlp::SparsityPattern& jac = problem_.jac_g_pattern();
-  for (std::size_t e = 0; e < jac.num_entries(); ++e) {
-    const int row = jac.rows[e];
-    const int col = jac.cols[e];
-    if (!given(n_ + row)) put(n_ + row, col, jac_g_[e]);
-    if (!given(col)) put(col, n_ + row, jac_g_[e]);
-  }
+  problem_.hess_lag_pattern().for_each([&](std::size_t entry, int i, int j) {
+    if (!given(i)) put(i, j, hess_lag_[entry]);
+    if (i != j && !given(j)) put(j, i, hess_lag_[entry]);
+  });
+  problem_.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
+    if (!given(n_ + row)) put(n_ + row, col, jac_g_[entry]);
+    if (!given(col)) put(col, n_ + row, jac_g_[entry]);
+  });
   for (int i = 0; i < n_ + m_; ++i) {
     if (given(i)) put(i, i, 1.0);
   }
@@ -143,10 +136,7 @@ void KktSystem::evaluate_jacobian() {
 
 nlp::SparsityPattern KktSystem::pattern() const {
   nlp::SparsityPattern pattern;
-  visit([&](int row, int col, double) {
-    pattern.rows.push_back(row);
-    pattern.cols.push_back(col);
-  });
+  visit([&](int row, int col, double) { pattern.add(row, col); });
   return pattern;
 }
 

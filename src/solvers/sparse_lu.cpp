@@ -33,14 +33,14 @@ int parity(std::span<const int> permutation) {
 
 /// The entries of `order` by ascending key, equal keys left in order, in linear
 /// time.
-std::vector<int> sorted_by(std::span<const int> keys, int num_keys,
+template <class Key>
+std::vector<int> sorted_by(const Key& key, int num_keys,
                            std::span<const int> order) {
   std::vector<int> place(at(num_keys) + 1, 0);
-  for (const int key : keys) ++place[at(key) + 1];
+  for (const int entry : order) ++place[at(key(entry)) + 1];
   std::partial_sum(place.begin(), place.end(), place.begin());
   std::vector<int> sorted(order.size());
-  for (const int entry : order)
-    sorted[at(place[at(keys[at(entry)])]++)] = entry;
+  for (const int entry : order) sorted[at(place[at(key(entry))]++)] = entry;
   return sorted;
 }
 
@@ -65,13 +65,14 @@ SparseLu::SparseLu(const nlp::SparsityPattern& pattern,
   // Sort entries by column, then row; equal positions share a slot.
   std::vector<int> order(pattern.num_entries());
   std::iota(order.begin(), order.end(), 0);
-  order = sorted_by(pattern.rows, size_, order);
-  order = sorted_by(pattern.cols, size_, order);
+  const auto row_of = [&](int entry) { return pattern[at(entry)].row; };
+  const auto col_of = [&](int entry) { return pattern[at(entry)].col; };
+  order = sorted_by(row_of, size_, order);
+  order = sorted_by(col_of, size_, order);
   column_starts_.assign(at(size_) + 1, 0);
   int column = -1;
   for (const int entry : order) {
-    const int row = pattern.rows[at(entry)];
-    const int col = pattern.cols[at(entry)];
+    const auto [row, col] = pattern[at(entry)];
     if (col != column || rows_.back() != row) {
       rows_.push_back(row);
       ++column_starts_[at(col) + 1];

@@ -3,6 +3,7 @@
 
 #include "transcription/arc_length.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,14 +64,18 @@ nlp::ChainStructure ArcLength::chain_structure() const {
     return std::exp2(
         std::round(std::log2(node / (pieces * std::sqrt(pieces)))));
   };
-  for (int i = 0; i < layout().last(); ++i) {
-    check_stop(i);
-    chain.scale[at(i)] = of_place(layout().node_of(i));
-  }
-  for (int i = 0; i < num_constraints(); ++i) {
-    check_stop(i);
-    chain.scale[at(num_variables() + i)] =
-        1.0 / of_place(layout().point_of(i) + 1);
+  const auto fill = [&](int begin, int end, double scale) {
+    std::fill(chain.scale.begin() + begin, chain.scale.begin() + end, scale);
+  };
+  const int n = num_variables();
+  const int states = layout().num_states();
+  for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
+    const double scale = of_place(node);
+    const int first = layout().state(node, X);
+    fill(first, first + states, scale);
+    fill(n + layout().no_slip(node), n + layout().no_slip(node + 1),
+         1.0 / scale);
   }
   // Place rows have the entries σ², scaled by 1/of_place: up to √N.
   chain.scale[at(layout().last())] =

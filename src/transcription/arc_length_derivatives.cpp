@@ -117,8 +117,7 @@ void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
 
 void ArcLength::put_jac_g(Entries& put) const {
   const int S = layout().arc_length();
-  for (int piece = 1; piece <= num_intervals(); ++piece) {
-    check_stop(piece);
+  put.each(1, num_intervals() + 1, [&](int piece) {
     const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
         pieces_[at(piece)];
     const double inverse = 1.0 / reference_length(piece);
@@ -132,12 +131,12 @@ void ArcLength::put_jac_g(Entries& put) const {
     }
     if (!layout().has_theta()) {
       put(row, S, dot(slip, by_S(piece)));
-      continue;
+      return;
     }
     put(layout().place(piece), layout().state(piece, Theta),
         scene().body.radius);
     put(layout().place(piece), S, -sigma(piece) * sigma(piece));
-  }
+  });
 }
 
 void ArcLength::put_hess_lag(double objective_factor,
@@ -164,8 +163,7 @@ void ArcLength::put_hess_lag(double objective_factor,
     diagonal = {};
     S_z = 0.0;
   };
-  for (int piece = 1; piece <= num_intervals(); ++piece) {
-    check_stop(piece);
+  put.each(1, num_intervals() + 1, [&](int piece) {
     const Second H = second(piece, objective_factor);
     const double f_w = by_sum_of_w(piece, objective_factor);
     // Of λ ((Δx)² + (Δz)² − ℓ²) / 2 reference lengths.
@@ -203,7 +201,7 @@ void ArcLength::put_hess_lag(double objective_factor,
     add(piece, own);
     S_S +=
         dot(with_S, times(H, with_S)) - stiff * with_S.length * with_S.length;
-  }
+  });
   put_node(num_intervals());
   if (!all) put(S, S, S_S);
 }

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "transcription/limited_time.hpp"
 
@@ -92,8 +91,7 @@ void LimitedTime::put_jac_g(Entries& put) const {
   const double g = scene().gravity;
   const double r = scene().body.radius;
   const int col_U = layout().rolling_time();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
+  put.each(0, mesh().num_elements(), [&](int e) {
     const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;
@@ -134,7 +132,7 @@ void LimitedTime::put_jac_g(Entries& put) const {
         }
       }
     }
-  }
+  });
   for (int i = 0; i < layout().num_start_rows(); ++i) {
     put(layout().start_row(i), layout().state(0, Beta),
         at_rest(i, x(layout().state(0, Beta))).gradient[0]);
@@ -163,8 +161,7 @@ void LimitedTime::put_hess_lag(double objective_factor,
   const double U = x(layout().rolling_time());
   const double g = scene().gravity;
   const int row_U = layout().rolling_time();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
+  put.each(0, mesh().num_elements(), [&](int e) {
     const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;
@@ -206,7 +203,7 @@ void LimitedTime::put_hess_lag(double objective_factor,
       }
       put(row_U, local(c, kControl), -lambda[at(layout().defect(c, Beta))]);
     }
-  }
+  });
   for (int i = 0; i < layout().num_start_rows(); ++i) {
     const int beta = layout().state(0, Beta);
     put(beta, beta,

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 
-#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "transcription/rolling_time.hpp"
 
@@ -26,8 +25,7 @@ void RollingTime::put_jac_g(Entries& put) const {
   const double g = scene().gravity;
   const int col_U = layout().rolling_time();
   const bool in_world = changes_rates();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
+  put.each(0, mesh().num_elements(), [&](int e) {
     const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
@@ -86,7 +84,7 @@ void RollingTime::put_jac_g(Entries& put) const {
       put(row_w, col_beta, -h * U * g * cos_beta);
       put(row_w, col_U, -h * g * (sin_beta + points_.eta_cos_theta[c]));
     }
-  }
+  });
 }
 
 void RollingTime::put_hess_lag(double objective_factor,
@@ -111,8 +109,7 @@ void RollingTime::put_hess_lag(double objective_factor,
   };
   std::array<Second, kLargestDegree> second;  // NOLINT: filled below
 
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
+  put.each(0, mesh().num_elements(), [&](int e) {
     const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
@@ -181,7 +178,7 @@ void RollingTime::put_hess_lag(double objective_factor,
       put(beta, beta, second[at(j)].beta_beta);
       put(row_U, beta, second[at(j)].U_beta);
     }
-  }
+  });
 }
 
 void RollingTime::do_eval_grad_f(std::span<double> grad_f) const {

@@ -10,7 +10,6 @@
 #include <map>
 #include <numbers>
 
-#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "model/field.hpp"
 #include "transcription/rolling_time.hpp"
@@ -87,8 +86,7 @@ void RollingTime::put_world_hess_lag(double objective_factor,
   const math::SmallMatrix& I = scheme_->interpolation;
   std::array<Jet, kLargestDegree> density;  // NOLINT: filled below
 
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
+  put.each(0, mesh().num_elements(), [&](int e) {
     const double h = mesh().length(e);
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
@@ -139,7 +137,7 @@ void RollingTime::put_world_hess_lag(double objective_factor,
       put(beta, beta, h * U * D.hessian[Jet::pair(kBeta, kBeta)]);
       put(row_U, beta, h * D.gradient[kBeta]);
     }
-  }
+  });
 }
 
 // p = Σ_j b_j (p_j + c_j hU (λ_w/b)_j ∂w'/∂x), p_j = −(λ_x/b)_j, and likewise

@@ -38,17 +38,13 @@ StartEquation::StartEquation(RollingTime& problem) : problem_(problem) {
       }
     }
   };
-  const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
-  for (std::size_t e = 0; e < hess.num_entries(); ++e) {
-    see(hess.rows[e], hess.cols[e], e, of_hess_);
-    if (hess.rows[e] != hess.cols[e]) {
-      see(hess.cols[e], hess.rows[e], e, of_hess_);
-    }
-  }
-  const nlp::SparsityPattern& jac = problem.jac_g_pattern();
-  for (std::size_t e = 0; e < jac.num_entries(); ++e) {
-    see(jac.cols[e], jac.rows[e], e, of_jac_);
-  }
+  problem.hess_lag_pattern().for_each([&](std::size_t entry, int i, int j) {
+    see(i, j, entry, of_hess_);
+    if (i != j) see(j, i, entry, of_hess_);
+  });
+  problem.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
+    see(col, row, entry, of_jac_);
+  });
 }
 
 void StartEquation::set_parameter(double alpha) {

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <memory>
+#include <new>
 #include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
@@ -18,27 +21,9 @@ namespace brachisto {
 
 namespace {
 
-/// The pattern that `visit` tells, in memory for no more than it has.
-template <class Visit>
-nlp::SparsityPattern pattern_of(Visit&& visit) {
-  Entries counted;
-  visit(counted);
-  nlp::SparsityPattern pattern;
-  pattern.rows.reserve(counted.count());
-  pattern.cols.reserve(counted.count());
-  Entries recorded(pattern);
-  visit(recorded);
-  return pattern;
-}
+using enum StateComponent;
 
 }  // namespace
-
-void Entries::record(int row, int col) {
-  ++count_;
-  if (pattern_ == nullptr) return;
-  pattern_->rows.push_back(row);
-  pattern_->cols.push_back(col);
-}
 
 Transcription::Transcription(const Scene& scene, Mesh mesh,
                              VariableLayout layout, Point origin,
@@ -105,22 +90,28 @@ nlp::ChainStructure Transcription::chain_structure() const {
   nlp::ChainStructure chain;
   chain.num_links = mesh_.num_elements();
   chain.block.resize(at(num_variables() + num_constraints()));
-  const int p = mesh_.degree;
-  // The block of a node, and of the multipliers that lead to it.
-  const auto block_of_node = [p](int node) {
-    return 2 * (node / p) + (node % p == 0 ? 0 : 1);
+  const auto fill = [&](int begin, int end, int block) {
+    std::fill(chain.block.begin() + begin, chain.block.begin() + end, block);
   };
-  for (int i = 0; i < num_variables(); ++i) {
-    check_stop(i);
-    const int node = layout_.node_of(i);
-    chain.block[at(i)] =
-        layout_.is_state(i) ? block_of_node(node) : 2 * (node / p) + 1;
+  const int p = mesh_.degree;
+  const int n = num_variables();
+  const int states = layout_.num_states();
+  for (int element = 0; element < chain.num_links; ++element) {
+    check_stop(element);
+    const int left = 2 * element, interior = left + 1, right = left + 2;
+    for (int j = 0; j < p; ++j) {
+      // A point, the node with which it stands and the one to which it leads.
+      const int point = element * p + j;
+      const int node = layout_.state(point, X);
+      const bool unknown = point >= layout_.node_of(0);
+      if (unknown) fill(node, node + states, j == 0 ? left : interior);
+      fill(node + states, layout_.state(point + 1, X), interior);
+      fill(n + layout_.defect(point, X), n + layout_.defect(point + 1, X),
+           j == p - 1 ? right : interior);
+    }
   }
-  for (int i = 0; i < num_constraints(); ++i) {
-    check_stop(i);
-    chain.block[at(num_variables() + i)] =
-        block_of_node(layout_.point_of(i) + 1);
-  }
+  fill(layout_.state(layout_.num_points(), X), layout_.last(),
+       2 * chain.num_links);
   chain.block[at(layout_.last())] = nlp::ChainStructure::kBorder;
   return chain;
 }
@@ -142,10 +133,15 @@ double Transcription::rounding(std::span<const double> x) const {
 
 void Transcription::build_patterns() {
   const PhaseTimer timer(Phase::SetUp);
-  jac_g_pattern_ = pattern_of([this](Entries& put) { put_jac_g(put); });
-  const std::vector<double> no_lambda(at(num_constraints()));
-  hess_lag_pattern_ =
-      pattern_of([&](Entries& put) { put_hess_lag(0.0, no_lambda, put); });
+  Entries jac_g(jac_g_pattern_);
+  put_jac_g(jac_g);
+  // Zeros of calloc() of which a few are read need a few pages.
+  const std::size_t m = at(num_constraints());
+  const std::unique_ptr<double, decltype(&std::free)> no_lambda(
+      static_cast<double*>(std::calloc(m, sizeof(double))), &std::free);
+  if (!no_lambda) throw std::bad_alloc();
+  Entries hess_lag(hess_lag_pattern_);
+  put_hess_lag(0.0, {no_lambda.get(), m}, hess_lag);
 }
 
 bool Transcription::do_set_point(std::span<const double> x) {

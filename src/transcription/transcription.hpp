@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "model/contact.hpp"
@@ -21,11 +22,10 @@
 namespace brachisto {
 
 /// Receives the entries of a sparse matrix from the stencil that makes them,
-/// always in the same order: how many there are, where they stand, or their
-/// values, so that pattern and values cannot drift apart.
+/// always in the same order: where they stand, or their values, so that pattern
+/// and values cannot drift apart.
 class Entries {
  public:
-  Entries() = default;
   explicit Entries(nlp::SparsityPattern& pattern) : pattern_(&pattern) {}
   explicit Entries(std::span<double> values) : next_(values.data()) {}
 
@@ -33,19 +33,36 @@ class Entries {
     if (next_ != nullptr) {
       *next_++ = value;
     } else {
-      record(row, col);
+      pattern_->add(row, col);
     }
   }
-  /// Of entries without a value.
-  [[nodiscard]] std::size_t count() const { return count_; }
+
+  /// Calls put_one(i) for i from `begin` to before `end`, elements or pieces.
+  /// Each but the first has the entries of the one before, every row and every
+  /// column farther on by a constant of its own: of positions three are asked.
+  template <class PutOne>
+  void each(int begin, int end, PutOne&& put_one);
 
  private:
-  void record(int row, int col);
-
   double* next_ = nullptr;
   nlp::SparsityPattern* pattern_ = nullptr;
-  std::size_t count_ = 0;
 };
+
+template <class PutOne>
+void Entries::each(int begin, int end, PutOne&& put_one) {
+  constexpr int kAsked = 3;
+  const bool all = pattern_ == nullptr || end - begin <= kAsked;
+  const int last = all ? end : begin + kAsked;
+  std::size_t before_last = 0;
+  for (int i = begin; i < last; ++i) {
+    check_stop(i);
+    if (!all) before_last = pattern_->num_entries();
+    put_one(i);
+  }
+  if (all) return;
+  pattern_->repeat(pattern_->num_entries() - before_last,
+                   static_cast<std::size_t>(end - last));
+}
 
 /// The least time of a scene between fixed end points of the centre, on a mesh.
 ///

@@ -7,10 +7,11 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "brachisto/nlp/sparsity_pattern.hpp"
 
 namespace brachisto {
 
@@ -65,16 +66,6 @@ struct ChainStructure {
 
   /// True where a problem states no such structure.
   [[nodiscard]] bool empty() const { return num_links == 0; }
-};
-
-/// Positions of the entries of a sparse matrix, 0-based, fixed for life. The
-/// value arrays of a matrix follow the same order. A position may occur more
-/// than once; its values then add up, as Ipopt and MUMPS have it.
-struct SparsityPattern {
-  std::vector<int> rows;
-  std::vector<int> cols;
-
-  [[nodiscard]] std::size_t num_entries() const { return rows.size(); }
 };
 
 /// In which order to eliminate the unknowns of the KKT system, so that little

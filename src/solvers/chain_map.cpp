@@ -68,8 +68,8 @@ class LinkUnknowns {
   }
   /// The link as a run of its own.
   [[nodiscard]] Run run(const std::vector<int>& border,
-                        const std::vector<Entry>& entries) const {
-    Run out{1, interior_, left_, right_, {}, entries};
+                        std::vector<Entry> entries) const {
+    Run out{1, interior_, left_, right_, {}, std::move(entries)};
     for_each([&](int, int unknown) { out.unknowns.push_back({unknown, 0}); });
     for (const int unknown : border) out.unknowns.push_back({unknown, 0});
     return out;
@@ -111,23 +111,29 @@ bool fits(const Run& run, const std::vector<Entry>& next) {
       });
 }
 
-/// \pre they fit
+/// \param source_stride  of an entry, by its number in the run
+/// \pre the link fits
+template <class SourceStride>
 void add_link(Run& run, const LinkUnknowns& unknowns,
-              const std::vector<Entry>& entries) {
+              SourceStride&& source_stride) {
   if (run.num_links++ > 1) return;
   unknowns.for_each([&](int local, int unknown) {
     Affine& of_run = run.unknowns[at(local)];
     of_run.stride = unknown - of_run.first;
   });
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    Affine& of_run = run.entries[k].source;
-    of_run.stride = entries[k].source.first - of_run.first;
+  for (std::size_t k = 0; k < run.entries.size(); ++k) {
+    run.entries[k].source.stride = source_stride(k);
   }
 }
 
-/// For how many links after the last one, which was just read, the entries of a
-/// run of two links or more go on by the repetitions of the patterns.
-int links_ahead(const Run& run, std::span<const EntryPositions> positions,
+/// For how many links after the last one of a run its entries go on by the
+/// repetitions of the patterns.
+///
+/// \param last  entries of that link
+/// \param next  unknowns of the one after it, which fit
+int links_ahead(const Run& run, const std::vector<EntriesByLink::Place>& last,
+                const LinkUnknowns& next,
+                std::span<const EntryPositions> positions,
                 const EntriesByLink& by_link) {
   std::size_t ahead = std::numeric_limits<int>::max();
   std::size_t taken = 0;
@@ -139,32 +145,36 @@ int links_ahead(const Run& run, std::span<const EntryPositions> positions,
     const auto* const repetition =
         count == 0 ? nullptr : pattern.repetition_of(end - 1);
     if (repetition == nullptr || count % repetition->length != 0 ||
-        end - repetition->begin < 2 * count) {
+        end - repetition->begin < count) {
       return 0;
     }
     ahead = std::min(ahead, (repetition->end() - end) / count);
   }
-  // Some that are of no link may be of one farther on.
-  if (taken != run.entries.size()) return 0;
-  // Places in arrays and in the matrix have to go on alike.
-  const int last = run.num_links - 1;
-  const bool regular =
-      std::ranges::all_of(run.entries, [&](const Entry& entry) {
-        if (entry.source.stride !=
-            static_cast<std::ptrdiff_t>(by_link.taken(at(entry.array)))) {
-          return false;
-        }
-        const auto& [pattern, row_offset] = positions[at(entry.array)];
-        const auto [row, col] = pattern[entry.source.at(last)];
-        const auto [row_before, col_before] =
-            pattern[entry.source.at(last - 1)];
-        const Affine* of_row = &run.unknowns[at(entry.row)];
-        const Affine* of_col = &run.unknowns[at(entry.col)];
-        if (of_row->at(last) != at(row + row_offset)) std::swap(of_row, of_col);
-        return of_row->at(last - 1) == at(row_before + row_offset) &&
-               of_col->at(last - 1) == at(col_before);
-      });
-  return regular ? static_cast<int>(ahead) : 0;
+  // An entry that is of no link may turn into one that is.
+  if (ahead == 0 || taken != last.size()) return 0;
+  // Positions have to go where the unknowns go.
+  std::vector<int> to;
+  next.for_each([&](int, int unknown) { to.push_back(unknown); });
+  const auto goes_to = [&](int local, int unknown) {
+    return local < next.count() ? to[at(local)] == unknown
+                                : run.unknowns[at(local)].at(0) == at(unknown);
+  };
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    const auto& [array, entry, row, col] = last[k];
+    const auto& [pattern, row_offset] = positions[array];
+    const std::size_t count = by_link.taken(array);
+    const auto [next_row, next_col] = pattern[entry + count];
+    const Entry& of_run = run.entries[k];
+    int of_row = of_run.row, of_col = of_run.col;
+    if (run.unknowns[at(of_row)].at(run.num_links - 1) != at(row)) {
+      std::swap(of_row, of_col);
+    }
+    if (!fits(run, of_run.source, static_cast<std::ptrdiff_t>(entry + count)) ||
+        !goes_to(of_row, next_row + row_offset) || !goes_to(of_col, next_col)) {
+      return 0;
+    }
+  }
+  return static_cast<int>(ahead);
 }
 
 /// What `place` of the run's `all` is in `some`, which may lack unknowns of
@@ -257,16 +267,22 @@ bool ChainMap::read(const ChainBlocks& blocks,
 
   LinkUnknowns here, of_run;
   std::vector<EntriesByLink::Place> places;
-  std::vector<Entry> entries;
-  int ahead = 0;
+  constexpr int kUnknown = -1;
+  int ahead = kUnknown;  // links that go on as the last one
   for (int link = 0; link < num_links_; ++link) {
     check_stop(link);
     here.read(blocks, link);
     const bool alike =
         !runs_.empty() && here.alike(of_run) && fits(runs_.back(), here);
+    if (alike && in_order && ahead == kUnknown) {
+      ahead = links_ahead(runs_.back(), places, here, positions, by_link);
+    }
     if (alike && ahead > 0) {
+      add_link(runs_.back(), here, [&](std::size_t k) {
+        const auto array = at(runs_.back().entries[k].array);
+        return static_cast<std::ptrdiff_t>(by_link.taken(array));
+      });
       by_link.skip_as_many();
-      ++runs_.back().num_links;
       --ahead;
       continue;
     }
@@ -276,7 +292,8 @@ bool ChainMap::read(const ChainBlocks& blocks,
       return one < here.count() ? one : one + in_border(unknown);
     };
     if (!by_link.next(link, places)) return false;
-    entries.clear();
+    std::vector<Entry> entries;
+    entries.reserve(places.size());
     for (const auto& [array, entry, row, col] : places) {
       const auto [low, high] = std::minmax({local(row), local(col)});
       entries.push_back({high,
@@ -284,13 +301,14 @@ bool ChainMap::read(const ChainBlocks& blocks,
                          static_cast<int>(array),
                          {static_cast<std::ptrdiff_t>(entry), 0}});
     }
+    ahead = kUnknown;
     if (alike && fits(runs_.back(), entries)) {
-      add_link(runs_.back(), here, entries);
-      ahead = in_order ? links_ahead(runs_.back(), positions, by_link) : 0;
+      add_link(runs_.back(), here, [&](std::size_t k) {
+        return entries[k].source.first - runs_.back().entries[k].source.first;
+      });
     } else {
-      runs_.push_back(here.run(border_, entries));
+      runs_.push_back(here.run(border_, std::move(entries)));
       std::swap(of_run, here);
-      ahead = 0;
     }
   }
   // What comes after the last link is of the border alone.

@@ -86,11 +86,14 @@ void SparsityPattern::for_each(Visit&& visit) const {
   for (const Repetition& repetition : repetitions_) {
     visit_until(repetition.begin);
     const Position* const stride = next + repetition.length;
-    const auto times = static_cast<int>(repetition.times);
-    for (int i = 0; i < times; ++i) {
-      for (std::size_t k = 0; k < repetition.length; ++k, ++entry) {
-        visit(entry, next[k].row + i * stride[k].row,
-              next[k].col + i * stride[k].col);
+    std::vector<Position> now(next, stride);
+    for (std::size_t i = 0; i < repetition.times; ++i) {
+      for (std::size_t k = 0; k < now.size(); ++k, ++entry) {
+        visit(entry, now[k].row, now[k].col);
+      }
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        now[k].row += stride[k].row;
+        now[k].col += stride[k].col;
       }
     }
     next += 2 * repetition.length;

@@ -62,12 +62,11 @@ std::vector<double> times_hessian(nlp::Problem& problem,
   std::vector<double> values(pattern.num_entries());
   problem.eval_hess_lag(1.0, point.lambda, values);
   std::vector<double> product(point.x.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const int row = pattern.rows[i], col = pattern.cols[i];
-    product[static_cast<std::size_t>(row)] += values[i] * direction(col);
-    if (row == col) continue;
-    product[static_cast<std::size_t>(col)] += values[i] * direction(row);
-  }
+  pattern.for_each([&](std::size_t entry, int row, int col) {
+    product[static_cast<std::size_t>(row)] += values[entry] * direction(col);
+    if (row == col) return;
+    product[static_cast<std::size_t>(col)] += values[entry] * direction(row);
+  });
   return product;
 }
 

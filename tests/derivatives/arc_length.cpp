@@ -120,14 +120,14 @@ TEST_P(ArcLengthDerivatives, AreThoseOfTheFormulasAndFillThePattern) {
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(m, n);
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t e = 0; e < jac.size(); ++e) {
-      J(problem.jac_g_pattern().rows[e], problem.jac_g_pattern().cols[e]) +=
+      J(problem.jac_g_pattern()[e].row, problem.jac_g_pattern()[e].col) +=
           jac[e];
     }
     for (std::size_t e = 0; e < hess.size(); ++e) {
-      ASSERT_GE(problem.hess_lag_pattern().rows[e],
-                problem.hess_lag_pattern().cols[e]);
-      H(problem.hess_lag_pattern().rows[e],
-        problem.hess_lag_pattern().cols[e]) += hess[e];
+      ASSERT_GE(problem.hess_lag_pattern()[e].row,
+                problem.hess_lag_pattern()[e].col);
+      H(problem.hess_lag_pattern()[e].row, problem.hess_lag_pattern()[e].col) +=
+          hess[e];
     }
     ASSERT_EQ(literal.g.size(), g.size());
     Jet lagrangian = factor * literal.f;

@@ -128,8 +128,8 @@ TEST_P(LimitedDerivatives, ByLengthsAreThoseOfWholeSystems) {
     std::vector<double> jacobian(moved.jac_g_pattern().num_entries());
     moved.eval_jac_g(jacobian);
     for (std::size_t e = 0; e < jacobian.size(); ++e) {
-      out[at(moved.jac_g_pattern().cols[e])] +=
-          jacobian[e] * lambda[at(moved.jac_g_pattern().rows[e])];
+      out[at(moved.jac_g_pattern()[e].col)] +=
+          jacobian[e] * lambda[at(moved.jac_g_pattern()[e].row)];
     }
     std::vector<double> g(at(moved.num_constraints()));
     moved.eval_g(g);
@@ -166,14 +166,14 @@ TEST_P(LimitedDerivatives, HaveNothingOutsideThePattern) {
   std::set<std::pair<int, int>> entries;
   const auto& jac = problem.jac_g_pattern();
   for (std::size_t e = 0; e < jac.num_entries(); ++e) {
-    entries.insert({jac.rows[e], jac.cols[e]});
+    entries.insert({jac[e].row, jac[e].col});
   }
   std::set<std::pair<int, int>> pairs;
   const auto& hess = problem.hess_lag_pattern();
   for (std::size_t e = 0; e < hess.num_entries(); ++e) {
-    ASSERT_LE(hess.cols[e], hess.rows[e]);
-    pairs.insert({hess.rows[e], hess.cols[e]});
-    pairs.insert({hess.cols[e], hess.rows[e]});
+    ASSERT_LE(hess[e].col, hess[e].row);
+    pairs.insert({hess[e].row, hess[e].col});
+    pairs.insert({hess[e].col, hess[e].row});
   }
   // In the order of the Jacobian's entries, whose values are functions of x.
   std::vector<double> here(jac.num_entries()), there = here;
@@ -194,8 +194,8 @@ TEST_P(LimitedDerivatives, HaveNothingOutsideThePattern) {
     }
     for (std::size_t e = 0; e < jac.num_entries(); ++e) {
       if (there[e] == here[e]) continue;
-      EXPECT_TRUE(pairs.contains({jac.cols[e], i}))
-          << problem.variable_name(jac.cols[e]) << " and "
+      EXPECT_TRUE(pairs.contains({jac[e].col, i}))
+          << problem.variable_name(jac[e].col) << " and "
           << problem.variable_name(i);
     }
   }
@@ -218,10 +218,8 @@ TEST_P(LimitedDerivatives, KeepTheirPatternsAfterARefusedPoint) {
   problem.eval_jac_g(after);
 
   EXPECT_EQ(before, after);
-  EXPECT_EQ(problem.jac_g_pattern().rows, jac.rows);
-  EXPECT_EQ(problem.jac_g_pattern().cols, jac.cols);
-  EXPECT_EQ(problem.hess_lag_pattern().rows, hess.rows);
-  EXPECT_EQ(problem.hess_lag_pattern().cols, hess.cols);
+  EXPECT_EQ(problem.jac_g_pattern(), jac);
+  EXPECT_EQ(problem.hess_lag_pattern(), hess);
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, LimitedDerivatives,

@@ -58,7 +58,7 @@ TEST_P(Taylor, RemaindersFallAsSquareAndCubeNextToTheStart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, Taylor,
-                         ::testing::ValuesIn(problem_cases(8, 3)),
+                         ::testing::ValuesIn(problem_cases(8, 5)),
                          [](const auto& row) { return row.param.name; });
 
 }  // namespace

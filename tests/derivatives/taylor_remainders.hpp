@@ -36,8 +36,8 @@ class TaylorRemainders {
     std::vector<double> Jp(lambda.size());
     const auto& jac = problem.jac_g_pattern();
     for (std::size_t e = 0; e < jac.num_entries(); ++e) {
-      Jp[static_cast<std::size_t>(jac.rows[e])] +=
-          here.jac_g[e] * direction[static_cast<std::size_t>(jac.cols[e])];
+      Jp[static_cast<std::size_t>(jac[e].row)] +=
+          here.jac_g[e] * direction[static_cast<std::size_t>(jac[e].col)];
     }
     double first = 0.0, second = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -46,8 +46,8 @@ class TaylorRemainders {
     for (std::size_t i = 0; i < lambda.size(); ++i) first += lambda[i] * Jp[i];
     const auto& hess = problem.hess_lag_pattern();
     for (std::size_t e = 0; e < hess.num_entries(); ++e) {
-      const auto row = static_cast<std::size_t>(hess.rows[e]);
-      const auto col = static_cast<std::size_t>(hess.cols[e]);
+      const auto row = static_cast<std::size_t>(hess[e].row);
+      const auto col = static_cast<std::size_t>(hess[e].col);
       const double twice = row == col ? 1.0 : 2.0;
       second += twice * here.hess_lag[e] * direction[row] * direction[col];
     }

@@ -25,8 +25,8 @@ class TwoRows final : public BoundedProblem {
     x_u_ = {kNoBound};
     g_l_ = {of_x.lower, of_rest.lower};
     g_u_ = {of_x.upper, of_rest.upper};
-    jac_ = {{0, 1}, {0, 0}};
-    hess_ = {{0}, {0}};
+    jac_ = {{0, 0}, {1, 0}};
+    hess_ = {{0, 0}};
   }
 
  private:

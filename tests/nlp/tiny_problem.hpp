@@ -31,9 +31,9 @@ class TinyProblem final : public nlp::Problem {
   int points = 0;  ///< evaluated so far
 
   TinyProblem() {
-    jac_g_pattern_ = {{0, 0, 0, 1, 1}, {0, 1, 2, 0, 1}};
+    jac_g_pattern_ = {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}};
     // x_0 twice: values at one position add up.
-    hess_lag_pattern_ = {{0, 0, 1, 1}, {0, 0, 0, 1}};
+    hess_lag_pattern_ = {{0, 0}, {0, 0}, {1, 0}, {1, 1}};
   }
 
   [[nodiscard]] int num_variables() const override { return 3; }

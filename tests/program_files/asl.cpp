@@ -88,7 +88,7 @@ Dense at_point(nlp::Problem& problem, const std::vector<double>& x,
   const auto add = [](const nlp::SparsityPattern& pattern,
                       const std::vector<double>& values, Eigen::MatrixXd& to) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      to(pattern.rows[i], pattern.cols[i]) += values[i];
+      to(pattern[i].row, pattern[i].col) += values[i];
     }
   };
   std::vector<double> values(problem.jac_g_pattern().num_entries());

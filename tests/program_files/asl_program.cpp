@@ -53,26 +53,23 @@ AslProgram::AslProgram(const std::filesystem::path& nl_file)
     upper_.push_back(bound(LUv[2 * i + 1]));
     start_.x.push_back(X0[i]);
   }
-  jacobian_.rows.resize(place(nzc));
-  jacobian_.cols.resize(place(nzc));
+  std::vector<nlp::SparsityPattern::Position> jacobian(place(nzc));
   for (int i = 0; i < n_con; ++i) {
     row_lower_.push_back(bound(LUrhs[2 * i]));
     row_upper_.push_back(bound(LUrhs[2 * i + 1]));
     if (pi0 != nullptr) start_.lambda.push_back(-pi0[i]);
     for (const cgrad* entry = Cgrad[i]; entry != nullptr; entry = entry->next) {
-      jacobian_.rows[place(entry->goff)] = i;
-      jacobian_.cols[place(entry->goff)] = entry->varno;
+      jacobian[place(entry->goff)] = {i, entry->varno};
     }
   }
+  for (const auto& [row, col] : jacobian) jacobian_.add(row, col);
   // The upper triangle column by column is the lower one row by row.
   const int entries = static_cast<int>(sphsetup(-1, 1, 1, 1));
-  hessian_.rows.reserve(place(entries));
-  hessian_.cols.reserve(place(entries));
+  hessian_.reserve(place(entries));
   for (int row = 0; row < n_var; ++row) {
     for (int k = sputinfo->hcolstarts[row]; k < sputinfo->hcolstarts[row + 1];
          ++k) {
-      hessian_.rows.push_back(row);
-      hessian_.cols.push_back(sputinfo->hrownos[k]);
+      hessian_.add(row, sputinfo->hrownos[k]);
     }
   }
   g_.resize(place(n_con));

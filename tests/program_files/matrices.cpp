@@ -121,8 +121,8 @@ TEST_F(MatrixFiles, AreThoseOfTheProgramDigitByDigit) {
   Eigen::MatrixXd expected =
       Eigen::MatrixXd::Zero(problem.num_constraints(), problem.num_variables());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    expected(problem.jac_g_pattern().rows[i],
-             problem.jac_g_pattern().cols[i]) += values[i];
+    expected(problem.jac_g_pattern()[i].row, problem.jac_g_pattern()[i].col) +=
+        values[i];
   }
 
   EXPECT_EQ(Eigen::MatrixXd(matrix_in(file("jacobian.mtx"))), expected);

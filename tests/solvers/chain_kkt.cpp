@@ -48,11 +48,11 @@ Kkt kkt_at(RollingTime& problem, const std::vector<double>& x,
     if (i != j) all(j, i) += value;
   };
   for (std::size_t e = 0; e < kkt.hess.size(); ++e) {
-    add(problem.hess_lag_pattern().rows[e], problem.hess_lag_pattern().cols[e],
+    add(problem.hess_lag_pattern()[e].row, problem.hess_lag_pattern()[e].col,
         kkt.hess[e]);
   }
   for (std::size_t e = 0; e < kkt.jac.size(); ++e) {
-    add(n + problem.jac_g_pattern().rows[e], problem.jac_g_pattern().cols[e],
+    add(n + problem.jac_g_pattern()[e].row, problem.jac_g_pattern()[e].col,
         kkt.jac[e]);
   }
   for (int i = 0; i < size; ++i) {
@@ -179,7 +179,7 @@ TEST(ChainKkt, SeesARankDeficientJacobian) {
     const auto lambda = random.vector(problem.num_constraints(), -0.1, 0.1);
     Kkt kkt = kkt_at(problem, x, lambda);
     for (std::size_t e = 0; e < kkt.jac.size(); ++e) {
-      if (problem.jac_g_pattern().rows[e] == row) kkt.jac[e] = 0.0;
+      if (problem.jac_g_pattern()[e].row == row) kkt.jac[e] = 0.0;
     }
     const auto ldlt = make_chain_ldlt(problem, nlp::equations_only(problem));
 

@@ -334,9 +334,10 @@ TEST(ChainLdlt, TakesOrderedAndShuffledArraysTogether) {
       }
     }
     for (int& row : second.rows) row -= kOffset;
+    const nlp::SparsityPattern one = first.positions();
+    const nlp::SparsityPattern other = second.positions();
     const std::array<EntryPositions, 2> positions = {
-        EntryPositions{first.rows, first.cols, 0},
-        EntryPositions{second.rows, second.cols, kOffset}};
+        EntryPositions{one, 0}, EntryPositions{other, kOffset}};
     const auto ldlt = ChainLdlt::make(whole.structure, positions);
     ASSERT_NE(ldlt, nullptr);
     const std::array<std::span<const double>, 2> values = {first.values,

@@ -37,10 +37,15 @@ struct ChainEntries {
     cols.push_back(col);
     values.push_back(value);
   }
+  [[nodiscard]] nlp::SparsityPattern positions() const {
+    nlp::SparsityPattern pattern;
+    for (std::size_t e = 0; e < rows.size(); ++e) pattern.add(rows[e], cols[e]);
+    return pattern;
+  }
   [[nodiscard]] std::unique_ptr<ChainLdlt> analysed() const {
-    const std::array<EntryPositions, 1> positions = {
-        EntryPositions{rows, cols, 0}};
-    return ChainLdlt::make(structure, positions);
+    const nlp::SparsityPattern pattern = positions();
+    const std::array<EntryPositions, 1> arrays = {EntryPositions{pattern, 0}};
+    return ChainLdlt::make(structure, arrays);
   }
   [[nodiscard]] bool factorise(ChainLdlt& ldlt) const {
     const std::array<std::span<const double>, 1> arrays = {values};

@@ -69,14 +69,8 @@ class BoundedProblem : public nlp::Problem {
     g_l_.push_back(lower);
     g_u_.push_back(upper);
   }
-  void add_jac(int row, int col) {
-    jac_.rows.push_back(row);
-    jac_.cols.push_back(col);
-  }
-  void add_hess(int row, int col) {
-    hess_.rows.push_back(row);
-    hess_.cols.push_back(col);
-  }
+  void add_jac(int row, int col) { jac_.add(row, col); }
+  void add_hess(int row, int col) { hess_.add(row, col); }
 
   std::vector<double> x_, x_l_, x_u_, g_l_, g_u_, weights_;
   nlp::SparsityPattern jac_, hess_;
@@ -133,7 +127,7 @@ class DenseProblem final : public BoundedProblem {
   void do_eval_jac_g(std::span<double> values) const override {
     const auto rows = Formula::g(jets());
     for (std::size_t e = 0; e < values.size(); ++e) {
-      values[e] = rows[at(jac_.rows[e])].gradient[at(jac_.cols[e])];
+      values[e] = rows[at(jac_[e].row)].gradient[at(jac_[e].col)];
     }
   }
   void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
@@ -238,9 +232,9 @@ class Obstacle final : public BoundedProblem {
   void do_eval_hess_lag(double objective_factor, std::span<const double>,
                         std::span<double> values) const override {
     for (std::size_t e = 0; e < values.size(); ++e) {
-      const int i = hess_.rows[e];
+      const int i = hess_[e].row;
       const bool end = i == 0 || i == N_;
-      const double entry = i != hess_.cols[e] ? -1.0 : end ? 1.0 : 2.0;
+      const double entry = i != hess_[e].col ? -1.0 : end ? 1.0 : 2.0;
       values[e] = objective_factor * entry / h();
     }
   }

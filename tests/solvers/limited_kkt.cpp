@@ -123,12 +123,12 @@ TEST(LimitedKkt, AtRandomPointsHasTheInertiaOfTheEigenvalues) {
           if (i != j) K(j, i) += value;
         };
         for (std::size_t e = 0; e < hess.size(); ++e) {
-          add(problem.hess_lag_pattern().rows[e],
-              problem.hess_lag_pattern().cols[e], hess[e]);
+          add(problem.hess_lag_pattern()[e].row,
+              problem.hess_lag_pattern()[e].col, hess[e]);
         }
         for (std::size_t e = 0; e < jac.size(); ++e) {
-          add(n + problem.jac_g_pattern().rows[e],
-              problem.jac_g_pattern().cols[e], jac[e]);
+          add(n + problem.jac_g_pattern()[e].row,
+              problem.jac_g_pattern()[e].col, jac[e]);
         }
         std::vector<int> kept;
         for (int i = 0; i < all; ++i) {

@@ -40,13 +40,11 @@ class QuadraticProblem final : public nlp::Problem {
     for (int i = 0; i < H_.rows(); ++i) {
       for (int j = 0; j <= i; ++j) {
         for (int half = 0; half < 2; ++half) {
-          hess_pattern_.rows.push_back(i);
-          hess_pattern_.cols.push_back(j);
+          hess_pattern_.add(i, j);
         }
       }
       for (int row = 0; row < J_.rows(); ++row) {
-        jac_pattern_.rows.push_back(row);
-        jac_pattern_.cols.push_back(i);
+        jac_pattern_.add(row, i);
       }
     }
   }
@@ -105,7 +103,7 @@ class QuadraticProblem final : public nlp::Problem {
   }
   void do_eval_jac_g(std::span<double> values) const override {
     for (std::size_t e = 0; e < values.size(); ++e) {
-      values[e] = J_(jac_pattern_.rows[e], jac_pattern_.cols[e]);
+      values[e] = J_(jac_pattern_[e].row, jac_pattern_[e].col);
     }
   }
   void do_eval_hess_lag(double objective_factor,
@@ -113,7 +111,7 @@ class QuadraticProblem final : public nlp::Problem {
                         std::span<double> values) const override {
     for (std::size_t e = 0; e < values.size(); ++e) {
       values[e] = 0.5 * objective_factor *
-                  H_(hess_pattern_.rows[e], hess_pattern_.cols[e]);
+                  H_(hess_pattern_[e].row, hess_pattern_[e].col);
     }
   }
 

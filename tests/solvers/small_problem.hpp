@@ -67,11 +67,9 @@ class SmallProblem : public nlp::Problem {
         lower_(at(num_variables), -std::numeric_limits<double>::infinity()),
         upper_(at(num_variables), std::numeric_limits<double>::infinity()) {
     for (int i = 0; i < num_variables; ++i) {
-      jac_g_pattern_.rows.push_back(0);
-      jac_g_pattern_.cols.push_back(i);
+      jac_g_pattern_.add(0, i);
       for (int j = 0; j <= i; ++j) {
-        hess_lag_pattern_.rows.push_back(i);
-        hess_lag_pattern_.cols.push_back(j);
+        hess_lag_pattern_.add(i, j);
       }
     }
   }

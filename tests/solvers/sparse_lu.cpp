@@ -28,8 +28,7 @@ struct Coordinates {
   std::vector<double> values;
 
   void put(int row, int col, double value) {
-    pattern.rows.push_back(row);
-    pattern.cols.push_back(col);
+    pattern.add(row, col);
     values.push_back(value);
   }
   /// Pivots where the permuted diagonal of random_sparse() stands.
@@ -45,7 +44,7 @@ struct Coordinates {
   [[nodiscard]] WideMatrix dense() const {
     WideMatrix out = WideMatrix::Zero(size, size);
     for (std::size_t e = 0; e < values.size(); ++e) {
-      out(pattern.rows[e], pattern.cols[e]) += values[e];
+      out(pattern[e].row, pattern[e].col) += values[e];
     }
     return out;
   }
@@ -69,8 +68,7 @@ Coordinates random_sparse(Random& random, int size) {
   }
   const std::size_t entries = out.values.size();
   for (std::size_t e = 0; e < entries; e += 3) {
-    out.put(out.pattern.rows[e], out.pattern.cols[e],
-            random.uniform(-0.5, 0.5));
+    out.put(out.pattern[e].row, out.pattern[e].col, random.uniform(-0.5, 0.5));
   }
   return out;
 }

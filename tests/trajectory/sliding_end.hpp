@@ -35,11 +35,10 @@ class SlidingEnd final : public nlp::Problem {
       lower_[at(end)] = -std::numeric_limits<double>::infinity();
       upper_[at(end)] = std::numeric_limits<double>::infinity();
       const int row = problem.num_constraints() + (end == z_end_ ? 1 : 0);
-      jac_.rows.insert(jac_.rows.end(), {row, row});
-      jac_.cols.insert(jac_.cols.end(), {end, beta_});
+      jac_.add(row, end);
+      jac_.add(row, beta_);
     }
-    hess_.rows.push_back(beta_);
-    hess_.cols.push_back(beta_);
+    hess_.add(beta_, beta_);
   }
 
   [[nodiscard]] int num_variables() const override {

@@ -36,13 +36,13 @@ class HangingRope final : public nlp::Problem {
     g_lower_.assign(nodes - 1, 0.25 * l_ * l_);
     g_upper_.assign(nodes - 1, l_ * l_);
     for (int e = 0; e < links; ++e) {
-      for (int j = 0; j < 4; ++j) add(jac_, e, 2 * e + j);
+      for (int j = 0; j < 4; ++j) jac_.add(e, 2 * e + j);
     }
     // Of each link's own entries below the diagonal only these two are not
     // zero; positions that links share occur twice and add up.
     for (int e = 0; e < links; ++e) {
-      for (int j = 0; j < 4; ++j) add(hess_, 2 * e + j, 2 * e + j);
-      for (int j = 0; j < 2; ++j) add(hess_, 2 * e + 2 + j, 2 * e + j);
+      for (int j = 0; j < 4; ++j) hess_.add(2 * e + j, 2 * e + j);
+      for (int j = 0; j < 2; ++j) hess_.add(2 * e + 2 + j, 2 * e + j);
     }
   }
 
@@ -77,10 +77,6 @@ class HangingRope final : public nlp::Problem {
   std::string refusal() const override { return {}; }
 
  private:
-  static void add(nlp::SparsityPattern& pattern, int row, int col) {
-    pattern.rows.push_back(row);
-    pattern.cols.push_back(col);
-  }
   /// Coordinate j ∈ {0, 1} of the vector along a link.
   double along(int e, int j) const {
     const auto i = static_cast<std::size_t>(2 * e + j);

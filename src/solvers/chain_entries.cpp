@@ -75,6 +75,7 @@ bool EntriesByLink::next(int link, std::vector<Place>& places) {
     }
     return true;
   }
+  absent_.clear();
   for (std::size_t a = 0; a < positions_.size(); ++a) {
     const std::size_t begin = next_[a];
     const std::size_t size = positions_[a].pattern.num_entries();
@@ -83,7 +84,7 @@ bool EntriesByLink::next(int link, std::vector<Place>& places) {
       const Links links = links_of(one);
       if (links.first > link) break;
       if (links.first == kBorderAlone) border_.push_back(one);
-      if (links.first == kAbsent) note_coupling(one);
+      if (links.first == kAbsent) absent_.push_back(one);
       if (links.first == kNoChain) return false;
       if (links.first < 0) continue;
       if (links.last < link) return false;
@@ -91,6 +92,24 @@ bool EntriesByLink::next(int link, std::vector<Place>& places) {
     }
     taken_[a] = next_[a] - begin;
   }
+  for (const Place& one : absent_) note_coupling(one);
+  return true;
+}
+
+bool EntriesByLink::skip_as_many() {
+  const auto next = [&](const Place& last) {
+    return place(last.array, last.entry + taken_[last.array]);
+  };
+  if (std::ranges::any_of(absent_, [&](const Place& last) {
+        return links_of(next(last)).first != kAbsent;
+      })) {
+    return false;
+  }
+  for (Place& one : absent_) {
+    one = next(one);
+    note_coupling(one);
+  }
+  for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += taken_[a];
   return true;
 }
 

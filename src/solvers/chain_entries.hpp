@@ -43,10 +43,12 @@ class EntriesByLink {
   [[nodiscard]] std::size_t position(std::size_t array) const {
     return next_[array];
   }
-  /// Leaves out as many, which are known to be the next link's.
-  void skip_as_many() {
-    for (std::size_t a = 0; a < next_.size(); ++a) next_[a] += taken_[a];
-  }
+  /// How many of these were of an absent unknown.
+  [[nodiscard]] std::size_t num_absent() const { return absent_.size(); }
+  /// Leaves out as many, which are known to be the next link's but for those
+  /// that are where the last link had one of an absent unknown. False, and
+  /// nothing is left out, if the unknown of one of these is not absent.
+  [[nodiscard]] bool skip_as_many();
 
   /// Those of the border alone that were met so far.
   [[nodiscard]] const std::vector<Place>& of_border() const { return border_; }
@@ -75,6 +77,7 @@ class EntriesByLink {
   std::vector<Sorted> sorted_;             ///< by link
   std::vector<std::size_t> starts_;        ///< of the links in sorted_
   std::vector<Place> border_;
+  std::vector<Place> absent_;  ///< of absent unknowns, in the last link
   std::vector<std::vector<ChainMap::Coupling>> couplings_;  ///< by array
   bool is_chain_ = true;
 };

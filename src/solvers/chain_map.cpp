@@ -150,8 +150,8 @@ int links_ahead(const Run& run, const std::vector<EntriesByLink::Place>& last,
     }
     ahead = std::min(ahead, (repetition->end() - end) / count);
   }
-  // An entry that is of no link may turn into one that is.
-  if (ahead == 0 || taken != last.size()) return 0;
+  // An entry of the border alone may turn into one of a link.
+  if (ahead == 0 || taken != last.size() + by_link.num_absent()) return 0;
   // Positions have to go where the unknowns go.
   std::vector<int> to;
   next.for_each([&](int, int unknown) { to.push_back(unknown); });
@@ -277,12 +277,11 @@ bool ChainMap::read(const ChainBlocks& blocks,
     if (alike && in_order && ahead == kUnknown) {
       ahead = links_ahead(runs_.back(), places, here, positions, by_link);
     }
-    if (alike && ahead > 0) {
+    if (alike && ahead > 0 && by_link.skip_as_many()) {
       add_link(runs_.back(), here, [&](std::size_t k) {
         const auto array = at(runs_.back().entries[k].array);
         return static_cast<std::ptrdiff_t>(by_link.taken(array));
       });
-      by_link.skip_as_many();
       --ahead;
       continue;
     }

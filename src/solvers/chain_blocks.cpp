@@ -11,9 +11,9 @@
 
 namespace brachisto {
 
-using nlp::ChainStructure;
-
 namespace {
+
+using nlp::ChainStructure;
 
 /// Calls visit(first, count, block) for neighbours of the same block.
 template <class Visit>

@@ -52,19 +52,22 @@ BorderedChain::~BorderedChain() = default;
 
 /// rhs −= C v, v the given unknowns in x, summed in long double. As given
 /// unknowns have no rows in C, x may be rhs.
-template <class Number>
-void BorderedChain::couple(std::span<const double> x,
-                           std::span<Number> rhs) const {
+///
+/// \param rounded  called with each row and what its rounding loses
+template <class Rounded>
+void BorderedChain::couple(std::span<const double> x, std::span<double> rhs,
+                           Rounded&& rounded) const {
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
                                                          system_.jac_g()};
   for (auto c = couplings_.begin(); c != couplings_.end();) {
-    const int row = c->row;
-    long double sum = rhs[at(row)];
-    for (; c != couplings_.end() && c->row == row; ++c) {
+    const std::size_t row = at(c->row);
+    long double sum = rhs[row];
+    for (; c != couplings_.end() && at(c->row) == row; ++c) {
       sum -= static_cast<long double>(values[at(c->array)][at(c->entry)]) *
              x[at(c->given)];
     }
-    rhs[at(row)] = static_cast<Number>(sum);
+    rhs[row] = static_cast<double>(sum);
+    rounded(row, static_cast<double>(sum - rhs[row]));
   }
 }
 
@@ -97,7 +100,7 @@ bool BorderedChain::factorise() {
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
     column_[at(rates.index[e])] = -rates.value[e];
   }
-  couple<double>(column_, column_);
+  couple(column_, column_, [](std::size_t, double) {});
   chain_->solve(column_);
   pivot_ = static_cast<double>(system_.tangency_row().by_parameter -
                                tangency_product(column_));
@@ -116,7 +119,7 @@ int BorderedChain::determinant_sign() const {
 
 /// In place. The chain has no part in given unknowns, nor in φ.
 void BorderedChain::solve_once(std::span<double> x) const {
-  couple<double>(x, x);
+  couple(x, x, [](std::size_t, double) {});
   chain_->solve(x);
   if (system_.tangency() == nullptr) return;
   const double phi =
@@ -125,30 +128,34 @@ void BorderedChain::solve_once(std::span<double> x) const {
   x.back() = phi;
 }
 
+/// b less the product with x, each component as exact as if it was summed in
+/// long double and rounded once.
 void BorderedChain::residual(std::span<const double> b,
                              std::span<const double> x,
                              std::span<double> out) const {
-  std::vector<long double> left(b.begin(), b.end());
-  chain_->subtract_product(x, left);
-  couple<long double>(x, left);
+  std::ranges::copy(b, out.begin());
+  std::vector<std::pair<std::size_t, double>> lost;
+  couple(x, out,
+         [&](std::size_t row, double rest) { lost.emplace_back(row, rest); });
+  chain_->subtract_product(x, out);
+  for (const auto& [row, rest] : lost) out[row] += rest;
   const int unknowns = system_.num_unknowns();
   for (int i = 0; i < unknowns; ++i) {
-    if (system_.given(i)) left[at(i)] -= x[at(i)];
+    if (system_.given(i)) out[at(i)] = b[at(i)] - x[at(i)];
   }
-  if (system_.tangency() != nullptr) {
-    const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
-    for (std::size_t e = 0; e < rates.index.size(); ++e) {
-      left[at(rates.index[e])] +=
-          static_cast<long double>(rates.value[e]) * x.back();
-    }
-    left.back() -=
-        tangency_product(x) +
-        static_cast<long double>(system_.tangency_row().by_parameter) *
-            x.back();
+  if (system_.tangency() == nullptr) return;
+  const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
+  for (std::size_t e = 0; e < rates.index.size(); ++e) {
+    const std::size_t i = at(rates.index[e]);
+    out[i] = static_cast<double>(static_cast<long double>(b[i]) - x[i] +
+                                 static_cast<long double>(rates.value[e]) *
+                                     x.back());
   }
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = static_cast<double>(left[i]);
-  }
+  out.back() = static_cast<double>(
+      b.back() -
+      (tangency_product(x) +
+       static_cast<long double>(system_.tangency_row().by_parameter) *
+           x.back()));
 }
 
 bool BorderedChain::solve(std::span<const double> b, std::span<double> x,

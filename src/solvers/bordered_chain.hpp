@@ -60,8 +60,9 @@ class BorderedChain {
     int row, given, array, entry;
   };
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
-  template <class Number>
-  void couple(std::span<const double> x, std::span<Number> rhs) const;
+  template <class Rounded>
+  void couple(std::span<const double> x, std::span<double> rhs,
+              Rounded&& rounded) const;
   void solve_once(std::span<double> x) const;
   void residual(std::span<const double> b, std::span<const double> x,
                 std::span<double> out) const;

@@ -75,9 +75,9 @@ class ChainLdlt {
   /// \pre factorised, no zero eigenvalue
   void solve(std::span<double> x) const;
 
-  /// residual −= A x, summed in long double.
+  /// residual −= A x, each component summed in long double and rounded once.
   void subtract_product(std::span<const double> x,
-                        std::span<long double> residual) const;
+                        std::span<double> residual) const;
 
   /// Links whose interior was factorised as a dense front.
   [[nodiscard]] int num_dense_links() const;

@@ -34,19 +34,22 @@ std::deque<int> divisions(int n, int coarsest) {
 }
 
 /// Near the start, or nothing that is solved.
-MeshSolution solve_from(ArcLength& problem, const MeshStart& start,
+MeshSolution solve_from(ArcLength& problem, MeshStart start,
                         const MeshOptions& options) {
+  if (options.newton_alone) {
+    return solve_near(problem, std::move(start), options);
+  }
   constexpr double kLargestDeparture = 3e-2;
-  const auto is_near = [&](const MeshSolution& found) {
+  const auto is_near = [phi = start.phi](const MeshSolution& found) {
     return found.solved() &&
-           std::abs(found.tangency.phi - start.phi) <= kLargestDeparture;
+           std::abs(found.tangency.phi - phi) <= kLargestDeparture;
   };
   MeshSolution solution = solve_near(problem, start, options);
-  if (options.ipopt.stop.met() || is_near(solution) || options.newton_alone ||
+  if (options.ipopt.stop.met() || is_near(solution) ||
       solution.status == Status::OutOfMemory) {
     return solution;
   }
-  MeshSolution stayed = stay_on_mesh(problem, start, options);
+  MeshSolution stayed = stay_on_mesh(problem, std::move(start), options);
   if (is_near(stayed)) {
     stayed.tangency.slope = solution.tangency.slope;
     take_instead(solution, std::move(stayed));
@@ -121,7 +124,7 @@ class Pieces {
     start.point = before ? prolong(before->problem, before->solution.point,
                                    answer.problem)
                          : prolong(curve_, answer.problem);
-    answer.solution = solve_from(answer.problem, start, options);
+    answer.solution = solve_from(answer.problem, std::move(start), options);
     if (answer.solution.solved() && !options.ipopt.stop.met() &&
         answer.problem.set_point(answer.solution.point.x)) {
       answer.transit_time = answer.problem.eval_f();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
@@ -42,7 +43,7 @@ struct BetweenEnds {
     return brachisto::reachable(tolerance, problem, point.x);
   }
   /// Newton's method, until rounding keeps the residual from falling.
-  [[nodiscard]] NewtonResult newton(const PrimalDual& start, double phi,
+  [[nodiscard]] NewtonResult newton(PrimalDual start, double phi,
                                     double tolerance,
                                     const MeshOptions& options) {
     NewtonOptions newton;
@@ -51,7 +52,7 @@ struct BetweenEnds {
     newton.rounding = reachable(0.0, start);
     newton.linear_solver = options.ipopt.linear_solver;
     newton.stop = options.ipopt.stop;
-    return solve_with_newton(problem, contact(), start, phi, newton);
+    return solve_with_newton(problem, contact(), std::move(start), phi, newton);
   }
 };
 
@@ -87,13 +88,13 @@ double reachable(double tolerance, const Transcription& problem,
   return std::max(tolerance, problem.rounding(x));
 }
 
-MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
+MeshSolution stay_on_mesh(Transcription& problem, MeshStart start,
                           const MeshOptions& options) {
   BetweenEnds ends(problem, start.phi, options.fixed_ends);
   MeshSolution solution;
-  NewtonResult result = ends.newton(
-      start.point, start.phi,
-      ends.reachable(options.ipopt.tolerance, start.point), options);
+  const double tolerance = ends.reachable(options.ipopt.tolerance, start.point);
+  NewtonResult result =
+      ends.newton(std::move(start.point), start.phi, tolerance, options);
   solution.polish = {result.iterations, result.first_residual, result.residual};
   solution.point = std::move(result.point);
   solution.tangency.phi = result.phi;
@@ -116,13 +117,15 @@ MeshSolution stay_on_mesh(Transcription& problem, const MeshStart& start,
   return solution;
 }
 
-MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
+MeshSolution solve_on_mesh(Transcription& problem, MeshStart start,
                            const MeshOptions& options) {
-  if (options.newton_alone) return stay_on_mesh(problem, start, options);
+  if (options.newton_alone) {
+    return stay_on_mesh(problem, std::move(start), options);
+  }
   BetweenEnds ends(problem, start.phi, options.fixed_ends);
   const bool smooth = ends.equation.has_value();
   MeshSolution solution;
-  solution.point = start.point;
+  solution.point = std::move(start.point);
   const auto pass = [&](double phi) -> std::optional<double> {
     if (smooth) ends.equation->set_parameter(phi);
     IpoptOptions ipopt = options.ipopt;
@@ -179,12 +182,12 @@ MeshSolution solve_on_mesh(Transcription& problem, const MeshStart& start,
   return solution;
 }
 
-MeshSolution solve_near(Transcription& problem, const MeshStart& start,
+MeshSolution solve_near(Transcription& problem, MeshStart start,
                         MeshOptions options) {
   constexpr int kMostIterations = 60;
   options.ipopt.max_iterations =
       std::min(options.ipopt.max_iterations, kMostIterations);
-  return solve_on_mesh(problem, start, options);
+  return solve_on_mesh(problem, std::move(start), options);
 }
 
 void take_instead(MeshSolution& left, MeshSolution stayed) {

@@ -72,20 +72,18 @@ inline constexpr double kRoundingResidual = 1e-10;
 /// polishing, Newton's method on the optimality conditions and the contact
 /// together does the last digits.
 [[nodiscard]] MeshSolution solve_on_mesh(Transcription& problem,
-                                         const MeshStart& start,
+                                         MeshStart start,
                                          const MeshOptions& options);
 
 /// Newton's method alone on the optimality conditions and the contact together:
 /// it stays at the extremal that the start is close to, also at one that is no
 /// minimum between its end points, which Ipopt would leave.
-[[nodiscard]] MeshSolution stay_on_mesh(Transcription& problem,
-                                        const MeshStart& start,
+[[nodiscard]] MeshSolution stay_on_mesh(Transcription& problem, MeshStart start,
                                         const MeshOptions& options);
 
 /// solve_on_mesh() from so near that many iterations only mean that Ipopt went
 /// elsewhere.
-[[nodiscard]] MeshSolution solve_near(Transcription& problem,
-                                      const MeshStart& start,
+[[nodiscard]] MeshSolution solve_near(Transcription& problem, MeshStart start,
                                       MeshOptions options);
 
 /// Puts `stayed`, of stay_on_mesh(), in place of what Ipopt `left` for; the

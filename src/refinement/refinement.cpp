@@ -153,8 +153,10 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   const bool open_start = slope_at_A_is_open(scene);
   if (open_start) problem.set_start_slope(start_angle(curve.scene()));
   MeshSolution& solution = answer.solution;
-  const MeshStart start{prolong(curve, problem), phi, -1.0};
-  solution = close_start(problem, start, options, solve_near);
+  const auto start = [&] {
+    return MeshStart{prolong(curve, problem), phi, -1.0};
+  };
+  solution = close_start(problem, start(), options, solve_near);
   const bool out_of_budget =
       solution.status == Status::IterationLimit &&
       solution.iterations >= options.ipopt.max_iterations;
@@ -168,7 +170,7 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   if (away > kLargestDeparture && !options.newton_alone) {
     const std::optional<double> slope_found = problem.scene().world.start_slope;
     if (open_start) problem.set_start_slope(start_angle(curve.scene()));
-    MeshSolution stayed = close_start(problem, start, options, stay_on_mesh);
+    MeshSolution stayed = close_start(problem, start(), options, stay_on_mesh);
     if (stayed.solved() &&
         departure(answer.problem, stayed, curve, phi) < 0.5 * away) {
       take_instead(solution, std::move(stayed));

@@ -25,9 +25,12 @@ using Slopes = Eigen::Vector2d;  // at A and B
 /// Solutions between ends that slopes at A and B say.
 class BetweenSlopes {
  public:
-  BetweenSlopes(RollingTime& problem, const MeshStart& start,
+  BetweenSlopes(RollingTime& problem, MeshStart start,
                 const MeshOptions& options, const SolveOnMesh& solve)
-      : problem_(problem), from_(start), options_(options), solve_(solve) {
+      : problem_(problem),
+        from_(std::move(start)),
+        options_(options),
+        solve_(solve) {
     options_.fixed_ends = true;
   }
 
@@ -74,11 +77,11 @@ class BetweenSlopes {
 
 }  // namespace
 
-MeshSolution close_start(RollingTime& problem, const MeshStart& start,
+MeshSolution close_start(RollingTime& problem, MeshStart start,
                          const MeshOptions& options, const SolveOnMesh& solve,
                          double tolerance) {
   if (!slope_at_A_is_open(problem.scene())) {
-    return solve(problem, start, options);
+    return solve(problem, std::move(start), options);
   }
   constexpr int kMostSteps = 20;
   constexpr double kLongestStep = 0.25;
@@ -86,7 +89,7 @@ MeshSolution close_start(RollingTime& problem, const MeshStart& start,
   // digits or so, which is plenty for a first Jacobian.
   constexpr double kDifference = 1e-6;
   const double loose = std::max(tolerance, TangencyOptions{}.loose_tolerance);
-  BetweenSlopes ends(problem, start, options, solve);
+  BetweenSlopes ends(problem, std::move(start), options, solve);
   Slopes slopes = ends.start();
   std::optional<Slopes> off = ends.mismatch(slopes);
   Eigen::Matrix2d jacobian = -Eigen::Matrix2d::Identity();

@@ -14,9 +14,8 @@
 namespace brachisto {
 
 /// solve_on_mesh(), solve_near() or stay_on_mesh().
-using SolveOnMesh =
-    std::function<MeshSolution(Transcription& problem, const MeshStart& start,
-                               const MeshOptions& options)>;
+using SolveOnMesh = std::function<MeshSolution(
+    Transcription& problem, MeshStart start, const MeshOptions& options)>;
 
 /// What `solve` finds. Where slope_at_A_is_open() there is a slope α at A, from
 /// which the place C_A(α) and w = v₀ √A(θ_m, α) of the start are built, beside
@@ -32,8 +31,7 @@ using SolveOnMesh =
 /// \param problem  whose start has been built from a slope nearby; has that of
 ///                 the solution in the end
 /// \param tolerance  on the mismatch at A [rad]
-[[nodiscard]] MeshSolution close_start(RollingTime& problem,
-                                       const MeshStart& start,
+[[nodiscard]] MeshSolution close_start(RollingTime& problem, MeshStart start,
                                        const MeshOptions& options,
                                        const SolveOnMesh& solve,
                                        double tolerance = 1e-12);

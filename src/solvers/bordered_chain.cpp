@@ -25,24 +25,29 @@ std::unique_ptr<BorderedChain> BorderedChain::make(const KktSystem& system) {
 
 BorderedChain::BorderedChain(const KktSystem& system,
                              std::unique_ptr<ChainLdlt> chain)
-    : system_(system),
-      chain_(std::move(chain)),
-      column_(at(system.size()), 0.0),
-      wide_(at(system.size())),
-      correction_(at(system.size())),
-      reduced_(at(system.size())) {}
+    : system_(system), chain_(std::move(chain)) {}
 
 BorderedChain::~BorderedChain() = default;
 
-/// rhs −= C v, v the given unknowns in x.
-void BorderedChain::couple(std::span<const double> x,
-                           std::span<long double> rhs) const {
+/// rhs −= C v, v the given unknowns in x, summed in long double. As given
+/// unknowns have no rows in C, x may be rhs.
+///
+/// \param rounded  called with each row and what its rounding loses
+template <class Rounded>
+void BorderedChain::couple(std::span<const double> x, std::span<double> rhs,
+                           Rounded&& rounded) const {
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
                                                          system_.jac_g()};
-  for (const ChainMap::Coupling& c : chain_->couplings()) {
-    rhs[at(c.unknown)] -=
-        static_cast<long double>(values[at(c.array)][at(c.entry)]) *
-        x[at(c.absent)];
+  const std::span<const ChainMap::Coupling> couplings = chain_->couplings();
+  for (auto c = couplings.begin(); c != couplings.end();) {
+    const std::size_t row = at(c->unknown);
+    long double sum = rhs[row];
+    for (; c != couplings.end() && at(c->unknown) == row; ++c) {
+      sum -= static_cast<long double>(values[at(c->array)][at(c->entry)]) *
+             x[at(c->absent)];
+    }
+    rhs[row] = static_cast<double>(sum);
+    rounded(row, static_cast<double>(sum - rhs[row]));
   }
 }
 
@@ -70,20 +75,13 @@ bool BorderedChain::factorise() {
   if (!chain_->factorise(values) || chain_->inertia().zero > 0) return false;
   pivot_ = 1.0;
   if (system_.tangency() == nullptr) return true;
-  std::fill(column_.begin(), column_.end(), 0.0);
+  column_.assign(at(system_.size()), 0.0);
   const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
     column_[at(rates.index[e])] = -rates.value[e];
   }
-  std::fill(wide_.begin(), wide_.end(), 0.0L);
-  couple(column_, wide_);
-  for (std::size_t i = 0; i < wide_.size(); ++i) {
-    reduced_[i] = static_cast<double>(wide_[i]);
-  }
-  chain_->solve(reduced_);
-  for (int i = 0; i < system_.num_unknowns(); ++i) {
-    if (!system_.given(i)) column_[at(i)] = reduced_[at(i)];
-  }
+  couple(column_, column_, [](std::size_t, double) {});
+  chain_->solve(column_);
   pivot_ = static_cast<double>(system_.tangency_row().by_parameter -
                                tangency_product(column_));
   return std::isfinite(pivot_) && pivot_ != 0.0;
@@ -99,43 +97,45 @@ int BorderedChain::determinant_sign() const {
   return pivot_ > 0.0 ? sign : -sign;
 }
 
-void BorderedChain::solve_once(std::span<const double> b, std::span<double> x) {
-  std::copy(b.begin(), b.end(), wide_.begin());
-  couple(b, wide_);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = static_cast<double>(wide_[i]);
-  }
-  const int unknowns = system_.num_unknowns();
-  for (int i = 0; i < unknowns; ++i) {
-    if (system_.given(i)) x[at(i)] = b[at(i)];
-  }
+/// In place. The chain has no part in given unknowns, nor in φ.
+void BorderedChain::solve_once(std::span<double> x) const {
+  couple(x, x, [](std::size_t, double) {});
   chain_->solve(x);
   if (system_.tangency() == nullptr) return;
   const double phi =
-      static_cast<double>(b.back() - tangency_product(x)) / pivot_;
+      static_cast<double>(x.back() - tangency_product(x)) / pivot_;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] -= phi * column_[i];
   x.back() = phi;
 }
 
+/// b less the product with x, each component as exact as if it was summed in
+/// long double and rounded once.
 void BorderedChain::residual(std::span<const double> b,
                              std::span<const double> x,
-                             std::span<long double> out) const {
-  std::copy(b.begin(), b.end(), out.begin());
+                             std::span<double> out) const {
+  std::ranges::copy(b, out.begin());
+  std::vector<std::pair<std::size_t, double>> lost;
+  couple(x, out,
+         [&](std::size_t row, double rest) { lost.emplace_back(row, rest); });
   chain_->subtract_product(x, out);
-  couple(x, out);
+  for (const auto& [row, rest] : lost) out[row] += rest;
   const int unknowns = system_.num_unknowns();
   for (int i = 0; i < unknowns; ++i) {
-    if (system_.given(i)) out[at(i)] -= x[at(i)];
+    if (system_.given(i)) out[at(i)] = b[at(i)] - x[at(i)];
   }
   if (system_.tangency() == nullptr) return;
   const nlp::SparseVector& rates = system_.tangency()->fixed_rates();
   for (std::size_t e = 0; e < rates.index.size(); ++e) {
-    out[at(rates.index[e])] +=
-        static_cast<long double>(rates.value[e]) * x.back();
+    const std::size_t i = at(rates.index[e]);
+    out[i] = static_cast<double>(static_cast<long double>(b[i]) - x[i] +
+                                 static_cast<long double>(rates.value[e]) *
+                                     x.back());
   }
-  out.back() -=
-      tangency_product(x) +
-      static_cast<long double>(system_.tangency_row().by_parameter) * x.back();
+  out.back() = static_cast<double>(
+      b.back() -
+      (tangency_product(x) +
+       static_cast<long double>(system_.tangency_row().by_parameter) *
+           x.back()));
 }
 
 bool BorderedChain::solve(std::span<const double> b, std::span<double> x,
@@ -152,22 +152,21 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x,
   // enough; then refinement does not help, and less must do.
   constexpr double kOfUse = 1e-2;
   constexpr int kRefinements = 4;
-  solve_once(b, x);
+  std::ranges::copy(b, x.begin());
+  solve_once(x);
   const double size = largest(b);
+  std::vector<double> correction(x.size());
   double last = std::numeric_limits<double>::infinity();
   for (int refinement = 0;; ++refinement) {
-    residual(b, x, wide_);
-    for (std::size_t i = 0; i < wide_.size(); ++i) {
-      reduced_[i] = static_cast<double>(wide_[i]);
-    }
-    const double left = largest(reduced_);
+    residual(b, x, correction);
+    const double left = largest(correction);
     if (!std::isfinite(left)) return false;
     if (left <= enough * size) return true;
     if (left > 0.5 * last || refinement == kRefinements) {
       return left <= kOfUse * size;
     }
-    solve_once(reduced_, correction_);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction_[i];
+    solve_once(correction);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
     last = left;
   }
 }

@@ -57,18 +57,18 @@ class BorderedChain {
 
  private:
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
-  void couple(std::span<const double> x, std::span<long double> rhs) const;
-  void solve_once(std::span<const double> b, std::span<double> x);
+  template <class Rounded>
+  void couple(std::span<const double> x, std::span<double> rhs,
+              Rounded&& rounded) const;
+  void solve_once(std::span<double> x) const;
   void residual(std::span<const double> b, std::span<const double> x,
-                std::span<long double> out) const;
+                std::span<double> out) const;
   [[nodiscard]] long double tangency_product(std::span<const double> x) const;
 
   const KktSystem& system_;
   std::unique_ptr<ChainLdlt> chain_;
-  std::vector<double> column_;     ///< K⁻¹Cρ, and −ρ for v
-  double pivot_ = 1.0;             ///< σ
-  std::vector<long double> wide_;  ///< scratch
-  std::vector<double> correction_, reduced_;
+  std::vector<double> column_;  ///< K⁻¹Cρ, and −ρ for v
+  double pivot_ = 1.0;          ///< σ
 };
 
 }  // namespace brachisto

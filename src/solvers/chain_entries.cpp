@@ -132,6 +132,7 @@ std::vector<ChainMap::Coupling> EntriesByLink::couplings() const {
   for (const auto& of_array : couplings_) {
     all.insert(all.end(), of_array.begin(), of_array.end());
   }
+  std::ranges::stable_sort(all, {}, &ChainMap::Coupling::unknown);
   return all;
 }
 

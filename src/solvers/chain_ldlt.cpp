@@ -197,4 +197,10 @@ int ChainLdlt::num_dense_links() const {
   return sum;
 }
 
+int ChainLdlt::num_swept() const {
+  std::size_t sum = 0;
+  for (const Section& section : sections_) sum += section.pieces.size();
+  return static_cast<int>(sum);
+}
+
 }  // namespace brachisto

@@ -80,12 +80,15 @@ class ChainLdlt {
   /// \pre factorised, no zero eigenvalue
   void solve(std::span<double> x) const;
 
-  /// residual −= A x, summed in long double.
+  /// residual −= A x, each component summed in long double and rounded once.
   void subtract_product(std::span<const double> x,
-                        std::span<long double> residual) const;
+                        std::span<double> residual) const;
 
   /// Links whose interior was factorised as a dense front.
   [[nodiscard]] int num_dense_links() const;
+  /// Links, joined ones counted as one, whose separators the sweep had to
+  /// eliminate.
+  [[nodiscard]] int num_swept() const;
 
  private:
   static constexpr unsigned kAllFailed = (1U << kLanes) - 1U;
@@ -197,7 +200,9 @@ class ChainLdlt {
 
   // The links and what joins them, section by section.
   void factorise_run(std::size_t r);
-  void factorise_sections(std::span<Section* const> sections);
+  void choose_for(std::size_t r, std::span<Section* const> sections,
+                  bool choosing);
+  void factorise_sections(std::span<Section* const> sections, bool choosing);
   void factorise_section(Section& section, Worker& worker, bool choosing);
   [[nodiscard]] Batch factorise_batch(Section& section, Worker& worker,
                                       std::vector<Sequence*>& sequences,

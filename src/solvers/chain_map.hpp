@@ -98,7 +98,8 @@ class ChainMap {
   [[nodiscard]] const std::vector<Entry>& border_entries() const {
     return border_entries_;
   }
-  /// With the unknowns that are absent, in the order of the arrays.
+  /// With the unknowns that are absent: by ascending `unknown`, then in the
+  /// order of the arrays.
   [[nodiscard]] const std::vector<Coupling>& couplings() const {
     return couplings_;
   }

@@ -72,31 +72,43 @@ const ChainLdlt::Joining::Targets* ChainLdlt::Joining::from(
   return found == targets.end() ? nullptr : &*found;
 }
 
+/// Pivots are chosen for the section in the middle before others are asked for
+/// theirs: what was kept from a coarser mesh may suit no link of this one, and
+/// how to join them is then for other pivots too.
 void ChainLdlt::factorise_run(std::size_t r) {
-  const Run& run = map_.runs()[r];
-  Plan& plan = plans_[r];
-  std::vector<Section*> all;
+  std::vector<Section*> all, joined;
   for (Section& section : sections_) {
-    if (section.run == r) all.push_back(&section);
+    if (section.run != r) continue;
+    all.push_back(&section);
+    if (section.joined()) joined.push_back(&section);
   }
+  find_targets(map_.runs()[r], plans_[r]);
   std::vector<Section*> left = all;
-  find_targets(run, plan);
-  const auto is_joined = [](const Section* s) { return s->joined(); };
-  const std::ptrdiff_t joined = std::ranges::count_if(all, is_joined);
-  if (joined > 0) {
-    // On the one in the middle pivots are chosen for all.
-    factorise_section(*all[static_cast<std::size_t>(joined / 2)], workers_[0],
-                      true);
-    left.erase(left.begin() + joined / 2);
+  if (!joined.empty()) {
+    Section* const middle = joined[joined.size() / 2];
+    factorise_sections({&middle, 1}, true);
+    choose_for(r, {&middle, 1}, true);
+    std::erase(left, middle);
   }
-  factorise_sections(left);
-  // Until most links have their pivots; hard ones must not take all the time.
-  // Sections with few of them are left as they are: what is chosen serves the
-  // matrices to come.
+  factorise_sections(left, false);
+  choose_for(r, all, false);
+  for (const Section* section : all) {
+    for (const Batch& batch : section->batches) {
+      if (batch.sequence != nullptr) batch.sequence->used = true;
+    }
+  }
+}
+
+/// Chooses pivots until most links have theirs; hard ones must not take all the
+/// time. Sections with few of them are left as they are: what is chosen serves
+/// the matrices to come.
+void ChainLdlt::choose_for(std::size_t r, std::span<Section* const> sections,
+                           bool choosing) {
+  const Run& run = map_.runs()[r];
   for (int many = kManyDenseLinks;; many *= 2) {
     std::vector<int> dense;
-    left.clear();
-    for (Section* section : all) {
+    std::vector<Section*> left;
+    for (Section* section : sections) {
       largest_ = larger(largest_, section->largest);
       for (const Piece& piece : section->pieces) {
         if (piece.analysis == nullptr) dense.push_back(piece.first);
@@ -106,21 +118,19 @@ void ChainLdlt::factorise_run(std::size_t r) {
         left.push_back(section);
       }
     }
-    if (std::ssize(dense) < many || !std::isfinite(largest_)) break;
+    if (std::ssize(dense) < many || !std::isfinite(largest_)) return;
     // Another one each time, for some have no pivots at all.
-    if (!choose_sequence(run, plan, dense[at(many - 1)])) continue;
-    find_targets(run, plan);
-    factorise_sections(left);
-  }
-  for (const Section* section : all) {
-    for (const Batch& batch : section->batches) {
-      if (batch.sequence != nullptr) batch.sequence->used = true;
-    }
+    if (!choose_sequence(run, plans_[r], dense[at(many - 1)])) continue;
+    find_targets(run, plans_[r]);
+    factorise_sections(left, choosing);
   }
 }
 
 /// Shares sections out to the threads, each its part of the chain.
-void ChainLdlt::factorise_sections(std::span<Section* const> sections) {
+///
+/// \param choosing  how to join links too: one section alone
+void ChainLdlt::factorise_sections(std::span<Section* const> sections,
+                                   bool choosing) {
   const std::size_t threads = std::min(workers_.size(), sections.size());
   const auto part = [&](std::size_t t) {
     return sections.size() * t / threads;
@@ -132,7 +142,7 @@ void ChainLdlt::factorise_sections(std::span<Section* const> sections) {
       try {
         for (std::size_t s = part(t); s < part(t + 1); ++s) {
           if (stop.stop_requested()) return;
-          factorise_section(*sections[s], workers_[t], false);
+          factorise_section(*sections[s], workers_[t], choosing);
         }
       } catch (...) {
         thrown[t] = std::current_exception();
@@ -141,7 +151,7 @@ void ChainLdlt::factorise_sections(std::span<Section* const> sections) {
   }
   for (std::size_t s = 0; threads > 0 && s < part(1); ++s) {
     check_stop();
-    factorise_section(*sections[s], workers_[0], false);
+    factorise_section(*sections[s], workers_[0], choosing);
   }
   for (std::jthread& other : others) other.join();
   for (const std::exception_ptr& one : thrown) {

@@ -230,12 +230,21 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
 }
 
 void ChainLdlt::subtract_product(std::span<const double> x,
-                                 std::span<long double> residual) const {
+                                 std::span<double> residual) const {
   std::vector<double> local;
-  std::vector<long double> sum;
+  std::vector<long double> sum, border;
+  for (const int i : map_.border()) border.push_back(residual[at(i)]);
+  // What a link leaves to the next one of the separator between them.
+  struct SoFar {
+    std::size_t unknown;
+    long double value;
+  };
+  std::vector<SoFar> separator;
   for (const Run& run : map_.runs()) {
     local.resize(run.unknowns.size());
     sum.resize(run.unknowns.size());
+    const int first_right = run.interior + run.left;
+    const int first_border = first_right + run.right;
     for (int link = 0; link < run.num_links; ++link) {
       check_stop(link);
       for (std::size_t i = 0; i < local.size(); ++i) {
@@ -252,19 +261,43 @@ void ChainLdlt::subtract_product(std::span<const double> x,
         if (entry.row == entry.col) continue;
         sum[at(entry.col)] += value * local[at(entry.row)];
       }
-      for (std::size_t i = 0; i < local.size(); ++i) {
-        if (!run.has(run.unknowns[i], link)) continue;
-        residual[run.unknowns[i].at(link)] -= sum[i];
+      // visit(unknown, its sum)
+      const auto each = [&](int begin, int end, auto&& visit) {
+        for (int i = begin; i < end; ++i) {
+          const Affine& unknown = run.unknowns[at(i)];
+          if (run.has(unknown, link)) visit(unknown.at(link), sum[at(i)]);
+        }
+      };
+      each(0, run.interior, [&](std::size_t i, long double s) {
+        residual[i] = static_cast<double>(residual[i] - s);
+      });
+      auto before = separator.begin();
+      each(run.interior, first_right, [&](std::size_t i, long double s) {
+        const long double so_far =
+            before == separator.end() ? residual[i] : before++->value;
+        residual[i] = static_cast<double>(so_far - s);
+      });
+      separator.clear();
+      each(first_right, first_border, [&](std::size_t i, long double s) {
+        separator.push_back({i, residual[i] - s});
+      });
+      for (std::size_t k = 0; k < border.size(); ++k) {
+        border[k] -= sum[at(first_border) + k];
       }
     }
   }
-  const auto add = [&](std::size_t i, std::size_t j, double value) {
-    residual[i] -= static_cast<long double>(value) * x[j];
-    if (i != j) residual[j] -= static_cast<long double>(value) * x[i];
-  };
+  for (const SoFar& one : separator) {
+    residual[one.unknown] = static_cast<double>(one.value);
+  }
   for (const ChainMap::Entry& entry : map_.border_entries()) {
-    add(at(map_.border()[at(entry.row)]), at(map_.border()[at(entry.col)]),
-        values_[at(entry.array)][entry.source.at(0)]);
+    const long double value = values_[at(entry.array)][entry.source.at(0)];
+    const auto x_of = [&](int k) { return x[at(map_.border()[at(k)])]; };
+    border[at(entry.row)] -= value * x_of(entry.col);
+    if (entry.row == entry.col) continue;
+    border[at(entry.col)] -= value * x_of(entry.row);
+  }
+  for (std::size_t k = 0; k < border.size(); ++k) {
+    residual[at(map_.border()[k])] = static_cast<double>(border[k]);
   }
 }
 

@@ -20,10 +20,6 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::TangencyCondition* tangency,
       n_(problem.num_variables()),
       m_(problem.num_constraints()),
       given_(at(n_ + m_)),
-      x_(at(n_)),
-      lambda_(at(m_)),
-      grad_f_(at(n_)),
-      g_(at(m_)),
       jac_g_(problem.jac_g_pattern().num_entries()),
       hess_lag_(problem.hess_lag_pattern().num_entries()),
       residual_(at(size())) {
@@ -33,7 +29,6 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::TangencyCondition* tangency,
   for (int i = 0; i < m_; ++i) {
     given_[at(n_ + i)] = active_.constraints[at(i)] == nlp::Held::No ? 1 : 0;
   }
-  if (tangency_ != nullptr) tangency_at_ = tangency_->linearise(x_, lambda_);
 }
 
 nlp::EliminationOrder KktSystem::elimination_order() const {
@@ -49,20 +44,19 @@ nlp::EliminationOrder KktSystem::elimination_order() const {
 bool KktSystem::evaluate(std::span<const double> x,
                          std::span<const double> lambda, double phi) {
   if (tangency_ != nullptr) tangency_->set_parameter(phi);
-  std::copy(x.begin(), x.end(), x_.begin());
-  std::copy(lambda.begin(), lambda.end(), lambda_.begin());
+  lambda_ = lambda;
   check_stop();
   if (!problem_.set_point(x)) return false;
-  problem_.eval_grad_f(grad_f_);
-  problem_.eval_g(g_);
+  const std::span<double> grad_f = std::span(residual_).first(at(n_));
+  problem_.eval_grad_f(grad_f);
+  problem_.eval_g(std::span(residual_).subspan(at(n_), at(m_)));
   problem_.eval_jac_g(jac_g_);
 
   // The sums of the stationarity conditions cancel at a solution; in long
   // double that leaves only the rounding of their terms.
-  wide_.assign(grad_f_.begin(), grad_f_.end());
+  std::vector<long double> wide(grad_f.begin(), grad_f.end());
   problem_.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
-    wide_[at(col)] +=
-        static_cast<long double>(jac_g_[entry]) * lambda_[at(row)];
+    wide[at(col)] += static_cast<long double>(jac_g_[entry]) * lambda_[at(row)];
   });
   const auto bound = [](nlp::Held held, std::span<const double> lower,
                         std::span<const double> upper, int i) {
@@ -72,12 +66,11 @@ bool KktSystem::evaluate(std::span<const double> x,
   const std::span<const double> x_u = problem_.upper();
   for (int i = 0; i < n_; ++i) {
     residual_[at(i)] =
-        given(i) ? x_[at(i)] - bound(active_.variables[at(i)], x_l, x_u, i)
-                 : static_cast<double>(wide_[at(i)]);
+        given(i) ? x[at(i)] - bound(active_.variables[at(i)], x_l, x_u, i)
+                 : static_cast<double>(wide[at(i)]);
   }
   const std::span<const double> g_l = problem_.constraint_lower();
   const std::span<const double> g_u = problem_.constraint_upper();
-  std::copy(g_.begin(), g_.end(), residual_.begin() + n_);
   for (int i = 0; !g_l.empty() && i < m_; ++i) {
     double& value = residual_[at(n_ + i)];
     value = given(n_ + i)
@@ -85,7 +78,7 @@ bool KktSystem::evaluate(std::span<const double> x,
                 : value - bound(active_.constraints[at(i)], g_l, g_u, i);
   }
   if (tangency_ != nullptr) {
-    tangency_at_ = tangency_->linearise(x_, lambda_);
+    tangency_at_ = tangency_->linearise(x, lambda);
     residual_.back() = tangency_at_.residual;
   }
   return true;

@@ -38,6 +38,8 @@ class KktSystem {
 
   /// Moves to (x, λ, φ) and evaluates the residual. False if the problem
   /// refuses the point.
+  ///
+  /// \param lambda  has to stay until evaluate_jacobian() was called
   [[nodiscard]] bool evaluate(std::span<const double> x,
                               std::span<const double> lambda, double phi);
   [[nodiscard]] std::span<const double> residual() const { return residual_; }
@@ -53,6 +55,7 @@ class KktSystem {
   }
 
   /// The Jacobian by coordinates, and its entries in that order.
+  /// \pre evaluate() was called
   [[nodiscard]] nlp::SparsityPattern pattern() const;
   void jacobian(std::vector<double>& values) const;
 
@@ -72,9 +75,8 @@ class KktSystem {
   nlp::ActiveSet active_;
   int n_, m_;
   std::vector<char> given_;
-  std::vector<double> x_, lambda_;
-  std::vector<double> grad_f_, g_, jac_g_, hess_lag_, residual_;
-  std::vector<long double> wide_;  ///< scratch
+  std::span<const double> lambda_;
+  std::vector<double> jac_g_, hess_lag_, residual_;
   nlp::TangencyCondition::Linearisation tangency_at_;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
@@ -19,19 +20,16 @@ namespace brachisto {
 
 namespace {
 
-/// x, λ and φ in one vector.
 struct Iterate {
   PrimalDual point;
   double phi;
 
-  [[nodiscard]] Iterate moved(std::span<const double> step, double by,
-                              bool has_phi) const {
-    Iterate out = *this;
+  /// x, λ and φ, which are one vector, less `by` times another one.
+  void subtract(double by, std::span<const double> direction, bool has_phi) {
     std::size_t i = 0;
-    for (double& value : out.point.x) value += by * step[i++];
-    for (double& value : out.point.lambda) value += by * step[i++];
-    if (has_phi) out.phi += by * step[i];
-    return out;
+    for (double& value : point.x) value -= by * direction[i++];
+    for (double& value : point.lambda) value -= by * direction[i++];
+    if (has_phi) phi -= by * direction[i];
   }
 };
 
@@ -41,18 +39,16 @@ class StepSolver {
   StepSolver(KktSystem& system, LinearSolver solver, bool chain_alone)
       : system_(system),
         chain_alone_(chain_alone),
-        step_(static_cast<std::size_t>(system.size())) {
+        direction_(static_cast<std::size_t>(system.size())) {
     if (solver != LinearSolver::Mumps) chain_ = BorderedChain::make(system);
   }
 
-  /// J step = −residual at the system's point. False if J is singular.
+  /// J d = residual at the system's point. False if J is singular.
   [[nodiscard]] bool solve() {
     system_.evaluate_jacobian();
-    std::vector<double> rhs(system_.residual().begin(),
-                            system_.residual().end());
-    for (double& value : rhs) value = -value;
     const auto by_chain = [&] {
-      return chain_->factorise() && chain_->solve(rhs, step_);
+      return chain_->factorise() &&
+             chain_->solve(system_.residual(), direction_);
     };
     const auto by_chain_anew = [&] {
       chain_->forget_pivots();
@@ -79,13 +75,16 @@ class StepSolver {
     determinant_sign_ = lu_->determinant_sign();
     if (regular) {
       const PhaseTimer timer(Phase::Solution);
-      step_ = lu_->solve(rhs);
+      direction_ = lu_->solve(system_.residual());
     }
     by_chain_ = false;
     return regular;
   }
 
-  [[nodiscard]] const std::vector<double>& step() const { return step_; }
+  /// d; the step is −d.
+  [[nodiscard]] const std::vector<double>& direction() const {
+    return direction_;
+  }
   [[nodiscard]] int determinant_sign() const { return determinant_sign_; }
   [[nodiscard]] bool by_chain() const { return by_chain_; }
 
@@ -94,7 +93,7 @@ class StepSolver {
   bool chain_alone_;
   std::unique_ptr<BorderedChain> chain_;
   std::unique_ptr<SparseLu> lu_;
-  std::vector<double> step_, jacobian_;
+  std::vector<double> direction_, jacobian_;
   int determinant_sign_ = 0;
   bool by_chain_ = false;
 };
@@ -124,8 +123,7 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
     return;
   }
   KktSystem system(problem, tangency, nlp::active_set(problem, result.point));
-  Iterate now{result.point, result.phi};
-  if (!system.evaluate(now.point.x, now.point.lambda, now.phi)) {
+  if (!system.evaluate(result.point.x, result.point.lambda, result.phi)) {
     result.status = Status::NotEvaluable;
     return;
   }
@@ -151,15 +149,15 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
     bool moved = false;
     double by = 1.0;
     for (int halving = 0; halving <= options.max_halvings; ++halving) {
-      const Iterate trial = now.moved(solver.step(), by, tangency != nullptr);
+      Iterate trial{result.point, result.phi};
+      trial.subtract(by, solver.direction(), tangency != nullptr);
       if (system.evaluate(trial.point.x, trial.point.lambda, trial.phi) &&
           system.max_residual() < residual) {
         moved = system.max_residual() <= 0.5 * residual ||
                 residual > options.tolerance;
         residual = system.max_residual();
-        now = trial;
-        result.point = now.point;
-        result.phi = now.phi;
+        result.point = std::move(trial.point);
+        result.phi = trial.phi;
         result.residual = residual;
         break;
       }
@@ -176,10 +174,10 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
 
 NewtonResult solve_with_newton(nlp::Problem& problem,
                                nlp::TangencyCondition* tangency,
-                               const PrimalDual& start, double phi,
+                               PrimalDual start, double phi,
                                const NewtonOptions& options) {
   NewtonResult result;
-  result.point = start;
+  result.point = std::move(start);
   result.phi = phi;
   result.first_residual = result.residual =
       std::numeric_limits<double>::infinity();

@@ -263,16 +263,15 @@ void expect_product(const ChainMatrix& matrix, const ChainLdlt& ldlt,
   const int n = matrix.size();
   std::vector<double> x(static_cast<std::size_t>(n));
   for (double& value : x) value = std::round(random.uniform(-99.0, 99.0));
-  constexpr long double kBefore = 17.0L;
-  std::vector<long double> residual(x.size(), kBefore);
+  constexpr double kBefore = 17.0;
+  std::vector<double> residual(x.size(), kBefore);
 
   ldlt.subtract_product(x, residual);
 
   for (int i = 0; i < n; ++i) {
-    long double expected = kBefore;
+    double expected = kBefore;
     for (int j = 0; j < n; ++j) {
-      expected -= static_cast<long double>(matrix.dense(i, j)) *
-                  x[static_cast<std::size_t>(j)];
+      expected -= matrix.dense(i, j) * x[static_cast<std::size_t>(j)];
     }
     ASSERT_EQ(residual[static_cast<std::size_t>(i)], expected)
         << what << ", row " << i;

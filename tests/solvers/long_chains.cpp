@@ -155,6 +155,24 @@ TEST(LongChains, HaveTheInertiaTheyWereMadeWith) {
   }
 }
 
+// As on a fine mesh with what was chosen on a coarse one.
+TEST(LongChains, AreJoinedWherePivotsKeptFromOthersSuitNoLink) {
+  const ChainScope scope;
+  const LongChain before = long_chain(20, 1e-6, 2000);
+  const LongChain chain = long_chain(1026, 1e-6, 1);
+  const auto other = before.ChainEntries::analysed();
+  ASSERT_TRUE(before.factorise(*other));
+  const auto ldlt = chain.ChainEntries::analysed();
+
+  ASSERT_TRUE(chain.factorise(*ldlt));
+
+  // Of each section of 512 links eight, which its lanes are joined to; the
+  // links at the ends differ from the others.
+  EXPECT_EQ(ldlt->num_swept(), 2 * 8 + 2);
+  EXPECT_EQ(ldlt->inertia().positive, chain.positive);
+  EXPECT_EQ(ldlt->inertia().negative, chain.size() - chain.positive);
+}
+
 TEST(LongChains, AreSolvedToRounding) {
   for (const Kind& kind : kKinds) {
     const LongChain chain = long_chain(kind.links, kind.variation, kind.other);

@@ -18,9 +18,8 @@ namespace brachisto::testing {
   std::vector<double> x = b;
   ldlt.solve(x);
   for (int step = 0; step < refinements; ++step) {
-    std::vector<long double> residual(b.begin(), b.end());
-    ldlt.subtract_product(x, residual);
-    std::vector<double> correction(residual.begin(), residual.end());
+    std::vector<double> correction = b;
+    ldlt.subtract_product(x, correction);
     ldlt.solve(correction);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
   }

@@ -77,8 +77,7 @@ struct NewtonResult {
 /// \return the point of the smallest residual, the start itself at worst
 [[nodiscard]] NewtonResult solve_with_newton(nlp::Problem& problem,
                                              nlp::TangencyCondition* tangency,
-                                             const PrimalDual& start,
-                                             double phi,
+                                             PrimalDual start, double phi,
                                              const NewtonOptions& options);
 
 }  // namespace brachisto

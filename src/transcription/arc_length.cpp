@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
@@ -16,6 +17,13 @@ namespace brachisto {
 namespace {
 
 using enum StateComponent;
+
+/// The one next to `value` > 0, by their ratio.
+double power_of_two(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);  // from ½ to 1
+  return std::ldexp(mantissa < 0.5 * std::numbers::sqrt2 ? 0.5 : 1.0, exponent);
+}
 
 }  // namespace
 
@@ -57,24 +65,21 @@ nlp::ChainStructure ArcLength::chain_structure() const {
   nlp::ChainStructure chain = Transcription::chain_structure();
   chain.scale.assign(chain.block.size(), 1.0);
   const double pieces = num_intervals();
+  const double root = std::sqrt(pieces);
   // Second derivatives of T grow like N³/j² towards the start, first ones of
   // the constraints are of order one.
-  const auto of_place = [pieces](int node) {
-    return std::exp2(
-        std::round(std::log2(node / (pieces * std::sqrt(pieces)))));
-  };
+  const double per_node = 1.0 / (pieces * root);
   for (int i = 0; i < layout().last(); ++i) {
     check_stop(i);
-    chain.scale[at(i)] = of_place(layout().node_of(i));
+    chain.scale[at(i)] = power_of_two(layout().node_of(i) * per_node);
   }
   for (int i = 0; i < num_constraints(); ++i) {
     check_stop(i);
     chain.scale[at(num_variables() + i)] =
-        1.0 / of_place(layout().point_of(i) + 1);
+        1.0 / power_of_two((layout().point_of(i) + 1) * per_node);
   }
-  // Place rows have the entries σ², scaled by 1/of_place: up to √N.
-  chain.scale[at(layout().last())] =
-      std::exp2(std::round(-0.5 * std::log2(pieces)));
+  // Place rows have the entries σ², scaled by 1/per_node: up to √N.
+  chain.scale[at(layout().last())] = power_of_two(1.0 / root);
   return chain;
 }
 
@@ -92,22 +97,24 @@ bool ArcLength::set_nodes() {
   const Body& body = scene().body;
   const double g = scene().gravity;
   const double arm = body.radius * body.eta_m;
+  const double sin_start = std::sin(body.theta_m);
+  const double cos_start = std::cos(body.theta_m);
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const double drop = x(layout().state(node, Z));
-    const double turned =
-        layout().has_theta() ? x(layout().state(node, Theta)) : 0.0;
-    const double E = energy_height_after(body, drop, turned);
-    const double E_theta = arm * std::cos(body.theta_m + turned);
-    const double E_theta_theta = -arm * std::sin(body.theta_m + turned);
+    const double half =
+        layout().has_theta() ? 0.5 * x(layout().state(node, Theta)) : 0.0;
+    // The only sines of the node; its rotation is half and half more.
+    const double sin_half = std::sin(half);
+    const double cos_half = std::cos(half);
+    const double sin_there = sin_start * cos_half + cos_start * sin_half;
+    const double cos_there = cos_start * cos_half - sin_start * sin_half;
+    const double E = energy_height_halfway(body, drop, sin_half, cos_there);
     if (!(E > 0.0)) return refuse(node, "the energy E is not positive");
     const double w = fall_speed(g, E);
-    const double by_E = g / w;
-    const double by_E_E = -by_E * by_E / w;
-    speeds_[at(node)] = {w,
-                         {0.0, by_E, by_E * E_theta},
-                         {0.0, 0.0, by_E_E, 0.0, by_E_E * E_theta,
-                          by_E_E * E_theta * E_theta + by_E * E_theta_theta}};
+    speeds_[at(node)] = {w, g / w,
+                         arm * (cos_there * cos_half - sin_there * sin_half),
+                         -arm * (sin_there * cos_half + cos_there * sin_half)};
   }
   return true;
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace brachisto::math {
 
@@ -60,6 +61,12 @@ struct Jet1 {
       out.gradient[i] = a.gradient[i] * b.value + a.value * b.gradient[i];
     }
     return out;
+  }
+  /// With a number no gradient has to be multiplied.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  friend Jet1 operator*(const Jet1& a, Number factor) {
+    return a.chain(a.value * factor, Real(factor));
   }
   friend Jet1 operator/(const Jet1& a, const Jet1& b) {
     const Real inverse = Real(1) / b.value;

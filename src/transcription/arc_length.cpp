@@ -3,6 +3,7 @@
 
 #include "transcription/arc_length.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -63,20 +64,21 @@ nlp::EliminationOrder ArcLength::elimination_order() const {
 
 nlp::ChainStructure ArcLength::chain_structure() const {
   nlp::ChainStructure chain = Transcription::chain_structure();
-  chain.scale.assign(chain.block.size(), 1.0);
+  chain.scale.resize(chain.block.size());
   const double pieces = num_intervals();
   const double root = std::sqrt(pieces);
   // Second derivatives of T grow like N³/j² towards the start, first ones of
   // the constraints are of order one.
   const double per_node = 1.0 / (pieces * root);
-  for (int i = 0; i < layout().last(); ++i) {
-    check_stop(i);
-    chain.scale[at(i)] = power_of_two(layout().node_of(i) * per_node);
-  }
-  for (int i = 0; i < num_constraints(); ++i) {
-    check_stop(i);
-    chain.scale[at(num_variables() + i)] =
-        1.0 / power_of_two((layout().point_of(i) + 1) * per_node);
+  const int states = layout().num_states();
+  const int rows = layout().has_theta() ? 2 : 1;  // no slip, place
+  const auto of_variables = chain.scale.begin();
+  const auto of_rows = of_variables + num_variables();
+  for (int node = 1; node <= num_intervals(); ++node) {
+    check_stop(node);
+    const double scale = power_of_two(node * per_node);
+    std::fill_n(of_variables + layout().state(node, X), states, scale);
+    std::fill_n(of_rows + layout().no_slip(node), rows, 1.0 / scale);
   }
   // Place rows have the entries σ², scaled by 1/per_node: up to √N.
   chain.scale[at(layout().last())] = power_of_two(1.0 / root);
@@ -119,6 +121,13 @@ bool ArcLength::set_nodes() {
   return true;
 }
 
+double ArcLength::turned(int node) const {
+  if (!layout().has_theta()) return 0.0;
+  const double after = x(layout().state(node, Theta));
+  const double before = node > 1 ? x(layout().state(node - 1, Theta)) : 0.0;
+  return before + middle(node) * (after - before);
+}
+
 bool ArcLength::set_pieces() {
   const Body& body = scene().body;
   const double S = x(layout().arc_length());
@@ -136,17 +145,16 @@ bool ArcLength::set_pieces() {
     piece.inverse_speed =
         inverse_mean_speed(speeds_[at(node - 1)].w, speeds_[at(node)].w);
     piece.length = S * share(node);
-    double turned = 0.0;
     if (layout().has_theta()) {
       const double next_theta = x(layout().state(node, Theta));
-      turned = last_theta + middle(node) * (next_theta - last_theta);
       piece.length = body.radius * (next_theta - last_theta);
       last_theta = next_theta;
     }
     if (!(piece.length > 0.0))
       return refuse(node, "the rotation does not grow");
-    piece.sin_theta = std::sin(body.theta_m + turned);
-    piece.cos_theta = std::cos(body.theta_m + turned);
+    const double theta = body.theta_m + turned(node);
+    piece.sin_theta = std::sin(theta);
+    piece.cos_theta = std::cos(theta);
     const double square = piece_square(body, piece.dx, piece.dz, piece.length,
                                        piece.sin_theta, piece.cos_theta);
     if (!(square > 0.0)) {

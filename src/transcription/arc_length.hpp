@@ -82,11 +82,10 @@ class ArcLength final : public Transcription {
   /// Where σ is in the middle of a piece: rotation, mean speed, slope angle and
   /// the costates of 𝓗 there.
   struct PieceState {
-    int node;  ///< to which the piece leads
     double theta, w, beta;
     Costates p;  ///< p_θ is not set
   };
-  /// Of the piece that leads to a node, at the current point. ∂𝓗/∂β = 0 holds
+  /// Of the piece that leads to `node`, at the current point. ∂𝓗/∂β = 0 holds
   /// on each of them if it is stationary.
   /// \param end  the costates at the end, end_costates()
   [[nodiscard]] PieceState piece_state(int node, std::span<const double> lambda,
@@ -157,6 +156,8 @@ class ArcLength final : public Transcription {
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
 
+  /// θ − θ_m in the middle of the piece that leads to `node`.
+  [[nodiscard]] double turned(int node) const;
   bool set_nodes();
   bool set_pieces();
   /// Derivatives of the time of the piece that leads to `node`.

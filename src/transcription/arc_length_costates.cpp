@@ -87,8 +87,7 @@ ArcLength::PieceState ArcLength::piece_state(int node,
   // worth from here on.
   const double momentum_z =
       d.z + lambda[at(layout().no_slip(node))] * dz / reference_length(node);
-  return {node,
-          std::atan2(piece.sin_theta, piece.cos_theta),
+  return {scene().body.theta_m + turned(node),
           w,
           std::atan2(dz, dx),
           {.p_x = end.p_x,

@@ -128,16 +128,18 @@ void ArcLength::put_jac_g(Entries& put) const {
     const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
         pieces_[at(piece)];
     const double inverse = 1.0 / reference_length(piece);
-    const Five slip{dx * inverse, dz * inverse, -length * inverse, 0.0, 0.0};
+    // By the node at the end of the piece; by the one before the opposite.
+    const std::array<double, 3> by{dx * inverse, dz * inverse,
+                                   -scene().body.radius * length * inverse};
     const int row = layout().no_slip(piece);
     for (int node = std::max(1, piece - 1); node <= piece; ++node) {
-      const auto by = influence(piece, node).of(slip);
       for (int i = 0; i < layout().num_states(); ++i) {
-        put(row, layout().state(node, X) + i, by[at(i)]);
+        put(row, layout().state(node, X) + i,
+            node == piece ? by[at(i)] : -by[at(i)]);
       }
     }
     if (!layout().has_theta()) {
-      put(row, S, slip.length * length_by_S(piece));
+      put(row, S, -length * inverse * share(piece));
       continue;
     }
     put(layout().place(piece), layout().state(piece, Theta),

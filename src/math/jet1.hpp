@@ -51,10 +51,17 @@ struct Jet1 {
     }
     return *this;
   }
+  Jet1& operator-=(const Jet1& other) {
+    value -= other.value;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      gradient[i] -= other.gradient[i];
+    }
+    return *this;
+  }
   [[nodiscard]] Jet1 operator-() const { return chain(-value, Real(-1)); }
 
   friend Jet1 operator+(Jet1 a, const Jet1& b) { return a += b; }
-  friend Jet1 operator-(Jet1 a, const Jet1& b) { return a += -b; }
+  friend Jet1 operator-(Jet1 a, const Jet1& b) { return a -= b; }
   friend Jet1 operator*(const Jet1& a, const Jet1& b) {
     Jet1 out(a.value * b.value);
     for (std::size_t i = 0; i < out.gradient.size(); ++i) {

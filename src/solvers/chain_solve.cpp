@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "brachisto/math/phase_clock.hpp"
@@ -231,30 +232,57 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
 
 void ChainLdlt::subtract_product(std::span<const double> x,
                                  std::span<long double> residual) const {
-  std::vector<double> local;
-  std::vector<long double> sum;
+  std::vector<double> local, values;
+  // By rows, entries and their mirror images: sums are complete one by one.
+  struct Factor {
+    int value, col;
+  };
+  std::vector<Factor> factors;
+  std::vector<std::size_t> ends;
   for (const Run& run : map_.runs()) {
     local.resize(run.unknowns.size());
-    sum.resize(run.unknowns.size());
+    values.resize(run.entries.size());
+    const auto for_each_factor = [&](auto&& visit) {
+      int value = 0;
+      for (const ChainMap::Entry& entry : run.entries) {
+        visit(entry.row, entry.col, value);
+        if (entry.row != entry.col) visit(entry.col, entry.row, value);
+        ++value;
+      }
+    };
+    ends.assign(run.unknowns.size() + 1, 0);
+    for_each_factor([&](int row, int, int) { ++ends[at(row) + 1]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    factors.resize(ends.back());
+    for_each_factor([&](int row, int col, int value) {
+      factors[ends[at(row)]++] = {value, col};
+    });
     for (int link = 0; link < run.num_links; ++link) {
       check_stop(link);
-      for (std::size_t i = 0; i < local.size(); ++i) {
-        const bool has = run.has(run.unknowns[i], link);
-        local[i] = has ? x[run.unknowns[i].at(link)] : 0.0;
-        sum[i] = 0.0L;
-      }
       const bool at_end = link == 0 || link == run.num_links - 1;
-      for (const ChainMap::Entry& entry : run.entries) {
-        if (at_end && !run.has(entry.source, link)) continue;
-        const long double value =
-            values_[at(entry.array)][entry.source.at(link)];
-        sum[at(entry.row)] += value * local[at(entry.col)];
-        if (entry.row == entry.col) continue;
-        sum[at(entry.col)] += value * local[at(entry.row)];
-      }
+      const auto has = [&](const Affine& place) {
+        return !at_end || run.has(place, link);
+      };
       for (std::size_t i = 0; i < local.size(); ++i) {
-        if (!run.has(run.unknowns[i], link)) continue;
-        residual[run.unknowns[i].at(link)] -= sum[i];
+        const Affine& unknown = run.unknowns[i];
+        local[i] = has(unknown) ? x[unknown.at(link)] : 0.0;
+      }
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const ChainMap::Entry& entry = run.entries[i];
+        values[i] = has(entry.source)
+                        ? values_[at(entry.array)][entry.source.at(link)]
+                        : 0.0;
+      }
+      const Factor* factor = factors.data();
+      for (std::size_t i = 0; i < local.size(); ++i) {
+        long double sum = 0.0L;
+        for (const Factor* end = factors.data() + ends[i]; factor != end;
+             ++factor) {
+          sum += static_cast<long double>(values[at(factor->value)]) *
+                 local[at(factor->col)];
+        }
+        const Affine& unknown = run.unknowns[i];
+        if (has(unknown)) residual[unknown.at(link)] -= sum;
       }
     }
   }

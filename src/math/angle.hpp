@@ -21,4 +21,10 @@ inline constexpr double kTurn = 2.0 * std::numbers::pi;
   return std::atan2(std::sin(angle), std::cos(angle));
 }
 
+/// The same direction in [−π, π]; what is there already stays as it is.
+[[nodiscard]] inline double least_turn(double angle) {
+  return std::abs(angle) <= std::numbers::pi ? angle
+                                             : std::remainder(angle, kTurn);
+}
+
 }  // namespace brachisto::math

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace brachisto::math {
 
@@ -50,16 +51,29 @@ struct Jet1 {
     }
     return *this;
   }
+  Jet1& operator-=(const Jet1& other) {
+    value -= other.value;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      gradient[i] -= other.gradient[i];
+    }
+    return *this;
+  }
   [[nodiscard]] Jet1 operator-() const { return chain(-value, Real(-1)); }
 
   friend Jet1 operator+(Jet1 a, const Jet1& b) { return a += b; }
-  friend Jet1 operator-(Jet1 a, const Jet1& b) { return a += -b; }
+  friend Jet1 operator-(Jet1 a, const Jet1& b) { return a -= b; }
   friend Jet1 operator*(const Jet1& a, const Jet1& b) {
     Jet1 out(a.value * b.value);
     for (std::size_t i = 0; i < out.gradient.size(); ++i) {
       out.gradient[i] = a.gradient[i] * b.value + a.value * b.gradient[i];
     }
     return out;
+  }
+  /// With a number no gradient has to be multiplied.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  friend Jet1 operator*(const Jet1& a, Number factor) {
+    return a.chain(a.value * factor, Real(factor));
   }
   friend Jet1 operator/(const Jet1& a, const Jet1& b) {
     const Real inverse = Real(1) / b.value;

@@ -12,6 +12,19 @@
 
 namespace brachisto {
 
+/// E from what energy_height_after() makes of its `turned`, for where sines
+/// and cosines are at hand.
+///
+/// \param drop      z − z_0 [m]
+/// \param sin_half  sin (θ − θ_m)/2
+/// \param cos_mean  cos (θ + θ_m)/2
+template <class Scalar>
+[[nodiscard]] Scalar energy_height_halfway(const Body& body, const Scalar& drop,
+                                           const Scalar& sin_half,
+                                           const Scalar& cos_mean) {
+  return drop + cos_mean * sin_half * (2.0 * body.radius * body.eta_m);
+}
+
 /// Energy height E = z − z_0 + r η (sin θ − sin θ_m) [m]: how far the weight
 /// has come down since the start (eq. (1)).
 ///
@@ -29,8 +42,8 @@ template <class Scalar>
   using std::cos;
   using std::sin;
   const Scalar half = turned * 0.5;
-  return drop + cos(half + body.theta_m) * sin(half) *
-                    (2.0 * body.radius * body.eta_m);
+  return energy_height_halfway(body, drop, Scalar(sin(half)),
+                               Scalar(cos(half + body.theta_m)));
 }
 
 /// The same.

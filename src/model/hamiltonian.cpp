@@ -50,12 +50,23 @@ double gain_of_other_directions(const Body& body, double gravity,
         inertia_factor(body, sin_theta * cosine - cos_theta * sine);
     h[i] = std::sqrt(A) + pull_x * cosine + pull_z * sine;
   }
-  double gain = 0.0;
-  for (const double value : h) {
-    // Written so that a NaN stays.
-    gain = own - value <= gain ? gain : own - value;
-    if (std::isnan(gain)) break;
+  // The least of all by as many as a processor compares at once. A NaN passes
+  // by comparisons and stays in a sum.
+  constexpr std::size_t kAtOnce = 8;
+  std::array<double, kAtOnce> least{}, sum{};
+  for (std::size_t i = 0; i < kDirections; i += kAtOnce) {
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      const double change = h[i + k] - own;
+      least[k] = change < least[k] ? change : least[k];
+      sum[k] += change;
+    }
   }
+  double gain = 0.0, all = 0.0;
+  for (std::size_t k = 0; k < kAtOnce; ++k) {
+    gain = std::max(gain, -least[k]);
+    all += sum[k];
+  }
+  if (std::isnan(all)) return all;
   return gain / own_root;
 }
 

@@ -20,15 +20,25 @@ namespace brachisto {
 
 namespace {
 
+/// Pieces of a mesh over those of the mesh before.
+constexpr int kStride = 4;
+/// The same where the mesh before is fine: what is left of its error after the
+/// first step of Newton's method is the square, and that is rounding then.
+constexpr int kLongStride = kStride * kStride;
+
 /// n, n/4, n/16, … down to about `coarsest`, in ascending order; n/4 or, of few
 /// pieces, n/2 always.
-std::deque<int> divisions(int n, int coarsest) {
-  constexpr int kStep = 4;
+///
+/// \param longest  the stride to a mesh of `longest` times `coarsest` or more
+std::deque<int> divisions(int n, int coarsest, int longest) {
   std::deque<int> pieces{n};
   do {
     const int before = pieces.back();
-    pieces.push_back(before >= kStep * coarsest ? (before + kStep - 1) / kStep
-                                                : (before + 1) / 2);
+    const int stride =
+        before / longest >= longest * coarsest ? longest : kStride;
+    pieces.push_back(before >= stride * coarsest
+                         ? (before + stride - 1) / stride
+                         : (before + 1) / 2);
   } while (pieces.back() >= 2 * coarsest);
   return {pieces.rbegin(), pieces.rend()};
 }
@@ -107,7 +117,7 @@ class Pieces {
         coarse_(coarsest_),
         next_(fixed_ ? divisions(wanted.elements ? *wanted.elements
                                                  : *wanted.nodes - 1,
-                                 coarsest_)
+                                 coarsest_, kLongStride)
                      : std::deque{coarse_, 2 * coarse_}) {}
 
   [[nodiscard]] std::string name() const {
@@ -183,7 +193,8 @@ class Pieces {
           tolerance_, n);
       return false;
     }
-    climb_to(divisions(static_cast<int>(std::ceil(n)), coarse_), out);
+    // The estimate that n follows from is that of short strides.
+    climb_to(divisions(static_cast<int>(std::ceil(n)), coarse_, kStride), out);
     return true;
   }
   /// Over those meshes that are finer than the present one.

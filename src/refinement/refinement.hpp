@@ -75,8 +75,9 @@ struct ArcLengthRefinement : RefinementProtocol {
 
 /// Solves on the mesh that `wanted` fixes, or on one that follows from its
 /// tolerance. The first mesh, of some dozen pieces per turn, starts from
-/// `curve`; each further one has up to four times as many and starts from the
-/// one before, multipliers included.
+/// `curve`; each further one has up to four times as many, of a mesh that is
+/// fixed up to sixteen times, if that leaves the one before fine enough, and
+/// starts from the one before, multipliers included.
 ///
 /// The error of N pieces is estimated from those of M < N. With ΔT and Δφ the
 /// changes from M to N, it is

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "brachisto/math/phase_clock.hpp"
@@ -231,8 +232,8 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
 
 void ChainLdlt::subtract_product(std::span<const double> x,
                                  std::span<double> residual) const {
-  std::vector<double> local;
-  std::vector<long double> sum, border;
+  std::vector<double> local, values;
+  std::vector<long double> sums, border;
   for (const int i : map_.border()) border.push_back(residual[at(i)]);
   // What a link leaves to the next one of the separator between them.
   struct SoFar {
@@ -240,49 +241,81 @@ void ChainLdlt::subtract_product(std::span<const double> x,
     long double value;
   };
   std::vector<SoFar> separator;
+  // By rows, entries and their mirror images: sums are complete one by one.
+  struct Factor {
+    int value, col;
+  };
+  std::vector<Factor> factors;
+  std::vector<std::size_t> ends;
   for (const Run& run : map_.runs()) {
     local.resize(run.unknowns.size());
-    sum.resize(run.unknowns.size());
+    sums.resize(run.unknowns.size());
+    values.resize(run.entries.size());
     const int first_right = run.interior + run.left;
     const int first_border = first_right + run.right;
+    const auto for_each_factor = [&](auto&& visit) {
+      int value = 0;
+      for (const ChainMap::Entry& entry : run.entries) {
+        visit(entry.row, entry.col, value);
+        if (entry.row != entry.col) visit(entry.col, entry.row, value);
+        ++value;
+      }
+    };
+    ends.assign(run.unknowns.size() + 1, 0);
+    for_each_factor([&](int row, int, int) { ++ends[at(row) + 1]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    factors.resize(ends.back());
+    for_each_factor([&](int row, int col, int value) {
+      factors[ends[at(row)]++] = {value, col};
+    });
     for (int link = 0; link < run.num_links; ++link) {
       check_stop(link);
-      for (std::size_t i = 0; i < local.size(); ++i) {
-        const bool has = run.has(run.unknowns[i], link);
-        local[i] = has ? x[run.unknowns[i].at(link)] : 0.0;
-        sum[i] = 0.0L;
-      }
       const bool at_end = link == 0 || link == run.num_links - 1;
-      for (const ChainMap::Entry& entry : run.entries) {
-        if (at_end && !run.has(entry.source, link)) continue;
-        const long double value =
-            values_[at(entry.array)][entry.source.at(link)];
-        sum[at(entry.row)] += value * local[at(entry.col)];
-        if (entry.row == entry.col) continue;
-        sum[at(entry.col)] += value * local[at(entry.row)];
+      const auto has = [&](const Affine& place) {
+        return !at_end || run.has(place, link);
+      };
+      for (std::size_t i = 0; i < local.size(); ++i) {
+        const Affine& unknown = run.unknowns[i];
+        local[i] = has(unknown) ? x[unknown.at(link)] : 0.0;
+      }
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const ChainMap::Entry& entry = run.entries[i];
+        values[i] = has(entry.source)
+                        ? values_[at(entry.array)][entry.source.at(link)]
+                        : 0.0;
+      }
+      const Factor* factor = factors.data();
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        long double sum = 0.0L;
+        for (const Factor* end = factors.data() + ends[i]; factor != end;
+             ++factor) {
+          sum += static_cast<long double>(values[at(factor->value)]) *
+                 local[at(factor->col)];
+        }
+        sums[i] = sum;
       }
       // visit(unknown, its sum)
       const auto each = [&](int begin, int end, auto&& visit) {
         for (int i = begin; i < end; ++i) {
           const Affine& unknown = run.unknowns[at(i)];
-          if (run.has(unknown, link)) visit(unknown.at(link), sum[at(i)]);
+          if (has(unknown)) visit(unknown.at(link), sums[at(i)]);
         }
       };
-      each(0, run.interior, [&](std::size_t i, long double s) {
-        residual[i] = static_cast<double>(residual[i] - s);
+      each(0, run.interior, [&](std::size_t i, long double sum) {
+        residual[i] = static_cast<double>(residual[i] - sum);
       });
       auto before = separator.begin();
-      each(run.interior, first_right, [&](std::size_t i, long double s) {
+      each(run.interior, first_right, [&](std::size_t i, long double sum) {
         const long double so_far =
             before == separator.end() ? residual[i] : before++->value;
-        residual[i] = static_cast<double>(so_far - s);
+        residual[i] = static_cast<double>(so_far - sum);
       });
       separator.clear();
-      each(first_right, first_border, [&](std::size_t i, long double s) {
-        separator.push_back({i, residual[i] - s});
+      each(first_right, first_border, [&](std::size_t i, long double sum) {
+        separator.push_back({i, residual[i] - sum});
       });
       for (std::size_t k = 0; k < border.size(); ++k) {
-        border[k] -= sum[at(first_border) + k];
+        border[k] -= sums[at(first_border) + k];
       }
     }
   }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/angle.hpp"
 #include "math/gauss.hpp"
 #include "model/contact.hpp"
 #include "model/energy.hpp"
@@ -333,49 +334,34 @@ void check_motion(const ExtremalCurve& curve, double time_error,
   certificate.add("reintegration_error", worst, threshold, where);
 }
 
-/// 𝓗 on the pieces, at the current point of `problem`.
-void check_directions(const ArcLength& problem, std::span<const double> lambda,
-                      double threshold, Certificate& certificate) {
+/// Slopes, and 𝓗 on the pieces, at the current point of `problem`.
+void check_pieces(const ArcLength& problem, std::span<const double> lambda,
+                  double threshold, Certificate& certificate) {
   const Scene& scene = problem.scene();
-  Largest flattest = kLeast, better = kLeast;
+  Largest steepest = kLeast, flattest = kLeast, better = kLeast;
   const Costates end = problem.end_costates(lambda);
+  double beta = start_angle(scene.body);
   for (int node = 1; node <= problem.num_intervals(); ++node) {
     check_stop(node);
     const ArcLength::PieceState at = problem.piece_state(node, lambda, end);
+    beta += math::least_turn(at.beta - beta);
+    steepest.see(std::abs(beta), node);
     const RollingState state{at.theta, at.w};
     flattest.see(
         -slope_hamiltonian(scene.body, scene.gravity, state, at.p, at.beta)
              .d2_beta,
-        at.node);
+        node);
     better.see(gain_of_other_directions(scene.body, scene.gravity, state, at.p,
                                         at.beta),
-               at.node);
+               node);
   }
+  certificate.add("slope_angle", steepest.value, std::numbers::pi,
+                  steepest.piece_of(problem));
   certificate.add("legendre", flattest.value,
                   -std::numeric_limits<double>::min(),
                   flattest.piece_of(problem));
   certificate.add("weierstrass", better.value, threshold,
                   better.piece_of(problem));
-}
-
-void check_slope(const ArcLength& problem, std::span<const double> x,
-                 Certificate& certificate) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  Largest steepest = kLeast;
-  double beta = start_angle(problem.scene().body);
-  double x_c = 0.0, z_c = 0.0;
-  for (int node = 1; node <= problem.num_intervals(); ++node) {
-    check_stop(node);
-    const auto i = static_cast<std::size_t>(
-        problem.layout().state(node, StateComponent::X));
-    const double raw = std::atan2(x[i + 1] - z_c, x[i] - x_c);
-    beta += std::remainder(raw - beta, kTurn);
-    steepest.see(std::abs(beta), node);
-    x_c = x[i];
-    z_c = x[i + 1];
-  }
-  certificate.add("slope_angle", steepest.value, std::numbers::pi,
-                  steepest.piece_of(problem));
 }
 
 void check_motion(const ArcLengthMotion& motion, double error,
@@ -475,9 +461,8 @@ Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
              {start.x + point.x[last], start.z + point.x[last + 1]},
              problem.end_slope(point.x, point.lambda), phi, rounding,
              certificate);
-  check_slope(problem, point.x, certificate);
-  check_directions(problem, point.lambda,
-                   std::max(kThresholds.weierstrass, rounding), certificate);
+  check_pieces(problem, point.lambda,
+               std::max(kThresholds.weierstrass, rounding), certificate);
   check_second_order(problem, point, certificate);
   check_motion(motion, error, certificate);
   return certificate;

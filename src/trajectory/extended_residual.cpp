@@ -3,7 +3,7 @@
 
 #include "trajectory/extended_residual.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -13,6 +13,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "math/jet1.hpp"
+#include "math/nearby_sines.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
@@ -40,36 +41,72 @@ struct Worst {
   }
 };
 
-/// \param gradient  of the Lagrangian at `point`; free variables have to make
-///                  it zero, fixed ones have to have their value
-/// \param defect    the worst constraint
-ExtendedResidual summarise(const nlp::Problem& problem, const PrimalDual& point,
-                           std::span<const long double> gradient,
-                           const Worst& defect) {
-  Worst stationarity;
-  Worst fixed_value;
-  for (int i = 0; i < problem.num_variables(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double value = problem.lower()[k];
-    if (value == problem.upper()[k]) {
-      fixed_value.see(static_cast<long double>(point.x[k]) - value, i);
+/// Looks at the residuals of a point, one variable and one row after the other.
+class Judge {
+ public:
+  Judge(const nlp::Problem& problem, const PrimalDual& point)
+      : problem_(problem), point_(point) {}
+
+  /// The Lagrangian's derivative has to be zero by a free variable, and a fixed
+  /// one has to have its value.
+  void see_slope(int variable, Real slope) {
+    const double value = problem_.lower()[at(variable)];
+    if (value == problem_.upper()[at(variable)]) {
+      fixed_value_.see(static_cast<Real>(point_.x[at(variable)]) - value,
+                       variable);
     } else {
-      stationarity.see(gradient[k], i);
+      stationarity_.see(slope, variable);
     }
   }
-  ExtendedResidual out{static_cast<double>(stationarity.value),
-                       static_cast<double>(defect.value),
-                       static_cast<double>(fixed_value.value),
-                       {},
-                       {}};
-  if (stationarity.index >= 0) {
-    out.worst_variable = problem.variable_name(stationarity.index);
+  void see_defect(int row, Real defect) { defect_.see(defect, row); }
+
+  [[nodiscard]] ExtendedResidual residual() const {
+    ExtendedResidual out{static_cast<double>(stationarity_.value),
+                         static_cast<double>(defect_.value),
+                         static_cast<double>(fixed_value_.value),
+                         {},
+                         {}};
+    if (stationarity_.index >= 0) {
+      out.worst_variable = problem_.variable_name(stationarity_.index);
+    }
+    if (defect_.index >= 0) {
+      out.worst_constraint = problem_.constraint_name(defect_.index);
+    }
+    return out;
   }
-  if (defect.index >= 0) {
-    out.worst_constraint = problem.constraint_name(defect.index);
+
+ private:
+  const nlp::Problem& problem_;
+  const PrimalDual& point_;
+  Worst stationarity_, fixed_value_, defect_;
+};
+
+/// The gradient of the Lagrangian, of which only those components are kept that
+/// the present element or piece adds to.
+class GradientAlongPath {
+ public:
+  /// \param width  so many variables change with one of them
+  GradientAlongPath(Judge& judge, int width)
+      : judge_(judge), window_(at(width)) {}
+
+  [[nodiscard]] Real& operator[](int variable) {
+    return window_[at(variable - first_)];
   }
-  return out;
-}
+  /// Nothing is added any more to the variables before `next`.
+  void leave_for(int next) {
+    const auto left = window_.begin() + (next - first_);
+    for (auto slope = window_.begin(); slope != left; ++slope) {
+      judge_.see_slope(first_++, *slope);
+    }
+    std::fill(std::copy(left, window_.end(), window_.begin()), window_.end(),
+              0.0L);
+  }
+
+ private:
+  Judge& judge_;
+  std::vector<Real> window_;
+  int first_ = 0;
+};
 
 /// Where a collocation point is.
 struct PointState {
@@ -111,25 +148,47 @@ Rates<Jet> rates(const Scene& scene, bool has_theta, const PointState& at) {
   return out;
 }
 
-// Derivatives with respect to x, z and the rotation of the node before a piece,
-// of its own one, and S.
-using NodeJet = math::Jet1<Real, 7>;
-
 /// Place, rotation and √(2 g E) of a node.
 struct Node {
   Real x = 0.0L, z = 0.0L, turned = 0.0L;
-  /// By the place z and the rotation alone; 0 at the start, where it is given.
+  /// By z and the rotation; 0 at the start, where it is given.
   math::Jet1<Real, 2> w;
 };
 
-/// w as a function of all, z being number `z` of them and the rotation the
-/// next.
-NodeJet speed(const Node& node, std::size_t z) {
-  NodeJet out(node.w.value);
-  out.gradient[z] = node.w.gradient[0];
-  out.gradient[z + 1] = node.w.gradient[1];
-  return out;
-}
+/// Nodes in the order of the path.
+class Nodes {
+ public:
+  Nodes(const ArcLength& problem, std::span<const double> x)
+      : layout_(problem.layout()),
+        scene_(problem.scene()),
+        x_(x),
+        sin_start_(std::sin(static_cast<Real>(scene_.body.theta_m))),
+        cos_start_(std::cos(static_cast<Real>(scene_.body.theta_m))) {}
+
+  [[nodiscard]] Node next(int number) {
+    using Jet = math::Jet1<Real, 2>;
+    Node out;
+    out.x = x_[at(layout_.state(number, X))];
+    out.z = x_[at(layout_.state(number, Z))];
+    if (layout_.has_theta()) out.turned = x_[at(layout_.state(number, Theta))];
+    const Jet half = Jet::variable(out.turned, 1) * 0.5L;
+    const auto [sine, cosine] = sines_.at(half.value);
+    const Real sin_mean = sin_start_ * cosine + cos_start_ * sine;
+    const Real cos_mean = cos_start_ * cosine - sin_start_ * sine;
+    out.w = sqrt(energy_height_halfway(scene_.body, Jet::variable(out.z, 0),
+                                       half.chain(sine, cosine),
+                                       half.chain(cos_mean, -sin_mean)) *
+                 (2.0L * scene_.gravity));
+    return out;
+  }
+
+ private:
+  const VariableLayout& layout_;
+  const Scene& scene_;
+  std::span<const double> x_;
+  Real sin_start_, cos_start_;
+  math::NearbySines sines_;
+};
 
 template <class Jet>
 ExtendedResidual collocation_residual(const RollingTime& problem,
@@ -141,8 +200,9 @@ ExtendedResidual collocation_residual(const RollingTime& problem,
   const int p = mesh.degree;
   const bool has_theta = layout.has_theta();
   const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
-  std::vector<Real> gradient(point.x.size());
-  Worst defect;
+  Judge judge(problem, point);
+  GradientAlongPath gradient(judge, layout.state(p, W) + 1);
+  Real by_U = 0.0L;
 
   for (int e = 0; e < mesh.num_elements(); ++e) {
     check_stop(e);
@@ -164,20 +224,19 @@ ExtendedResidual collocation_residual(const RollingTime& problem,
       const Rates f = rates<Jet>(problem.scene(), has_theta, at_c);
 
       // Lagrangian of the point: h (b U √A − Σ λ_i U f_i) + λᵀ D X.
-      Jet lagrangian =
-          f.time * Jet(static_cast<Real>(scheme.rule.weights[at(j)]));
+      Jet lagrangian = f.time * scheme.rule.weights[at(j)];
       const auto constrain = [&](StateComponent component, const Jet& rate) {
         const int row = layout.defect(c, component);
         const Real lambda = point.lambda[at(row)];
-        lagrangian += -(rate * Jet(lambda));
+        lagrangian += rate * -lambda;
         Real difference = 0.0L;
         for (int n = 0; n <= p; ++n) {
           const int i = layout.state(e * p + n, component);
           const Real slope = scheme.derivative(j, n);
           difference += slope * x(i);
-          gradient[at(i)] += lambda * slope;
+          gradient[i] += lambda * slope;
         }
-        defect.see(difference - h * rate.value, row);
+        judge.see_defect(row, difference - h * rate.value);
       };
       constrain(X, f.x);
       constrain(Z, f.z);
@@ -186,25 +245,26 @@ ExtendedResidual collocation_residual(const RollingTime& problem,
 
       for (int n = 0; n <= p; ++n) {
         const Real weight = h * static_cast<Real>(scheme.interpolation(j, n));
-        gradient[at(layout.state(e * p + n, W))] +=
-            weight * lagrangian.gradient[1];
+        gradient[layout.state(e * p + n, W)] += weight * lagrangian.gradient[1];
         if (has_theta) {
-          gradient[at(layout.state(e * p + n, Theta))] +=
+          gradient[layout.state(e * p + n, Theta)] +=
               weight * lagrangian.gradient[0];
         }
         if constexpr (kPlaceMatters) {
-          gradient[at(layout.state(e * p + n, X))] +=
+          gradient[layout.state(e * p + n, X)] +=
               weight * lagrangian.gradient[4];
-          gradient[at(layout.state(e * p + n, Z))] +=
+          gradient[layout.state(e * p + n, Z)] +=
               weight * lagrangian.gradient[5];
         }
       }
-      gradient[at(layout.beta(c))] += h * lagrangian.gradient[2];
-      gradient[at(layout.rolling_time())] += h * lagrangian.gradient[3];
+      gradient[layout.beta(c)] += h * lagrangian.gradient[2];
+      by_U += h * lagrangian.gradient[3];
     }
+    gradient.leave_for(layout.state((e + 1) * p, X));
   }
-
-  return summarise(problem, point, gradient, defect);
+  gradient.leave_for(layout.rolling_time());
+  judge.see_slope(layout.rolling_time(), by_U);
+  return judge.residual();
 }
 
 }  // namespace
@@ -218,83 +278,79 @@ ExtendedResidual extended_residual(const RollingTime& problem,
 
 ExtendedResidual extended_residual(const ArcLength& problem,
                                    const PrimalDual& point) {
+  // Derivatives with respect to Δx, Δz, r Δθ and the rotation in the middle of
+  // a piece and the sum of w at its ends.
+  using Jet = math::Jet1<Real, 5>;
   const VariableLayout& layout = problem.layout();
-  const Scene& scene = problem.scene();
-  const Body& body = scene.body;
+  const Body& body = problem.scene().body;
+  const Real r = body.radius;
+  const Real eta = body.eta_m;
   const bool has_theta = layout.has_theta();
-  const int stride = layout.num_states();
-  const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
-  const auto node_at = [&](int node) {
-    using Jet = math::Jet1<Real, 2>;
-    Node out;
-    out.x = x(layout.state(node, X));
-    out.z = x(layout.state(node, Z));
-    if (has_theta) out.turned = x(layout.state(node, Theta));
-    out.w = sqrt(energy_height_after(body, Jet::variable(out.z, 0),
-                                     Jet::variable(out.turned, 1)) *
-                 Jet(static_cast<Real>(2.0 * scene.gravity)));
-    return out;
-  };
-  const NodeJet S = NodeJet::variable(x(layout.arc_length()), 6);
+  const Real S = point.x[at(layout.arc_length())];
   const Real n = problem.num_intervals();
-  std::vector<Real> gradient(point.x.size());
-  Worst defect;
+  Judge judge(problem, point);
+  GradientAlongPath gradient(judge, layout.num_states());
+  Real by_S = 0.0L;
+  Nodes nodes(problem, point.x);
+  math::NearbySines sines;
 
   // The start is given.
   Node before;
   for (int j = 1; j <= problem.num_intervals(); ++j) {
     check_stop(j);
-    const Node own = node_at(j);
-    const NodeJet dx =
-        NodeJet::variable(own.x, 3) - NodeJet::variable(before.x, 0);
-    const NodeJet dz =
-        NodeJet::variable(own.z, 4) - NodeJet::variable(before.z, 1);
-    const NodeJet own_turned = NodeJet::variable(own.turned, 5);
-    const NodeJet turned_before = NodeJet::variable(before.turned, 2);
+    const Node own = nodes.next(j);
+    const Real turn = own.turned - before.turned;
     const Real share = (2.0L * j - 1.0L) / (n * n);
-    NodeJet length = S * NodeJet(share);
-    NodeJet turn;
-    if (has_theta) {
-      turn = own_turned - turned_before;
-      length = turn * NodeJet(static_cast<Real>(body.radius));
-    }
     const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
-    const NodeJet theta = NodeJet(static_cast<Real>(body.theta_m)) +
-                          turned_before + turn * NodeJet(middle);
+    const Jet dx = Jet::variable(own.x - before.x, 0);
+    const Jet dz = Jet::variable(own.z - before.z, 1);
+    const Jet length = Jet::variable(has_theta ? r * turn : S * share, 2);
+    const Jet theta =
+        Jet::variable(body.theta_m + before.turned + middle * turn, 3);
+    const Jet sum = Jet::variable(own.w.value + before.w.value, 4);
     // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
-    const Real eta = body.eta_m;
-    const NodeJet A =
-        NodeJet(1.0L + eta * eta + body.k) -
-        (sin(theta) * dx - cos(theta) * dz) / length * NodeJet(2.0L * eta);
-    const NodeJet root = sqrt(A);
-    NodeJet sum = speed(own, 4);
-    if (j > 1) sum += speed(before, 1);
-    NodeJet lagrangian = length * root * NodeJet(2.0L) / sum;
+    const auto [sine, cosine] = sines.at(theta.value);
+    const Jet A =
+        Jet(1.0L + eta * eta + body.k) -
+        (theta.chain(sine, cosine) * dx - theta.chain(cosine, -sine) * dz) /
+            length * (2.0L * eta);
+    Jet lagrangian = length * sqrt(A) * 2.0L / sum;
     const int row = layout.no_slip(j);
-    const NodeJet slip = (dx * dx + dz * dz - length * length) /
-                         NodeJet(2.0L * problem.reference_length(j));
-    defect.see(slip.value, row);
-    lagrangian += slip * NodeJet(static_cast<Real>(point.lambda[at(row)]));
+    const Jet slip = (dx * dx + dz * dz - length * length) *
+                     (0.5L / problem.reference_length(j));
+    judge.see_defect(row, slip.value);
+    lagrangian += slip * static_cast<Real>(point.lambda[at(row)]);
+
+    // By the unknowns of a node, at this end of the piece or at the other.
+    const auto [by_dx, by_dz, by_length, by_theta, by_w] = lagrangian.gradient;
+    const auto add = [&](int number, const Node& node, Real sign, Real part) {
+      gradient[layout.state(number, X)] += sign * by_dx;
+      gradient[layout.state(number, Z)] +=
+          sign * by_dz + by_w * node.w.gradient[0];
+      if (!has_theta) return;
+      gradient[layout.state(number, Theta)] +=
+          sign * r * by_length + part * by_theta + by_w * node.w.gradient[1];
+    };
+    if (j > 1) {
+      add(j - 1, before, -1.0L, 1.0L - middle);
+      gradient.leave_for(layout.state(j, X));
+    }
+    add(j, own, 1.0L, middle);
     if (has_theta) {
-      const int place_row = layout.place(j);
+      const int place = layout.place(j);
       const Real sigma = j / n;
-      const NodeJet place =
-          own_turned * NodeJet(static_cast<Real>(body.radius)) -
-          S * NodeJet(sigma * sigma);
-      defect.see(place.value, place_row);
-      lagrangian +=
-          place * NodeJet(static_cast<Real>(point.lambda[at(place_row)]));
+      const Real lambda = point.lambda[at(place)];
+      judge.see_defect(place, own.turned * r - S * sigma * sigma);
+      gradient[layout.state(j, Theta)] += lambda * r;
+      by_S -= lambda * sigma * sigma;
+    } else {
+      by_S += by_length * share;
     }
-    for (int i = 0; i < stride; ++i) {
-      if (j > 1)
-        gradient[at(layout.state(j - 1, X) + i)] += lagrangian.gradient[at(i)];
-      gradient[at(layout.state(j, X) + i)] += lagrangian.gradient[at(3 + i)];
-    }
-    gradient[at(layout.arc_length())] += lagrangian.gradient[6];
     before = own;
   }
-
-  return summarise(problem, point, gradient, defect);
+  gradient.leave_for(layout.arc_length());
+  judge.see_slope(layout.arc_length(), by_S);
+  return judge.residual();
 }
 
 }  // namespace brachisto

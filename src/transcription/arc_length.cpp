@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
@@ -17,6 +18,13 @@ namespace brachisto {
 namespace {
 
 using enum StateComponent;
+
+/// The one next to `value` > 0, by their ratio.
+double power_of_two(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);  // from ½ to 1
+  return std::ldexp(mantissa < 0.5 * std::numbers::sqrt2 ? 0.5 : 1.0, exponent);
+}
 
 }  // namespace
 
@@ -56,30 +64,24 @@ nlp::EliminationOrder ArcLength::elimination_order() const {
 
 nlp::ChainStructure ArcLength::chain_structure() const {
   nlp::ChainStructure chain = Transcription::chain_structure();
-  chain.scale.assign(chain.block.size(), 1.0);
+  chain.scale.resize(chain.block.size());
   const double pieces = num_intervals();
+  const double root = std::sqrt(pieces);
   // Second derivatives of T grow like N³/j² towards the start, first ones of
   // the constraints are of order one.
-  const auto of_place = [pieces](int node) {
-    return std::exp2(
-        std::round(std::log2(node / (pieces * std::sqrt(pieces)))));
-  };
-  const auto fill = [&](int begin, int end, double scale) {
-    std::fill(chain.scale.begin() + begin, chain.scale.begin() + end, scale);
-  };
-  const int n = num_variables();
+  const double per_node = 1.0 / (pieces * root);
   const int states = layout().num_states();
+  const int rows = layout().has_theta() ? 2 : 1;  // no slip, place
+  const auto of_variables = chain.scale.begin();
+  const auto of_rows = of_variables + num_variables();
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
-    const double scale = of_place(node);
-    const int first = layout().state(node, X);
-    fill(first, first + states, scale);
-    fill(n + layout().no_slip(node), n + layout().no_slip(node + 1),
-         1.0 / scale);
+    const double scale = power_of_two(node * per_node);
+    std::fill_n(of_variables + layout().state(node, X), states, scale);
+    std::fill_n(of_rows + layout().no_slip(node), rows, 1.0 / scale);
   }
-  // Place rows have the entries σ², scaled by 1/of_place: up to √N.
-  chain.scale[at(layout().last())] =
-      std::exp2(std::round(-0.5 * std::log2(pieces)));
+  // Place rows have the entries σ², scaled by 1/per_node: up to √N.
+  chain.scale[at(layout().last())] = power_of_two(1.0 / root);
   return chain;
 }
 
@@ -97,24 +99,33 @@ bool ArcLength::set_nodes() {
   const Body& body = scene().body;
   const double g = scene().gravity;
   const double arm = body.radius * body.eta_m;
+  const double sin_start = std::sin(body.theta_m);
+  const double cos_start = std::cos(body.theta_m);
   for (int node = 1; node <= num_intervals(); ++node) {
     check_stop(node);
     const double drop = x(layout().state(node, Z));
-    const double turned =
-        layout().has_theta() ? x(layout().state(node, Theta)) : 0.0;
-    const double E = energy_height_after(body, drop, turned);
-    const double E_theta = arm * std::cos(body.theta_m + turned);
-    const double E_theta_theta = -arm * std::sin(body.theta_m + turned);
+    const double half =
+        layout().has_theta() ? 0.5 * x(layout().state(node, Theta)) : 0.0;
+    // The only sines of the node; its rotation is half and half more.
+    const double sin_half = std::sin(half);
+    const double cos_half = std::cos(half);
+    const double sin_there = sin_start * cos_half + cos_start * sin_half;
+    const double cos_there = cos_start * cos_half - sin_start * sin_half;
+    const double E = energy_height_halfway(body, drop, sin_half, cos_there);
     if (!(E > 0.0)) return refuse(node, "the energy E is not positive");
     const double w = fall_speed(g, E);
-    const double by_E = g / w;
-    const double by_E_E = -by_E * by_E / w;
-    speeds_[at(node)] = {w,
-                         {0.0, by_E, by_E * E_theta},
-                         {0.0, 0.0, by_E_E, 0.0, by_E_E * E_theta,
-                          by_E_E * E_theta * E_theta + by_E * E_theta_theta}};
+    speeds_[at(node)] = {w, g / w,
+                         arm * (cos_there * cos_half - sin_there * sin_half),
+                         -arm * (sin_there * cos_half + cos_there * sin_half)};
   }
   return true;
+}
+
+double ArcLength::turned(int node) const {
+  if (!layout().has_theta()) return 0.0;
+  const double after = x(layout().state(node, Theta));
+  const double before = node > 1 ? x(layout().state(node - 1, Theta)) : 0.0;
+  return before + middle(node) * (after - before);
 }
 
 bool ArcLength::set_pieces() {
@@ -134,17 +145,16 @@ bool ArcLength::set_pieces() {
     piece.inverse_speed =
         inverse_mean_speed(speeds_[at(node - 1)].w, speeds_[at(node)].w);
     piece.length = S * share(node);
-    double turned = 0.0;
     if (layout().has_theta()) {
       const double next_theta = x(layout().state(node, Theta));
-      turned = last_theta + middle(node) * (next_theta - last_theta);
       piece.length = body.radius * (next_theta - last_theta);
       last_theta = next_theta;
     }
     if (!(piece.length > 0.0))
       return refuse(node, "the rotation does not grow");
-    piece.sin_theta = std::sin(body.theta_m + turned);
-    piece.cos_theta = std::cos(body.theta_m + turned);
+    const double theta = body.theta_m + turned(node);
+    piece.sin_theta = std::sin(theta);
+    piece.cos_theta = std::cos(theta);
     const double square = piece_square(body, piece.dx, piece.dz, piece.length,
                                        piece.sin_theta, piece.cos_theta);
     if (!(square > 0.0)) {

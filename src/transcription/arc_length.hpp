@@ -82,11 +82,10 @@ class ArcLength final : public Transcription {
   /// Where σ is in the middle of a piece: rotation, mean speed, slope angle and
   /// the costates of 𝓗 there.
   struct PieceState {
-    int node;  ///< to which the piece leads
     double theta, w, beta;
     Costates p;  ///< p_θ is not set
   };
-  /// Of the piece that leads to a node, at the current point. ∂𝓗/∂β = 0 holds
+  /// Of the piece that leads to `node`, at the current point. ∂𝓗/∂β = 0 holds
   /// on each of them if it is stationary.
   /// \param end  the costates at the end, end_costates()
   [[nodiscard]] PieceState piece_state(int node, std::span<const double> lambda,
@@ -99,11 +98,28 @@ class ArcLength final : public Transcription {
   [[nodiscard]] std::vector<double> multipliers(double p_x, double p_z) const;
 
  private:
-  /// √(2 g E) at a node and its derivatives; zero at the start, which is fixed.
+  /// w = √(2 g E) at a node and what its derivatives by z and θ are made of;
+  /// zero at the start, which is fixed.
   struct Speed {
     double w = 0.0;
-    std::array<double, 3> by{};     ///< by x, z, θ
-    std::array<double, 6> by_by{};  ///< lower triangle
+    double by_E = 0.0;     ///< g / w
+    double E_theta = 0.0;  ///< ∂E/∂θ
+    double E_theta_theta = 0.0;
+
+    /// By x, z, θ.
+    [[nodiscard]] std::array<double, 3> by() const {
+      return {0.0, by_E, by_E * E_theta};
+    }
+    /// The lower triangle of the second ones.
+    [[nodiscard]] std::array<double, 6> by_by() const {
+      const double by_E_E = -by_E * by_E / w;
+      return {0.0,
+              0.0,
+              by_E_E,
+              0.0,
+              by_E_E * E_theta,
+              by_E_E * E_theta * E_theta + by_E * E_theta_theta};
+    }
   };
   /// What f, g and their derivatives share.
   struct Piece {
@@ -117,11 +133,20 @@ class ArcLength final : public Transcription {
     double x, z, length, theta, w;
   };
   using Second = std::array<Five, 5>;
-  [[nodiscard]] static double dot(const Five& a, const Five& b) {
-    return a.x * b.x + a.z * b.z + a.length * b.length + a.theta * b.theta +
-           a.w * b.w;
-  }
-  [[nodiscard]] static Five times(const Second& matrix, const Five& v);
+  /// What x, z and θ of one of its nodes change of a piece: x changes Δx; z
+  /// changes Δz and w; θ changes r Δθ, the rotation in the middle and w.
+  struct Influence {
+    double sign;         ///< of Δx by x and of Δz by z
+    double turn, share;  ///< of r Δθ and of the rotation, by θ
+    double w_z, w_theta;
+
+    /// Derivatives by x, z and θ from those by the five.
+    [[nodiscard]] std::array<double, 3> of(const Five& by) const {
+      return {sign * by.x, sign * by.z + w_z * by.w,
+              turn * by.length + share * by.theta + w_theta * by.w};
+    }
+    [[nodiscard]] std::array<Five, 3> of(const Second& by) const;
+  };
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
@@ -131,6 +156,8 @@ class ArcLength final : public Transcription {
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
 
+  /// θ − θ_m in the middle of the piece that leads to `node`.
+  [[nodiscard]] double turned(int node) const;
   bool set_nodes();
   bool set_pieces();
   /// Derivatives of the time of the piece that leads to `node`.
@@ -139,9 +166,10 @@ class ArcLength final : public Transcription {
   /// factor.
   [[nodiscard]] double by_sum_of_w(int node, double objective_factor) const;
   [[nodiscard]] Second second(int node, double objective_factor) const;
-  /// What x, z and θ of its own node or the one before change of a piece.
-  [[nodiscard]] std::array<Five, 3> by_unknowns(int piece, int node) const;
-  [[nodiscard]] Five by_S(int piece) const;
+  /// Of its own node or the one before on a piece.
+  [[nodiscard]] Influence influence(int piece, int node) const;
+  /// r Δθ by S; without θ alone.
+  [[nodiscard]] double length_by_S(int piece) const;
 
   double reference_length_;
   std::vector<Speed> speeds_;  ///< of the nodes

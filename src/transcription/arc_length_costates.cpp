@@ -26,7 +26,7 @@ Costates ArcLength::end_costates(std::span<const double> lambda) const {
       lambda[at(layout().no_slip(last))] / reference_length(last);
   const Five d = time_slopes(last);
   return {.p_x = -(d.x + stiff * piece.dx),
-          .p_z = -(d.z + d.w * speeds_[at(last)].by[1] + stiff * piece.dz)};
+          .p_z = -(d.z + d.w * speeds_[at(last)].by()[1] + stiff * piece.dz)};
 }
 
 std::optional<Transcription::End> ArcLength::end(
@@ -46,29 +46,32 @@ std::optional<Transcription::End> ArcLength::end(
   out.by_lambda = {{row, 0.0, 0.0, -piece.dx * inverse, -piece.dz * inverse}};
   // The costates are −∂/∂x_N and −∂/∂z_N of the Lagrangian.
   const Second H = second(last, 1.0);
-  const auto own = by_unknowns(last, last);
-  const Five H_x = times(H, own[0]);
-  const Five H_z = times(H, own[1]);
-  const auto add = [&](int index, const Five& by) {
-    out.by_x.push_back({index, 0.0, 0.0, -dot(H_x, by), -dot(H_z, by)});
-  };
+  const Influence own = influence(last, last);
+  const auto [H_x, H_z, H_theta] = own.of(H);
   const double f_w = by_sum_of_w(last, 1.0);
   const double stiff = lambda[at(row)] * inverse;
-  for (int i = 0; i < layout().num_states(); ++i) {
-    add(layout().state(last, X) + i, own[at(i)]);
-    End::Rate& rate = out.by_x.back();
-    rate.w = speed.by[at(i)];
-    rate.theta = i == 2 ? 1.0 : 0.0;
-    if (i > 0) rate.p_z -= f_w * speed.by_by[i == 1 ? 2 : 4];
-    if (i < 2) (i == 0 ? rate.p_x : rate.p_z) -= stiff;
+  const std::array<double, 3> w_by = speed.by();
+  const std::array<double, 6> w_by_by = speed.by_by();
+  for (const int node : {last, last - 1}) {
+    const Influence by = influence(last, node);
+    const auto p_x = by.of(H_x);
+    const auto p_z = by.of(H_z);
+    const double sign = by.sign;
+    for (int i = 0; i < layout().num_states(); ++i) {
+      End::Rate rate{layout().state(node, X) + i, 0.0, 0.0, -p_x[at(i)],
+                     -p_z[at(i)]};
+      if (i < 2) (i == 0 ? rate.p_x : rate.p_z) -= sign * stiff;
+      if (node == last) {
+        rate.w = w_by[at(i)];
+        rate.theta = i == 2 ? 1.0 : 0.0;
+        if (i > 0) rate.p_z -= f_w * w_by_by[i == 1 ? 2 : 4];
+      }
+      out.by_x.push_back(rate);
+    }
   }
-  const auto before = by_unknowns(last, last - 1);
-  for (int i = 0; i < layout().num_states(); ++i) {
-    add(layout().state(last - 1, X) + i, before[at(i)]);
-    End::Rate& rate = out.by_x.back();
-    if (i < 2) (i == 0 ? rate.p_x : rate.p_z) += stiff;
-  }
-  add(layout().arc_length(), by_S(last));
+  const double by_S = length_by_S(last);
+  out.by_x.push_back({layout().arc_length(), 0.0, 0.0, -by_S * H_x.length,
+                      -by_S * H_z.length});
   return out;
 }
 
@@ -84,8 +87,7 @@ ArcLength::PieceState ArcLength::piece_state(int node,
   // worth from here on.
   const double momentum_z =
       d.z + lambda[at(layout().no_slip(node))] * dz / reference_length(node);
-  return {node,
-          std::atan2(piece.sin_theta, piece.cos_theta),
+  return {scene().body.theta_m + turned(node),
           w,
           std::atan2(dz, dx),
           {.p_x = end.p_x,
@@ -104,8 +106,8 @@ std::vector<double> ArcLength::multipliers(double p_x, double p_z) const {
   for (int node = num_intervals(); node >= 1; --node) {
     check_stop(node);
     const Piece& piece = pieces_[at(node)];
-    const auto& own = speeds_[at(node)].by;
-    const auto& before = speeds_[at(node - 1)].by;
+    const std::array<double, 3> own = speeds_[at(node)].by();
+    const std::array<double, 3> before = speeds_[at(node - 1)].by();
     const Five d = time_slopes(node);
     momentum_z -= d.w * own[1];
     // momentum − ∂f/∂(Δx, Δz) = λ (Δx, Δz) / reference length

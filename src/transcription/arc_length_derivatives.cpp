@@ -79,23 +79,31 @@ ArcLength::Second ArcLength::second(int node, double objective_factor) const {
             -y * by_w * piece.root}}};
 }
 
-ArcLength::Five ArcLength::times(const Second& matrix, const Five& v) {
-  return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v),
-          dot(matrix[3], v), dot(matrix[4], v)};
+std::array<ArcLength::Five, 3> ArcLength::Influence::of(
+    const Second& by) const {
+  std::array<Five, 3> out;
+  const auto combine = [&](double Five::*i) {
+    const std::array<double, 3> column =
+        of(Five{by[0].*i, by[1].*i, by[2].*i, by[3].*i, by[4].*i});
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].*i = column[k];
+  };
+  combine(&Five::x);
+  combine(&Five::z);
+  combine(&Five::length);
+  combine(&Five::theta);
+  combine(&Five::w);
+  return out;
 }
 
-std::array<ArcLength::Five, 3> ArcLength::by_unknowns(int piece,
-                                                      int node) const {
+ArcLength::Influence ArcLength::influence(int piece, int node) const {
   const double sign = node == piece ? 1.0 : -1.0;
   const double share = node == piece ? middle(piece) : 1.0 - middle(piece);
-  const std::array<double, 3>& w = speeds_[at(node)].by;
-  return {{{sign, 0.0, 0.0, 0.0, 0.0},
-           {0.0, sign, 0.0, 0.0, w[1]},
-           {0.0, 0.0, sign * scene().body.radius, share, w[2]}}};
+  const auto [w_x, w_z, w_theta] = speeds_[at(node)].by();
+  return {sign, sign * scene().body.radius, share, w_z, w_theta};
 }
 
-ArcLength::Five ArcLength::by_S(int piece) const {
-  return {0.0, 0.0, layout().has_theta() ? 0.0 : share(piece), 0.0, 0.0};
+double ArcLength::length_by_S(int piece) const {
+  return layout().has_theta() ? 0.0 : share(piece);
 }
 
 void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
@@ -105,13 +113,11 @@ void ArcLength::do_eval_grad_f(std::span<double> grad_f) const {
     check_stop(piece);
     const Five slopes = time_slopes(piece);
     for (int node = std::max(1, piece - 1); node <= piece; ++node) {
-      const auto by = by_unknowns(piece, node);
+      const auto by = influence(piece, node).of(slopes);
       const std::size_t first = at(layout().state(node, X));
-      for (std::size_t i = 0; i < unknowns; ++i) {
-        grad_f[first + i] += dot(slopes, by[i]);
-      }
+      for (std::size_t i = 0; i < unknowns; ++i) grad_f[first + i] += by[i];
     }
-    grad_f.back() += dot(slopes, by_S(piece));
+    grad_f.back() += slopes.length * length_by_S(piece);
   }
 }
 
@@ -121,16 +127,18 @@ void ArcLength::put_jac_g(Entries& put) const {
     const auto [dx, dz, length, sin_theta, cos_theta, root, inverse_speed] =
         pieces_[at(piece)];
     const double inverse = 1.0 / reference_length(piece);
-    const Five slip{dx * inverse, dz * inverse, -length * inverse, 0.0, 0.0};
+    // By the node at the end of the piece; by the one before the opposite.
+    const std::array<double, 3> by{dx * inverse, dz * inverse,
+                                   -scene().body.radius * length * inverse};
     const int row = layout().no_slip(piece);
     for (int node = std::max(1, piece - 1); node <= piece; ++node) {
-      const auto by = by_unknowns(piece, node);
       for (int i = 0; i < layout().num_states(); ++i) {
-        put(row, layout().state(node, X) + i, dot(slip, by[at(i)]));
+        put(row, layout().state(node, X) + i,
+            node == piece ? by[at(i)] : -by[at(i)]);
       }
     }
     if (!layout().has_theta()) {
-      put(row, S, dot(slip, by_S(piece)));
+      put(row, S, -length * inverse * share(piece));
       return;
     }
     put(layout().place(piece), layout().state(piece, Theta),
@@ -147,60 +155,64 @@ void ArcLength::put_hess_lag(double objective_factor,
   const std::size_t unknowns = at(layout().num_states());
   // Without θ, x and z meet nowhere but in w, and both with S.
   const bool all = layout().has_theta();
-  std::array<double, 6> diagonal{};  // lower triangle of a node
-  double S_z = 0.0, S_S = 0.0;
+  // Of a node, from the pieces on both sides of it.
+  std::array<double, 6> diagonal{};  // lower triangle
+  double f_w = 0.0;                  // by the sums of w
+  double S_z = 0.0;
+  double S_S = 0.0;
   const auto put_node = [&](int node) {
     const int first = layout().state(node, X);
+    const std::array<double, 6> w_by_by = speeds_[at(node)].by_by();
     std::size_t entry = 0;
     for (std::size_t i = 0; i < unknowns; ++i) {
       for (std::size_t k = 0; k <= i; ++k, ++entry) {
         if (!all && i != k) continue;
         put(first + static_cast<int>(i), first + static_cast<int>(k),
-            diagonal[entry]);
+            diagonal[entry] + f_w * w_by_by[entry]);
       }
     }
     if (!all) put(S, first + 1, S_z);
     diagonal = {};
-    S_z = 0.0;
+    f_w = S_z = 0.0;
   };
   put.each(1, num_intervals() + 1, [&](int piece) {
     const Second H = second(piece, objective_factor);
-    const double f_w = by_sum_of_w(piece, objective_factor);
+    const double by_sum = by_sum_of_w(piece, objective_factor);
     // Of λ ((Δx)² + (Δz)² − ℓ²) / 2 reference lengths.
     const double stiff =
         lambda[at(layout().no_slip(piece))] / reference_length(piece);
     const std::array<double, 3> slip{stiff, stiff, -r * r * stiff};
-    const Five with_S = by_S(piece);
-    const auto add = [&](int node, const std::array<Five, 3>& by) {
+    const double by_S = length_by_S(piece);
+    const auto add = [&](const Influence& node,
+                         const std::array<Five, 3>& by_node) {
       std::size_t entry = 0;
-      for (std::size_t i = 0; i < unknowns; ++i) {
-        const Five H_i = times(H, by[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto by_by = node.of(by_node[i]);
         for (std::size_t k = 0; k <= i; ++k, ++entry) {
-          const double of_time =
-              dot(H_i, by[k]) + f_w * speeds_[at(node)].by_by[entry];
-          diagonal[entry] += i == k ? of_time + slip[i] : of_time;
+          diagonal[entry] += i == k ? by_by[k] + slip[i] : by_by[k];
         }
       }
-      S_z += dot(with_S, times(H, by[1]));
+      f_w += by_sum;
+      S_z += by_S * by_node[1].length;
     };
-    const auto own = by_unknowns(piece, piece);
+    const Influence own = influence(piece, piece);
+    const std::array<Five, 3> by_own = own.of(H);
     if (piece > 1) {
-      const auto before = by_unknowns(piece, piece - 1);
-      add(piece - 1, before);
+      const Influence before = influence(piece, piece - 1);
+      add(before, before.of(H));
       put_node(piece - 1);
       for (std::size_t i = 0; i < unknowns; ++i) {
+        const auto by_both = before.of(by_own[i]);
         for (std::size_t k = 0; k < unknowns; ++k) {
           if (!all && i != k) continue;
-          const double of_time = dot(own[i], times(H, before[k]));
           put(layout().state(piece, X) + static_cast<int>(i),
               layout().state(piece - 1, X) + static_cast<int>(k),
-              i == k ? of_time - slip[i] : of_time);
+              i == k ? by_both[k] - slip[i] : by_both[k]);
         }
       }
     }
-    add(piece, own);
-    S_S +=
-        dot(with_S, times(H, with_S)) - stiff * with_S.length * with_S.length;
+    add(own, by_own);
+    S_S += by_S * by_S * (H[2].length - stiff);
   });
   put_node(num_intervals());
   if (!all) put(S, S, S_S);

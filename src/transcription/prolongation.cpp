@@ -10,6 +10,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "math/roots.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 
@@ -47,6 +48,78 @@ PrimalDual completed(ArcLength& problem, std::vector<double> x, double S,
   }
   return out;
 }
+
+/// From the start.
+struct Offset {
+  double x, z;
+
+  friend Offset operator+(Offset a, Offset b) { return {a.x + b.x, a.z + b.z}; }
+  friend Offset operator-(Offset a, Offset b) { return {a.x - b.x, a.z - b.z}; }
+  friend Offset operator*(double factor, Offset a) {
+    return {factor * a.x, factor * a.z};
+  }
+};
+
+/// The path through the nodes of straight pieces. With a the direction in which
+/// it leaves the start it is S a σ² + b σ³, and b is what is interpolated.
+///
+/// The first nodes lie beside the path: number j has b off by a term that falls
+/// like 1/j² and depends on j alone, whatever the number of pieces. So the path
+/// next to the start goes through nodes further away, and what the first ones
+/// are off by goes over to the first ones of another mesh.
+class CurveThroughNodes {
+ public:
+  CurveThroughNodes(const ArcLength& problem, std::span<const double> x)
+      : problem_(problem),
+        x_(x),
+        // So that the cubic's error is about that of the pieces themselves.
+        stride_(std::clamp(problem.num_intervals() / 128, 1, 16)) {
+    const double beta = start_angle(problem.scene().body);
+    const double S = x[at(problem.layout().arc_length())];
+    along_start_ = {S * std::cos(beta), S * std::sin(beta)};
+  }
+
+  /// Where another mesh has its node number `node`, at σ.
+  [[nodiscard]] Offset at_node(int node, double sigma) const {
+    Offset b = interpolated(sigma * problem_.num_intervals());
+    if (node < kPoints * stride_ && node <= problem_.num_intervals()) {
+      b = b + (of_node(node) - interpolated(node));
+    }
+    return sigma * sigma * (along_start_ + sigma * b);
+  }
+
+ private:
+  static constexpr int kPoints = 4;
+
+  [[nodiscard]] Offset of_node(int node) const {
+    const std::size_t i = at(problem_.layout().state(node, X));
+    const double sigma = problem_.sigma(node);
+    return (1.0 / sigma) *
+           (1.0 / (sigma * sigma) * Offset{x_[i], x_[i + 1]} - along_start_);
+  }
+  /// By a cubic.
+  /// \param place  among the nodes
+  [[nodiscard]] Offset interpolated(double place) const {
+    static const math::LagrangeBasis cubics({0.0, 1.0, 2.0, 3.0});
+    const bool at_start = place <= kPoints * stride_;
+    const int stride = at_start ? stride_ : 1;
+    const int first = at_start ? stride_
+                               : std::clamp(static_cast<int>(place) - 1, 1,
+                                            problem_.num_intervals() - 3);
+    std::array<double, kPoints> weights{};
+    cubics.evaluate((place - first) / stride, weights);
+    Offset out{};
+    for (int i = 0; i < kPoints; ++i) {
+      out = out + weights[at(i)] * of_node(first + i * stride);
+    }
+    return out;
+  }
+
+  const ArcLength& problem_;
+  std::span<const double> x_;
+  int stride_;
+  Offset along_start_{};
+};
 
 /// \param state     at σ of a node, where β does not matter
 /// \param extremal  at σ of a collocation point
@@ -127,31 +200,21 @@ PrimalDual prolong(const ExtremalCurve& curve, ArcLength& problem) {
 
 PrimalDual prolong(ArcLength& coarse, const PrimalDual& solution,
                    ArcLength& fine) {
-  static const math::LagrangeBasis cubics({0.0, 1.0, 2.0, 3.0});
-  const VariableLayout& from = coarse.layout();
-  const int n = coarse.num_intervals();
+  const CurveThroughNodes curve(coarse, solution.x);
   std::vector<double> x(at(fine.num_variables()));
-  std::array<double, 4> weights{};
   for (int node = 1; node < fine.num_intervals(); ++node) {
     check_stop(node);
-    // Place among the nodes of the coarse mesh, and the first of the four next
-    // to it; the start, where x/σ² has no value, is not among them.
-    const double t = fine.sigma(node) * n;
-    const int first = std::clamp(static_cast<int>(t) - 1, 1, n - 3);
-    cubics.evaluate(t - first, weights);
+    const double sigma = fine.sigma(node);
+    const Offset place = curve.at_node(node, sigma);
     const std::size_t own = at(fine.layout().state(node, X));
-    for (int i = 0; i < 4; ++i) {
-      const double ratio = t / (first + i);
-      const double weight = weights[at(i)] * ratio * ratio;
-      const std::size_t other = at(from.state(first + i, X));
-      x[own] += weight * solution.x[other];
-      x[own + 1] += weight * solution.x[other + 1];
-    }
+    x[own] = place.x;
+    x[own + 1] = place.z;
   }
   const Costates p = coarse.set_point(solution.x)
                          ? coarse.end_costates(solution.lambda)
                          : Costates{};
-  return completed(fine, std::move(x), solution.x[at(from.arc_length())], p);
+  return completed(fine, std::move(x),
+                   solution.x[at(coarse.layout().arc_length())], p);
 }
 
 }  // namespace brachisto

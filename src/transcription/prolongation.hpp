@@ -32,9 +32,9 @@ namespace brachisto {
                                  ArcLength& problem);
 
 /// The solution of a mesh as the start on another one of the same scene, with
-/// multipliers: x/σ² and z/σ², which are smooth and not zero at the start, are
-/// interpolated by cubics in σ, θ follows from S, and the multipliers are those
-/// that belong to the costates at the end. Both problems are moved.
+/// multipliers: (x, z)/σ² less its value at the start, over σ, is interpolated
+/// by cubics in σ, θ follows from S, and the multipliers are those that belong
+/// to the costates at the end. Both problems are moved.
 ///
 /// \param coarse  of four pieces or more
 [[nodiscard]] PrimalDual prolong(ArcLength& coarse, const PrimalDual& solution,

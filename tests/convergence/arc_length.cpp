@@ -70,6 +70,26 @@ TEST_P(ArcLengthOrder, IsTwoInTheTimeAndInTheEndAngle) {
       << end_angle[3];
 }
 
+TEST_P(ArcLengthOrder, HasAnHonestErrorAcrossALongStride) {
+  // Of order two the change across a factor of 16 is 255 errors, of which the
+  // estimate takes more than 1/80 as one: less than four of them.
+  constexpr int kPieces = 40'000;
+  const ReferenceValue& row = GetParam();
+
+  const Solution solution = solve_on_pieces(row, kPieces);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const std::vector<MeshRecord>& meshes = solution.effort.meshes;
+  ASSERT_EQ(meshes[meshes.size() - 2].elements, kPieces / 16);
+  const double error = std::abs(solution.motion()->tau() / row.tau - 1.0);
+  const double end_angle =
+      std::abs(solution.motion()->end_angle() - row.end_angle);
+  const double of_end = row.r / solution.motion()->at(1.0).motion.v_c *
+                        end_angle / solution.motion()->transit_time();
+  EXPECT_LE(error, *solution.estimated_error);
+  EXPECT_LE(*solution.estimated_error, 4.0 * (2.0 * of_end + error));
+}
+
 TEST(ArcLength, MeetsItsTolerance) {
   for (const char* name : {"reference_case", "theta_60", "uniform_L3"}) {
     for (const ReferenceValue& row : testing::kReferenceValues) {

@@ -7,10 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/solvers/newton_kkt.hpp"
 #include "solvers/inertia.hpp"
+#include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
@@ -105,6 +108,36 @@ TEST_P(ArcStartOf, AFinerMeshNeedsFewIterationsFromACoarserOne) {
   // Newton's method from an error of some 1e-5: three steps, one to spare for
   // the first pieces, where the start is worse.
   EXPECT_LE(result.iterations, 5);
+}
+
+TEST_P(ArcStartOf, WhatTheFirstPiecesAreOffByGoesOverToAFinerMesh) {
+  // The first nodes lie beside the path by an angle like 1/N, and derivatives
+  // of the time by them are of the order of N times that: of a path without it
+  // the residual would be the same on all meshes. The nodes that the path next
+  // to the start goes through lie beside it by the square of one over their
+  // number, which on these meshes grows with N.
+  const SolvedProblem smooth = solved(GetParam(), uniform_mesh(5, 16), kPhi);
+  NewtonOptions newton;
+  newton.tolerance = 1e-9;
+  std::array<double, 4> h{}, residual{};
+  for (std::size_t level = 0; level < h.size(); ++level) {
+    const int pieces = 256 << level;
+    ArcLength coarse(GetParam(), pieces, kPhi);
+    const ExtremalCurve curve(smooth.problem, smooth.point);
+    const NewtonResult found = solve_with_newton(
+        coarse, nullptr, prolong(curve, coarse), kPhi, newton);
+    ASSERT_EQ(found.status, Status::Solved);
+    for (const int times : {4, 16}) {
+      ArcLength fine(GetParam(), times * pieces, kPhi);
+      const PrimalDual start = prolong(coarse, found.point, fine);
+      residual[level] =
+          std::max(residual[level], nlp::kkt_residual(fine, start).max());
+    }
+    h[level] = 1.0 / pieces;
+  }
+  EXPECT_GT(observed_order(h, residual), 1.9)
+      << residual[0] << ' ' << residual[1] << ' ' << residual[2] << ' '
+      << residual[3];
 }
 
 TEST_P(ArcStartOf, TheSolutionIsAStrictMinimumOnFineMeshesToo) {

@@ -155,6 +155,7 @@ class Structure {
       set.for_each([&](int i) { out.push_back(i); });
     };
     const Set P = others(p, p, q);
+    step.in_p.reserve(adjacent.size());
     if (pivot.kind == Kind::Single) {
       list(P, step.in_p);
       P.for_each([&](int i) { adjacent[at(i)] |= P; });
@@ -169,6 +170,7 @@ class Structure {
     // entries in q, with d_qq ≠ 0 one of two in p.
     const Set in_p = step.has_d_pp ? P | Q : P;
     const Set in_q = saddle ? Q : P | Q;
+    step.in_q.reserve(adjacent.size());
     list(in_q, step.in_q);
     list(in_p & in_q, step.in_p);
     list(in_p.without(in_q), step.in_p);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 
@@ -48,6 +49,7 @@ nlp::EliminationOrder KktSystem::elimination_order() const {
 
 bool KktSystem::evaluate(std::span<const double> x,
                          std::span<const double> lambda, double phi) {
+  const PhaseTimer timer(Phase::Evaluation);
   if (tangency_ != nullptr) tangency_->set_parameter(phi);
   std::copy(x.begin(), x.end(), x_.begin());
   std::copy(lambda.begin(), lambda.end(), lambda_.begin());

@@ -95,7 +95,7 @@ int hand_out(Solution& solution, SolutionOutput output,
              const std::atomic<int>& signal) {
   std::string json;
   if (output.out.empty()) {
-    json = report::result_json(solution);
+    if (output.json) json = report::result_json(solution);
   } else {
     // What a signal has ended already is written all the same.
     std::optional<StopScope> scope;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <fstream>
@@ -27,13 +28,18 @@ namespace {
   throw IoError(fmt::format("{}: {}", path.string(), reason));
 }
 
+/// At most one byte more than `most`.
 std::string read_all(std::istream& in, const fs::path& path, std::size_t most) {
-  std::string bytes(most + 1, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string bytes;
+  std::array<char, 1U << 12U> piece;
+  while (in && bytes.size() <= most) {
+    const std::size_t wanted = std::min(piece.size(), most + 1 - bytes.size());
+    in.read(piece.data(), static_cast<std::streamsize>(wanted));
+    bytes.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) {
     fail(path, "cannot be read: " + std::generic_category().message(errno));
   }
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
 }
 

@@ -22,6 +22,25 @@ double drop_below(const Sample& a, const Sample& b, const Sample& c) {
   return bend > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
 }
 
+std::vector<Sample> minima(double bound, bool hidden_alone,
+                           std::span<const Sample> samples,
+                           const std::function<double(double)>& f) {
+  std::vector<Sample> minima;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const Sample& before = samples[i - 1];
+    const Sample& here = samples[i];
+    const Sample& after = samples[i + 1];
+    // Of equal neighbours the first one counts.
+    if (!(here.value < before.value) || !(here.value <= after.value)) continue;
+    if (hidden_alone && here.value < bound) continue;
+    if (here.value - 2.0 * drop_below(before, here, after) > bound) continue;
+    Sample lowest = find_minimum(f, before.at, after.at);
+    if (here.value < lowest.value) lowest = here;
+    if (lowest.value <= bound) minima.push_back(lowest);
+  }
+  return minima;
+}
+
 }  // namespace
 
 Sample find_minimum(const std::function<double(double)>& f, double lower,
@@ -35,19 +54,13 @@ Sample find_minimum(const std::function<double(double)>& f, double lower,
 
 std::vector<Sample> minima_below(double bound, std::span<const Sample> samples,
                                  const std::function<double(double)>& f) {
-  std::vector<Sample> minima;
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    const Sample& before = samples[i - 1];
-    const Sample& here = samples[i];
-    const Sample& after = samples[i + 1];
-    // Of equal neighbours the first one counts.
-    if (!(here.value < before.value) || !(here.value <= after.value)) continue;
-    if (here.value - 2.0 * drop_below(before, here, after) > bound) continue;
-    Sample lowest = find_minimum(f, before.at, after.at);
-    if (here.value < lowest.value) lowest = here;
-    if (lowest.value <= bound) minima.push_back(lowest);
-  }
-  return minima;
+  return minima(bound, false, samples, f);
+}
+
+std::vector<Sample> hidden_minima_below(
+    double bound, std::span<const Sample> samples,
+    const std::function<double(double)>& f) {
+  return minima(bound, true, samples, f);
 }
 
 }  // namespace brachisto::math

@@ -34,4 +34,9 @@ struct Sample {
     double bound, std::span<const Sample> samples,
     const std::function<double(double)>& f);
 
+/// Those of them that samples hide: none beside them is below `bound`.
+[[nodiscard]] std::vector<Sample> hidden_minima_below(
+    double bound, std::span<const Sample> samples,
+    const std::function<double(double)>& f);
+
 }  // namespace brachisto::math

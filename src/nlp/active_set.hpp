@@ -21,6 +21,7 @@ enum class Held : signed char { No, AtLower, AtUpper };
 struct ActiveSet {
   std::vector<Held> variables, constraints;
 
+  bool operator==(const ActiveSet&) const = default;
   /// Rows and columns of the KKT matrix that is left: variables that are not
   /// held, constraints that are.
   [[nodiscard]] int num_free() const;

@@ -8,16 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "brachisto/study/solve_options.hpp"
 #include "math/index.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/units.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/branch_history.hpp"
+#include "solvers/newton_solver.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/initial_guess.hpp"
 #include "transcription/prolongation.hpp"
@@ -117,16 +118,16 @@ Continuation follow(const SceneLine& scene_at, RollingTime problem,
   newton.max_iterations = way.most_newton_steps;
   newton.max_halvings = way.most_halvings;
   newton.stop = stop;
+  std::optional<ContactEquation> contact;
+  if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
+  NewtonSolver solver(problem, contact ? &*contact : nullptr);
   const auto correct = [&](const BranchPoint& predicted) {
     const bool between = predicted.fraction < 1.0;
     newton.tolerance = between ? way.tolerance_between : way.tolerance;
     // On the way one step at least is made, which tells the determinant's sign.
     newton.to_rounding = between;
     newton.rounding = newton.tolerance;
-    std::optional<ContactEquation> contact;
-    if (problem.scene().contact == Contact::Smooth) contact.emplace(problem);
-    return solve_with_newton(problem, contact ? &*contact : nullptr,
-                             predicted.point, predicted.phi, newton);
+    return solver.solve(predicted.point, predicted.phi, newton);
   };
   const bool turning = way.prediction.moving_mesh;
   const BranchDistance error = [&](const BranchPoint& a, const BranchPoint& b) {

@@ -80,7 +80,7 @@ std::vector<char> ChainLdlt::nonzero_of(const Run& run, int link) const {
 }
 
 /// Pivots for a link: those that were chosen for such a link before, those of
-/// the links in the middle of the chain, or its own.
+/// one that is nearly such a link or is in the middle of the chain, or its own.
 std::shared_ptr<const ChosenPivots> ChainLdlt::pivots_for(
     const Run& run, const Plan& plan, const LinkPattern& pattern, int link) {
   auto known = store_->find(pattern);
@@ -88,7 +88,9 @@ std::shared_ptr<const ChosenPivots> ChainLdlt::pivots_for(
   if (known && std::ranges::none_of(plan.sequences, tried)) return known;
   const Plan& middle = plans_[longest_];
   std::optional<SymbolicAnalysis> analysis;
-  if (plan.sequences.empty() && !middle.sequences.empty()) {
+  if (const auto alike = known ? nullptr : store_->find_alike(pattern)) {
+    analysis = alike->analysis.moved_to(pattern);
+  } else if (plan.sequences.empty() && !middle.sequences.empty()) {
     analysis = middle.sequences.front()->analysis().moved_to(pattern);
   }
   if (!analysis) {

@@ -261,6 +261,27 @@ class ReleaseReader final : public Ipopt::Journal {
   ChainHook& hook_;
 };
 
+/// All options of Ipopt with their defaults, once for all runs: to register
+/// them takes as long as two iterations of a small problem.
+/// \pre  OneAtATime, for they count their references
+const Ipopt::SmartPtr<Ipopt::RegisteredOptions>& registered_options() {
+  static const Ipopt::SmartPtr<Ipopt::RegisteredOptions> kRegistered = [] {
+    Ipopt::SmartPtr<Ipopt::RegisteredOptions> registered =
+        new Ipopt::RegisteredOptions();
+    Ipopt::IpoptApplication::RegisterAllIpoptOptions(registered);
+    return registered;
+  }();
+  return kRegistered;
+}
+
+/// Without a journal, and with all options as they are by default.
+Ipopt::SmartPtr<Ipopt::IpoptApplication> new_application() {
+  Ipopt::SmartPtr<Ipopt::Journalist> journalist = new Ipopt::Journalist();
+  Ipopt::SmartPtr<Ipopt::RegisteredOptions> registered = registered_options();
+  return new Ipopt::IpoptApplication(
+      registered, new Ipopt::OptionsList(registered, journalist), journalist);
+}
+
 /// One run with the chain, if its hook is in force, or MUMPS.
 SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                  const IpoptOptions& options, ChainHook* hook) {
@@ -268,8 +289,7 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
       hook != nullptr ? LinearSolver::Chain : LinearSolver::Mumps;
   Ipopt::SmartPtr<IpoptAdapter> adapter =
       new IpoptAdapter(problem, start, options.stop);
-  Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
-      new Ipopt::IpoptApplication(false);
+  Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new_application();
 
   std::ostringstream log;
   Ipopt::SmartPtr<Ipopt::StreamJournal> journal = new Ipopt::StreamJournal(

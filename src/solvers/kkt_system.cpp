@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 
@@ -43,6 +44,7 @@ nlp::EliminationOrder KktSystem::elimination_order() const {
 
 bool KktSystem::evaluate(std::span<const double> x,
                          std::span<const double> lambda, double phi) {
+  const PhaseTimer timer(Phase::Evaluation);
   if (tangency_ != nullptr) tangency_->set_parameter(phi);
   lambda_ = lambda;
   check_stop();

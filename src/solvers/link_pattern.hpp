@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -31,6 +32,14 @@ struct LinkPattern {
   [[nodiscard]] bool has(int i, int j) const {
     const std::size_t k = place(i, j);
     return ((bits[k / kBits] >> (k % kBits)) & 1U) != 0;
+  }
+  /// Entries that only one of two patterns of the same size has.
+  [[nodiscard]] int num_different(const LinkPattern& other) const {
+    int sum = 0;
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+      sum += std::popcount(bits[k] ^ other.bits[k]);
+    }
+    return sum;
   }
   bool operator==(const LinkPattern&) const = default;
 

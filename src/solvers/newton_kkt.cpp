@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "brachisto/math/phase_clock.hpp"
@@ -14,6 +15,7 @@
 #include "nlp/active_set.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
+#include "solvers/newton_solver.hpp"
 #include "solvers/sparse_lu.hpp"
 
 namespace brachisto {
@@ -36,15 +38,13 @@ struct Iterate {
 /// Steps of Newton's method: by the chain where it serves, else by sparse LU.
 class StepSolver {
  public:
-  StepSolver(KktSystem& system, LinearSolver solver, bool chain_alone)
-      : system_(system),
-        chain_alone_(chain_alone),
-        direction_(static_cast<std::size_t>(system.size())) {
+  StepSolver(KktSystem& system, LinearSolver solver)
+      : system_(system), direction_(static_cast<std::size_t>(system.size())) {
     if (solver != LinearSolver::Mumps) chain_ = BorderedChain::make(system);
   }
 
   /// J d = residual at the system's point. False if J is singular.
-  [[nodiscard]] bool solve() {
+  [[nodiscard]] bool solve(bool chain_alone) {
     system_.evaluate_jacobian();
     const auto by_chain = [&] {
       return chain_->factorise() &&
@@ -59,7 +59,7 @@ class StepSolver {
       by_chain_ = true;
       return true;
     }
-    if (chain_ && chain_alone_) return false;
+    if (chain_ && chain_alone) return false;
     // What the chain cannot do may still be regular: the block of the problem
     // may be singular where the system with its tangency condition is not.
     if (!lu_) {
@@ -90,7 +90,6 @@ class StepSolver {
 
  private:
   KktSystem& system_;
-  bool chain_alone_;
   std::unique_ptr<BorderedChain> chain_;
   std::unique_ptr<SparseLu> lu_;
   std::vector<double> direction_, jacobian_;
@@ -114,22 +113,53 @@ void check_active_set(nlp::Problem& problem, const KktSystem& system,
       options.tolerance;
 }
 
+}  // namespace
+
+/// The equations of an active set and what solves them.
+struct NewtonSolver::Structure {
+  KktSystem system;
+  LinearSolver linear_solver;
+  std::optional<StepSolver> steps;  ///< from the first step on
+
+  Structure(nlp::Problem& problem, nlp::TangencyCondition* tangency,
+            nlp::ActiveSet active, LinearSolver solver)
+      : system(problem, tangency, std::move(active)), linear_solver(solver) {}
+
+  [[nodiscard]] bool serves(const nlp::ActiveSet& active,
+                            LinearSolver solver) const {
+    return system.active() == active && linear_solver == solver;
+  }
+  [[nodiscard]] StepSolver& step_solver() {
+    if (!steps) steps.emplace(system, linear_solver);
+    return *steps;
+  }
+};
+
+NewtonSolver::NewtonSolver(nlp::Problem& problem,
+                           nlp::TangencyCondition* tangency)
+    : problem_(problem), tangency_(tangency) {}
+
+NewtonSolver::~NewtonSolver() = default;
+
 /// From the point in `result`, which holds the best one seen all along.
-void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
-             const NewtonOptions& options, NewtonResult& result) {
-  const bool inequalities = problem.has_inequalities();
-  if (inequalities && !problem.set_point(result.point.x)) {
+void NewtonSolver::iterate(const NewtonOptions& options, NewtonResult& result) {
+  const bool inequalities = problem_.has_inequalities();
+  if (inequalities && !problem_.set_point(result.point.x)) {
     result.status = Status::NotEvaluable;
     return;
   }
-  KktSystem system(problem, tangency, nlp::active_set(problem, result.point));
+  nlp::ActiveSet active = nlp::active_set(problem_, result.point);
+  if (!structure_ || !structure_->serves(active, options.linear_solver)) {
+    structure_ = std::make_unique<Structure>(
+        problem_, tangency_, std::move(active), options.linear_solver);
+  }
+  KktSystem& system = structure_->system;
   if (!system.evaluate(result.point.x, result.point.lambda, result.phi)) {
     result.status = Status::NotEvaluable;
     return;
   }
   double residual = system.max_residual();
   result.first_residual = result.residual = residual;
-  StepSolver solver(system, options.linear_solver, options.chain_alone);
 
   while (result.iterations < options.max_iterations) {
     if (residual <= options.tolerance &&
@@ -139,7 +169,8 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
     }
     if (residual == 0.0 || !std::isfinite(residual)) break;
     check_stop();
-    const bool regular = solver.solve();
+    StepSolver& solver = structure_->step_solver();
+    const bool regular = solver.solve(options.chain_alone);
     result.determinant_sign = solver.determinant_sign();
     if (!regular) break;
     ++result.iterations;
@@ -150,7 +181,7 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
     double by = 1.0;
     for (int halving = 0; halving <= options.max_halvings; ++halving) {
       Iterate trial{result.point, result.phi};
-      trial.subtract(by, solver.direction(), tangency != nullptr);
+      trial.subtract(by, solver.direction(), tangency_ != nullptr);
       if (system.evaluate(trial.point.x, trial.point.lambda, trial.phi) &&
           system.max_residual() < residual) {
         moved = system.max_residual() <= 0.5 * residual ||
@@ -167,15 +198,11 @@ void iterate(nlp::Problem& problem, nlp::TangencyCondition* tangency,
     }
     if (!moved) break;
   }
-  if (inequalities) check_active_set(problem, system, options, result);
+  if (inequalities) check_active_set(problem_, system, options, result);
 }
 
-}  // namespace
-
-NewtonResult solve_with_newton(nlp::Problem& problem,
-                               nlp::TangencyCondition* tangency,
-                               PrimalDual start, double phi,
-                               const NewtonOptions& options) {
+NewtonResult NewtonSolver::solve(PrimalDual start, double phi,
+                                 const NewtonOptions& options) {
   NewtonResult result;
   result.point = std::move(start);
   result.phi = phi;
@@ -183,17 +210,24 @@ NewtonResult solve_with_newton(nlp::Problem& problem,
       std::numeric_limits<double>::infinity();
   const StopScope scope(options.stop);
   try {
-    iterate(problem, tangency, options, result);
+    iterate(options, result);
   } catch (const Stopped&) {
     if (!options.stop.met()) throw;
     result.status = stopped_by(options.stop);
     return result;
   }
-  if (tangency != nullptr) tangency->set_parameter(result.phi);
+  if (tangency_ != nullptr) tangency_->set_parameter(result.phi);
   if (result.residual <= options.tolerance && result.active_set_holds) {
     result.status = Status::Solved;
   }
   return result;
+}
+
+NewtonResult solve_with_newton(nlp::Problem& problem,
+                               nlp::TangencyCondition* tangency,
+                               PrimalDual start, double phi,
+                               const NewtonOptions& options) {
+  return NewtonSolver(problem, tangency).solve(std::move(start), phi, options);
 }
 
 }  // namespace brachisto

@@ -14,15 +14,30 @@ thread_local const ChainScope* scope_in_force = nullptr;
 
 // Of a program with inequalities each combination of bounds may have a pattern.
 constexpr std::size_t kMostKept = 64;
+// Less than what the bound of one unknown changes.
+constexpr int kFewEntries = 4;
 
 }  // namespace
 
+template <class Fits>
+std::shared_ptr<const ChosenPivots> PivotStore::last(Fits&& fits) const {
+  const auto found = std::find_if(chosen_.rbegin(), chosen_.rend(),
+                                  [&](const auto& one) { return fits(*one); });
+  return found == chosen_.rend() ? nullptr : *found;
+}
+
 std::shared_ptr<const ChosenPivots> PivotStore::find(
     const LinkPattern& pattern) const {
-  const auto found =
-      std::find_if(chosen_.rbegin(), chosen_.rend(),
-                   [&](const auto& one) { return one->pattern == pattern; });
-  return found == chosen_.rend() ? nullptr : *found;
+  return last([&](const ChosenPivots& one) { return one.pattern == pattern; });
+}
+
+std::shared_ptr<const ChosenPivots> PivotStore::find_alike(
+    const LinkPattern& pattern) const {
+  return last([&](const ChosenPivots& one) {
+    return one.pattern.size == pattern.size &&
+           one.pattern.interior == pattern.interior &&
+           one.pattern.num_different(pattern) <= kFewEntries;
+  });
 }
 
 std::shared_ptr<const ChosenPivots> PivotStore::add(ChosenPivots chosen) {

@@ -27,10 +27,18 @@ class PivotStore {
   /// The last ones for such a link, or null.
   [[nodiscard]] std::shared_ptr<const ChosenPivots> find(
       const LinkPattern& pattern) const;
+  /// The last ones for a link of which a few entries more or less differ from
+  /// zero, or null: some vanish by chance, at one point and not at another.
+  [[nodiscard]] std::shared_ptr<const ChosenPivots> find_alike(
+      const LinkPattern& pattern) const;
   std::shared_ptr<const ChosenPivots> add(ChosenPivots chosen);
   void clear() { chosen_.clear(); }
 
  private:
+  /// The last one that fits, or null.
+  template <class Fits>
+  [[nodiscard]] std::shared_ptr<const ChosenPivots> last(Fits&& fits) const;
+
   std::vector<std::shared_ptr<const ChosenPivots>> chosen_;
 };
 

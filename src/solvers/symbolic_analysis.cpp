@@ -30,7 +30,7 @@ class BitSet {
   void set(int i) { word(i) |= bit(i); }
   void reset(int i) { word(i) &= ~bit(i); }
   [[nodiscard]] bool operator[](int i) const {
-    return (words_[at(i / kBits)] & bit(i)) != 0;
+    return (words_[at(i) / kBits] & bit(i)) != 0;
   }
   [[nodiscard]] bool none() const {
     return std::ranges::all_of(words_, [](auto word) { return word == 0; });
@@ -67,8 +67,10 @@ class BitSet {
 
  private:
   static constexpr int kBits = 64;
-  static std::uint64_t bit(int i) { return std::uint64_t{1} << (i % kBits); }
-  std::uint64_t& word(int i) { return words_[at(i / kBits)]; }
+  static std::uint64_t bit(int i) {
+    return std::uint64_t{1} << (at(i) % kBits);
+  }
+  std::uint64_t& word(int i) { return words_[at(i) / kBits]; }
 
   std::array<std::uint64_t, kWords> words_{};
 };
@@ -94,7 +96,8 @@ class Structure {
  public:
   using Set = BitSet<kWords>;
 
-  explicit Structure(const LinkPattern& pattern) : adjacent(at(pattern.size)) {
+  explicit Structure(const LinkPattern& pattern)
+      : adjacent(at(pattern.size)), count_(at(pattern.size)) {
     for (int i = 0; i < pattern.interior; ++i) left.set(i);
     for (int i = 0; i < pattern.size; ++i) {
       for (int j = 0; j <= i; ++j) {
@@ -103,6 +106,7 @@ class Structure {
         adjacent[at(j)].set(i);
       }
     }
+    for (int i = 0; i < pattern.size; ++i) count(i);
   }
 
   [[nodiscard]] bool has_diagonal(int i) const { return adjacent[at(i)][i]; }
@@ -116,7 +120,7 @@ class Structure {
 
   /// \pre has_diagonal(p)
   [[nodiscard]] Candidate single(int p) const {
-    const auto k = static_cast<double>(others(p, p, p).count());
+    const auto k = static_cast<double>(count_[at(p)] - 1);
     return {Kind::Single, p, p, 0.5 * k * (k + 1.0) + k};
   }
   /// \pre p and q are neighbours
@@ -124,8 +128,7 @@ class Structure {
     if (!has_diagonal(p)) std::swap(p, q);
     // Their neighbours but for p and q.
     const auto in = [&](int i) {
-      return static_cast<double>(adjacent[at(i)].count() - 1 -
-                                 (has_diagonal(i) ? 1 : 0));
+      return static_cast<double>(count_[at(i)] - 1 - (has_diagonal(i) ? 1 : 0));
     };
     if (!has_diagonal(p)) {
       const double in_p = in(p);
@@ -152,10 +155,12 @@ class Structure {
       set.for_each([&](int i) { out.push_back(i); });
     };
     const Set P = others(p, p, q);
+    step.in_p.reserve(adjacent.size());
     if (pivot.kind == Kind::Single) {
       list(P, step.in_p);
       P.for_each([&](int i) { adjacent[at(i)] |= P; });
-      drop(p);
+      drop(p, P);
+      P.for_each([&](int i) { count(i); });
       return step;
     }
     const Set Q = others(q, p, q);
@@ -165,13 +170,15 @@ class Structure {
     // entries in q, with d_qq ≠ 0 one of two in p.
     const Set in_p = step.has_d_pp ? P | Q : P;
     const Set in_q = saddle ? Q : P | Q;
+    step.in_q.reserve(adjacent.size());
     list(in_q, step.in_q);
     list(in_p & in_q, step.in_p);
     list(in_p.without(in_q), step.in_p);
     in_p.for_each([&](int i) { adjacent[at(i)] |= in_q; });
     in_q.for_each([&](int i) { adjacent[at(i)] |= in_p; });
-    drop(p);
-    drop(q);
+    drop(p, P);
+    drop(q, Q);
+    (P | Q).for_each([&](int i) { count(i); });
     return step;
   }
 
@@ -179,11 +186,14 @@ class Structure {
   std::vector<Set> adjacent;
 
  private:
-  void drop(int i) {
+  void drop(int i, const Set& neighbours) {
     left.reset(i);
-    for (Set& set : adjacent) set.reset(i);
+    neighbours.for_each([&](int j) { adjacent[at(j)].reset(i); });
     adjacent[at(i)] = {};
   }
+  void count(int i) { count_[at(i)] = adjacent[at(i)].count(); }
+
+  std::vector<int> count_;  ///< of adjacent
 };
 
 /// The elimination on one matrix, structure and numbers.
@@ -225,29 +235,42 @@ class Elimination {
     const int p = pivot.p;
     const int q = pivot.q;
     const Set rows = structure.others(p, p, q) | structure.others(q, p, q);
-    if (pivot.kind == Kind::Single) {
-      const double inverse = 1.0 / value(p, p);
-      rows.for_each([&](int i) {
-        const double multiplier = inverse * value(i, p);
-        rows.for_each([&](int j) { value(j, i) -= multiplier * value(j, p); });
-      });
-    } else {
-      const double det = value(p, p) * value(q, q) - value(p, q) * value(p, q);
-      rows.for_each([&](int i) {
-        const double c_p = value(i, p);
-        const double c_q = value(i, q);
-        const double to_p = (value(q, q) * c_p - value(p, q) * c_q) / det;
-        const double to_q = (value(p, p) * c_q - value(p, q) * c_p) / det;
-        rows.for_each([&](int j) {
-          value(j, i) -= to_p * value(j, p) + to_q * value(j, q);
-        });
-      });
+    // The columns of the pivot in these rows, one after the other.
+    rows_.clear();
+    in_p_.clear();
+    in_q_.clear();
+    rows.for_each([&](int i) {
+      rows_.push_back(at(i));
+      in_p_.push_back(value(i, p));
+      in_q_.push_back(value(i, q));
+    });
+    const bool single = pivot.kind == Kind::Single;
+    const double inverse = single ? 1.0 / value(p, p) : 0.0;
+    const double det = value(p, p) * value(q, q) - value(p, q) * value(p, q);
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      double* const column = a_.data() + at(size_) * rows_[k];
+      const double c_p = in_p_[k];
+      if (single) {
+        const double multiplier = inverse * c_p;
+        for (std::size_t l = 0; l < rows_.size(); ++l) {
+          column[rows_[l]] -= multiplier * in_p_[l];
+        }
+        continue;
+      }
+      const double c_q = in_q_[k];
+      const double to_p = (value(q, q) * c_p - value(p, q) * c_q) / det;
+      const double to_q = (value(p, p) * c_q - value(p, q) * c_p) / det;
+      for (std::size_t l = 0; l < rows_.size(); ++l) {
+        column[rows_[l]] -= to_p * in_p_[l] + to_q * in_q_[l];
+      }
     }
     Step step = structure.eliminate(pivot);
     // What others would do is as before where no neighbour went.
+    Set changed = rows;
+    changed.set(p);
+    changed.set(q);
     std::erase_if(candidates_, [&](const Candidate& one) {
-      return one.p == p || one.p == q || one.q == p || one.q == q ||
-             rows[one.p] || rows[one.q];
+      return changed[one.p] || changed[one.q];
     });
     add_candidates(rows & structure.left);
     return step;
@@ -256,7 +279,6 @@ class Elimination {
   Structure<kWords> structure;
 
  private:
-  double& value(int i, int j) { return a_[at(i) + at(size_) * at(j)]; }
   [[nodiscard]] double value(int i, int j) const {
     return a_[at(i) + at(size_) * at(j)];
   }
@@ -300,6 +322,8 @@ class Elimination {
   int size_;
   std::vector<double> a_;
   std::vector<Candidate> candidates_;
+  std::vector<std::size_t> rows_;  ///< scratch
+  std::vector<double> in_p_, in_q_;
 };
 
 /// Numbers the slots and lists the targets of a sequence of steps.

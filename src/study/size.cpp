@@ -91,8 +91,12 @@ std::optional<Outcome> too_large(const PosedProblem& posed) {
   if (!posed.cycloid) return std::nullopt;
   const double number = turns(
       posed.natural.body, posed.cycloid->arc_length(posed.cycloid->psi_end));
-  return too_large(estimate_size(number, posed.options), available_memory(),
-                   posed.options.limits.seconds);
+  const SizeEstimate size = estimate_size(number, posed.options);
+  const double seconds = posed.options.limits.seconds;
+  // To ask the kernel takes a per cent or so of a small solve.
+  constexpr double kLittle = 16e6;
+  if (size.bytes <= kLittle && !(size.seconds > seconds)) return std::nullopt;
+  return too_large(size, available_memory(), seconds);
 }
 
 }  // namespace brachisto

@@ -35,7 +35,7 @@ std::vector<TrajectoryPoint> hidden_extremes(
       samples[i] = {rows[i].sigma, sign * excess(motion, rows[i], mu)};
     }
     for (const math::Sample& found :
-         math::minima_below(0.0, samples, [&](double sigma) {
+         math::hidden_minima_below(0.0, samples, [&](double sigma) {
            return sign * excess(motion, motion.at(sigma), mu);
          })) {
       out.push_back(motion.at(found.at));

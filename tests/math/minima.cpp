@@ -76,6 +76,25 @@ TEST(MinimaBelow, LeavesOutWhatStaysAboveTheBound) {
   EXPECT_EQ(evaluations, 0);
 }
 
+TEST(HiddenMinimaBelow, AreThoseThatNoSampleShows) {
+  // cos x is below −0.9 for |x − π| < 0.45, and so on: of samples 0.85 apart
+  // some lie within, and about 3π none.
+  const auto f = [](double x) { return std::cos(x); };
+  constexpr double kBound = -0.9;
+  const std::vector<Sample> samples{
+      {2.3, f(2.3)},   {3.15, f(3.15)}, {4.0, f(4.0)},    {8.0, f(8.0)},
+      {8.95, f(8.95)}, {9.9, f(9.9)},   {10.75, f(10.75)}};
+  ASSERT_GT(f(8.95), kBound);
+  ASSERT_GT(f(9.9), kBound);
+
+  const std::vector<Sample> all = minima_below(kBound, samples, f);
+  const std::vector<Sample> found = hidden_minima_below(kBound, samples, f);
+
+  EXPECT_EQ(all.size(), 2u);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at, 3.0 * std::numbers::pi, 10.0 * kPlace);
+}
+
 TEST(MinimaBelow, TheEndsAreNoMinimaAndMayBeInfinite) {
   const auto f = [](double x) { return 1.0 / x + x; };
   std::vector<Sample> samples = sample(0.0, 0.9, 9, f);

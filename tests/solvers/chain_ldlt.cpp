@@ -15,6 +15,7 @@
 #include <numeric>
 
 #include "solvers/chain_matrix.hpp"
+#include "solvers/pivot_store.hpp"
 #include "support/refined_solution.hpp"
 
 namespace brachisto::testing {
@@ -96,6 +97,31 @@ constexpr Shape kShapes[] = {{1, 0, 3, 0},  {1, 4, 0, 0},   {1, 5, 2, 1},
                              {2, 60, 3, 0}, {3, 50, 4, 1},  {8, 50, 2, 1},
                              {9, 50, 3, 2}, {25, 48, 5, 1}, {40, 1, 3, 1},
                              {40, 3, 2, 3}, {7, 0, 4, 1}};
+
+TEST(PivotStore, FindsTheLastPivotsOfALinkThatIsNearlyTheSame) {
+  // Of a full link of 9 unknowns; five entries are too many to differ by.
+  const auto without = [](int count) {
+    LinkPattern pattern(9, 6);
+    for (int i = 0; i < 9; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        if (j > 0 || i == 0 || i > count) pattern.set(i, j);
+      }
+    }
+    return pattern;
+  };
+  PivotStore store;
+  const auto full = store.add({without(0), {}});
+  const auto lacking = store.add({without(5), {}});
+
+  EXPECT_EQ(without(0).num_different(without(5)), 5);
+  EXPECT_EQ(store.find(without(0)), full);
+  EXPECT_EQ(store.find(without(1)), nullptr);
+  EXPECT_EQ(store.find_alike(without(0)), full);
+  EXPECT_EQ(store.find_alike(without(3)), lacking);
+  EXPECT_EQ(store.find_alike(LinkPattern(9, 6)), nullptr);
+  EXPECT_EQ(store.find_alike(LinkPattern(9, 5)), nullptr);
+  EXPECT_EQ(store.find_alike(LinkPattern(8, 6)), nullptr);
+}
 
 TEST(ChainLdlt, FactorisesLikeDenseMethods) {
   std::uint32_t seed = 1;
@@ -379,6 +405,31 @@ TEST(ChainLdlt, NoticesEntriesThatAreZeroInTheSampleOnly) {
     matrix.dense(i, j) = matrix.dense(j, i) = 0.0;
   }
   expect_factorises(matrix, "sparse sample");
+}
+
+TEST(ChainLdlt, TakesThePivotsOfAMatrixThatDiffersByChanceZeros) {
+  // In a scope the second matrix, of which one entry of the link in the middle
+  // vanishes, takes the pivots of the first; the third, which lacks the
+  // diagonal there, finds its own.
+  constexpr int kMiddle = 7;  // of the blocks
+  const ChainScope scope;
+  ChainMatrix matrix = random_chain(7, 7, 48, 3, 1);
+  expect_factorises(matrix, "all entries");
+  const auto vanish = [&](int first, int count) {
+    for (std::size_t e = 0; e < matrix.values.size(); ++e) {
+      const int i = matrix.rows[e];
+      const int j = matrix.cols[e];
+      const int block = matrix.structure.block[static_cast<std::size_t>(j)];
+      if (block != kMiddle || i < j + first || i >= j + first + count) continue;
+      matrix.values[e] = 0.0;
+      matrix.dense(i, j) = matrix.dense(j, i) = 0.0;
+      if (count == 1) return;
+    }
+  };
+  vanish(1, 1);
+  expect_factorises(matrix, "one entry vanishes");
+  vanish(0, 3);
+  expect_factorises(matrix, "the diagonal and what is beside it vanish");
 }
 
 TEST(ChainLdlt, TakesOtherPivotsNextToABound) {

@@ -48,17 +48,17 @@ class LinkUnknowns {
                               &ChainBlocks::Range::count,
                               &ChainBlocks::Range::count);
   }
-  /// Calls visit(local number, unknown) for the first one of each range, or for
-  /// all, until one of them is answered by false.
-  template <class Visit>
-  bool all_first(Visit&& visit) const {
+  /// Whether holds(local number, unknown) of the first one of each range.
+  template <class Holds>
+  [[nodiscard]] bool all_first(Holds&& holds) const {
     int before = 0;
     for (const auto& [first, count] : ranges_) {
-      if (!visit(before, first)) return false;
+      if (!holds(before, first)) return false;
       before += count;
     }
     return true;
   }
+  /// Calls visit(local number, unknown) for all.
   template <class Visit>
   void for_each(Visit&& visit) const {
     int local = 0;

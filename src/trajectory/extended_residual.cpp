@@ -4,8 +4,10 @@
 #include "trajectory/extended_residual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -281,6 +283,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
   // Derivatives with respect to Δx, Δz, r Δθ and the rotation in the middle of
   // a piece and the sum of w at its ends.
   using Jet = math::Jet1<Real, 5>;
+  enum : std::uint8_t { kDx, kDz, kLength, kTheta, kSumOfW };
   const VariableLayout& layout = problem.layout();
   const Body& body = problem.scene().body;
   const Real r = body.radius;
@@ -302,12 +305,12 @@ ExtendedResidual extended_residual(const ArcLength& problem,
     const Real turn = own.turned - before.turned;
     const Real share = (2.0L * j - 1.0L) / (n * n);
     const Real middle = (j - 0.75L) / (2.0L * j - 1.0L);
-    const Jet dx = Jet::variable(own.x - before.x, 0);
-    const Jet dz = Jet::variable(own.z - before.z, 1);
-    const Jet length = Jet::variable(has_theta ? r * turn : S * share, 2);
+    const Jet dx = Jet::variable(own.x - before.x, kDx);
+    const Jet dz = Jet::variable(own.z - before.z, kDz);
+    const Jet length = Jet::variable(has_theta ? r * turn : S * share, kLength);
     const Jet theta =
-        Jet::variable(body.theta_m + before.turned + middle * turn, 3);
-    const Jet sum = Jet::variable(own.w.value + before.w.value, 4);
+        Jet::variable(body.theta_m + before.turned + middle * turn, kTheta);
+    const Jet sum = Jet::variable(own.w.value + before.w.value, kSumOfW);
     // The direction is (Δx, Δz)/(r Δθ), of modulus one at a solution only.
     const auto [sine, cosine] = sines.at(theta.value);
     const Jet A =
@@ -322,14 +325,15 @@ ExtendedResidual extended_residual(const ArcLength& problem,
     lagrangian += slip * static_cast<Real>(point.lambda[at(row)]);
 
     // By the unknowns of a node, at this end of the piece or at the other.
-    const auto [by_dx, by_dz, by_length, by_theta, by_w] = lagrangian.gradient;
+    const std::array<Real, 5>& by = lagrangian.gradient;
     const auto add = [&](int number, const Node& node, Real sign, Real part) {
-      gradient[layout.state(number, X)] += sign * by_dx;
+      gradient[layout.state(number, X)] += sign * by[kDx];
       gradient[layout.state(number, Z)] +=
-          sign * by_dz + by_w * node.w.gradient[0];
+          sign * by[kDz] + by[kSumOfW] * node.w.gradient[0];
       if (!has_theta) return;
-      gradient[layout.state(number, Theta)] +=
-          sign * r * by_length + part * by_theta + by_w * node.w.gradient[1];
+      gradient[layout.state(number, Theta)] += sign * r * by[kLength] +
+                                               part * by[kTheta] +
+                                               by[kSumOfW] * node.w.gradient[1];
     };
     if (j > 1) {
       add(j - 1, before, -1.0L, 1.0L - middle);
@@ -344,7 +348,7 @@ ExtendedResidual extended_residual(const ArcLength& problem,
       gradient[layout.state(j, Theta)] += lambda * r;
       by_S -= lambda * sigma * sigma;
     } else {
-      by_S += by_length * share;
+      by_S += by[kLength] * share;
     }
     before = own;
   }

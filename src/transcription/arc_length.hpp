@@ -131,6 +131,15 @@ class ArcLength final : public Transcription {
   /// By Δx, Δz, r Δθ, the rotation in the middle, and the sum of w at the ends.
   struct Five {
     double x, z, length, theta, w;
+
+    friend Five operator*(double factor, const Five& a) {
+      return {factor * a.x, factor * a.z, factor * a.length, factor * a.theta,
+              factor * a.w};
+    }
+    friend Five operator+(const Five& a, const Five& b) {
+      return {a.x + b.x, a.z + b.z, a.length + b.length, a.theta + b.theta,
+              a.w + b.w};
+    }
   };
   using Second = std::array<Five, 5>;
   /// What x, z and θ of one of its nodes change of a piece: x changes Δx; z
@@ -145,7 +154,10 @@ class ArcLength final : public Transcription {
       return {sign * by.x, sign * by.z + w_z * by.w,
               turn * by.length + share * by.theta + w_theta * by.w};
     }
-    [[nodiscard]] std::array<Five, 3> of(const Second& by) const;
+    [[nodiscard]] std::array<Five, 3> of(const Second& by) const {
+      return {sign * by[0], sign * by[1] + w_z * by[4],
+              turn * by[2] + share * by[3] + w_theta * by[4]};
+    }
   };
 
   bool evaluate() override;

@@ -79,22 +79,6 @@ ArcLength::Second ArcLength::second(int node, double objective_factor) const {
             -y * by_w * piece.root}}};
 }
 
-std::array<ArcLength::Five, 3> ArcLength::Influence::of(
-    const Second& by) const {
-  std::array<Five, 3> out;
-  const auto combine = [&](double Five::*i) {
-    const std::array<double, 3> column =
-        of(Five{by[0].*i, by[1].*i, by[2].*i, by[3].*i, by[4].*i});
-    for (std::size_t k = 0; k < out.size(); ++k) out[k].*i = column[k];
-  };
-  combine(&Five::x);
-  combine(&Five::z);
-  combine(&Five::length);
-  combine(&Five::theta);
-  combine(&Five::w);
-  return out;
-}
-
 ArcLength::Influence ArcLength::influence(int piece, int node) const {
   const double sign = node == piece ? 1.0 : -1.0;
   const double share = node == piece ? middle(piece) : 1.0 - middle(piece);

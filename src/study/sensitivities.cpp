@@ -12,6 +12,7 @@
 #include "model/units.hpp"
 #include "refinement/free_rates.hpp"
 #include "refinement/limited_rates.hpp"
+#include "solvers/pivot_store.hpp"
 #include "study/answer_kinds.hpp"
 
 namespace brachisto {
@@ -135,6 +136,8 @@ const char* name(SceneParameter parameter) {
 
 std::optional<Sensitivities> sensitivities(const Solution& solution,
                                            bool second) {
+  // The same digits within a solve and after it.
+  const ChainScope chains(ChainScope::threads());
   const std::unique_ptr<TimeRates> rates = rates_of(solution);
   if (!rates || !rates->regular()) return std::nullopt;
   const Units units = natural_units(solution.scene);

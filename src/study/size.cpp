@@ -15,17 +15,18 @@ namespace brachisto {
 
 namespace {
 
-// Measured on one core of an AMD EPYC: from 122 to 4900 turns of the base body
-// 3.4e-4 down to 2.6e-4 s times the power 3/2 of their number, for the
-// continuation needs more steps too, and 0.22 to 0.32 MB per turn; of fixed
-// meshes 1e-5 s and 3.5 kB per node, 1.7 kB for arc_length. What is refused
-// must be too large for certain, on a faster machine and by a shorter way too:
-// a third of the first time, a tenth of the second, somewhat less memory.
-constexpr double kSecondsOfTurns = 1e-4;
-constexpr double kBytesPerTurn = 0.2e6;
-constexpr double kSecondsPerNode = 1e-6;
-constexpr double kBytesPerNode = 3e3;
-constexpr double kBytesPerArcLengthNode = 1.5e3;
+// Measured on one core of an AMD EPYC: from 570 to 2800 turns of the base body
+// 1.1e-4 down to 0.9e-4 s times the power 3/2 of their number, for the
+// continuation needs more steps too, and 0.23 to 0.19 MB per turn; of fixed
+// meshes 5e-6 s and 2.1 kB per node, 2e-6 s and 1.0 kB for arc_length. What is
+// refused must be too large for certain, on a faster machine and by a shorter
+// way too: a third of the first time, a tenth of the second, somewhat less
+// memory.
+constexpr double kSecondsOfTurns = 3e-5;
+constexpr double kBytesPerTurn = 0.17e6;
+constexpr double kSecondsPerNode = 5e-7;
+constexpr double kBytesPerNode = 1.8e3;
+constexpr double kBytesPerArcLengthNode = 0.8e3;
 
 /// "21 GB".
 std::string in_bytes(double bytes) {

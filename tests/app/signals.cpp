@@ -122,7 +122,7 @@ TEST(Signals, SentTwiceAtOnceStillLeaveADocument) {
 
 TEST(Limits, AreExceededByNoMoreThanASecond) {
   // Each takes longer than a second, and less is estimated beforehand.
-  const std::string mesh = "discretisation={degree: 5, elements: 20000}";
+  const std::string mesh = "discretisation={degree: 5, elements: 60000}";
   const std::string turns = "scene.body.radius=0.004";
   for (const auto& [way, more] :
        {std::pair{"method: ipopt", mesh}, std::pair{"method: newton_kkt", mesh},

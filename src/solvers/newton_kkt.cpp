@@ -35,8 +35,26 @@ struct Iterate {
   }
 };
 
+/// Completes the multipliers of a solution of the equations, and sees whether
+/// it is one of the inequalities: those held at their bound have multipliers of
+/// the right sign, the others keep to it.
+void check_active_set(nlp::Problem& problem, const KktSystem& system,
+                      const NewtonOptions& options, NewtonResult& result) {
+  if (result.residual > options.tolerance ||
+      !problem.set_point(result.point.x)) {
+    return;
+  }
+  nlp::set_bound_multipliers(problem, system.active(), result.point);
+  const nlp::KktResidual kkt = nlp::kkt_residual(problem, result.point);
+  result.active_set_holds =
+      std::max({kkt.sign, kkt.infeasibility, kkt.bound_violation}) <=
+      options.tolerance;
+}
+
+}  // namespace
+
 /// Steps of Newton's method: by the chain where it serves, else by sparse LU.
-class StepSolver {
+class NewtonSolver::StepSolver {
  public:
   StepSolver(KktSystem& system, LinearSolver solver)
       : system_(system), direction_(static_cast<std::size_t>(system.size())) {
@@ -96,24 +114,6 @@ class StepSolver {
   int determinant_sign_ = 0;
   bool by_chain_ = false;
 };
-
-/// Completes the multipliers of a solution of the equations, and sees whether
-/// it is one of the inequalities: those held at their bound have multipliers of
-/// the right sign, the others keep to it.
-void check_active_set(nlp::Problem& problem, const KktSystem& system,
-                      const NewtonOptions& options, NewtonResult& result) {
-  if (result.residual > options.tolerance ||
-      !problem.set_point(result.point.x)) {
-    return;
-  }
-  nlp::set_bound_multipliers(problem, system.active(), result.point);
-  const nlp::KktResidual kkt = nlp::kkt_residual(problem, result.point);
-  result.active_set_holds =
-      std::max({kkt.sign, kkt.infeasibility, kkt.bound_violation}) <=
-      options.tolerance;
-}
-
-}  // namespace
 
 /// The equations of an active set and what solves them.
 struct NewtonSolver::Structure {

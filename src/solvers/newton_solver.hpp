@@ -25,6 +25,7 @@ class NewtonSolver {
                                    const NewtonOptions& options);
 
  private:
+  class StepSolver;
   struct Structure;
 
   void iterate(const NewtonOptions& options, NewtonResult& result);

@@ -138,8 +138,7 @@ std::vector<Jet> LimitedStart::conditions(const State& y) const {
 std::vector<Jet> end_conditions(const Scene& natural, const State& y) {
   const Values<Jet> v = variables(y);
   const double r = contact_radius(natural);
-  const bool given =
-      natural.contact == Contact::EndSlope && natural.body.rolls();
+  const bool given = natural.contact == Contact::EndSlope;
   return {v[kX] - sin(v[kBeta]) * r - natural.L,
           v[kZ] + cos(v[kBeta]) * r - natural.H, v[kPTheta], v[kPW],
           given ? v[kBeta] - *natural.end_slope : transversality(natural, v)};

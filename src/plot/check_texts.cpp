@@ -21,6 +21,7 @@ constexpr std::array kTexts{
               "was built from"},
     CheckText{"closure_at_A",
               "the same at the start, which an initial speed leaves open"},
+    CheckText{"end_slope", "the slope at B, against the one that is given"},
     CheckText{"slope_angle", "the track has no loop: the largest slope angle"},
     CheckText{"speed", "the body moves forward everywhere"},
     CheckText{"hamiltonian",

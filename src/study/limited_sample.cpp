@@ -165,14 +165,18 @@ FittedPath sampled_path(const limited::ArcPath& extremal,
                         const FittedPath& nearby, std::vector<Arc> arcs,
                         int p) {
   const LimitedTime& found = nearby.curve.problem();
+  // A slope that the scene gives stays the one that is asked for.
   LimitedEnds ends = nearby.ends;
-  ends.phi = extremal.slope_at_end();
-  if (ends.start) ends.start = extremal.at(0, 0.0)[limited::kBeta];
+  const bool sought = end_is_sought(found.scene());
+  if (sought) ends.phi = extremal.slope_at_end();
+  if (start_is_sought(ends)) {
+    ends.start = extremal.at(0, 0.0)[limited::kBeta];
+  }
   const LimitedTime problem(found.scene(), found.limits(), mesh_of(arcs, p),
                             ends, held_limits(arcs));
   LimitedCurve curve(problem, ArcSample(extremal, arcs, problem).take());
   // A bead touches B whatever its slope there.
-  if (!found.scene().body.rolls()) ends.phi = end_slope(curve);
+  if (sought && !found.scene().body.rolls()) ends.phi = end_slope(curve);
   const ContactMismatch mismatch = mismatch_of(curve, ends);
   return {std::move(arcs), ends, std::move(curve), mismatch};
 }

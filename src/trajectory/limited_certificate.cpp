@@ -18,6 +18,8 @@
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "math/index.hpp"
 #include "model/contact.hpp"
+#include "model/path_inequality.hpp"
+#include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/inertia.hpp"
 #include "trajectory/certify.hpp"
@@ -42,6 +44,31 @@ void check_ends(const LimitedCurve& curve, Certificate& certificate) {
     end = track_below(end, scene.body.radius, last.beta);
   }
   certificate.add("contact_error", contact_error(scene, start, end), kContact);
+}
+
+/// The slopes that the scene itself asks for, whatever the solution was built
+/// with: the one at B where it is given, and at A the law for leaving rest, but
+/// where a path that a bound of valleys or the contact frees from it turns.
+void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
+  constexpr double kSlope = 1e-9;
+  const Scene& scene = curve.problem().scene();
+  if (scene.contact == Contact::EndSlope) {
+    certificate.add("end_slope",
+                    std::abs(curve.at(1.0).state.beta -
+                             scene.end_slope.value_or(kNotKnown)),
+                    kSlope);
+  }
+  const std::vector<PathInequality> limits =
+      inequalities(scene.body, scene.limits);
+  if (scene.contact == Contact::Optimal ||
+      (bound_valleys(limits) && curve.holds_control(0))) {
+    return;
+  }
+  certificate.add(
+      "start_angle",
+      std::abs(curve.at(0.0).state.beta -
+               start_angle_under(scene.body, limits).value_or(kNotKnown)),
+      kSlope);
 }
 
 /// By how much the solution exceeds the limit that it exceeds most, with its
@@ -140,6 +167,7 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
   check_limits(curve, certificate);
   check_second_order(curve, certificate);
   check_ends(curve, certificate);
+  check_slopes(curve, certificate);
   certificate.add("closure", std::abs(mismatch), kTangency);
   double steepest = 0.0;
   for (int node = 0; node < problem.layout().num_nodes(); ++node) {

@@ -214,6 +214,51 @@ TEST(LimitedCertificateOfATrack, ThatIsTooSteepForItsLimitsFails) {
   EXPECT_FALSE(result.find("defects")->passed);
 }
 
+/// The certificate of an answer, read as one to another question: what it was
+/// built with, slopes included, is as it was.
+Certificate as_answer_to(const Scene& asked, const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  return certify(
+      LimitedCurve(LimitedTime(asked, problem.limits(), problem.mesh(),
+                               problem.ends(), problem.held()),
+                   curve.point()),
+      0.0, kError);
+}
+
+/// Whatever shape the body has: a bead's contact at B has no part in its slope.
+TEST(LimitedCertificateOfATrack, ThatEndsWithAnotherSlopeThanIsAskedForFails) {
+  for (const Scene& scene : {off_centred_scene(), bead_scene()}) {
+    Scene asked = under(scene, bends(2.0, 3.0), Contact::EndSlope);
+    asked.end_slope = -0.5;
+    const LimitedCurve curve = solved_curve(asked);
+    Scene other = curve.problem().scene();
+    EXPECT_TRUE(as_answer_to(other, curve).verified());
+    other.end_slope = 0.4;
+
+    const Certificate result = as_answer_to(other, curve);
+
+    ASSERT_NE(result.find("end_slope"), nullptr);
+    EXPECT_FALSE(result.find("end_slope")->passed);
+    EXPECT_NEAR(result.find("end_slope")->value, 0.9, 1e-12);
+  }
+}
+
+TEST(LimitedCertificateOfATrack, ThatStartsWithAnotherSlopeThanTheLawFails) {
+  const LimitedCurve curve =
+      solved_curve(limited_reference("uniform_friction_0.5").scene);
+  Scene other = curve.problem().scene();
+  EXPECT_TRUE(as_answer_to(other, curve).verified());
+  other.limits.friction = 1.0;
+
+  const Certificate result = as_answer_to(other, curve);
+
+  ASSERT_NE(result.find("start_angle"), nullptr);
+  EXPECT_FALSE(result.find("start_angle")->passed);
+  // tan β₀ = 3 μ.
+  EXPECT_NEAR(result.find("start_angle")->value,
+              std::atan(3.0) - std::atan(1.5), 1e-12);
+}
+
 /// On a mesh too coarse for its arcs the limits hold at the points and not
 /// between them: so does the answer of an interior-point method.
 TEST(LimitedCertificateOfATrack, ThatKeepsLimitsAtItsPointsAloneFails) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "extremal/canonical_flow.hpp"
 #include "math/jet2.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
@@ -64,7 +63,7 @@ double rise_from_rest(const Scene& scene, const HeldLimit& held, double slope) {
                                 On::variable(0.0, 3)});
   const double W = scene.gravity * energy_slope(body, body.theta_m, slope);
   const auto second = [&](int i, int j) { return c.hessian[On::pair(i, j)]; };
-  return -(c.gradient[0] * 0.5 * W * shooting::inverse_radius(body) +
+  return -(c.gradient[0] * 0.5 * W * rotation_per_length(body) +
            0.5 * second(1, 1) * W * W) /
          (c.gradient[2] + 2.0 * W * second(3, 1));
 }
@@ -111,7 +110,7 @@ State LimitedStart::left_rest(double u) const {
   State y{};
   y[kX] = centre.x + s * std::cos(*slope_);
   y[kZ] = centre.z + s * std::sin(*slope_);
-  y[kTheta] = body.theta_m + s * shooting::inverse_radius(body);
+  y[kTheta] = body.theta_m + s * rotation_per_length(body);
   y[kW] = w;
   y[kBeta] = *slope_ + rise_ * u * u;
   return y;

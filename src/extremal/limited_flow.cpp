@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "extremal/canonical_flow.hpp"
 #include "math/jet2.hpp"
 
 namespace brachisto::limited {
@@ -55,6 +54,10 @@ Boundary<Scalar> boundary_at(const PathInequality& limit, const Body& body,
 
 }  // namespace
 
+double rotation_per_length(const Body& body) {
+  return body.off_centred() ? 1.0 / body.radius : 0.0;
+}
+
 /// 𝓗, and what its derivatives by θ, w and β make of the motion.
 template <class Scalar>
 struct LimitedFlow::Slopes {
@@ -67,7 +70,7 @@ struct LimitedFlow::Slopes {
 LimitedFlow::LimitedFlow(const Scene& scene, std::optional<HeldLimit> held)
     : body_(scene.body),
       g_(scene.gravity),
-      inverse_radius_(shooting::inverse_radius(scene.body)),
+      rotation_per_length_(limited::rotation_per_length(scene.body)),
       held_(std::move(held)),
       kind_(!held_                          ? Kind::Free
             : held_->limit.bounds_control() ? Kind::Control
@@ -84,7 +87,7 @@ auto LimitedFlow::slopes(const Values<Scalar>& y) const -> Slopes<Scalar> {
   const On w_rate = energy_slope(body_, theta, beta) * g_;
   const On h = root +
                w * (cos(beta) * On(y[kPX]) + sin(beta) * On(y[kPZ]) +
-                    On(y[kPTheta] * Scalar(inverse_radius_))) +
+                    On(y[kPTheta] * Scalar(rotation_per_length_))) +
                w_rate * On(y[kPW]);
   const auto second = [&](int i, int j) { return h.hessian[On::pair(i, j)]; };
   return {h.value,
@@ -94,7 +97,7 @@ auto LimitedFlow::slopes(const Values<Scalar>& y) const -> Slopes<Scalar> {
           h.gradient[1],
           h.gradient[2],
           second(2, 2),
-          second(2, 0) * y[kW] * Scalar(inverse_radius_) +
+          second(2, 0) * y[kW] * Scalar(rotation_per_length_) +
               second(2, 1) * w_rate.value - w_rate.gradient[2] * h.gradient[1]};
 }
 
@@ -123,7 +126,7 @@ std::array<Scalar, kStates> LimitedFlow::state_rates(
   using std::cos;
   using std::sin;
   return {y[kW] * cos(y[kBeta]), y[kW] * sin(y[kBeta]),
-          y[kW] * Scalar(inverse_radius_),
+          y[kW] * Scalar(rotation_per_length_),
           energy_slope(body_, y[kTheta], y[kBeta]) * Scalar(g_), control(y)};
 }
 

@@ -37,6 +37,11 @@ using State = Values<double>;
 /// Numbers with their derivatives by all components.
 using Jet = math::Jet1<double, static_cast<int>(kSize)>;
 
+/// dθ/ds as far as the motion depends on θ: 1/r, or 0 without an offset. A θ
+/// that no row but its own knew would be all that Newton's method sees of a
+/// guess whose program has none.
+[[nodiscard]] double rotation_per_length(const Body& body);
+
 /// A limit that holds at one of its bounds.
 struct HeldLimit {
   PathInequality limit;
@@ -68,8 +73,9 @@ class LimitedFlow {
 
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] const std::optional<HeldLimit>& held() const { return held_; }
-  /// 1/r, or 1 for a bead, whose θ nothing depends on.
-  [[nodiscard]] double inverse_radius() const { return inverse_radius_; }
+  [[nodiscard]] double rotation_per_length() const {
+    return rotation_per_length_;
+  }
 
   /// What changes along the arc, per unit of u.
   template <class Scalar>
@@ -119,7 +125,7 @@ class LimitedFlow {
 
   Body body_;
   double g_;
-  double inverse_radius_;
+  double rotation_per_length_;
   std::optional<HeldLimit> held_;
   Kind kind_;
 };

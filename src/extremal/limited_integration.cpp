@@ -51,18 +51,35 @@ struct PieceRates {
     }
   }
 
-  /// Of the path alone; p_θ is measured in units of r, its natural size.
+  /// Of the path; p_θ is measured in units of r, its natural size. Where the
+  /// states alone are judged also of their derivatives: next to rest β comes
+  /// back to a limit on forces at a rate ∝ 1/u, which an incline, on which it
+  /// never leaves it, does not show. A step too long for that rate would be
+  /// right and its derivatives huge.
   [[nodiscard]] double relative_error(const Stack& now, const Stack& error,
                                       double tolerance) const {
     constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+    constexpr double kOfDerivatives = 1e-8;
     double largest = 0.0;
     for (std::size_t i = 0; i < kPath; ++i) {
       if (judged == Judged::StatesAlone && i >= kStates && i < kSize) continue;
-      const double weight = i == kPTheta ? flow.inverse_radius() : 1.0;
+      const double weight = i == kPTheta ? flow.rotation_per_length() : 1.0;
       const double ratio = std::abs(error[i]) * weight /
                            (tolerance + kRounding * std::abs(now[i]) * weight);
       if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
       largest = std::max(largest, ratio);
+    }
+    if (judged == Judged::StatesAndCostates) return largest;
+    for (std::size_t j = 0; j < std::min(Columns, kStates); ++j) {
+      for (std::size_t i = 0; i < kStates; ++i) {
+        const std::size_t place = kPath * (1 + j) + i;
+        const double ratio = std::abs(error[place]) /
+                             (kOfDerivatives * (1.0 + std::abs(now[place])));
+        if (!std::isfinite(ratio)) {
+          return std::numeric_limits<double>::infinity();
+        }
+        largest = std::max(largest, ratio);
+      }
     }
     return largest;
   }

@@ -189,6 +189,60 @@ TEST(LimitedWitness, AgreesWhereABoundOfValleysHoldsBehindAFloor) {
   expect_agreement(solve(scene, cross_checked()));
 }
 
+/// Both methods, which have the slope at B that the scene gives.
+void expect_both(const Scene& scene) {
+  const Solution solved = solve(scene, cross_checked());
+  expect_agreement(solved);
+  SolveOptions options;
+  options.method = Shooting{};
+  const Solution shot = solve(scene, options);
+  ASSERT_TRUE(shot.verified())
+      << shot.message << ::testing::PrintToString(shot.not_verified_because());
+  EXPECT_NEAR(shot.motion()->tau(), solved.motion()->tau(),
+              1e-10 * solved.motion()->tau());
+  if (!scene.end_slope) return;
+  EXPECT_NEAR(solved.motion()->end_angle(), *scene.end_slope, 1e-12);
+  EXPECT_NEAR(shot.motion()->end_angle(), *scene.end_slope, 1e-12);
+}
+
+Scene with_finish(const Body& body, double L, double H,
+                  const PathLimits& limits) {
+  Scene scene = under(scene_of(body), limits);
+  scene.L = L;
+  scene.H = H;
+  return scene;
+}
+Scene with_end_slope(Scene scene, double slope) {
+  scene.contact = Contact::EndSlope;
+  scene.end_slope = slope;
+  return scene;
+}
+
+/// A bead touches B whatever its slope there, so that nothing else than the
+/// condition itself ties the path to a slope that is given.
+TEST(LimitedWitness, AgreesWhereTheLastSlopeOfABeadIsGiven) {
+  PathLimits table = bends(1.6, 2.3);
+  table.floor = 2.7;
+  expect_both(with_end_slope(
+      with_finish(Body::bead(), 1.344, 0.126, bends(2.217, 34.55)), -0.529));
+  expect_both(
+      with_end_slope(with_finish(Body::bead(), 15.0, 1.0, table), 0.576));
+}
+
+/// Inclines from rest that are long or gentle, with friction that holds up to B
+/// too, and a bound of humps.
+TEST(LimitedWitness, AgreesOnInclinesOfUniformCylinders) {
+  PathLimits rails = bends(1.819, 1.168);
+  rails.friction = 0.2165;
+  expect_both(with_end_slope(
+      with_finish(Body::cylinder(0.2, 0.0, 0.0, 0.6388), 14.929, 1.456, rails),
+      0.104));
+  expect_both(with_finish(Body::cylinder(0.512, 0.0, 0.0, 0.52), 10.797, 1.0,
+                          friction(0.228)));
+  expect_both(with_finish(Body::cylinder(0.05, 0.0, 0.0, 0.5845), 3.0, 0.022,
+                          friction(0.2688)));
+}
+
 /// Between given ends of the centre the slope at A is nobody's but the path's.
 /// A bounded valley makes it start less steeply than the free one, and costs
 /// little as long as that is allowed.
@@ -245,9 +299,11 @@ LimitedExtremal found_from(const Scene& nearby, const Scene& scene) {
 // The integration errs by 1e-13 at each of some hundred steps.
 constexpr double kClosed = 1e-12;
 
+/// From 0.115 on, where the incline is nearly all of it: 1/9 is the least
+/// friction on which the body gets to B.
 TEST(LimitedWitness, FindsTheSteepestInclineThatGripsAndTheCycloid) {
   const Scene uniform = uniform_scene();
-  for (const double mu : {0.3, 0.5, 1.0}) {
+  for (const double mu : {0.115, 0.14, 0.2, 0.3, 0.5, 1.0}) {
     const Scene scene = under(uniform, friction(mu));
 
     const LimitedExtremal found =

@@ -25,6 +25,11 @@ bool holds_from_above(const LimitedFlow& flow, const State& y) {
   return grows == held.at_upper();
 }
 
+std::string touches_alone(const HeldLimit& touched) {
+  return fmt::format("it touches {} where no limit holds the control",
+                     name(touched.limit.kind));
+}
+
 }  // namespace
 
 /// The equations, one after the other.
@@ -105,6 +110,12 @@ LimitedSystem::LimitedSystem(const Scene& natural, const Guess& guess)
     }
   }
   first_node_.push_back(nodes);
+  const int last = num_arcs() - 1;
+  const bool touches_B = arcs_.back().touched && !blind(last);
+  jump_.push_back(touches_B ? num_jumps_++ : -1);
+  if (touches_B && refusal_.empty() && flows_.back().kind() != Kind::Control) {
+    refusal_ = touches_alone(*arcs_.back().touched);
+  }
   take_guess(guess);
 }
 
@@ -112,8 +123,7 @@ std::string LimitedSystem::unknown_junction(int arc) const {
   const Kind before = flows_[at(arc - 1)].kind(), here = flows_[at(arc)].kind();
   const auto& touched = arcs_[at(arc - 1)].touched;
   if (touched && (before != Kind::Control || here != Kind::Control)) {
-    return fmt::format("it touches {} where no limit holds the control",
-                       name(touched->limit.kind));
+    return touches_alone(*touched);
   }
   if (before == Kind::Place && here == Kind::Place) {
     return "it goes from one boundary to another";
@@ -192,7 +202,7 @@ void LimitedSystem::matching_rows(Rows& rows, int arc, int piece,
   const LimitedFlow& flow = flows_[at(arc)];
   const int i = first_node_[at(arc)] + piece;
   const Values<Jet> next = variables(node(point, i + 1));
-  const bool last = piece + 1 == pieces_[at(arc)] && arc + 1 < num_arcs();
+  const bool last = piece + 1 == pieces_[at(arc)];
   const int jump = last ? jump_[at(arc + 1)] : -1;
   std::array<Jet, kStates> along{};
   if (jump >= 0) along = flow.gradient(jumps_along(arc + 1).limit, next);
@@ -247,8 +257,13 @@ bool LimitedSystem::evaluate(const Eigen::VectorXd& point,
     }
   }
   rows.begin(num_arcs());
-  rows.add(end_conditions(scene_, node(point, num_nodes() - 1)),
-           num_nodes() - 1);
+  const State end = node(point, num_nodes() - 1);
+  rows.add(end_conditions(scene_, end), num_nodes() - 1);
+  if (jump_.back() >= 0) {
+    const HeldLimit& touched = *arcs_.back().touched;
+    rows.add(flows_.back().value(touched.limit, variables(end)) - touched.bound,
+             num_nodes() - 1);
+  }
   rows.move_to(out);
   return true;
 }
@@ -281,7 +296,7 @@ ArcPath LimitedSystem::path(const Eigen::VectorXd& point,
         return {};
       }
     }
-    if (a + 1 < num_arcs() && jump_[at(a + 1)] >= 0) {
+    if (jump_[at(a + 1)] >= 0) {
       arc.jumps_along = jumps_along(a + 1);
       arc.jump = point(of_jump(jump_[at(a + 1)]));
     }

@@ -23,7 +23,7 @@ namespace brachisto::limited {
 struct Arc {
   std::optional<HeldLimit> held;
   double duration = 0.0;  ///< of u
-  /// What the path touches at its end, the same limit going on behind.
+  /// What the path touches at its end, B or where the same limit goes on.
   std::optional<HeldLimit> touched = {};
 };
 
@@ -54,6 +54,8 @@ struct Guess {
 /// - where a limit is touched while another holds the control: c = dc/du = 0
 ///   along the arc, and the costates of the states may jump along ∂c/∂y;
 /// - at B: the place, p_θ = p_w = 0, and p_β = 0, or what the contact asks for.
+///   A limit that is reached there while another holds the control: c = 0, and
+///   in front of it the costates may differ from these along ∂c/∂y.
 ///
 /// Some say the same twice, as the place of B does on a boundary. So they are
 /// solved as a problem of least squares whose residual has to vanish.
@@ -128,8 +130,9 @@ class LimitedSystem {
   LimitedStart leave_;
   std::vector<int> pieces_;      ///< of each arc
   std::vector<int> first_node_;  ///< of each arc, and the node at B
-  std::vector<int> jump_;        ///< in front of each arc: its number, or −1
-  std::vector<bool> opposite_;   ///< in front of each arc
+  /// In front of each arc and of B: its number, or −1.
+  std::vector<int> jump_;
+  std::vector<bool> opposite_;  ///< in front of each arc
   int num_jumps_ = 0;
   std::string refusal_;
   Eigen::VectorXd start_;

@@ -49,7 +49,7 @@ class ArcSample {
     }
     point_ = sample_at_mesh(problem_, path_.rolling_time(),
                             [&](Mesh::Place place) { return at_place(place); });
-    for (std::size_t a = 0; a + 1 < arcs_.size(); ++a) add_jump(a);
+    for (std::size_t a = 0; a < arcs_.size(); ++a) add_jump(a);
     // An extremal keeps moving, so that nothing is refused.
     static_cast<void>(problem_.set_point(point_.x));
     if (path_.blind(0)) solve_blind_arc();

@@ -117,7 +117,8 @@ PathLimits discs_and_planes(std::vector<Disc> discs,
   return limits;
 }
 
-/// Of a body that touches a floor while friction holds it, of slopes that are
+/// Of a body that touches a floor while friction holds it, and one that has its
+/// least force at B while it turns as sharply as it may; of slopes that are
 /// given and optimal, of loads, discs, half-planes and given ends.
 std::vector<Scene> scenes_of_other_arcs() {
   const Scene base = off_centred_scene();
@@ -132,10 +133,17 @@ std::vector<Scene> scenes_of_other_arcs() {
   on_table.floor = 1.3;
   PathLimits grip = bends(2.0, 4.0);
   grip.friction = 0.6;
+  PathLimits loaded = bends(2.0, 2.0);
+  loaded.normal_min = 0.2;
+  Scene light_at_B =
+      under(scene_of(Body::cylinder(1.0 / 3.0, 0.577, -0.4, 0.0)), loaded,
+            Contact::Optimal);
+  light_at_B.H = 0.1;
   PathLimits pressed;
   pressed.normal_max = 2.5;
   return {
       touching,
+      light_at_B,
       given,
       under(base, pressed),
       under(base, discs_and_planes({{{1.5, 1.3}, 0.3}}, {})),

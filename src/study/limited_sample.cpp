@@ -52,7 +52,9 @@ class ArcSample {
     for (std::size_t a = 0; a < arcs_.size(); ++a) add_jump(a);
     // An extremal keeps moving, so that nothing is refused.
     static_cast<void>(problem_.set_point(point_.x));
-    if (path_.blind(0)) solve_blind_arc();
+    for (std::size_t a = arcs_.size(); a-- > 0;) {
+      if (left_to_stationarity(a)) solve_arc(a);
+    }
     solve_contacts();
   }
 
@@ -63,6 +65,12 @@ class ArcSample {
     std::size_t arc;
     double begin, end;  ///< as shares of the arc
   };
+
+  [[nodiscard]] int elements_before(std::size_t arc) const {
+    int count = 0;
+    for (std::size_t a = 0; a < arc; ++a) count += arcs_[a].elements();
+    return count;
+  }
 
   [[nodiscard]] LimitedPoint at_place(Mesh::Place place) const {
     const auto& [arc, begin, end] = elements_[at(place.element)];
@@ -99,9 +107,7 @@ class ArcSample {
     const int along = before.touch ? static_cast<int>(before.touch->limit)
                       : of_control ? held_on(arcs_[arc + 1])
                                    : held;
-    int elements = 0;
-    for (std::size_t a = 0; a <= arc; ++a) elements += arcs_[a].elements();
-    const int last = elements * problem_.mesh().degree - 1;
+    const int last = elements_before(arc + 1) * problem_.mesh().degree - 1;
     const auto multiplier = [&](int limit) -> double& {
       return point_.lambda[at(problem_.layout().limit(last, limit))];
     };
@@ -113,13 +119,26 @@ class ArcSample {
                         here.flow.by_control(here.flow.held()->limit, y);
   }
 
+  /// Whether sampled costates would not do: from rest on they are not known,
+  /// and on a short arc along a limit of the control what rounding leaves of
+  /// them is too much over its length.
+  [[nodiscard]] bool left_to_stationarity(std::size_t arc) const {
+    constexpr double kShort = 1e-4;
+    const limited::ArcPath::Stretch& here = path_.arcs()[arc];
+    return path_.blind(arc) ||
+           (arc + 1 < arcs_.size() &&
+            here.flow.kind() == limited::LimitedFlow::Kind::Control &&
+            here.duration < kShort * path_.rolling_time());
+  }
+
   /// Backwards, element by element, from the costates where the arc ends.
-  void solve_blind_arc() {
+  void solve_arc(std::size_t arc) {
     using enum StateComponent;
     const VariableLayout& layout = problem_.layout();
     const int p = problem_.mesh().degree;
-    const int held = held_on(arcs_.front());
-    for (int e = arcs_.front().elements(); e-- > 0;) {
+    const int held = held_on(arcs_[arc]);
+    const int first = elements_before(arc);
+    for (int e = first + arcs_[arc].elements(); e-- > first;) {
       std::vector<int> variables, constraints;
       for (int c = e * p; c < (e + 1) * p; ++c) {
         for (int i = 0; i < layout.num_states(); ++i) {

@@ -237,6 +237,29 @@ TEST(LimitedWitness, AgreesWhereTheLastSlopeOfABeadIsGiven) {
       with_end_slope(with_finish(Body::bead(), 15.0, 1.0, table), 0.576));
 }
 
+/// Between a free arc and a valley up to B another limit holds for 4e-6 U.
+TEST(LimitedWitness, GivesAnswersWithShortArcsThatTheProgramsConditionsAccept) {
+  PathLimits loaded = bends(1.666, 4.997);
+  loaded.normal_min = 0.087;
+  SolveOptions options;
+  options.method = Shooting{};
+  for (const Scene& scene :
+       {with_end_slope(
+            with_finish(Body::bead(), 0.839, 1.0, bends(0.561, 4.439)), -0.739),
+        with_end_slope(with_finish(Body::cylinder(0.466, 0.0, 0.0, 0.277), 1.09,
+                                   1.0, loaded),
+                       -0.388)}) {
+    const Solution shot = solve(scene, options);
+    const Solution solved = solve(scene);
+
+    ASSERT_TRUE(shot.verified())
+        << shot.message
+        << ::testing::PrintToString(shot.not_verified_because());
+    EXPECT_NEAR(shot.motion()->tau(), solved.motion()->tau(),
+                1e-10 * solved.motion()->tau());
+  }
+}
+
 /// Inclines from rest that are long or gentle, with friction that holds up to B
 /// too, and a bound of humps.
 TEST(LimitedWitness, AgreesOnInclinesOfUniformCylinders) {

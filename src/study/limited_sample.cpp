@@ -275,11 +275,20 @@ LimitedAnswer answer_from_extremal(const FittedPath& nearby,
                                    const LimitedExtremal& extremal,
                                    const StopCondition& stop) {
   constexpr int kMostHalvings = 8;
+  // Of what is to be left that passes. Where halving lessens it no more it is
+  // rounding, and over the weight of a shorter element more of it.
+  constexpr double kPasses = 10.0, kFalls = 0.5;
   std::vector<Arc> arcs = with_junctions(nearby.arcs, extremal.path);
   FittedPath path = sampled_path(extremal.path, nearby, arcs, kMaxDegree);
+  std::vector<double> left = left_on_elements(path.curve);
   for (int i = 0; i < kMostHalvings && !stop.met(); ++i) {
-    if (!divide_where_left(left_on_elements(path.curve), arcs)) break;
-    path = sampled_path(extremal.path, nearby, arcs, kMaxDegree);
+    if (!divide_where_left(left, arcs)) break;
+    FittedPath finer = sampled_path(extremal.path, nearby, arcs, kMaxDegree);
+    std::vector<double> then = left_on_elements(finer.curve);
+    const double worst = std::ranges::max(left);
+    if (worst <= kPasses && !(std::ranges::max(then) < kFalls * worst)) break;
+    path = std::move(finer);
+    left = std::move(then);
   }
   const double error =
       std::abs(path.curve.transit_time() / extremal.transit_time - 1.0) +

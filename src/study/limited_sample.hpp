@@ -15,10 +15,11 @@ namespace brachisto {
 
 /// The extremal on a mesh of its arcs that is fine enough for the conditions of
 /// the finite problem, which it must satisfy, to be its certificate: elements
-/// are halved on which it does not. States are sampled and so are costates and
-/// multipliers; nothing is solved there but for what the method leaves open:
-/// the multipliers along an arc that a limit on forces holds from rest on, and
-/// those of the contacts, follow from stationarity.
+/// are halved on which it does not, as long as that helps. States are sampled
+/// and so are costates and multipliers; nothing is solved there but for what
+/// the method leaves open: the multipliers along an arc that a limit on forces
+/// holds from rest on or that is very short, and those of the contacts, follow
+/// from stationarity.
 ///
 /// The estimated error is what T by quadrature on the mesh and by the indirect
 /// method differ by, and the error of the latter.

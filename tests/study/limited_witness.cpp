@@ -237,10 +237,14 @@ TEST(LimitedWitness, AgreesWhereTheLastSlopeOfABeadIsGiven) {
       with_end_slope(with_finish(Body::bead(), 15.0, 1.0, table), 0.576));
 }
 
-/// Between a free arc and a valley up to B another limit holds for 4e-6 U.
-TEST(LimitedWitness, GivesAnswersWithShortArcsThatTheProgramsConditionsAccept) {
+/// Between a free arc and a valley up to B another limit holds for 4e-6 U; and
+/// a floor for 0.9 U, where costates are some hundred and rounding of them is
+/// what is left on fine meshes.
+TEST(LimitedWitness, GivesAnswersWithVeryShortAndVeryLongArcs) {
   PathLimits loaded = bends(1.666, 4.997);
   loaded.normal_min = 0.087;
+  PathLimits table = floor_at(0.276);
+  table.normal_min = 0.037;
   SolveOptions options;
   options.method = Shooting{};
   for (const Scene& scene :
@@ -248,7 +252,9 @@ TEST(LimitedWitness, GivesAnswersWithShortArcsThatTheProgramsConditionsAccept) {
             with_finish(Body::bead(), 0.839, 1.0, bends(0.561, 4.439)), -0.739),
         with_end_slope(with_finish(Body::cylinder(0.466, 0.0, 0.0, 0.277), 1.09,
                                    1.0, loaded),
-                       -0.388)}) {
+                       -0.388),
+        under(with_finish(Body::bead(), 11.898, 0.153, table), table,
+              Contact::Centre)}) {
     const Solution shot = solve(scene, options);
     const Solution solved = solve(scene);
 

@@ -348,7 +348,7 @@ void expect_slope_at_fixed_contacts(const Solution& solution,
       },
       kStep);
   EXPECT_NEAR(found.by[parameter].tau_at_fixed_contacts, expected,
-              kAllowed * std::max(1.0, std::abs(expected)))
+              allowed(scene) * std::max(1.0, std::abs(expected)))
       << name(parameter);
 }
 
@@ -370,6 +370,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AtFixedContacts,
                          [](const auto& one) { return one.param.test; });
 INSTANTIATE_TEST_SUITE_P(Worlds, AtFixedContacts,
                          ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(ThroughASurface, AtFixedContacts,
+                         ::testing::Values(through_a_surface()),
                          [](const auto& one) { return one.param.test; });
 
 Case push() {
@@ -521,6 +524,7 @@ class SecondDerivativesOf : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
   const Scene& scene = GetParam().scene;
+  // Slopes are exact to some ten times what τ is.
   const double allowed_of_second = 10.0 * allowed(scene);
   const auto found = sensitivities(solved(scene), true);
   ASSERT_TRUE(found && found->second);

@@ -421,6 +421,15 @@ INSTANTIATE_TEST_SUITE_P(
                                          push_in_air_in_a_sphere()),
                        ::testing::ValuesIn(kParameters)),
     name_of);
+Case push_through_a_surface() {
+  return {"Push", with_push(through_a_surface().scene, 0.5)};
+}
+INSTANTIATE_TEST_SUITE_P(
+    ThroughASurface, OfAPushedScene,
+    ::testing::Combine(::testing::Values(push_through_a_surface()),
+                       ::testing::Values(SceneParameter::EtaM,
+                                         SceneParameter::L)),
+    name_of);
 INSTANTIATE_TEST_SUITE_P(
     Scenes, OfAPushAtFixedContacts,
     ::testing::Combine(::testing::Values(push(), push_between_ends()),

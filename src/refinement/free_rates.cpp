@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "math/central_difference.hpp"

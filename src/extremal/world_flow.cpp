@@ -82,6 +82,33 @@ struct Arrived {
   double beta;
 };
 
+/// Derivatives beyond the surface. A neighbour passes it later by du and has
+/// had the rates f⁻ so long in place of f⁺,
+///
+///     v⁺ = v⁻ + (f⁻ − f⁺) du,  du = −(∇h·v)/(∇h·f),
+///
+/// in which only the costates' rates differ; h and √A have none that do.
+template <std::size_t Columns>
+void pass_surface(const WorldFlow& here, const WorldFlow& there, double beta,
+                  typename WorldRates<Columns>::Stack& now) {
+  State y;
+  std::copy_n(now.begin(), kSize, y.begin());
+  PhaseJet h_here, h_there;
+  double same = beta;
+  if (!here.find_slope(y, same, h_here) || !there.find_slope(y, same, h_there))
+    return;
+  const State before = WorldFlow::rates(h_here);
+  const State after = WorldFlow::rates(h_there);
+  for (std::size_t j = 0; j < Columns; ++j) {
+    double* const v = now.data() + kPath * (1 + j);
+    State change;
+    std::copy_n(v, kSize, change.begin());
+    const double du =
+        -here.height_variation(y, change) / here.height_variation(y, before);
+    for (std::size_t i = 0; i < kSize; ++i) v[i] += (before[i] - after[i]) * du;
+  }
+}
+
 /// Goes from 0 to `span`, in pieces that end where the surface of a sphere is
 /// passed; tells `on_step` of every step.
 template <std::size_t Columns, class OnStep>
@@ -150,6 +177,10 @@ std::optional<Arrived<Columns>> travel(const WorldFlow& flow,
       now = on_surface.now();
       beta = on_surface.beta();
       on_step(u, now, beta);
+      pass_surface<Columns>(
+          here,
+          flow.on_side(outside ? SphereSide::Inside : SphereSide::Outside),
+          beta, now);
     }
     outside = !outside;
   }
@@ -169,6 +200,16 @@ WorldFlow WorldFlow::on_side(SphereSide side) const {
   Scene there = scene_;
   there.world.side = side;
   return WorldFlow(std::move(there));
+}
+
+// n·(v_x − r η v_θ sin θ, v_z + r η v_θ cos θ)
+double WorldFlow::height_variation(const State& y, const State& v) const {
+  const Point heavy = mass_centre(scene_.body, {y[kX], y[kZ]}, y[kTheta]);
+  const Point centre = scene_.world.sphere->centre;
+  const double turn = scene_.body.radius * scene_.body.eta_m * v[kTheta];
+  return ((heavy.x - centre.x) * (v[kX] - turn * std::sin(y[kTheta])) +
+          (heavy.z - centre.z) * (v[kZ] + turn * std::cos(y[kTheta]))) /
+         std::hypot(heavy.x - centre.x, heavy.z - centre.z);
 }
 
 double WorldFlow::height(const State& y) const {

@@ -48,6 +48,8 @@ class WorldFlow {
   }
   /// How far the centre of mass is above that surface.
   [[nodiscard]] double height(const State& y) const;
+  /// Its change with a change v of the state.
+  [[nodiscard]] double height_variation(const State& y, const State& v) const;
 
   /// 𝓗 with its derivatives where its minimum nearest to the slope angle
   /// `beta` is, which becomes β; false if there is none.

@@ -4,15 +4,19 @@
 #include "refinement/free_rates.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "math/central_difference.hpp"
 #include "math/index.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "refinement/start_closure.hpp"
+#include "refinement/surface_passages.hpp"
+#include "transcription/passage_equation.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
@@ -21,6 +25,10 @@ namespace {
 
 /// What solutions with the factorised conditions are worth.
 constexpr double kOfSolves = 1e-13;
+
+/// σ of an element end and of its passage are the same up to this; where
+/// rounding keeps them apart, up to the second.
+constexpr double kPlaced = 1e-12, kAlmostPlaced = 1e-9;
 
 /// The path of a solution, whose costates at the end are in a field that
 /// depends on the place those of the problem's current point.
@@ -43,6 +51,13 @@ Scene posed_for_rates(const Scene& scene, const Mesh& mesh,
   return out;
 }
 
+/// With the law of the first element's side at the start too.
+Scene beginning_on(Scene scene, const std::vector<SphereSide>& sides) {
+  scene.world.side.reset();
+  if (!sides.empty()) scene.world.side = sides.front();
+  return scene;
+}
+
 /// C_y y.
 double along(const nlp::TangencyCondition::Linearisation& row,
              std::span<const double> y, int num_variables) {
@@ -60,9 +75,10 @@ double along(const nlp::TangencyCondition::Linearisation& row,
 
 }  // namespace
 
-FreeRates::Equations::Equations(const Scene& scene, const Mesh& mesh,
+FreeRates::Equations::Equations(const Scene& scene, const Elements& elements,
                                 double phi)
-    : problem(scene, mesh, phi),
+    : problem(beginning_on(scene, elements.sides), elements.mesh, phi),
+      passages(elements_beyond(elements.sides)),
       contact([&] {
         return scene.contact == Contact::Smooth
                    ? std::optional<ContactEquation>(std::in_place, problem)
@@ -74,60 +90,174 @@ FreeRates::Equations::Equations(const Scene& scene, const Mesh& mesh,
                    : std::nullopt;
       }()),
       system(problem, tangency(), nlp::equations_only(problem)) {
-  if (!start) return;
-  start->set_parameter(start_angle(scene));
+  problem.hold_sides(elements.sides);
+  if (start) start->set_parameter(start_angle(problem.scene()));
   if (contact) contact->set_parameter(phi);
 }
 
-std::vector<nlp::TangencyCondition*> FreeRates::Equations::closing() {
+std::vector<nlp::TangencyCondition*> FreeRates::Equations::slopes() {
   std::vector<nlp::TangencyCondition*> out;
   if (contact) out.push_back(&*contact);
   if (start) out.push_back(&*start);
   return out;
 }
 
-FreeRates::FreeRates(const Scene& scene, const Mesh& mesh,
+std::vector<nlp::TangencyCondition::Linearisation> FreeRates::Equations::rows(
+    const PrimalDual& point) {
+  std::vector<nlp::TangencyCondition::Linearisation> out;
+  for (nlp::TangencyCondition* slope : slopes()) {
+    out.push_back(slope->linearise(point.x, point.lambda));
+  }
+  for (const int element : passages) {
+    out.push_back(height_at_beginning(problem, element, point.x));
+  }
+  return out;
+}
+
+FreeRates::FreeRates(const Scene& scene, Elements elements,
                      const PrimalDual& point, double phi)
-    : at_(posed_for_rates(scene, mesh, point, phi), mesh, phi),
+    : elements_(std::move(elements)),
+      at_(posed_for_rates(scene, elements_.mesh, point, phi), elements_, phi),
       point_(point),
       phi_(phi) {
   if (at(at_.problem.num_variables()) != point.x.size()) {
-    point_ = prolong(path_of(scene, mesh, point, phi), at_.problem);
+    point_ = prolong(path_of(scene, elements_.mesh, point, phi), at_.problem);
   }
   if (!at_.system.evaluate(point_.x, point_.lambda, phi_)) return;
   time_ = at_.problem.eval_f();
   pull_ = nlp::lagrangian_gradient(at_.problem, point_.lambda);
+  for (const nlp::TangencyCondition* slope : at_.slopes()) {
+    const nlp::SparseVector& turn = slope->fixed_rates();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < turn.index.size(); ++i) {
+      sum += static_cast<double>(pull_[at(turn.index[i])] * turn.value[i]);
+    }
+    by_closing_.push_back(sum);
+  }
   at_.system.evaluate_jacobian();
   chain_ = BorderedChain::make(at_.system);
-  regular_ =
-      chain_ && chain_->factorise() && (!at_.start || linearise_around_chain());
+  regular_ = chain_ && chain_->factorise() &&
+             (!at_.around_chain() || linearise_around_chain());
+}
+
+std::unique_ptr<FreeRates> FreeRates::make(const ExtremalCurve& curve,
+                                           const PrimalDual& point,
+                                           double phi) {
+  const Scene& scene = curve.scene();
+  const Mesh& own = curve.mesh();
+  Mesh mesh = with_ends_at(own, surface_passages(scene, curve));
+  const bool placed = std::ranges::equal(
+      mesh.boundaries, own.boundaries, [](double one, double other) {
+        return std::abs(one - other) <= kAlmostPlaced;
+      });
+  if (placed) mesh = own;
+  Elements elements{mesh, sides_of_elements(curve, mesh)};
+  if (placed) {
+    return std::unique_ptr<FreeRates>(
+        new FreeRates(scene, std::move(elements), point, phi));
+  }
+  return closed(scene, std::move(elements),
+                prolong(curve, RollingTime(scene, mesh, phi)), phi);
+}
+
+std::unique_ptr<FreeRates> FreeRates::closed(Scene scene, Elements elements,
+                                             PrimalDual point, double phi) {
+  constexpr int kMostMoves = 12;
+  constexpr double kCloser = 0.5;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostMoves; ++i) {
+    RollingTime problem(scene, elements.mesh, phi);
+    problem.hold_sides(elements.sides);
+    const MeshSolution found =
+        close_start(problem, {point, phi, -1.0}, {}, stay_on_mesh);
+    if (!found.solved()) return nullptr;
+    scene = problem.scene();
+    point = found.point;
+    phi = found.tangency.phi;
+    std::unique_ptr<FreeRates> out(new FreeRates(scene, elements, point, phi));
+    const std::vector<int>& passages = out->at_.passages;
+    if (passages.empty() || !out->regular()) return out;
+    const Eigen::VectorXd miss = out->misses();
+    const double apart = miss.lpNorm<Eigen::Infinity>();
+    if (apart <= kPlaced || (apart <= kAlmostPlaced && apart > kCloser * last))
+      return out;
+    last = apart;
+    std::vector<double> places;
+    for (std::size_t k = 0; k < passages.size(); ++k) {
+      places.push_back(elements.mesh.boundaries[at(passages[k])] +
+                       miss[static_cast<Eigen::Index>(k)]);
+    }
+    elements.mesh = with_beginnings_at(elements.mesh, passages, places);
+    // Written so that a NaN is no mesh.
+    for (int e = 0; e < elements.mesh.num_elements(); ++e) {
+      if (!(elements.mesh.length(e) > 0.0)) return nullptr;
+    }
+  }
+  return nullptr;
+}
+
+FreeRates::Elements FreeRates::moved_passage(std::size_t number,
+                                             double by) const {
+  std::vector<double> places;
+  for (const int element : at_.passages) {
+    places.push_back(elements_.mesh.boundaries[at(element)]);
+  }
+  places[number] += by;
+  return {with_beginnings_at(elements_.mesh, at_.passages, places),
+          elements_.sides};
 }
 
 bool FreeRates::linearise_around_chain() {
   const int n = at_.problem.num_variables();
-  const std::vector<nlp::TangencyCondition*> closing = at_.closing();
-  const auto size = static_cast<Eigen::Index>(closing.size());
-  around_.jacobian.resize(size, size);
-  for (nlp::TangencyCondition* condition : closing) {
-    around_.rows.push_back(condition->linearise(point_.x, point_.lambda));
-    std::vector<double> moved(at(at_.system.size()), 0.0);
-    const nlp::SparseVector& rates = condition->fixed_rates();
-    for (std::size_t i = 0; i < rates.index.size(); ++i) {
-      moved[at(rates.index[i])] = rates.value[i];
+  around_.rows = at_.rows(point_);
+  const auto size = static_cast<Eigen::Index>(around_.rows.size());
+  around_.jacobian = Eigen::MatrixXd::Zero(size, size);
+  std::vector<std::vector<double>> moving;  // −F_c
+  for (const nlp::TangencyCondition* slope : at_.slopes()) {
+    const auto i = static_cast<Eigen::Index>(moving.size());
+    around_.jacobian(i, i) = around_.rows[moving.size()].by_parameter;
+    std::vector<double>& moved = moving.emplace_back(at(at_.system.size()));
+    const nlp::SparseVector& rates = slope->fixed_rates();
+    for (std::size_t j = 0; j < rates.index.size(); ++j) {
+      moved[at(rates.index[j])] = rates.value[j];
     }
-    around_.turns.emplace_back(moved.size());
-    if (!chain_->solve(moved, around_.turns.back(), kOfSolves)) return false;
   }
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& row = around_.rows[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < size; ++j) {
-      around_.jacobian(i, j) =
-          along(row, around_.turns[static_cast<std::size_t>(j)], n) +
-          (i == j ? row.by_parameter : 0.0);
+  for (std::size_t k = 0; k < at_.passages.size(); ++k) {
+    // All is linear in it: any step will do that leaves elements their order.
+    constexpr double kShare = 0.1;
+    const Mesh& mesh = elements_.mesh;
+    const double step = kShare * std::min(mesh.length(at_.passages[k] - 1),
+                                          mesh.length(at_.passages[k]));
+    Partial by = partial(step, [&](double place) {
+      return std::pair(scene(), moved_passage(k, place));
+    });
+    around_.jacobian.col(static_cast<Eigen::Index>(moving.size())) = by.open;
+    by_closing_.push_back(by.lagrangian);
+    for (double& value : by.residual) value = -value;
+    moving.push_back(std::move(by.residual));
+  }
+  for (Eigen::Index j = 0; j < size; ++j) {
+    std::vector<double>& turn =
+        around_.turns.emplace_back(at(at_.system.size()));
+    if (!chain_->solve(moving[static_cast<std::size_t>(j)], turn, kOfSolves)) {
+      return false;
+    }
+    for (Eigen::Index i = 0; i < size; ++i) {
+      around_.jacobian(i, j) +=
+          along(around_.rows[static_cast<std::size_t>(i)], turn, n);
     }
   }
   const double determinant = around_.jacobian.determinant();
   return std::isfinite(determinant) && determinant != 0.0;
+}
+
+Eigen::VectorXd FreeRates::misses() const {
+  Eigen::VectorXd open(around_.jacobian.rows());
+  for (Eigen::Index i = 0; i < open.size(); ++i) {
+    open[i] = -around_.rows[static_cast<std::size_t>(i)].residual;
+  }
+  return around_.jacobian.partialPivLu().solve(open).tail(
+      static_cast<Eigen::Index>(at_.passages.size()));
 }
 
 PrimalDual FreeRates::turned_to(const Scene& scene) const {
@@ -141,47 +271,53 @@ PrimalDual FreeRates::turned_to(const Scene& scene) const {
   return out;
 }
 
-TimeRate FreeRates::by(SceneCoordinate coordinate) {
-  std::vector<double> residual(at(at_.system.size()), 0.0);
-  const std::vector<nlp::TangencyCondition*> closing = at_.closing();
-  Eigen::VectorXd open =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(closing.size()));
-  double objective = 0.0, start = 0.0;
-  math::central_difference_by_place(
-      difference_step(scene(), coordinate), [&](double place, double weight) {
-        const Scene there = moved(scene(), coordinate, place);
-        const PrimalDual point = turned_to(there);
-        Equations other(there, at_.problem.mesh(), phi_);
-        if (!other.system.evaluate(point.x, point.lambda, phi_)) {
-          weight = std::nan("");
-        }
-        for (std::size_t i = 0; i < residual.size(); ++i) {
-          residual[i] += weight * other.system.residual()[i];
-        }
-        objective += weight * other.problem.eval_f();
-        if (!at_.start) {
-          start += weight * start_angle(there);
-          return;
-        }
-        Eigen::Index i = 0;
-        for (nlp::TangencyCondition* condition : other.closing()) {
-          open[i++] +=
-              weight * condition->linearise(point.x, point.lambda).residual;
-        }
-      });
+FreeRates::Partial FreeRates::partial(
+    double step,
+    const std::function<std::pair<Scene, Elements>(double)>& moved_to) {
+  Partial out;
+  out.residual.assign(at(at_.system.size()), 0.0);
+  out.open = Eigen::VectorXd::Zero(
+      at_.around_chain() ? static_cast<Eigen::Index>(around_.rows.size()) : 0);
+  double objective = 0.0;
+  math::central_difference_by_place(step, [&](double place, double weight) {
+    const auto [there, elements] = moved_to(place);
+    const PrimalDual point = turned_to(there);
+    Equations other(there, elements, phi_);
+    if (!other.system.evaluate(point.x, point.lambda, phi_)) {
+      weight = std::nan("");
+    }
+    for (std::size_t i = 0; i < out.residual.size(); ++i) {
+      out.residual[i] += weight * other.system.residual()[i];
+    }
+    objective += weight * other.problem.eval_f();
+    out.start_angle += weight * start_angle(other.scene());
+    if (!at_.around_chain()) return;
+    Eigen::Index i = 0;
+    for (const auto& row : other.rows(point)) {
+      out.open[i++] += weight * row.residual;
+    }
+  });
 
   // 𝓛_p, the values of fixed variables moving along.
-  long double explicitly = objective;
+  long double lagrangian = objective;
   const int n = at_.problem.num_variables();
   for (int i = 0; i < n; ++i) {
-    if (at_.system.given(i)) explicitly -= pull_[at(i)] * residual[at(i)];
+    if (at_.system.given(i)) lagrangian -= pull_[at(i)] * out.residual[at(i)];
   }
   for (std::size_t i = 0; i < point_.lambda.size(); ++i) {
-    explicitly +=
-        static_cast<long double>(point_.lambda[i]) * residual[at(n) + i];
+    lagrangian +=
+        static_cast<long double>(point_.lambda[i]) * out.residual[at(n) + i];
   }
-  TimeRate rate{static_cast<double>(explicitly),
-                static_cast<double>(explicitly)};
+  out.lagrangian = static_cast<double>(lagrangian);
+  return out;
+}
+
+TimeRate FreeRates::by(SceneCoordinate coordinate) {
+  const Partial by =
+      partial(difference_step(scene(), coordinate), [&](double place) {
+        return std::pair(moved(scene(), coordinate, place), elements_);
+      });
+  TimeRate rate{by.lagrangian, by.lagrangian};
   if (scene().contact == Contact::Smooth && !at_.start) {
     // C_A turns about A with β₀.
     const VariableLayout& layout = at_.problem.layout();
@@ -190,35 +326,33 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
     const auto x = pull_[at(layout.state(0, StateComponent::X))];
     const auto z = pull_[at(layout.state(0, StateComponent::Z))];
     rate.at_fixed_contacts -= static_cast<double>(
-        start * r * (x * std::cos(beta_0) + z * std::sin(beta_0)));
+        by.start_angle * r * (x * std::cos(beta_0) + z * std::sin(beta_0)));
   }
-  if (closing.empty()) return rate;
-  const Eigen::VectorXd slopes = slope_rates(std::move(residual), open);
-  for (std::size_t c = 0; c < closing.size(); ++c) {
-    const nlp::SparseVector& turn = closing[c]->fixed_rates();
-    for (std::size_t i = 0; i < turn.index.size(); ++i) {
-      rate.total +=
-          static_cast<double>(pull_[at(turn.index[i])] * turn.value[i] *
-                              slopes[static_cast<Eigen::Index>(c)]);
-    }
+  if (by_closing_.empty()) return rate;
+  const Eigen::VectorXd closing = closing_rates(by);
+  for (std::size_t c = 0; c < by_closing_.size(); ++c) {
+    rate.total += by_closing_[c] * closing[static_cast<Eigen::Index>(c)];
   }
   return rate;
 }
 
-Eigen::VectorXd FreeRates::slope_rates(std::vector<double> residual,
-                                       const Eigen::VectorXd& open) {
-  for (double& value : residual) value = -value;
-  std::vector<double> direction(residual.size());
-  if (!chain_->solve(residual, direction, kOfSolves)) {
-    return Eigen::VectorXd::Constant(open.size(), std::nan(""));
+Eigen::VectorXd FreeRates::closing_rates(const Partial& by) {
+  const auto size = static_cast<Eigen::Index>(by_closing_.size());
+  std::vector<double> right = by.residual;
+  for (double& value : right) value = -value;
+  std::vector<double> direction(right.size());
+  if (!chain_->solve(right, direction, kOfSolves)) {
+    return Eigen::VectorXd::Constant(size, std::nan(""));
   }
-  if (!at_.start) return Eigen::VectorXd::Constant(1, direction.back());
-  Eigen::VectorXd right = -open;
-  for (Eigen::Index i = 0; i < right.size(); ++i) {
-    right[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
-                      at_.problem.num_variables());
+  if (!at_.around_chain()) {
+    return Eigen::VectorXd::Constant(1, direction.back());
   }
-  return around_.jacobian.partialPivLu().solve(right);
+  Eigen::VectorXd open = -by.open;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    open[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
+                     at_.problem.num_variables());
+  }
+  return around_.jacobian.partialPivLu().solve(open);
 }
 
 /// F = (∂²𝓗/∂β²) κ next to the answer.
@@ -226,8 +360,8 @@ double FreeRates::contact_response() {
   if (!at_.contact) return std::nan("");
   const double per_kink =
       at_.contact->linearise(point_.x, point_.lambda).by_parameter;
-  if (at_.start) {
-    // The slope at B is the first of the two.
+  if (at_.around_chain()) {
+    // The slope at B is the first of what closes.
     Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
     right[0] = per_kink;
     return around_.jacobian.partialPivLu().solve(right)[0];
@@ -240,26 +374,10 @@ double FreeRates::contact_response() {
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,
                                            double by) {
-  const Scene there = moved(scene(), coordinate, by);
-  const Mesh& mesh = at_.problem.mesh();
-  if (at_.start) {
-    RollingTime problem(there, mesh, phi_);
-    const MeshSolution found =
-        close_start(problem, {turned_to(there), phi_, -1.0}, {}, stay_on_mesh);
-    if (!found.solved()) return nullptr;
-    return std::make_unique<FreeRates>(problem.scene(), mesh, found.point,
-                                       found.tangency.phi);
-  }
-  Equations other(there, mesh, phi_);
-  NewtonOptions options;
-  options.to_rounding = true;
-  const NewtonResult found = solve_with_newton(other.problem, other.tangency(),
-                                               turned_to(there), phi_, options);
-  if (found.residual >
-      reachable(kRoundingResidual, other.problem, found.point.x)) {
-    return nullptr;
-  }
-  return std::make_unique<FreeRates>(there, mesh, found.point, found.phi);
+  Scene there = moved(scene(), coordinate, by);
+  there.world.side.reset();
+  PrimalDual point = turned_to(there);
+  return closed(std::move(there), elements_, std::move(point), phi_);
 }
 
 }  // namespace brachisto

@@ -7,14 +7,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "refinement/time_rates.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "transcription/contact_equation.hpp"
+#include "transcription/extremal_curve.hpp"
 #include "transcription/rolling_time.hpp"
 #include "transcription/start_equation.hpp"
 
@@ -25,21 +27,27 @@ namespace brachisto {
 ///
 ///     y_p = −F_y⁻¹ F_p,   dT/dp = 𝓛_p + (∂𝓛/∂x_fixed)·(v_p + v_φ φ_p).
 ///
-/// Where slope_at_A_is_open() φ stands for the two slopes c = (φ, α), or for α
-/// alone, and the equations of both are solved around the chain, C(y, c, p) = 0
-/// with y the unknowns between given ends: either of them closed inside of the
-/// other would meet folds that both together do not have,
+/// Where slope_at_A_is_open(), or the path passes the surface of a sphere, φ
+/// stands for several numbers c = (φ, α, σ₁, σ₂, …): the slopes at B and A, as
+/// far as they are open, and the element ends at the surface. Their equations,
+/// for σ_k that the centre of mass is on the surface there, are solved around
+/// the chain, C(y, c, p) = 0 with y the unknowns between given ends: one closed
+/// inside of another would meet folds that all together do not have,
 ///
-///     (C_c − C_y F_y⁻¹ F_c) c_p = C_y F_y⁻¹ F_p − C_p.
+///     (C_c − C_y F_y⁻¹ F_c) c_p = C_y F_y⁻¹ F_p − C_p,
+///     dT/dp = 𝓛_p + 𝓛_c c_p.
 ///
-/// F_p and 𝓛_p are differences of formulas at one and the same point, at which
-/// θ alone turns with the centre of mass: as a function of offset and θ − θ_m
-/// they are regular at η = 0.
+/// Every element keeps the field of its own side of the surface. F_p, C_p and
+/// 𝓛_p are differences of formulas at one and the same point, at which θ alone
+/// turns with the centre of mass: as a function of offset and θ − θ_m they are
+/// regular at η = 0. By σ_k all of them are linear.
 class FreeRates final : public TimeRates {
  public:
-  /// \param point  x and λ of a solution of the scene on the mesh
-  FreeRates(const Scene& scene, const Mesh& mesh, const PrimalDual& point,
-            double phi);
+  /// Of a solution, x and λ, whose element ends first go to where the path
+  /// passes the surface of a sphere, if they are not there. Null if no solution
+  /// is found with them.
+  [[nodiscard]] static std::unique_ptr<FreeRates> make(
+      const ExtremalCurve& curve, const PrimalDual& point, double phi);
   FreeRates(const FreeRates&) = delete;
   FreeRates& operator=(const FreeRates&) = delete;
 
@@ -52,42 +60,80 @@ class FreeRates final : public TimeRates {
                                                 double by) override;
 
  private:
+  /// A scene's elements, and of which side of a surface each has the field;
+  /// nothing where there is no sphere.
+  struct Elements {
+    Mesh mesh;
+    std::vector<SphereSide> sides;
+  };
   /// The equations of a scene.
   struct Equations {
     RollingTime problem;
+    std::vector<int> passages;  ///< elements that begin on the surface
     std::optional<ContactEquation> contact;  ///< at B
     std::optional<StartEquation> start;      ///< at A, where it is open
-    KktSystem system;  ///< with the contact at B, unless both stand around it
+    KktSystem system;  ///< with the contact at B, unless all stand around it
 
-    Equations(const Scene& scene, const Mesh& mesh, double phi);
+    Equations(const Scene& scene, const Elements& elements, double phi);
     [[nodiscard]] const Scene& scene() const { return problem.scene(); }
-    [[nodiscard]] nlp::TangencyCondition* tangency() {
-      return contact && !start ? &*contact : nullptr;
+    [[nodiscard]] bool around_chain() const {
+      return start || !passages.empty();
     }
-    /// What closes at B, then at A.
-    [[nodiscard]] std::vector<nlp::TangencyCondition*> closing();
+    [[nodiscard]] nlp::TangencyCondition* tangency() {
+      return contact && !around_chain() ? &*contact : nullptr;
+    }
+    /// The slopes that close, at B, then at A.
+    [[nodiscard]] std::vector<nlp::TangencyCondition*> slopes();
+    /// C: theirs, and the heights at the passages.
+    [[nodiscard]] std::vector<nlp::TangencyCondition::Linearisation> rows(
+        const PrimalDual& point);
   };
-  /// Turns of the slopes that close, as all unknowns follow from them.
+  /// Derivatives by one number at one and the same point.
+  struct Partial {
+    std::vector<double> residual;  ///< of F
+    Eigen::VectorXd open;          ///< of C, if it stands around the chain
+    double lagrangian = 0.0;  ///< of 𝓛, the values of fixed variables moving
+    double start_angle = 0.0;
+  };
+  /// What closes, as all unknowns follow from it.
   struct AroundChain {
     std::vector<nlp::TangencyCondition::Linearisation> rows;  ///< C
     std::vector<std::vector<double>> turns;  ///< −F_y⁻¹ F_c, by column
     Eigen::MatrixXd jacobian;                ///< of C, y following c
   };
+
+  FreeRates(const Scene& scene, Elements elements, const PrimalDual& point,
+            double phi);
+  /// Solves from nearby, the element ends following the passages.
+  [[nodiscard]] static std::unique_ptr<FreeRates> closed(Scene scene,
+                                                         Elements elements,
+                                                         PrimalDual point,
+                                                         double phi);
   [[nodiscard]] bool linearise_around_chain();
-  /// c_p, from F_p and C_p; NaN where it is not found.
-  [[nodiscard]] Eigen::VectorXd slope_rates(std::vector<double> residual,
-                                            const Eigen::VectorXd& open);
+  /// \param moved_to  the scene and the elements for a value of the number, 0
+  ///                  for those of the solution
+  [[nodiscard]] Partial partial(
+      double step,
+      const std::function<std::pair<Scene, Elements>(double)>& moved_to);
+  /// The elements with the one passage moved.
+  [[nodiscard]] Elements moved_passage(std::size_t number, double by) const;
+  /// By how much the element ends miss the passages, as Newton's method has it.
+  [[nodiscard]] Eigen::VectorXd misses() const;
+  /// c_p; NaN where it is not found.
+  [[nodiscard]] Eigen::VectorXd closing_rates(const Partial& by);
   /// The point, with θ turned as in another scene.
   [[nodiscard]] PrimalDual turned_to(const Scene& scene) const;
 
+  Elements elements_;
   Equations at_;
   PrimalDual point_;
   double phi_;
   double time_ = 0.0;
   bool regular_ = false;
-  std::vector<long double> pull_;  ///< ∂𝓛/∂x
+  std::vector<long double> pull_;   ///< ∂𝓛/∂x
+  std::vector<double> by_closing_;  ///< 𝓛_c
   std::unique_ptr<BorderedChain> chain_;
-  AroundChain around_;  ///< empty unless the slope at A is open
+  AroundChain around_;  ///< empty if the contact alone closes, or nothing
 };
 
 }  // namespace brachisto

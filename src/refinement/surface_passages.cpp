@@ -39,9 +39,51 @@ std::vector<double> surface_passages(
 std::vector<double> surface_passages(const Scene& scene,
                                      const ExtremalCurve& curve) {
   return surface_passages(scene, curve.mesh(), [&](double sigma) {
-    const ExtremalPoint at = curve.at(sigma);
+    const ExtremalPoint at = curve.without_slope(sigma);
     return mass_centre(scene.body, at.centre, at.theta);
   });
+}
+
+std::vector<SphereSide> sides_of_elements(const ExtremalCurve& curve,
+                                          const Mesh& mesh) {
+  std::vector<SphereSide> out;
+  const Scene& scene = curve.scene();
+  if (!scene.world.sphere) return out;
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    const ExtremalPoint at = curve.without_slope(mesh.sigma(e, 0.5));
+    out.push_back(
+        side_of_surface(scene, mass_centre(scene.body, at.centre, at.theta)));
+  }
+  return out;
+}
+
+std::vector<int> elements_beyond(const std::vector<SphereSide>& sides) {
+  std::vector<int> out;
+  for (std::size_t e = 1; e < sides.size(); ++e) {
+    if (sides[e] != sides[e - 1]) out.push_back(static_cast<int>(e));
+  }
+  return out;
+}
+
+Mesh with_beginnings_at(const Mesh& mesh, const std::vector<int>& elements,
+                        const std::vector<double>& places) {
+  Mesh out = mesh;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= elements.size(); ++i) {
+    const bool rest = i == elements.size();
+    const std::size_t last = rest ? mesh.boundaries.size() - 1
+                                  : static_cast<std::size_t>(elements[i]);
+    const double from = mesh.boundaries[first], to = mesh.boundaries[last];
+    const double new_from = out.boundaries[first];
+    const double new_to = rest ? to : places[i];
+    for (std::size_t e = first + 1; e <= last; ++e) {
+      const double share = (mesh.boundaries[e] - from) / (to - from);
+      out.boundaries[e] = new_from + share * (new_to - new_from);
+    }
+    out.boundaries[last] = new_to;
+    first = last;
+  }
+  return out;
 }
 
 Mesh with_ends_at(Mesh mesh, const std::vector<double>& places) {

@@ -35,6 +35,21 @@ namespace brachisto {
 /// there where it is near, otherwise there is one more.
 [[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places);
 
+/// On which side of the surface the middle of each element lies; nothing where
+/// there is no sphere.
+[[nodiscard]] std::vector<SphereSide> sides_of_elements(
+    const ExtremalCurve& curve, const Mesh& mesh);
+
+/// Elements that begin on another side than the one before ends on.
+[[nodiscard]] std::vector<int> elements_beyond(
+    const std::vector<SphereSide>& sides);
+
+/// The mesh with the beginnings of these elements at other places, the others
+/// between them in proportion: its lengths are linear in each place.
+[[nodiscard]] Mesh with_beginnings_at(const Mesh& mesh,
+                                      const std::vector<int>& elements,
+                                      const std::vector<double>& places);
+
 /// Moves element ends to where the path passes the surface, from solution to
 /// solution, for the path depends on where they are: in between a field is
 /// taken for its continuation from the other side, and the costates, whose

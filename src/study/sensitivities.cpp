@@ -23,9 +23,7 @@ using Gradient = PerParameter<double>;
 
 std::unique_ptr<TimeRates> rates_of(const Solution& solution) {
   if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {
-    const ExtremalCurve& curve = found->trajectory.curve();
-    return std::make_unique<FreeRates>(curve.scene(), curve.mesh(),
-                                       found->point, found->phi);
+    return FreeRates::make(found->trajectory.curve(), found->point, found->phi);
   }
   if (const auto* found = answer_as<LimitedPathAnswer>(solution.answer)) {
     return LimitedRates::make(

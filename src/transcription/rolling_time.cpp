@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -53,6 +54,11 @@ void RollingTime::fix_start() {
   fix(layout().state(0, X), start.x);
   fix(layout().state(0, Z), start.z);
   fix(layout().state(0, W), initial_w(scene()));
+}
+
+void RollingTime::hold_sides(std::vector<SphereSide> sides) {
+  sides_ = std::move(sides);
+  forget_point();
 }
 
 void RollingTime::set_start_slope(double alpha) {
@@ -130,8 +136,12 @@ bool RollingTime::evaluate() {
   if (!(x(layout().rolling_time()) > 0.0)) {
     return refuse(-1, "the rolling time U is not positive");
   }
+  std::optional<Scene> on_side;
+  if (!sides_.empty()) on_side = scene();
+  const Scene& seen = on_side ? *on_side : scene();
   for (int e = 0; e < mesh().num_elements(); ++e) {
     check_stop(e);
+    if (on_side) on_side->world.side = sides_[at(e)];
     for (int j = 0; j < p; ++j) {
       const int point = e * p + j;
       double w = 0.0;
@@ -166,7 +176,7 @@ bool RollingTime::evaluate() {
       if (!std::isfinite(points_.cos_beta[c])) {
         return refuse(point, "the slope angle is not finite");
       }
-      if (in_world) evaluate_world(point, theta, beta);
+      if (in_world) evaluate_world(seen, point, theta, beta);
     }
   }
   return true;

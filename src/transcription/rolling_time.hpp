@@ -51,6 +51,13 @@ class RollingTime final : public Transcription {
   /// change, patterns do not.
   void move_to(const Scene& scene, Mesh mesh, double phi);
 
+  /// From now on element e takes the law of sides[e] of a sphere for its field,
+  /// wherever its points lie: so all is smooth in its ends and in the scene. A
+  /// point is forgotten.
+  ///
+  /// \param sides  of as many elements, or none: each point by its place
+  void hold_sides(std::vector<SphereSide> sides);
+
   /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
   void set_start_slope(double alpha);
 
@@ -106,7 +113,8 @@ class RollingTime final : public Transcription {
   }
   [[nodiscard]] static StateComponent component_of(int local);
   [[nodiscard]] double interpolated(int point, StateComponent component) const;
-  void evaluate_world(int point, double theta, double beta);
+  /// \param seen  the scene with the field of the point's element
+  void evaluate_world(const Scene& seen, int point, double theta, double beta);
   void put_world_gain(int point, Entries& put) const;
   void put_world_hess_lag(double objective_factor,
                           std::span<const double> lambda, Entries& put) const;
@@ -115,6 +123,7 @@ class RollingTime final : public Transcription {
   const CollocationScheme* scheme_;
   Points points_;
   std::vector<WorldPoint> world_points_;  ///< empty in an ordinary world
+  std::vector<SphereSide> sides_;         ///< held, by element, or none
 };
 
 }  // namespace brachisto

@@ -41,7 +41,8 @@ double RollingTime::interpolated(int point, StateComponent component) const {
   return sum;
 }
 
-void RollingTime::evaluate_world(int point, double theta, double beta) {
+void RollingTime::evaluate_world(const Scene& seen, int point, double theta,
+                                 double beta) {
   WorldPoint& out = world_points_[at(point)];
   const Jet angle = Jet::variable(theta, 2);
   const Jet slope = Jet::variable(beta, kBeta);
@@ -50,10 +51,10 @@ void RollingTime::evaluate_world(int point, double theta, double beta) {
     x_c = Jet::variable(interpolated(point, X), 0);
     z_c = Jet::variable(interpolated(point, Z), 1);
   }
-  out.root = root_of_inertia(scene().body, angle, slope);
+  out.root = root_of_inertia(seen.body, angle, slope);
   out.gain =
-      speed_gain(scene(), x_c, z_c, angle,
-                 Jet::variable(points_.w[at(point)], kW), slope, out.root);
+      speed_gain(seen, x_c, z_c, angle, Jet::variable(points_.w[at(point)], kW),
+                 slope, out.root);
 }
 
 void RollingTime::put_world_gain(int point, Entries& put) const {

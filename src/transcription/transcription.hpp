@@ -157,6 +157,7 @@ class Transcription : public nlp::Problem {
   void fix(int variable, double value);
   void bound(int variable, double lower, double upper);
   void release(int variable);
+  void forget_point();
   /// As many elements of other lengths. The current point is forgotten.
   void change_lengths(Mesh mesh);
   /// Another scene with the same unknowns and patterns, likewise.
@@ -172,7 +173,6 @@ class Transcription : public nlp::Problem {
   }
 
  private:
-  void forget_point();
   bool do_set_point(std::span<const double> x) final;
   [[nodiscard]] std::span<const double> current_point() const final {
     return x_;

@@ -40,8 +40,7 @@ TEST(WorldFlow, KeepsTheHamiltonian) {
   EXPECT_NEAR(after.value, before.value, 1e-11);
 }
 
-TEST(WorldFlow, HasTheDerivativesOfItsArcs) {
-  const Scene scene = all_of_them();
+void expect_derivatives_of_its_arcs(const Scene& scene) {
   const WorldFlow flow(scene);
   constexpr double h = 1e-5;
   ArcEnd end;
@@ -65,6 +64,29 @@ TEST(WorldFlow, HasTheDerivativesOfItsArcs) {
     }
     EXPECT_NEAR(end.time_by_start(column), (more.t - less.t) / (2.0 * h), 1e-7);
   }
+}
+
+TEST(WorldFlow, HasTheDerivativesOfItsArcs) {
+  expect_derivatives_of_its_arcs(all_of_them());
+}
+
+/// The costates' rates jump where a surface is passed, and a neighbour passes
+/// it sooner or later.
+TEST(WorldFlow, HasTheDerivativesOfArcsThroughASurface) {
+  Scene scene = all_of_them();
+  const auto height_at_end = [&] {
+    ArcEnd end;
+    double step = 0.0;
+    const WorldFlow flow(scene);
+    EXPECT_TRUE(integrate_arc(flow, kState, 0.8, 0.7, {}, step, end));
+    return flow.height(end.y);
+  };
+  // The surface lies half-way between the heights of its ends.
+  scene.world.sphere->radius +=
+      0.5 * (WorldFlow(scene).height(kState) + height_at_end());
+  ASSERT_LT(WorldFlow(scene).height(kState) * height_at_end(), 0.0);
+
+  expect_derivatives_of_its_arcs(scene);
 }
 
 }  // namespace

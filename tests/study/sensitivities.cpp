@@ -52,15 +52,27 @@ double& value_of(Scene& scene, SceneParameter parameter) {
   throw std::logic_error("no such parameter");
 }
 
+bool passes_surface(const Scene& scene) {
+  return scene.world.sphere &&
+         scene.world.sphere->radius == in_the_way().radius;
+}
+/// Relative, of T.
+constexpr double kOnItsOwnMesh = 1e-11;
+
 /// On a mesh that does not change with the scene: a discrete time and its
 /// derivatives have their error in common. Of the reference τ is exact but for
-/// rounding on 40 elements; the costly solves in other worlds have fewer.
+/// rounding on 40 elements; the costly solves in other worlds have fewer. Where
+/// a surface is passed elements have to follow, to a tolerance.
 Solution solved(const Scene& scene) {
   SolveOptions options;
   auto& program = options.use<Collocation>();
-  program.discretisation.elements = scene.limits.any()       ? 80
-                                    : scene.world.ordinary() ? 40
-                                                             : 16;
+  if (passes_surface(scene)) {
+    program.discretisation.tolerance = kOnItsOwnMesh;
+  } else {
+    program.discretisation.elements = scene.limits.any()       ? 80
+                                      : scene.world.ordinary() ? 40
+                                                               : 16;
+  }
   Solution solution = solve(scene, options);
   if (!solution.verified()) throw std::runtime_error(solution.message);
   return solution;
@@ -98,6 +110,11 @@ double slope_of_tau(const Scene& scene, const Change& change, double h) {
 /// 0.1.
 constexpr double kStep = 2e-3;
 constexpr double kAllowed = 1e-8;
+/// Errors of τ ≈ 5 on meshes of their own are not in common: differences divide
+/// 5e-11 by h/4, and extrapolation takes 64/45 + 20/90 + 1/180 < 1.9 of that.
+double allowed(const Scene& scene) {
+  return passes_surface(scene) ? 2e-7 : kAllowed;
+}
 
 struct Case {
   std::string test;
@@ -126,7 +143,7 @@ void expect_total_slope(const Scene& scene, const Sensitivities& found,
       scene, [&](Scene& other, double by) { value_of(other, parameter) += by; },
       kStep);
   EXPECT_NEAR(found.by[parameter].tau, expected,
-              kAllowed * std::max(1.0, std::abs(expected)))
+              allowed(scene) * std::max(1.0, std::abs(expected)))
       << name(parameter);
 }
 
@@ -219,6 +236,43 @@ INSTANTIATE_TEST_SUITE_P(Worlds, OfTheScene,
                          ::testing::ValuesIn(worlds_at_rest()),
                          [](const auto& one) { return one.param.test; });
 
+Scene into_a_planet(const Body& body, Contact contact = Contact::Smooth) {
+  return about_sphere(scene_of(body, contact), in_the_way());
+}
+Case through_a_surface() {
+  return {"Offset", into_a_planet(reference_body(0.35))};
+}
+/// Where the passage moves with a number, so does the place at which the
+/// costates' rates jump, and with it the slope at B.
+INSTANTIATE_TEST_SUITE_P(
+    ThroughASurface, OfTheScene,
+    ::testing::Values(through_a_surface(),
+                      Case{"BetweenEnds", into_a_planet(reference_body(0.35),
+                                                        Contact::Centre)},
+                      Case{"BetweenEndsPushed",
+                           with_push(into_a_planet(reference_body(0.35),
+                                                   Contact::Centre),
+                                     0.5)},
+                      Case{"Bead", into_a_planet(Body::bead())}),
+    [](const auto& one) { return one.param.test; });
+
+/// Elements that are asked for do not end on the surface; those that
+/// derivatives are taken on do. 32 of degree 4 err by 1e-8 or so on them.
+TEST(Sensitivities, OnElementsThatAreAskedForFollowThePassageToo) {
+  constexpr double kOfTheMesh = 1e-6;
+  const Scene scene = through_a_surface().scene;
+  SolveOptions options;
+  options.use<Collocation>().discretisation.elements = 32;
+  const auto asked = sensitivities(solve(scene, options));
+  const auto own = sensitivities(solved(scene));
+  ASSERT_TRUE(asked && own);
+
+  for (const SceneParameter parameter : kParameters) {
+    EXPECT_NEAR(asked->by[parameter].tau, own->by[parameter].tau, kOfTheMesh)
+        << name(parameter);
+  }
+}
+
 /// The figures of docs/theory.md: the slope of τ over η_m is not what it is
 /// between fixed ends.
 TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
@@ -294,7 +348,7 @@ void expect_slope_at_fixed_contacts(const Solution& solution,
       },
       kStep);
   EXPECT_NEAR(found.by[parameter].tau_at_fixed_contacts, expected,
-              kAllowed * std::max(1.0, std::abs(expected)))
+              allowed(scene) * std::max(1.0, std::abs(expected)))
       << name(parameter);
 }
 
@@ -316,6 +370,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AtFixedContacts,
                          [](const auto& one) { return one.param.test; });
 INSTANTIATE_TEST_SUITE_P(Worlds, AtFixedContacts,
                          ::testing::ValuesIn(worlds_at_rest()),
+                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(ThroughASurface, AtFixedContacts,
+                         ::testing::Values(through_a_surface()),
                          [](const auto& one) { return one.param.test; });
 
 Case push() {
@@ -363,6 +420,15 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(push(), push_between_ends(),
                                          push_in_air_in_a_sphere()),
                        ::testing::ValuesIn(kParameters)),
+    name_of);
+Case push_through_a_surface() {
+  return {"Push", with_push(through_a_surface().scene, 0.5)};
+}
+INSTANTIATE_TEST_SUITE_P(
+    ThroughASurface, OfAPushedScene,
+    ::testing::Combine(::testing::Values(push_through_a_surface()),
+                       ::testing::Values(SceneParameter::EtaM,
+                                         SceneParameter::L)),
     name_of);
 INSTANTIATE_TEST_SUITE_P(
     Scenes, OfAPushAtFixedContacts,
@@ -440,9 +506,10 @@ TEST_P(WithoutOffset, ByOffsetAreRegular) {
         kStep);
   };
 
-  EXPECT_NEAR(found->by_offset[0].tau, along(0.0), kAllowed);
-  EXPECT_NEAR(found->by_offset[1].tau, along(0.5 * std::numbers::pi), kAllowed);
-  EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, along(0.7), kAllowed);
+  const double near = allowed(scene);
+  EXPECT_NEAR(found->by_offset[0].tau, along(0.0), near);
+  EXPECT_NEAR(found->by_offset[1].tau, along(0.5 * std::numbers::pi), near);
+  EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, along(0.7), near);
   EXPECT_EQ(found->by[SceneParameter::ThetaM].tau, 0.0);
 }
 
@@ -455,6 +522,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"AtRest", uniform()}, Case{"Push", with_push(uniform(), 1.0)},
         Case{"PushBetweenEnds", with_push(uniform(Contact::Centre), 1.0)},
         Case{"InASphere", about_sphere(uniform(), around())},
+        Case{"ThroughASurface", about_sphere(uniform(), in_the_way())},
         Case{"PushBetweenEndsInASphere",
              with_push(about_sphere(uniform(Contact::Centre), around()), 1.0)}),
     [](const auto& one) { return one.param.test; });
@@ -464,8 +532,9 @@ INSTANTIATE_TEST_SUITE_P(
 class SecondDerivativesOf : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
-  constexpr double kAllowedOfSecond = 1e-7;
   const Scene& scene = GetParam().scene;
+  // Slopes are exact to some ten times what τ is.
+  const double allowed_of_second = 10.0 * allowed(scene);
   const auto found = sensitivities(solved(scene), true);
   ASSERT_TRUE(found && found->second);
 
@@ -483,17 +552,18 @@ TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
       const double expected =
           slope([&](double by) { return first(by).by[other].tau; }, kStep);
       EXPECT_NEAR((*found->second)[one][other], expected,
-                  kAllowedOfSecond * std::max(1.0, std::abs(expected)))
+                  allowed_of_second * std::max(1.0, std::abs(expected)))
           << name(one) << ", " << name(other);
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, SecondDerivativesOf,
-    ::testing::Values(Case{"Reference", scene_of(reference_body())},
-                      Case{"Backwards", backwards()}, push()),
-    [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(Scenes, SecondDerivativesOf,
+                         ::testing::Values(Case{"Reference",
+                                                scene_of(reference_body())},
+                                           Case{"Backwards", backwards()},
+                                           push(), through_a_surface()),
+                         [](const auto& one) { return one.param.test; });
 
 }  // namespace
 }  // namespace brachisto

@@ -34,5 +34,9 @@ namespace brachisto::testing {
 [[nodiscard]] inline Sphere below() {
   return {{1.0, 6.0}, 4.0, 20.0};
 }
+/// One whose surface the centre of mass passes on the way.
+[[nodiscard]] inline Sphere in_the_way() {
+  return {{1.0, 10.0}, 9.3, 9.81};
+}
 
 }  // namespace brachisto::testing

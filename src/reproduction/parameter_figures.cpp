@@ -187,34 +187,34 @@ Figure region(const Results& found) {
       "The command brachisto body tells where a body made of parts lies.");
 }
 
-/// The third trap as a picture.
+/// The third trap as a picture: V(φ), and tracks with an arc for the kink.
 Figure slope_at_b(const Results& found) {
   const auto place = [](const BentTrack& track) -> Datum {
     return {track.phi * kDegrees, track.tau};
   };
   const std::vector<Datum> kinked = points_of(found.kinked, place);
-  const Datum smooth = kinked.front();
+  const Motion& reference = found.cases["fig04_reference_case"].motion();
+  const Datum smooth{reference.end_angle() * kDegrees, reference.tau()};
   const Datum least = *std::ranges::min_element(kinked, {}, &Datum::y);
   const bool feasible = std::ranges::all_of(found.arched, &BentTrack::feasible);
-  Chart chart =
-      chart_of("slope_at_b",
-               "The third trap: bending the track next to B makes it faster",
-               "slope of the track at B [°]", "τ = T √(2g/H)");
+  const double radius = found.arched.front().radius;
+  Chart chart = chart_of(
+      "slope_at_b",
+      "The third trap: the time has no minimum at the smooth contact",
+      "φ, slope of the track at B [°], negative upwards", "τ = T √(2g/H)");
   chart.x.scale = report::Scale::Degrees;
   chart.x.high = 22.0;
   chart.y.low = 4.5;
-  chart.y.high = 5.17;
   chart.subtitle =
       report::in_words(found.cases["fig04_reference_case"].scene());
   chart.curves = {
-      {.name = "extremal of the centre, then a kink at B: the limit, no track",
+      {.name = "least time to C_B(φ), V(φ): with a kink at B, so no track",
        .points = kinked,
        .stroke = Dashed,
        .colour = kBlue,
        .id = "kink"},
-      {.name = fmt::format("bent on an arc of radius {:g} H: a track{}",
-                           found.arched.front().radius,
-                           feasible ? ", feasible" : ""),
+      {.name = fmt::format("the kink rounded by an arc of radius {:g} H{}",
+                           radius, feasible ? ": feasible tracks" : ""),
        .points = points_of(found.arched, place),
        .colour = kBrown,
        .width = 0.0,
@@ -227,13 +227,14 @@ Figure slope_at_b(const Results& found) {
   return figure(
       chart, "The slope at B",
       fmt::format(
-          "The reference case: the smooth contact is stationary between its "
-          "own ends of the centre's path, but not when the slope at B may "
-          "vary. "
-          "The sharper the track bends next to B, the faster it is, down to "
-          "τ = {:.4f}; {} "
+          "The reference case. Along the axis the end of the centre's path "
+          "moves on a circle about B, and the least time to it rises through "
+          "the smooth contact, the only place of the curve without a kink at "
+          "B. Another slope at B needs a bend next to B; the dots have one "
+          "of radius {:g} H, and the sharper it is, the nearer they are to "
+          "the curve, whose least is τ = {:.4f}; {} "
           "(docs/theory.md, section 3, third trap).",
-          least.y,
+          radius, least.y,
           feasible
               ? "the dots are tracks that the body can follow"
               : "not all of the dots are tracks that the body can follow"));

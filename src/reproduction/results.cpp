@@ -144,12 +144,13 @@ std::vector<BackwardStart> backward_starts(Scene scene,
 
 std::vector<BentTrack> kinked_reference(const Motion& reference,
                                         const Interrupt& interrupt) {
-  constexpr double kLast = -2.05;  // [rad], beyond the least time
-  constexpr int kSteps = 40;
+  constexpr double kFirst = 0.352;  // [rad], beyond the smooth contact
+  constexpr double kLast = -2.048;  // beyond the least time, at −1.768
+  constexpr int kSteps = 60;
   std::vector<BentTrack> tracks;
   for (int i = 0; i <= kSteps; ++i) {
-    const double phi = std::lerp(reference.end_angle(), kLast,
-                                 static_cast<double>(i) / kSteps);
+    const double phi =
+        std::lerp(kFirst, kLast, static_cast<double>(i) / kSteps);
     tracks.push_back(
         {.phi = phi,
          .tau = tau_of_kinked_track(reference.scene(), phi, interrupt)});

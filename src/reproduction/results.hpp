@@ -105,7 +105,7 @@ struct Results {
   ShiftByInertia shift_by_inertia = {};
   double uniform_on_incline = 0.0;  ///< τ on the straight line of Fig. 4
   std::vector<BackwardStart> backward_starts = {};
-  /// With a kink, φ downwards from the smooth contact to the least time and a
+  /// With a kink, φ from above the smooth contact down to the least time and a
   /// little farther; and with an arc, all of one radius, the least bend first.
   std::vector<BentTrack> kinked = {}, arched = {};
   std::vector<QuickestBody> quickest = {};

@@ -43,6 +43,8 @@ class PaperCommand : public ::testing::Test {
     ASSERT_TRUE(output.has_value());
     ASSERT_EQ(output->code, 0) << output->err;
     document_ = Json::parse(output->out);
+    // For documents.paper.
+    std::ofstream("paper.json") << output->out;
   }
   static void TearDownTestSuite() {
     delete scratch_;

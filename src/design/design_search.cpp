@@ -68,6 +68,7 @@ class Searcher {
     out_.number = number;
     try {
       seek_from_starts(number, random);
+      out_.reached.reset();
     } catch (const Stopped&) {
       if (interrupt_ != nullptr && interrupt_->load() != 0) throw;
       out_.stopped = true;

@@ -64,8 +64,10 @@ DesignAnswer gather_designs(const DesignPlan& plan,
       out.lost.push_back({search.number, std::move(reason)});
     }
     out.stopped = out.stopped || search.stopped;
-    if (!search.stopped) ++out.searches;
-    out.starts += search.starts;
+    if (!search.stopped) {
+      ++out.searches;
+      out.starts += search.starts;
+    }
     out.solves += search.solves;
     out.cpu_seconds += search.cpu_seconds;
   }

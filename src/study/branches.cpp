@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "study/certification.hpp"
 #include "trajectory/feasibility.hpp"
 #include "trajectory/trajectory.hpp"

@@ -155,10 +155,13 @@ Forecast forecast(const PosedProblem& posed) {
   }
   // Every method but the paper's begins with the branch on a coarse mesh.
   out.nodes = std::ceil(cost.nodes);
-  out.bytes = kBytesOfProgram + std::max(cost.bytes, way.bytes);
-  out.seconds = kSecondsOfProgram + std::max(cost.seconds, way.seconds) +
-                seconds_beside(posed, out.turns, out.nodes);
-  out.seconds /= machine_speed();
+  out.bytes = std::ceil(kBytesOfProgram + std::max(cost.bytes, way.bytes));
+  // What is refused for want of time must be too long for certain.
+  constexpr double kLeastShare = 0.1;
+  const double answer = kSecondsOfProgram + std::max(cost.seconds, way.seconds);
+  const double speed = machine_speed();
+  out.seconds = (answer + seconds_beside(posed, out.turns, out.nodes)) / speed;
+  out.least_seconds = kLeastShare * answer / speed;
   return out;
 }
 
@@ -171,12 +174,8 @@ std::optional<Forecast> forecast(const Scene& scene,
 
 std::optional<Outcome> too_large(const Forecast& size, double available_bytes,
                                  double seconds) {
-  // What is refused for want of time must be too long for certain, also where a
-  // way is shorter than others of its size.
-  constexpr double kLeastShare = 0.1;
-  const double least = kLeastShare * size.seconds;
   const bool too_much = size.bytes > available_bytes;
-  if (!too_much && !(least > seconds)) return std::nullopt;
+  if (!too_much && !(size.least_seconds > seconds)) return std::nullopt;
   const bool by_turns = kBytesPerTurn * size.turns >= 0.5 * size.bytes;
   const std::string what =
       by_turns ? fmt::format("the body turns about {:.2g} times on its way",

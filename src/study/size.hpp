@@ -21,8 +21,7 @@ namespace brachisto {
 [[nodiscard]] std::string in_words(const Forecast& size);
 
 /// Why a solve of that size is not begun: Status::OutOfMemory or
-/// Status::TimeLimit; nothing if there is enough of both. Time is short where
-/// there is not a tenth of what is foretold.
+/// Status::TimeLimit; nothing if there is enough of both.
 /// \param available_bytes  see available_memory()
 /// \param seconds          the limit of the solve
 [[nodiscard]] std::optional<Outcome> too_large(const Forecast& size,

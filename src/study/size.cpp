@@ -40,9 +40,13 @@ double cost_by_degree(double p) {
 /// near the solution, for they climb from coarse ones.
 Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
   const Discretisation& mesh = program.discretisation;
-  const bool pieces = mesh.formulation == Formulation::ArcLength;
-  const double n =
-      nodes * (pieces ? 0.5 : cost_by_degree(mesh.degree_of_fixed()));
+  if (mesh.formulation == Formulation::ArcLength) {
+    return program.solver == ProgramSolver::NewtonKkt
+               ? Cost{nodes, 1.05e3 * nodes, 4e-6 * nodes}
+               : Cost{nodes, std::min(3.6e3 * nodes, 20e6 + 2.4e3 * nodes),
+                      1.5e-5 * nodes};
+  }
+  const double n = nodes * cost_by_degree(mesh.degree_of_fixed());
   if (limited) return {nodes, 5e6 + 12e3 * n, 0.1 + 1.4e-4 * n};
   if (program.solver == ProgramSolver::NewtonKkt) {
     return {nodes, 2.1e3 * n, 7e-6 * n};
@@ -70,7 +74,7 @@ Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
   if (!limited) return way;
   // Between the ends of their arcs meshes are finer; the program is solved on
   // several, each from another guess of the arcs.
-  const double nodes = std::max(230.0, 300.0 * turns) * finer;
+  const double nodes = std::max(230.0, 330.0 * turns) * finer;
   return {nodes, way.bytes + 20e3 * nodes, way.seconds + 4e-4 * nodes};
 }
 

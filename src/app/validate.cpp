@@ -226,7 +226,7 @@ Examples:
   brachisto validate case.yaml
   brachisto validate case.yaml --set scene.body.k=1/4 --json
 Exit codes: 0 valid, 3 bad input file, 6 I/O, 7 valid, but solve would
-not begin: there is not the memory, or not a tenth of the time.)",
+not begin: there is not the memory, or by far not the time.)",
       .run = [flags] {
         const auto content =
             io::read_problem_or_sweep_file(flags->file, flags->overrides);

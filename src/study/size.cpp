@@ -75,7 +75,7 @@ Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
   // Between the ends of their arcs meshes are finer; the program is solved on
   // several, each from another guess of the arcs.
   const double nodes = std::max(230.0, 330.0 * turns) * finer;
-  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 4e-4 * nodes};
+  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 2.7e-4 * nodes};
 }
 
 /// The indirect method, and the mesh on which its extremal is judged: see
@@ -161,7 +161,7 @@ Forecast forecast(const PosedProblem& posed) {
   out.nodes = std::ceil(cost.nodes);
   out.bytes = std::ceil(kBytesOfProgram + std::max(cost.bytes, way.bytes));
   // What is refused for want of time must be too long for certain.
-  constexpr double kLeastShare = 0.1;
+  constexpr double kLeastShare = 0.05;
   const double answer = kSecondsOfProgram + std::max(cost.seconds, way.seconds);
   const double speed = machine_speed();
   out.seconds = (answer + seconds_beside(posed, out.turns, out.nodes)) / speed;

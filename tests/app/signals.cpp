@@ -133,7 +133,7 @@ TEST(Limits, AreExceededByNoMoreThanASecond) {
         {"validate", paper_problem("fig04_reference_case"), "--json", "--set",
          fmt::format("solver={{{}}}", way), "--set", more});
     const double needed = json::parse(validated.out)["forecast"]["seconds"];
-    // Foretold to a factor of two; with less than a tenth it is not begun.
+    // Foretold to a factor of two; with less than a twentieth it is not begun.
     for (const double share : {0.15, 0.25}) {
       const double seconds = share * needed;
       const std::string solver =

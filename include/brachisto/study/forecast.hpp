@@ -22,7 +22,7 @@ struct Forecast {
   bool adaptive = false;
   double bytes = 0.0;    ///< largest resident set of a process that solves it
   double seconds = 0.0;  ///< processor time on this machine
-  /// A tenth of what the answer takes of them, without searches and
+  /// A twentieth of what the answer takes of them, without searches and
   /// cross-checks: with less time than this a solve is not begun.
   double least_seconds = 0.0;
 };

@@ -45,16 +45,18 @@ class ForecastOfAFile : public ::testing::TestWithParam<Measured> {};
 
 INSTANTIATE_TEST_SUITE_P(
     LargeAndLimited, ForecastOfAFile,
-    ::testing::Values(Measured{"large/r_0.005", 2767, 41e6, 0.30},
-                      Measured{"large/r_0.001", 13603, 134e6, 2.35},
+    ::testing::Values(Measured{"large/r_0.005", 2767, 40.9e6, 0.287},
+                      Measured{"large/r_0.001", 13603, 134e6, 2.00},
                       Measured{"large/r_0.0002", 66655, 539e6, 20.8},
-                      Measured{"large/million_nodes", 1000001, 2.11e9, 7.6},
-                      Measured{"large/million_pieces", 1000001, 0.99e9, 2.6},
-                      Measured{"limits/bead_with_floor", 169, 19.9e6, 0.068},
-                      Measured{"limits/coaster", 442, 27.5e6, 0.327},
-                      Measured{"limits/friction_0.3", 456, 27.5e6, 0.312},
-                      Measured{"limits/marble_run", 169, 20.0e6, 0.067},
-                      Measured{"limits/table_in_the_way", 288, 24.1e6, 0.180}));
+                      Measured{"large/million_nodes", 1000001, 2.11e9, 7.37},
+                      Measured{"large/million_pieces", 1000001, 0.99e9, 2.49},
+                      Measured{"large/L_200", 3247, 105e6, 52.0},
+                      Measured{"limits/bead_with_floor", 169, 20.0e6, 0.055},
+                      Measured{"limits/coaster", 442, 27.8e6, 0.268},
+                      Measured{"limits/friction_0.3", 456, 27.5e6, 0.283},
+                      Measured{"limits/friction_1", 295, 22.3e6, 0.077},
+                      Measured{"limits/marble_run", 169, 20.1e6, 0.051},
+                      Measured{"limits/table_in_the_way", 288, 23.9e6, 0.136}));
 
 TEST_P(ForecastOfAFile, IsGoodToAFactorOfTwo) {
   const Measured& measured = GetParam();

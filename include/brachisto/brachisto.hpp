@@ -32,6 +32,7 @@
 #include "brachisto/study/design_plan.hpp"
 #include "brachisto/study/discrete_answer.hpp"
 #include "brachisto/study/effort.hpp"
+#include "brachisto/study/forecast.hpp"
 #include "brachisto/study/limit_on_path.hpp"
 #include "brachisto/study/progress.hpp"
 #include "brachisto/study/sensitivities.hpp"

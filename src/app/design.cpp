@@ -27,6 +27,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "design/gather_designs.hpp"
+#include "math/wall_clock.hpp"
 #include "report/design_map.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
@@ -81,12 +82,17 @@ sweep::ProgressSink search_progress(const DesignFlags& flags,
   };
 }
 
-/// The searches of a design by worker processes, as far as they got.
-/// \param lost  gets those that a worker died of
-std::vector<DesignSearch> searches(const DesignFlags& flags,
-                                   const sweep::Job& job,
-                                   const std::atomic<int>& signal,
-                                   std::vector<LostSearch>& lost) {
+/// What all searches of a design came to.
+struct Searched {
+  std::vector<DesignSearch> searches;  ///< that workers answered for
+  std::vector<LostSearch> lost;        ///< that a worker died of
+  bool all = true;                     ///< that there are
+};
+
+/// The searches of a design by worker processes, as far as they get. Those that
+/// the limit of time ends are not kept: --resume begins them again.
+Searched search_all(const DesignFlags& flags, const sweep::Job& job,
+                    const std::atomic<int>& signal, WallClock::time_point end) {
   // Without --out the searches are kept for this run alone.
   std::optional<sweep::ScratchDirectory> own;
   SweepRun run = flags;
@@ -94,34 +100,61 @@ std::vector<DesignSearch> searches(const DesignFlags& flags,
   const sweep::DirectoryLock lock(run.out);
   sweep::Store store =
       open_store(run, job, sweep::store_info(job, sweep::Shard{}.name()));
-  run_manager(job, store, manager_options(run, job, signal),
-              search_progress(flags, store));
-  std::vector<DesignSearch> found;
-  store.for_each_result([&](std::size_t scene, const std::string& document) {
-    try {
-      found.push_back(sweep::read_design_search(document));
-    } catch (const std::exception&) {
-      const int number = job.file.problem(scene).design.start.value_or(1);
-      lost.push_back({number, sweep::read_outcome(document).message});
-    }
-  });
-  return found;
+  sweep::ManagerOptions options = manager_options(run, job, signal);
+  options.end = end;
+  run_manager(job, store, options, search_progress(flags, store));
+  Searched out;
+  std::vector<std::size_t> stopped;
+  const std::size_t results = store.for_each_result(
+      [&](std::size_t scene, const std::string& document) {
+        try {
+          out.searches.push_back(sweep::read_design_search(document));
+          if (out.searches.back().stopped) stopped.push_back(scene);
+        } catch (const std::exception&) {
+          const int number = job.file.problem(scene).design.start.value_or(1);
+          out.lost.push_back({number, sweep::read_outcome(document).message});
+        }
+      });
+  out.all = results == job.file.num_scenes();
+  store.forget(stopped);
+  return out;
+}
+
+/// The bodies that searches had reached when the limit of time ended them,
+/// quickest first.
+std::vector<DesignMinimum> reached_by(const std::vector<DesignSearch>& all) {
+  std::vector<DesignMinimum> reached;
+  for (const DesignSearch& search : all) {
+    if (search.reached && search.stopped) reached.push_back(*search.reached);
+  }
+  std::ranges::stable_sort(reached, {}, &DesignMinimum::tau);
+  return reached;
 }
 
 /// τ over two numbers of the body, the ways of the searches over it. A picture
 /// that is missing becomes a warning.
 std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
-                                         const DesignAnswer& answer,
-                                         const Body& best,
+                                         DesignAnswer& answer, const Body& best,
                                          const std::atomic<int>& signal,
+                                         WallClock::time_point end,
                                          std::vector<std::string>& warnings) {
   const sweep::Job job =
       sweep::read_design_map_job(flags.file, flags.overrides, best, flags.map);
   const sweep::ScratchDirectory scratch;
   sweep::Store store = sweep::Store::create(
       scratch.path(), sweep::store_info(job, sweep::Shard{}.name()));
-  run_manager(job, store, manager_options(flags, job, signal),
-              [](const sweep::Counts&) {});
+  sweep::ManagerOptions options = manager_options(flags, job, signal);
+  options.end = end;
+  const sweep::Counts counts =
+      run_manager(job, store, options, [](const sweep::Counts&) {});
+  if (counts.finished() < counts.scenes) {
+    answer.stopped = true;
+    warnings.push_back(
+        fmt::format("the limit of time was reached when {} of {} bodies of the "
+                    "map had been solved for: it is not drawn",
+                    counts.finished(), counts.scenes));
+    return {};
+  }
   report::DrawnFigure drawn = report::draw(
       report::design_map_figure(sweep::read_table(store, job), answer.paths),
       report::Format::Svg, &signal);
@@ -139,7 +172,59 @@ const DesignMinimum* shown(const DesignAnswer& answer) {
   return nullptr;
 }
 
+/// The track of the best body, or in its place of the quickest one that a
+/// search had reached in the time that there was, which then is the best.
+Solution solve_best(const io::ProblemFile& problem,
+                    const std::vector<DesignMinimum>& reached,
+                    const std::atomic<int>& signal, WallClock::time_point end,
+                    DesignAnswer& answer) {
+  // Of the limit of time, for a solve that comes when it is over.
+  constexpr double kLeast = 0.1;
+  SolveOptions options = problem.options;
+  const auto track_of = [&](const DesignMinimum& minimum) {
+    const double left = seconds_until(end);
+    options.limits.seconds =
+        std::max(left, kLeast * problem.options.limits.seconds);
+    Scene scene = problem.scene;
+    scene.body = minimum.body;
+    Solution solution = solve(scene, options, {.interrupt = &signal});
+    solution.options = problem.options;
+    return solution;
+  };
+  if (!answer.best) {
+    for (DesignMinimum minimum : reached) {
+      Solution solution = track_of(minimum);
+      minimum.feasible = solution.verified() && solution.feasible();
+      if (solution.verified() &&
+          (minimum.feasible || !problem.design.require_feasible)) {
+        minimum.tau = solution.motion()->tau();
+        minimum.verified = true;
+        answer.best = minimum;
+        answer.minima.push_back(minimum);
+        std::ranges::stable_sort(answer.minima, {}, &DesignMinimum::tau);
+        return solution;
+      }
+      if (seconds_until(end) <= 0.0) break;
+    }
+  }
+  if (const DesignMinimum* minimum = shown(answer)) return track_of(*minimum);
+  Solution solution;
+  solution.scene = problem.scene;
+  solution.options = problem.options;
+  solution.status = answer.stopped ? Status::TimeLimit : Status::NotConverged;
+  solution.message =
+      answer.stopped ? fmt::format(
+                           "the limit of {:g} s was reached before a "
+                           "search had come to a verified body",
+                           problem.options.limits.seconds)
+      : answer.minima.empty()
+          ? "no search came to a minimum"
+          : "no search came to a minimum on the principal branch";
+  return solution;
+}
+
 int run(const DesignFlags& flags) {
+  const WallClock::time_point begin = WallClock::now();
   const io::ProblemFile problem =
       io::read_problem_file(flags.file, flags.overrides);
   const sweep::Job job = sweep::read_design_job(flags.file, flags.overrides);
@@ -153,34 +238,43 @@ int run(const DesignFlags& flags) {
     warn(io::to_string(warning));
   }
   const std::atomic<int>& signal = catch_signals();
-  std::vector<LostSearch> lost;
+  // Searches leave a tenth of the time for the track of the best body.
+  constexpr double kShareOfSearches = 0.9;
+  const double limit = problem.options.limits.seconds;
+  const double used = seconds_since(begin);
+  Searched searched = search_all(
+      flags, job, signal, seconds_from_now(kShareOfSearches * limit - used));
+  const WallClock::time_point end =
+      seconds_from_now(limit - seconds_since(begin));
+  const std::vector<DesignMinimum> reached = reached_by(searched.searches);
   DesignAnswer answer =
-      gather_designs(problem.design, searches(flags, job, signal, lost));
-  std::ranges::move(lost, std::back_inserter(answer.lost));
+      gather_designs(problem.design, std::move(searched.searches));
+  answer.stopped = answer.stopped || !searched.all;
+  std::ranges::move(searched.lost, std::back_inserter(answer.lost));
 
   Solution solution;
-  solution.scene = problem.scene;
-  solution.options = problem.options;
   if (signal.load() != 0) {
+    solution.scene = problem.scene;
+    solution.options = problem.options;
     solution.status = Status::Interrupted;
     solution.message = "stopped before all searches had ended";
     if (!flags.out.empty()) solution.message += "; --resume goes on";
-  } else if (const DesignMinimum* minimum = shown(answer)) {
-    Scene scene = problem.scene;
-    scene.body = minimum->body;
-    solution = solve(scene, problem.options, {.interrupt = &signal});
   } else {
-    solution.status = Status::NotConverged;
-    solution.message =
-        answer.minima.empty()
-            ? "no search came to a minimum"
-            : "no search came to a minimum on the principal branch";
+    solution = solve_best(problem, reached, signal, end, answer);
+    if (answer.stopped && solution.verified()) {
+      solution.warnings.push_back(fmt::format(
+          "the limit of {:g} s was reached when {} of {} searches had ended: "
+          "this is the quickest body so far{}",
+          limit, answer.searches, job.file.num_scenes(),
+          flags.out.empty() ? "" : "; --resume goes on"));
+    }
   }
   std::vector<report::OutputFile> further;
   if (flags.map > 0 && solution.verified() && signal.load() == 0) {
-    further =
-        draw_map(flags, answer, solution.scene.body, signal, solution.warnings);
+    further = draw_map(flags, answer, solution.scene.body, signal, end,
+                       solution.warnings);
   }
+  for (const std::string& warning : solution.warnings) warn(warning);
   solution.design = std::move(answer);
   return hand_out(solution,
                   {flags.out, flags.force || flags.resume, flags.json,
@@ -232,7 +326,9 @@ Examples:
   brachisto design problems/design/ring_with_weight.yaml --out weight
 Exit codes: 0 the best body and its track are verified, 3 bad input
 file, 4 no minimum found or not verified, 5 no feasible body found,
-6 I/O, 7 limit reached, 130/143 after SIGINT/SIGTERM.)",
+6 I/O, 7 a limit was reached, 130/143 after SIGINT/SIGTERM.
+solver.limits.seconds is the limit of all searches and of the map
+together; when it is reached the quickest body so far is told.)",
       .run = [flags] { return run(*flags); }};
 }
 

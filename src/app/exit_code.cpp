@@ -15,6 +15,7 @@ namespace brachisto::app {
 int exit_code(const Solution& solution, int signal) {
   switch (solution.status) {
     case Status::Solved:
+      if (solution.design && solution.design->stopped) return kLimit;
       if (!solution.verified()) return kNotSolved;
       return solution.feasible() ? kSuccess : kInfeasible;
     case Status::IterationLimit:

@@ -22,8 +22,11 @@ std::atomic<int> received{0};
 static_assert(std::atomic<int>::is_always_lock_free,
               "a signal handler may touch lock-free atomics only");
 
-// What is left for an end in order [s]; to end the process takes time too.
+// What is left for an end in order [s]; to end the process takes time too. It
+// is processor time, which on a busy machine comes more slowly than the wall's;
+// a process that waits instead of working is not waited for much longer.
 constexpr double kGrace = 0.5;
+constexpr double kPatience = 20.0 * kGrace;
 
 // All that the handler touches: written before the timer is set, and left alone
 // until it is deleted.
@@ -31,8 +34,10 @@ struct Ending {
   std::string message, document;
 };
 Ending at_limit, at_signal;
-std::atomic<bool> in_force{false};
-timer_t timer;
+std::atomic<bool> in_force{false}, hurrying{false};
+// Of the wall: at the limit, and then when patience ends. Of the thread that
+// solves: when the grace ends.
+timer_t wall_timer, work_timer;
 
 itimerspec once_after(double seconds) {
   itimerspec time = {};
@@ -50,7 +55,20 @@ void put(int descriptor, std::string_view text) {
   }
 }
 
-extern "C" void end_process(int) {
+void set(timer_t timer, double seconds) {
+  const itimerspec time = once_after(seconds);
+  ::timer_settime(timer, 0, &time, nullptr);
+}
+
+/// From now on there is little time.
+void hurry() {
+  if (!in_force.load() || hurrying.exchange(true)) return;
+  set(work_timer, kGrace);
+  set(wall_timer, kPatience);
+}
+
+extern "C" void on_timer(int) {
+  if (!hurrying.load()) return hurry();
   const int signal = received.load();
   const Ending& ending = signal != 0 ? at_signal : at_limit;
   put(STDERR_FILENO, ending.message);
@@ -63,14 +81,6 @@ Ending ending(Status status, std::string_view why, bool json) {
       "brachisto: {}, and the solve did not end in order in time", why);
   return {message + "\n",
           json ? failure_document(name(status), message) : std::string{}};
-}
-
-/// From now on there is little time.
-void hurry() {
-  if (!in_force.load()) return;
-  itimerspec time = {};
-  time.it_value.tv_nsec = static_cast<long>(kGrace * 1e9);
-  ::timer_settime(timer, 0, &time, nullptr);
 }
 
 double now() {
@@ -116,24 +126,28 @@ LastResort::LastResort(double seconds, bool json) {
              fmt::format("the limit of {:g} s was reached", seconds), json);
   at_signal = ending(Status::Interrupted, "stopped by a signal", json);
   struct sigaction action = {};
-  action.sa_handler = end_process;
+  action.sa_handler = on_timer;
   sigemptyset(&action.sa_mask);
   sigaction(SIGALRM, &action, nullptr);
   sigevent event = {};
   event.sigev_notify = SIGEV_SIGNAL;
   event.sigev_signo = SIGALRM;
-  if (::timer_create(CLOCK_MONOTONIC, &event, &timer) != 0) return;
+  if (::timer_create(CLOCK_MONOTONIC, &event, &wall_timer) != 0) return;
+  if (::timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &work_timer) != 0) {
+    ::timer_delete(wall_timer);
+    return;
+  }
+  hurrying = false;
+  in_force = true;
   // Beyond a century nobody waits, and the seconds of the timer end.
   constexpr double kForever = 3e9;
-  if (seconds < kForever) {
-    const itimerspec time = once_after(seconds + kGrace);
-    ::timer_settime(timer, 0, &time, nullptr);
-  }
-  in_force = true;
+  if (seconds < kForever) set(wall_timer, seconds);
 }
 
 LastResort::~LastResort() {
-  if (in_force.exchange(false)) ::timer_delete(timer);
+  if (!in_force.exchange(false)) return;
+  ::timer_delete(work_timer);
+  ::timer_delete(wall_timer);
 }
 
 }  // namespace brachisto::app

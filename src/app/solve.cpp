@@ -24,6 +24,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/cutting_template.hpp"
+#include "study/size.hpp"
 
 namespace brachisto::app {
 
@@ -101,6 +102,11 @@ int run(const SolveFlags& flags) {
   }
   for (const io::Diagnostic& warning : problem.warnings) {
     warn(io::to_string(warning));
+  }
+  if (flags.verbose) {
+    if (const auto size = forecast(problem.scene, problem.options)) {
+      tell(fmt::format("brachisto: to be solved: {}\n", in_words(*size)));
+    }
   }
   Solution solution = [&] {
     const LastResort last_resort(problem.options.limits.seconds, flags.json);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
@@ -18,6 +19,7 @@
 #include "brachisto/report/result.hpp"
 #include "io/effective_input.hpp"
 #include "io/visible_text.hpp"
+#include "study/size.hpp"
 
 namespace brachisto::app {
 
@@ -170,20 +172,35 @@ std::string scenes_table(const io::SweepFile& sweep) {
   return aligned(rows);
 }
 
-void describe(const CommonFlags& flags, const io::ProblemFile& problem) {
+Json forecast_json(const Forecast& size) {
+  return {{"nodes", size.nodes},
+          {"memory_bytes", size.bytes},
+          {"seconds", size.seconds}};
+}
+
+/// \return the exit code
+int describe(const CommonFlags& flags, const io::ProblemFile& problem) {
+  const std::optional<Forecast> size = forecast(problem.scene, problem.options);
+  const std::optional<Outcome> refused =
+      size ? too_large(*size, problem.options.limits.seconds) : std::nullopt;
   for (const io::Diagnostic& warning : problem.warnings) {
     warn(io::to_string(warning));
   }
+  Json input = effective_input(problem);
   if (flags.json) {
-    print_data(text_of(effective_input(problem)));
+    if (size) input["forecast"] = forecast_json(*size);
+    print_data(text_of(input));
   } else if (!flags.quiet) {
     print(fmt::format("{}: valid. Effective input, defaults filled in:\n{}",
-                      io::visible(flags.file),
-                      text_of(effective_input(problem))));
+                      io::visible(flags.file), text_of(input)));
+    if (size) print(fmt::format("To be solved: {}.\n", in_words(*size)));
   }
+  if (!refused) return kSuccess;
+  tell_error(fmt::format("brachisto: {}\n", refused->message));
+  return kLimit;
 }
 
-void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
+int describe(const CommonFlags& flags, const io::SweepFile& sweep) {
   if (flags.json) {
     print_data(sweep_json(sweep));
   } else if (!flags.quiet) {
@@ -192,6 +209,7 @@ void describe(const CommonFlags& flags, const io::SweepFile& sweep) {
                       sweep.num_scenes() == 1 ? "" : "s", axes_table(sweep),
                       scenes_table(sweep)));
   }
+  return kSuccess;
 }
 
 }  // namespace
@@ -206,12 +224,14 @@ Verb validate_verb() {
           R"(Of a file with a section sweep, all scenes are checked and some listed.
 Examples:
   brachisto validate case.yaml
-  brachisto validate case.yaml --set scene.body.k=1/4 --json)",
+  brachisto validate case.yaml --set scene.body.k=1/4 --json
+Exit codes: 0 valid, 3 bad input file, 6 I/O, 7 valid, but solve would
+not begin: there is not the memory, or by far not the time.)",
       .run = [flags] {
         const auto content =
             io::read_problem_or_sweep_file(flags->file, flags->overrides);
-        std::visit([&](const auto& what) { describe(*flags, what); }, content);
-        return static_cast<int>(kSuccess);
+        return std::visit(
+            [&](const auto& what) { return describe(*flags, what); }, content);
       }};
 }
 

@@ -51,6 +51,13 @@ double tamed(double margin) {
 
 }  // namespace
 
+SolveOptions options_until(SolveOptions options, WallClock::time_point end) {
+  const double left = seconds_until(end);
+  if (left <= 0.0) throw Stopped();
+  options.limits.seconds = std::min(options.limits.seconds, left);
+  return options;
+}
+
 Margins margins_of(const Solution& solution, double contact_response) {
   const double q = contact_response;
   const double of_branch = std::isnan(q) ? 1.0 : std::atan(q);
@@ -71,19 +78,23 @@ ClosedTimes::ClosedTimes(Scene scene, const SolveOptions& options,
                          const std::atomic<int>* interrupt)
     : scene_(std::move(scene)),
       options_(of_inner_solves(options, scene_)),
-      interrupt_(interrupt) {}
+      interrupt_(interrupt),
+      end_(seconds_from_now(options.limits.seconds)) {}
 
 Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
+  const SolveOptions options = options_until(options_, end_);
   ++solves_;
   const double begin = thread_cpu_seconds();
   Scene scene = scene_;
   scene.body = body;
   const SolveHooks hooks{.interrupt = interrupt_, .neighbour = neighbour};
   const bool follows = neighbour != nullptr && can_continue(*neighbour, scene);
-  Solution solution = follows ? solve_beside(scene, options_, hooks)
-                              : solve(scene, options_, hooks);
+  Solution solution = follows ? solve_beside(scene, options, hooks)
+                              : solve(scene, options, hooks);
   cpu_seconds_ += thread_cpu_seconds() - begin;
-  if (solution.status == Status::Interrupted) throw Stopped();
+  if (solution.status == Status::Interrupted || seconds_until(end_) <= 0.0) {
+    throw Stopped();
+  }
   return solution;
 }
 

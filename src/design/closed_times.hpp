@@ -16,8 +16,14 @@
 
 #include "brachisto/study/solve.hpp"
 #include "design/design_space.hpp"
+#include "math/wall_clock.hpp"
 
 namespace brachisto {
+
+/// The options of a solve that is to end by then.
+/// \throws Stopped  if that time has come
+[[nodiscard]] SolveOptions options_until(SolveOptions options,
+                                         WallClock::time_point end);
 
 /// How far a body is from losing its track, all > 0 where it does not. The
 /// first is of the branch: with q = dφ/dκ, how the contact at B answers to a
@@ -50,12 +56,14 @@ enum class Follow {
 /// cannot be followed is refused.
 class ClosedTimes {
  public:
-  /// \param options    of every solve
+  /// \param options    of every solve; their limit of time, which begins now,
+  ///                   is that of all solves together
   /// \param interrupt  nonzero: stop; may be null
   ClosedTimes(Scene scene, const SolveOptions& options,
               const std::atomic<int>* interrupt);
 
   /// Moves to a body. False if it is refused: refusal() says why.
+  /// \throws Stopped  if a limit of time or the interrupt ends its solve
   [[nodiscard]] bool move_to(const Traits& traits);
   /// Bodies that come are followed from here.
   void hold_on();
@@ -80,6 +88,8 @@ class ClosedTimes {
   [[nodiscard]] MarginGradient margin_gradient(const Traits& wanted);
 
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  /// Of the time for all solves.
+  [[nodiscard]] WallClock::time_point end() const { return end_; }
   [[nodiscard]] int solves() const { return solves_; }
   [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
 
@@ -89,6 +99,7 @@ class ClosedTimes {
   Scene scene_;
   SolveOptions options_;
   const std::atomic<int>* interrupt_;
+  WallClock::time_point end_;
   Traits here_ = Traits::Zero();
   Solution solution_;
   Traits gradient_ = Traits::Zero();

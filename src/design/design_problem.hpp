@@ -79,6 +79,7 @@ class DesignProblem final : public nlp::Problem {
   [[nodiscard]] const std::optional<Eigen::VectorXd>& quickest() const {
     return quickest_;
   }
+  [[nodiscard]] double least_tau() const { return least_tau_; }
   /// The bounds of a solution that hold, with what τ does as they move.
   [[nodiscard]] std::vector<BoundOfDesign> bounds_that_hold(
       const PrimalDual& point) const;

@@ -76,10 +76,16 @@ Json to_json(const DesignSearch& search) {
       steps.push_back({{"values", numbers_json(values)}, {"tau", tau}});
     }
   }
-  return {{"minima", std::move(minima)}, {"paths", std::move(paths)},
-          {"lost", search.lost},         {"message", search.message},
-          {"number", search.number},     {"starts", search.starts},
-          {"solves", search.solves},     {"cpu_seconds", search.cpu_seconds}};
+  return {{"minima", std::move(minima)},
+          {"paths", std::move(paths)},
+          {"stopped", search.stopped},
+          {"reached", search.reached ? minimum_json(*search.reached) : Json()},
+          {"lost", search.lost},
+          {"message", search.message},
+          {"number", search.number},
+          {"starts", search.starts},
+          {"solves", search.solves},
+          {"cpu_seconds", search.cpu_seconds}};
 }
 
 DesignSearch design_search_from_json(const Json& json) {
@@ -96,6 +102,10 @@ DesignSearch design_search_from_json(const Json& json) {
   }
   json.at("lost").get_to(search.lost);
   search.message = json.at("message");
+  search.stopped = json.at("stopped");
+  if (!json.at("reached").is_null()) {
+    search.reached = minimum_from(json.at("reached"));
+  }
   search.number = json.at("number");
   search.starts = json.at("starts");
   search.solves = json.at("solves");

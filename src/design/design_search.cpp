@@ -52,13 +52,12 @@ class Searcher {
         options_(options),
         plan_(plan),
         space_(design_space(plan, scene.body)),
+        interrupt_(interrupt),
         times_(scene, on_the_way(options), interrupt) {
     ipopt_.tolerance = kTolerance;
     ipopt_.max_iterations = kMostIterations;
     ipopt_.linear_solver = LinearSolver::Mumps;
-    if (interrupt != nullptr) {
-      ipopt_.stop = StopCondition(options.limits.seconds, interrupt);
-    }
+    ipopt_.stop = StopCondition(options.limits.seconds, interrupt);
   }
 
   /// From one start, and from others as long as it comes to nothing.
@@ -67,15 +66,13 @@ class Searcher {
     SplitMix64 random(static_cast<std::uint64_t>(
         stream.draw(static_cast<std::uint64_t>(number))));
     out_.number = number;
-    while (out_.starts < kMostStarts) {
-      const bool of_scene = number == 1 && out_.starts == 0;
-      ++out_.starts;
-      if (seek(
-              reachable(of_scene ? space_->first() : space_->random(random)))) {
-        break;
-      }
-      if (ipopt_.stop.met()) break;
-      out_.lost.push_back(out_.message);
+    try {
+      seek_from_starts(number, random);
+      out_.reached.reset();
+    } catch (const Stopped&) {
+      if (interrupt_ != nullptr && interrupt_->load() != 0) throw;
+      out_.stopped = true;
+      out_.message = "the limit of time ended it on its way";
     }
     out_.solves = times_.solves();
     out_.cpu_seconds = times_.cpu_seconds();
@@ -89,6 +86,18 @@ class Searcher {
   // Errors of gradients over it, and its square, are below 1e-5.
   static constexpr double kStepOfHessian = 1e-3;
   static constexpr int kMostStarts = 3;
+
+  void seek_from_starts(int number, SplitMix64& random) {
+    while (out_.starts < kMostStarts) {
+      const bool of_scene = number == 1 && out_.starts == 0;
+      ++out_.starts;
+      if (seek(
+              reachable(of_scene ? space_->first() : space_->random(random)))) {
+        return;
+      }
+      out_.lost.push_back(out_.message);
+    }
+  }
 
   /// A start, drawn towards the axis if the branch of the cycloid, which begins
   /// there, does not reach it.
@@ -166,10 +175,26 @@ class Searcher {
     } catch (const NoWayOn& error) {
       out_.message = error.what();
       back_ = problem.last_on_branch();
+    } catch (const Stopped&) {
+      note_way(problem);
+      throw;
     }
+    note_way(problem);
+    return end;
+  }
+
+  void note_way(const DesignProblem& problem) {
     out_.paths.push_back(problem.path());
     passed_ = problem.quickest();
-    return end;
+    if (!passed_ || (out_.reached && out_.reached->tau <= problem.least_tau()))
+      return;
+    DesignMinimum reached;
+    reached.body = space_->body(*passed_);
+    reached.values = space_->values(*passed_);
+    reached.tau = problem.least_tau();
+    reached.remarks.emplace_back(
+        "it is no minimum: the limit of time ended the search on its way");
+    out_.reached = std::move(reached);
   }
 
   /// What Newton's method confirms is a minimum, however the optimiser ended.
@@ -217,7 +242,10 @@ class Searcher {
   Judged judge(DesignMinimum& minimum) {
     Scene built = scene_;
     built.body = minimum.body;
-    Solution anew = solve(built, options_);
+    Solution anew = solve(built, options_until(options_, times_.end()),
+                          {.interrupt = interrupt_});
+    if (anew.status == Status::TimeLimit || anew.status == Status::Interrupted)
+      throw Stopped();
     if (!anew.verified()) {
       out_.message = anew.status == Status::Solved
                          ? "its track could not be verified"
@@ -253,6 +281,7 @@ class Searcher {
   SolveOptions options_;
   DesignPlan plan_;
   std::unique_ptr<DesignSpace> space_;
+  const std::atomic<int>* interrupt_;
   ClosedTimes times_;
   IpoptOptions ipopt_;
   DesignSearch out_;

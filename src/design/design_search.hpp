@@ -26,8 +26,12 @@ struct DesignSearch {
   std::vector<DesignPath> paths;
   std::vector<std::string> lost;  ///< ways that led nowhere, why
   std::string message;            ///< of the last such way
-  int number = 1;                 ///< of the search, from 1 on
-  int starts = 0;                 ///< bodies that it began at
+  bool stopped = false;           ///< the limit of time ended it on its way
+  /// Of a search that was stopped: the quickest body that it has passed, not
+  /// solved anew, hence not verified.
+  std::optional<DesignMinimum> reached;
+  int number = 1;  ///< of the search, from 1 on
+  int starts = 0;  ///< bodies that it began at
   int solves = 0;
   double cpu_seconds = 0.0;
 };
@@ -40,7 +44,8 @@ struct DesignSearch {
 /// nowhere. A way that is lost for good is begun again at another body, which
 /// the seed and the number determine too.
 ///
-/// \param start  its number, from 1 on
+/// \param options  of the solves; the limit of time is that of the search
+/// \param start    its number, from 1 on
 /// \throws Stopped  if the interrupt tells so
 [[nodiscard]] DesignSearch search_design(const Scene& scene,
                                          const SolveOptions& options,

@@ -63,8 +63,11 @@ DesignAnswer gather_designs(const DesignPlan& plan,
     for (std::string& reason : search.lost) {
       out.lost.push_back({search.number, std::move(reason)});
     }
-    ++out.searches;
-    out.starts += search.starts;
+    out.stopped = out.stopped || search.stopped;
+    if (!search.stopped) {
+      ++out.searches;
+      out.starts += search.starts;
+    }
     out.solves += search.solves;
     out.cpu_seconds += search.cpu_seconds;
   }

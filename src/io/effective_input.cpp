@@ -104,7 +104,8 @@ void take_input(YamlValue& root) {
     return;
   }
   std::erase_if(root.entries, [](const Entry& entry) {
-    return entry.key == "schema_version" || entry.key == "valid";
+    return entry.key == "schema_version" || entry.key == "valid" ||
+           entry.key == "forecast";
   });
 }
 

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/study/forecast.hpp"
 #include "io/effective_input.hpp"
 #include "report/provenance.hpp"
 #include "report/result_field.hpp"
@@ -374,6 +375,10 @@ Field<Solution> design_field() {
                             {{"found_from", "", "so many searches led here",
                               &M::found_from}}})),
             {"searches", "", "that ended", &A::searches},
+            {"stopped", "",
+             "the limit of time was reached before all had ended, or before "
+             "the map was done: the best body is the best so far",
+             &A::stopped},
             {"starts", "",
              "bodies that they began at, also in place of lost "
              "ones",
@@ -608,9 +613,27 @@ const Fields<Solution>& outcome_fields() {
   return table;
 }
 
+/// A function of the input, and of the machine, as seconds are.
+Field<Solution> forecast_field() {
+  const Fields<Forecast> fields{
+      {"nodes", "", "of the mesh; a bound where it follows from the tolerance",
+       &Forecast::nodes},
+      {"memory_bytes", "bytes", "largest resident set of the process",
+       &Forecast::bytes},
+      {"seconds", "s", "processor time on this machine", &Forecast::seconds}};
+  return {{"forecast", "object", "",
+           "what the solve was to take, to a factor of two or so",
+           texts_of(fields)},
+          [=](const Solution& s) {
+            if (!validate(s.scene).empty()) return Json();
+            const auto size = forecast(s.scene, s.options);
+            return size ? written(fields, *size) : Json();
+          }};
+}
+
 const Fields<Solution>& result_fields() {
   static const Fields<Solution> table =
-      joined<Solution>({outcome_fields(), origin_fields()});
+      joined<Solution>({outcome_fields(), {forecast_field()}, origin_fields()});
   return table;
 }
 

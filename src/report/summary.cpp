@@ -360,7 +360,7 @@ void add_design(std::string& out, const Solution& solution) {
   if (!solution.design) return;
   const DesignAnswer& design = *solution.design;
   if (design.best) {
-    line(out, "quickest found",
+    line(out, design.stopped ? "quickest so far" : "quickest found",
          fmt::format("{}, of {} searches", body_in_words(design.best->values),
                      design.searches));
     for (const BoundOfDesign& held : design.best->bounds_active) {

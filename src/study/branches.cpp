@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/stop_condition.hpp"
 #include "study/certification.hpp"
 #include "trajectory/feasibility.hpp"
 #include "trajectory/trajectory.hpp"
@@ -60,29 +61,37 @@ JudgedBranches judge_branches(const PosedScene& scene,
   JudgedBranches out;
   MeshOptions quietly = options;  // a line for each branch is enough
   quietly.progress = {};
-  for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
-       ++i) {
-    if (options.progress) {
-      options.progress("branches",
-                       fmt::format("{} of {}", i + 1, candidates.size()));
+  const auto judge_all = [&] {
+    for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
+         ++i) {
+      if (options.progress) {
+        options.progress("branches",
+                         fmt::format("{} of {}", i + 1, candidates.size()));
+      }
+      Refinement refinement = refine(scene.natural, wanted, candidates[i].curve,
+                                     candidates[i].phi, quietly);
+      out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
+                        refinement.meshes.end());
+      if (!refinement.answer) {
+        out.failure = refinement.status;
+        continue;
+      }
+      Branch branch = judge(scene, wanted, *refinement.answer);
+      branch.principal = i == 0 && first_is_principal;
+      if (std::any_of(out.branches.begin(), out.branches.end(),
+                      [&](const JudgedBranch& other) {
+                        return same(other.branch, branch);
+                      })) {
+        continue;
+      }
+      out.branches.push_back({std::move(branch), std::move(refinement)});
     }
-    Refinement refinement = refine(scene.natural, wanted, candidates[i].curve,
-                                   candidates[i].phi, quietly);
-    out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
-                      refinement.meshes.end());
-    if (!refinement.answer) {
-      out.failure = refinement.status;
-      continue;
-    }
-    Branch branch = judge(scene, wanted, *refinement.answer);
-    branch.principal = i == 0 && first_is_principal;
-    if (std::any_of(out.branches.begin(), out.branches.end(),
-                    [&](const JudgedBranch& other) {
-                      return same(other.branch, branch);
-                    })) {
-      continue;
-    }
-    out.branches.push_back({std::move(branch), std::move(refinement)});
+  };
+  try {
+    judge_all();
+  } catch (const Stopped&) {
+    // What was judged before stays.
+    if (!options.ipopt.stop.met()) throw;
   }
   std::stable_sort(out.branches.begin(), out.branches.end(),
                    [](const JudgedBranch& a, const JudgedBranch& b) {

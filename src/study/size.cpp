@@ -8,25 +8,127 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "math/machine_speed.hpp"
 #include "refinement/turn_meshes.hpp"
 
 namespace brachisto {
 
 namespace {
 
-// Measured on one core of an AMD EPYC: from 570 to 2800 turns of the base body
-// 1.1e-4 down to 0.9e-4 s times the power 3/2 of their number, for the
-// continuation needs more steps too, and 0.23 to 0.19 MB per turn; of fixed
-// meshes 5e-6 s and 2.1 kB per node, 2e-6 s and 1.0 kB for arc_length. What is
-// refused must be too large for certain, on a faster machine and by a shorter
-// way too: a third of the first time, a tenth of the second, somewhat less
-// memory.
-constexpr double kSecondsOfTurns = 3e-5;
-constexpr double kBytesPerTurn = 0.17e6;
-constexpr double kSecondsPerNode = 5e-7;
-constexpr double kBytesPerNode = 1.8e3;
-constexpr double kBytesPerArcLengthNode = 0.8e3;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Measured on one core of an AMD EPYC (docs/benchmarks.md), in seconds and
+// bytes. What a process has before it solves anything:
+constexpr double kBytesOfProgram = 16e6;
+constexpr double kSecondsOfProgram = 0.01;
+constexpr double kBytesPerTurn = 0.21e6;
+
+struct Cost {
+  double nodes = 0.0, bytes = 0.0, seconds = 0.0;
+};
+
+/// What a mesh costs more or less per node than one of degree 5: elements have
+/// dense blocks, which grow with p, and ends, of which there are 1/p per node.
+double cost_by_degree(double p) {
+  const auto cost = [](double q) { return 0.10 + 3.2 / q + 0.28 * q; };
+  return cost(p) / cost(kDefaultDegree);
+}
+
+/// A fixed mesh. Ipopt keeps vectors of its own; meshes of many pieces it meets
+/// near the solution, for they climb from coarse ones.
+Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
+  const Discretisation& mesh = program.discretisation;
+  if (mesh.formulation == Formulation::ArcLength) {
+    return program.solver == ProgramSolver::NewtonKkt
+               ? Cost{nodes, 1.05e3 * nodes, 4e-6 * nodes}
+               : Cost{nodes, std::min(3.6e3 * nodes, 20e6 + 2.4e3 * nodes),
+                      1.5e-5 * nodes};
+  }
+  const double n = nodes * cost_by_degree(mesh.degree_of_fixed());
+  if (limited) return {nodes, 5e6 + 12e3 * n, 0.1 + 1.4e-4 * n};
+  if (program.solver == ProgramSolver::NewtonKkt) {
+    return {nodes, 2.1e3 * n, 7e-6 * n};
+  }
+  if (program.linear_solver == LinearSolver::Mumps) {
+    return {nodes, 12e3 * n, 4e-5 * n};
+  }
+  return {nodes, std::min(7.3e3 * n, 40e6 + 2.7e3 * n),
+          std::min(2.5e-5 * n, 0.15 + 9e-6 * n)};
+}
+
+/// The way of a branch turn by turn, and the mesh that it ends on.
+Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
+  const double tolerance = mesh.wanted_tolerance();
+  if (mesh.formulation == Formulation::ArcLength) {
+    // The error of straight pieces falls with the square of their number.
+    const double nodes = (0.6 + 0.3 * turns) / std::sqrt(tolerance);
+    return {nodes, 3.4e3 * nodes, 1.8e-5 * nodes};
+  }
+  constexpr double kOrder = 12.0;  // 2 p of the degree 6
+  const double finer = std::pow(kDefaultTolerance / tolerance, 1.0 / kOrder);
+  const Cost way{(40.0 + 26.0 * turns) * finer,
+                 (2e6 + kBytesPerTurn * turns) * finer,
+                 1.6e-3 * turns + 9e-5 * std::pow(turns, 1.5)};
+  if (!limited) return way;
+  // Between the ends of their arcs meshes are finer; the program is solved on
+  // several, each from another guess of the arcs.
+  const double nodes = std::max(230.0, 330.0 * turns) * finer;
+  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 3.2e-4 * nodes};
+}
+
+/// The indirect method, and the mesh on which its extremal is judged: see
+/// fine_mesh().
+Cost of_shooting(double turns) {
+  return {1.0 + 128.0 * (turns + 0.5), 3e6 + 0.35e6 * turns, 8e-3 * turns};
+}
+
+/// The paper's system: dense matrices of its 2 n + 1 equations, or a band.
+Cost of_discrete_system(const DiscreteSystem& system) {
+  const double n = system.nodes;
+  const double matrix = sizeof(double) * std::pow(2.0 * n + 1.0, 2);
+  switch (system.solver) {
+    case DiscreteSolver::Hybrid:
+      return {n, 3.3 * matrix, 5.5e-8 * std::pow(n, 3)};
+    case DiscreteSolver::Newton:
+      return {n, 2.2 * matrix, 2.6e-9 * std::pow(n, 3)};
+    case DiscreteSolver::Lifted:
+      break;
+  }
+  return {n, 3e3 * n, 1.6e-4 * n};
+}
+
+/// N p + 1 of a mesh that is fixed.
+std::optional<double> nodes_of(const Discretisation& mesh) {
+  if (mesh.nodes) return *mesh.nodes;
+  if (mesh.elements) return 1.0 + 1.0 * *mesh.elements * mesh.degree_of_fixed();
+  return std::nullopt;
+}
+
+/// The other extremals, each with its mesh, of which the answer may be one.
+Cost with_search(Cost cost, double turns) {
+  return {1.3 * cost.nodes, cost.bytes + 0.5e6 * turns, cost.seconds};
+}
+
+/// What is asked for besides the answer [s].
+double seconds_beside(const PosedProblem& posed, double turns, double nodes) {
+  double seconds = 0.0;
+  if (posed.searches()) seconds += 0.8 + 0.5 * turns;
+  if (posed.program.certify == Certify::Extremal) {
+    seconds += 0.02 + 3e-3 * turns;
+  }
+  switch (posed.program.sensitivities) {
+    case SensitivityOrder::None:
+      break;
+    case SensitivityOrder::First:
+      seconds += 4e-5 * nodes;
+      break;
+    case SensitivityOrder::Second:
+      seconds += 1.2e-3 * nodes;
+  }
+  return seconds;
+}
 
 /// "21 GB".
 std::string in_bytes(double bytes) {
@@ -41,43 +143,57 @@ std::string in_bytes(double bytes) {
 
 }  // namespace
 
-SizeEstimate estimate_size(double turns, const SolveOptions& options) {
-  SizeEstimate size{.turns = turns};
-  if (const auto* program = options.of<Collocation>()) {
-    const Discretisation& mesh = program->discretisation;
-    if (mesh.nodes) {
-      size.nodes = *mesh.nodes;
-    } else if (mesh.elements) {
-      size.nodes = 1.0 + 1.0 * *mesh.elements * mesh.degree_of_fixed();
-    }
-    size.bytes = size.nodes * (mesh.formulation == Formulation::ArcLength
-                                   ? kBytesPerArcLengthNode
-                                   : kBytesPerNode);
-  } else if (const auto* system = options.of<DiscreteSystem>()) {
-    size.nodes = system->nodes;
-    // One dense matrix of the paper's 2n + 1 equations.
-    if (system->solver != DiscreteSolver::Lifted) {
-      size.bytes = sizeof(double) * std::pow(2.0 * size.nodes + 1.0, 2);
-    }
+Forecast forecast(const PosedProblem& posed) {
+  Forecast out;
+  out.turns = turns(posed.natural.body,
+                    posed.cycloid->arc_length(posed.cycloid->psi_end));
+  const bool limited = posed.limited.has_value();
+  const Cost way = of_adaptive_mesh(out.turns, {}, false);
+  Cost cost = way;
+  if (posed.options.of<Shooting>() != nullptr) {
+    cost = of_shooting(out.turns);
+    out.adaptive = true;
+  } else if (const auto* system = posed.options.of<DiscreteSystem>()) {
+    cost = of_discrete_system(*system);
+  } else if (const std::optional<double> nodes =
+                 nodes_of(posed.program.discretisation)) {
+    cost = of_fixed_mesh(*nodes, posed.program, limited);
+  } else {
+    cost = of_adaptive_mesh(out.turns, posed.program.discretisation, limited);
+    out.adaptive = true;
   }
-  size.bytes = std::max(kBytesPerTurn * turns, size.bytes);
-  size.seconds = std::max(kSecondsOfTurns * std::pow(turns, 1.5),
-                          kSecondsPerNode * size.nodes);
-  return size;
+  if (posed.searches() && out.adaptive) cost = with_search(cost, out.turns);
+  // Every method but the paper's begins with the branch on a coarse mesh.
+  out.nodes = std::ceil(cost.nodes);
+  out.bytes = std::ceil(kBytesOfProgram + std::max(cost.bytes, way.bytes));
+  // What is refused for want of time must be too long for certain.
+  constexpr double kLeastShare = 0.05;
+  const double answer = kSecondsOfProgram + std::max(cost.seconds, way.seconds);
+  const double speed = machine_speed();
+  out.seconds = (answer + seconds_beside(posed, out.turns, out.nodes)) / speed;
+  out.least_seconds = kLeastShare * answer / speed;
+  return out;
 }
 
-std::optional<Outcome> too_large(const SizeEstimate& size,
-                                 double available_bytes, double seconds) {
+std::optional<Forecast> forecast(const Scene& scene,
+                                 const SolveOptions& options) {
+  const PosedProblem posed = pose(scene, options, {});
+  if (!posed.cycloid) return std::nullopt;
+  return forecast(posed);
+}
+
+std::optional<Outcome> too_large(const Forecast& size, double available_bytes,
+                                 double seconds) {
   const bool too_much = size.bytes > available_bytes;
-  if (!too_much && !(size.seconds > seconds)) return std::nullopt;
-  const bool by_turns = kBytesPerTurn * size.turns >= size.bytes;
+  if (!too_much && !(size.least_seconds > seconds)) return std::nullopt;
+  const bool by_turns = kBytesPerTurn * size.turns >= 0.5 * size.bytes;
   const std::string what =
       by_turns ? fmt::format("the body turns about {:.2g} times on its way",
                              size.turns)
                : fmt::format("the mesh has {:.3g} nodes", size.nodes);
   return Outcome{
       too_much ? Status::OutOfMemory : Status::TimeLimit,
-      fmt::format("{}, which takes at least {} of memory and {:.2g} s; there "
+      fmt::format("{}, which takes about {} of memory and {:.2g} s; there "
                   "are {}, and limits.seconds is {:g}. Nothing was computed. "
                   "{}",
                   what, in_bytes(size.bytes), size.seconds,
@@ -88,16 +204,17 @@ std::optional<Outcome> too_large(const SizeEstimate& size,
                            : "Try fewer nodes")};
 }
 
-std::optional<Outcome> too_large(const PosedProblem& posed) {
-  if (!posed.cycloid) return std::nullopt;
-  const double number = turns(
-      posed.natural.body, posed.cycloid->arc_length(posed.cycloid->psi_end));
-  const SizeEstimate size = estimate_size(number, posed.options);
-  const double seconds = posed.options.limits.seconds;
+std::optional<Outcome> too_large(const Forecast& size, double seconds) {
   // To ask the kernel takes a per cent or so of a small solve.
-  constexpr double kLittle = 16e6;
-  if (size.bytes <= kLittle && !(size.seconds > seconds)) return std::nullopt;
-  return too_large(size, available_memory(), seconds);
+  constexpr double kLittle = 32e6;
+  return too_large(size, size.bytes <= kLittle ? kInfinity : available_memory(),
+                   seconds);
+}
+
+std::string in_words(const Forecast& size) {
+  return fmt::format("about {:.3g} nodes{}, {} of memory, {:.2g} s", size.nodes,
+                     size.adaptive ? " at most" : "", in_bytes(size.bytes),
+                     size.seconds);
 }
 
 }  // namespace brachisto

@@ -2,43 +2,40 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What a solve takes at least, known before it begins.
+/// What a solve takes, known before it begins, and whether there is as much.
 
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "brachisto/study/forecast.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {
 
-/// A lower estimate of memory and time.
-struct SizeEstimate {
-  double turns = 0.0;  ///< of the body on its way; 0 if they do not matter
-  double nodes = 0.0;  ///< of a fixed mesh; 0 if the mesh follows
-  double bytes = 0.0;
-  double seconds = 0.0;
-};
+/// Of a problem that has a uniform cylinder's path; see brachisto::forecast().
+[[nodiscard]] Forecast forecast(const PosedProblem& posed);
 
-/// \param turns  of the body along the path of the uniform cylinder
-[[nodiscard]] SizeEstimate estimate_size(double turns,
-                                         const SolveOptions& options);
+/// "about 200 nodes at most, 18 MB of memory, 0.02 s".
+[[nodiscard]] std::string in_words(const Forecast& size);
 
 /// Why a solve of that size is not begun: Status::OutOfMemory or
 /// Status::TimeLimit; nothing if there is enough of both.
 /// \param available_bytes  see available_memory()
 /// \param seconds          the limit of the solve
-[[nodiscard]] std::optional<Outcome> too_large(const SizeEstimate& size,
+[[nodiscard]] std::optional<Outcome> too_large(const Forecast& size,
                                                double available_bytes,
                                                double seconds);
 
-/// The same of a solve, with the memory and the time that it has.
-[[nodiscard]] std::optional<Outcome> too_large(const PosedProblem& posed);
+/// The same with the memory that there is.
+[[nodiscard]] std::optional<Outcome> too_large(const Forecast& size,
+                                               double seconds);
 
 /// How much more memory this process may take before something else has to
 /// give way [bytes]: the least of what the kernel says is available, what is
-/// left of the address space that RLIMIT_AS allows, and what the control group
-/// of the process may have. Infinite where nothing is known.
+/// left of the address space that RLIMIT_AS allows, and what the control groups
+/// of the process leave. Infinite where nothing is known.
 [[nodiscard]] double available_memory();
 
 }  // namespace brachisto

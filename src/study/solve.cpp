@@ -73,11 +73,10 @@ Solution solve_beside(const Scene& scene, const SolveOptions& options,
 
 Solution solve(const Scene& scene, const SolveOptions& options,
                const SolveHooks& hooks) {
-  PosedProblem posed = pose(scene, options, hooks);
+  const PosedProblem posed = pose(scene, options, hooks);
   if (hooks.neighbour != nullptr) {
     Solution found = beside(posed, *hooks.neighbour);
     if (found.verified()) return found;
-    posed = pose(scene, options, hooks);  // the clock begins anew
   }
   return within_limits(posed, [&](Solution& out) {
     solve_posed(posed, out);
@@ -96,7 +95,12 @@ Solution beside(const PosedProblem& posed, const Neighbour& neighbour) {
 
 void solve_posed(const PosedProblem& posed, Solution& out) {
   if (posed.scene.path) return follow_given_path(posed, out);
-  if (auto outcome = too_large(posed)) return record(*std::move(outcome), out);
+  if (posed.cycloid) {
+    if (auto outcome =
+            too_large(forecast(posed), posed.options.limits.seconds)) {
+      return record(*std::move(outcome), out);
+    }
+  }
   const SolveOptions& options = posed.options;
   if (options.of<Shooting>() != nullptr) return solve_by_shooting(posed, out);
   if (const auto* system = options.of<DiscreteSystem>()) {
@@ -262,6 +266,7 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
       judge_branches(posed, posed.program.discretisation, search.contacts,
                      principal.curve.has_value(), each);
   record(judged, out);
+  if (posed.stop().met()) return;
   JudgedBranch* best = best_branch(judged.branches);
   if (best == nullptr) {
     return record(

@@ -79,10 +79,10 @@ class Manager {
   }
 
   Counts run(const ProgressSink& progress) {
-    while (!interrupted()) {
+    while (!interrupted() && !over(kGrace)) {
       bool working = false;
       for (Slot& slot : slots_) {
-        if (!slot.busy) assign(slot);
+        if (!slot.busy && !over(0.0)) assign(slot);
         working = working || slot.busy;
       }
       if (!working) break;
@@ -99,8 +99,19 @@ class Manager {
   }
 
  private:
+  // What workers have for an end in order [s].
+  static constexpr double kGrace = 0.5;
+
   [[nodiscard]] bool interrupted() const {
     return options_.interrupt != nullptr && options_.interrupt->load() != 0;
+  }
+
+  /// Whether the whole has ended, and so long ago.
+  [[nodiscard]] bool over(double seconds) const {
+    return limited() && seconds_since(options_.end) >= seconds;
+  }
+  [[nodiscard]] bool limited() const {
+    return options_.end != WallClock::time_point::max();
   }
 
   void keep(const std::vector<Answer>& answers) {
@@ -158,7 +169,9 @@ class Manager {
           std::make_unique<WorkerProcess>(options_.program, options_.memory);
       slot.worker->send(job_line_);
     }
-    slot.worker->send(to_line(Request{slot.next, slot.run.last, slot.state}));
+    Request request{slot.next, slot.run.last, slot.state};
+    if (limited()) request.seconds = seconds_until(options_.end);
+    slot.worker->send(to_line(request));
     slot.worker->flush();
     slot.busy = true;
     set_deadline(slot);

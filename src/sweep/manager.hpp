@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "math/wall_clock.hpp"
 #include "sweep/chain_plan.hpp"
 #include "sweep/job.hpp"
 #include "sweep/store.hpp"
@@ -27,6 +28,9 @@ struct ManagerOptions {
   std::size_t memory = 0;  ///< address space of a worker [bytes]; 0: no bound
   Shard shard;
   const std::atomic<int>* interrupt = nullptr;  ///< nonzero: stop
+  /// Of the whole: workers are told what is left, and half a second later they
+  /// are killed and what they were at is left undone.
+  WallClock::time_point end = WallClock::time_point::max();
 };
 
 /// A scene without a verified result.
@@ -61,7 +65,8 @@ using ProgressSink = std::function<void(const Counts&)>;
 /// once more, from the same start, and then recorded as failed. If workers fail
 /// in a row, without a good answer between, it is not the scenes' fault.
 ///
-/// \return the counts at the end, which the interrupt may bring early
+/// \return the counts at the end, which the interrupt and the limit of time may
+///         bring early
 /// \throws StoreError         if an answer cannot be stored
 /// \throws WorkersFail        with nothing of these failures recorded
 /// \throws std::system_error  if no worker can be started

@@ -76,14 +76,18 @@ Arc arc_from(const Json& json) {
 }  // namespace
 
 std::string to_line(const Request& request) {
-  return line_of({{"first", request.first},
-                  {"last", request.last},
-                  {"state", request.state}});
+  Json json{{"first", request.first},
+            {"last", request.last},
+            {"state", request.state}};
+  if (request.seconds) json["seconds"] = *request.seconds;
+  return line_of(json);
 }
 
 Request request_from_line(std::string_view line) {
   const Json json = Json::parse(line);
-  return {json.at("first"), json.at("last"), json.at("state")};
+  Request request{json.at("first"), json.at("last"), json.at("state")};
+  if (json.contains("seconds")) request.seconds = json["seconds"];
+  return request;
 }
 
 std::string to_line(const Answer& answer) {

@@ -21,6 +21,8 @@ namespace brachisto::sweep {
 struct Request {
   std::size_t first = 0, last = 0;  ///< scenes first … last − 1
   std::string state;                ///< of scene first − 1, or empty
+  /// What is left for all of them together, if that is limited.
+  std::optional<double> seconds = {};
 };
 
 /// From a worker, or about it: what came out for a scene.

@@ -108,8 +108,12 @@ std::string outcome_json(const Solution& solution, bool with_track) {
 }
 
 std::string outcome_json(const DesignSearch& search) {
-  Json json = search.answer ? document_of(*search.answer)
-                            : failure_document("not_converged", search.message);
+  Json json =
+      search.answer
+          ? document_of(*search.answer)
+          : failure_document(
+                name(search.stopped ? Status::TimeLimit : Status::NotConverged),
+                search.message);
   json["design"] = to_json(search);
   return compact(json);
 }

@@ -5,16 +5,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <exception>
 #include <iostream>
 #include <istream>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 
 #include "brachisto/study/solve.hpp"
+#include "math/wall_clock.hpp"
 #include "sweep/job.hpp"
 #include "sweep/message.hpp"
 #include "sweep/outcome.hpp"
@@ -24,11 +27,15 @@ namespace brachisto::sweep {
 namespace {
 
 /// Searches from the body of a scene.
-Answer search_from_scene(const io::SweepFile& file, std::size_t scene) {
+/// \param seconds  that are left, if they are limited for all scenes together
+Answer search_from_scene(const io::SweepFile& file, std::size_t scene,
+                         std::optional<double> seconds) {
   Answer answer;
   answer.scene = scene;
   try {
-    const io::ProblemFile problem = file.problem(scene);
+    io::ProblemFile problem = file.problem(scene);
+    double& limit = problem.options.limits.seconds;
+    if (seconds) limit = std::min(limit, *seconds);
     answer.result = outcome_json(
         search_design(problem.scene, problem.options, problem.design,
                       problem.design.start.value_or(1), nullptr));
@@ -78,8 +85,11 @@ void run_worker(std::istream& in, std::ostream& out) {
                   << request.first << " starts cold: " << error.what() << '\n';
       }
     }
+    const WallClock::time_point begin = WallClock::now();
     for (std::size_t i = request.first; i < request.last; ++i) {
-      out << to_line(job.of_design ? search_from_scene(job.file, i)
+      std::optional<double> left = request.seconds;
+      if (left) *left -= seconds_since(begin);
+      out << to_line(job.of_design ? search_from_scene(job.file, i, left)
                                    : solve_scene(job.file, i, neighbour))
           << std::flush;
     }

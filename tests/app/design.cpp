@@ -104,6 +104,33 @@ TEST(DesignCommand, DoesNotDependOnTheNumberOfWorkers) {
   EXPECT_EQ(minima("1"), minima("3"));
 }
 
+TEST(DesignCommand, ItsLimitOfTimeIsThatOfAllSearches) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch.path() / "out").string();
+  // Minutes of work.
+  const Output output =
+      run({"design", design_problem("quickest"), "--json", "--set",
+           "design.starts=1000", "--set", "solver.limits.seconds=1", "--out",
+           out, "--map", "50"});
+
+  EXPECT_EQ(output.code, 7) << output.err;
+  const json result = json::parse(output.out);
+  const json& design = result["design"];
+  EXPECT_TRUE(design["stopped"]);
+  EXPECT_LT(design["searches"], 1000);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "out/design_map.svg"));
+  if (result["verified"] == true) {
+    EXPECT_NE(output.err.find("the limit of 1 s was reached"),
+              std::string::npos)
+        << output.err;
+    // None is quicker than the quickest, known to ten digits.
+    EXPECT_GT(result["tau"], 3.977561557);
+    EXPECT_EQ(result["scene"]["body"]["k"], design["values"]["k"]);
+  } else {
+    EXPECT_EQ(result["status"], "time_limit") << result["message"];
+  }
+}
+
 TEST(DesignCommand, GoesOnWithTheSearchesThatAreThere) {
   const ScratchDirectory scratch;
   const std::string out = (scratch.path() / "out").string();

@@ -39,7 +39,7 @@ class PaperCommand : public ::testing::Test {
     scratch_ = new testing::ScratchDirectory();
     out_ = scratch_->path() / "paper";
     testing::Process run({"paper", "--out", out_.string(), "--json"});
-    const auto output = run.wait(std::chrono::seconds(500));
+    const auto output = run.wait(std::chrono::seconds(3000));
     ASSERT_TRUE(output.has_value());
     ASSERT_EQ(output->code, 0) << output->err;
     document_ = Json::parse(output->out);
@@ -205,7 +205,7 @@ TEST_F(PaperCommand, ThePageNeedsNothingBesideIt) {
 
 TEST_F(PaperCommand, RefusesToReplaceWhatIsThere) {
   testing::Process again({"paper", "--out", out_.string()});
-  const auto output = again.wait(std::chrono::seconds(20));
+  const auto output = again.wait();
   ASSERT_TRUE(output.has_value());
   EXPECT_EQ(output->code, 6);
 }

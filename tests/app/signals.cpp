@@ -4,15 +4,14 @@
 // Ctrl-C and its like end a solve soon, and in order.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -22,36 +21,38 @@ namespace brachisto {
 namespace {
 
 using nlohmann::json;
+using ::testing::AnyOf;
 using testing::Output;
 using testing::paper_problem;
 using testing::Process;
 using testing::ScratchDirectory;
 
-/// What a signalled command left, and how long it took to end [s].
+/// What a signalled command left, and how long it worked until it ended [s].
 struct Ended {
   Output output;
   double seconds;
 };
 
-/// Sends a signal after some time to a solve of 100 001 nodes.
-std::optional<Ended> signalled(int signal, std::chrono::milliseconds after,
+/// Sends a signal to a solve of 100 001 nodes that has worked for some seconds.
+std::optional<Ended> signalled(int signal, double after,
                                const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "solve", paper_problem("fig04_reference_case"), "--set",
       "discretisation={degree: 5, elements: 20000}"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Process process(std::move(arguments));
-  std::this_thread::sleep_for(after);
-  const auto begin = std::chrono::steady_clock::now();
+  process.work(after);
+  const std::optional<double> before = process.cpu_seconds();
   process.signal(signal);
-  std::optional<Output> output = process.wait(std::chrono::seconds(10));
+  std::optional<Output> output = process.wait();
   if (!output) return std::nullopt;
-  return Ended{std::move(*output), std::chrono::duration<double>(
-                                       std::chrono::steady_clock::now() - begin)
-                                       .count()};
+  const double since = before ? output->cpu_seconds - *before : 0.0;
+  return Ended{std::move(*output), since};
 }
 
-constexpr std::chrono::milliseconds kSoon{500};
+// Of processor time, and all of it on a quiet machine: on a busy one a process
+// waits besides. A solve has begun after the first and takes longer.
+constexpr double kSoon = 0.15;
 // What is promised.
 constexpr double kMostSeconds = 1.0;
 
@@ -89,9 +90,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, AnyMoment,
 TEST_P(AnyMoment, IsFollowedByTheEndWithinASecond) {
   const std::vector<std::string> way{"--json", "--set",
                                      std::string("solver=") + GetParam()};
-  for (const int after : {50, 200, 400, 700, 1000, 1400, 2000}) {
-    const auto ended =
-        signalled(SIGTERM, std::chrono::milliseconds(after), way);
+  for (const double after : {0.05, 0.2, 0.4, 0.7, 1.0, 1.4, 2.0}) {
+    const auto ended = signalled(SIGTERM, after, way);
 
     ASSERT_TRUE(ended) << "it does not end";
     const json result = json::parse(ended->output.out, nullptr, false);
@@ -99,51 +99,53 @@ TEST_P(AnyMoment, IsFollowedByTheEndWithinASecond) {
     if (ended->output.code == 0) break;  // it was done before
     EXPECT_EQ(ended->output.code, 143) << ended->output.err;
     EXPECT_EQ(result["status"], "interrupted");
-    EXPECT_LT(ended->seconds, kMostSeconds) << after << " ms";
+    EXPECT_LT(ended->seconds, kMostSeconds) << after << " s";
   }
 }
 
 TEST(Signals, SentTwiceAtOnceStillLeaveADocument) {
-  // As coreutils' timeout does, to the process and to its group.
+  // As coreutils' timeout does, to the process and to its group. Two of one
+  // kind may become one; these both wait for the process to go on.
   Process process({"solve", paper_problem("fig04_reference_case"), "--json",
                    "--set", "discretisation={degree: 5, elements: 20000}"});
-  std::this_thread::sleep_for(kSoon);
+  process.work(kSoon);
+  process.signal(SIGSTOP);
+  process.signal(SIGINT);
   process.signal(SIGTERM);
-  std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  process.signal(SIGTERM);
+  process.signal(SIGCONT);
 
-  const auto output = process.wait(std::chrono::seconds(10));
+  const auto output = process.wait();
 
   ASSERT_TRUE(output) << "it does not end";
-  EXPECT_EQ(output->code, 143) << output->err;
+  EXPECT_THAT(output->code, AnyOf(130, 143)) << output->err;
   EXPECT_FALSE(json::parse(output->out, nullptr, false).is_discarded())
       << output->out;
 }
 
 TEST(Limits, AreExceededByNoMoreThanASecond) {
-  // Each takes longer than a second, and less is estimated beforehand.
   const std::string mesh = "discretisation={degree: 5, elements: 60000}";
   const std::string turns = "scene.body.radius=0.004";
   for (const auto& [way, more] :
        {std::pair{"method: ipopt", mesh}, std::pair{"method: newton_kkt", mesh},
         std::pair{"linear_solver: mumps", mesh},
         std::pair{"method: extremal", turns}}) {
-    for (const double seconds : {0.45, 0.7}) {
+    const Output validated = testing::run(
+        {"validate", paper_problem("fig04_reference_case"), "--json", "--set",
+         fmt::format("solver={{{}}}", way), "--set", more});
+    const double needed = json::parse(validated.out)["forecast"]["seconds"];
+    // Foretold to a factor of two; with less than a twentieth it is not begun.
+    for (const double share : {0.15, 0.25}) {
+      const double seconds = share * needed;
       const std::string solver =
           fmt::format("solver={{{}, limits: {{seconds: {}}}}}", way, seconds);
-      const auto begin = std::chrono::steady_clock::now();
 
       const auto output =
           Process({"solve", paper_problem("fig04_reference_case"), "--json",
                    "--set", solver, "--set", more})
-              .wait(std::chrono::seconds(10));
+              .wait();
 
       ASSERT_TRUE(output) << "it does not end";
-      EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                              begin)
-                    .count(),
-                seconds + kMostSeconds)
-          << solver;
+      EXPECT_LT(output->cpu_seconds, seconds + kMostSeconds) << solver;
       EXPECT_EQ(output->code, 7) << solver << output->err;
       const json result = json::parse(output->out, nullptr, false);
       EXPECT_EQ(result["status"], "time_limit") << output->out;

@@ -6,10 +6,12 @@
 
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/command.hpp"
@@ -31,6 +33,13 @@ inline constexpr int kScenes = 36;
       "sweep:\n"
       "  scene.body.eta_m: [1/3, 2/3]\n"
       "  scene.body.theta_m: {from: -60 deg, to: 60 deg, count: 18}\n");
+}
+
+/// Waits until a file is there.
+inline void wait_for(const std::filesystem::path& file) {
+  while (!std::filesystem::exists(file)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 /// Runs the sweep into a directory of that name.

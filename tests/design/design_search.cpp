@@ -471,5 +471,37 @@ TEST(Design, TheBestPlaceOfAWeightIsThatOfASweepOverPlaces) {
   EXPECT_GT(at(0.97 * x, 0.97 * z), best.tau);
 }
 
+TEST(DesignSearch, HasALimitOfTimeForAllItsSolves) {
+  DesignPlan plan;
+  plan.free = {BodyKey::EtaM, BodyKey::ThetaM, BodyKey::K};
+  const DesignSearch whole = search_design(base(), {}, plan, 1, nullptr);
+  ASSERT_FALSE(whole.stopped);
+  EXPECT_FALSE(whole.reached);
+  for (const double share : {0.0, 0.1, 0.3, 0.6}) {
+    SolveOptions options;
+    // The wall's clock runs as fast as the processor's or faster.
+    options.limits.seconds = share * whole.cpu_seconds + 1e-9;
+
+    const DesignSearch found = search_design(base(), options, plan, 1, nullptr);
+
+    EXPECT_TRUE(found.stopped) << share;
+    EXPECT_LT(found.solves, whole.solves) << share;
+    // The same way as far as it goes, and a body on it.
+    std::vector<double> passed, of_whole;
+    for (const DesignPath& path : found.paths) {
+      for (const DesignStep& step : path) passed.push_back(step.tau);
+    }
+    for (const DesignPath& path : whole.paths) {
+      for (const DesignStep& step : path) of_whole.push_back(step.tau);
+    }
+    ASSERT_LE(passed.size(), of_whole.size());
+    EXPECT_TRUE(std::equal(passed.begin(), passed.end(), of_whole.begin()));
+    if (found.reached) {
+      EXPECT_EQ(std::ranges::count(passed, found.reached->tau), 1);
+      EXPECT_FALSE(found.reached->verified);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -7,18 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <limits>
 #include <numbers>
-#include <thread>
 
 #include "extremal/scenes.hpp"
 #include "extremal/shooting.hpp"
+#include "support/processor_time.hpp"
 
 namespace brachisto {
 namespace {
 
 using testing::base_scene;
+using testing::FlagAfterWork;
 using testing::scene_of;
 
 TEST(Failure, WithoutACycloidIsSaid) {
@@ -81,23 +81,15 @@ TEST(Failure, ByASignalIsSaid) {
 
 TEST(Failure, OfASignalOnALongWayIsFast) {
   // Two thousand turns: an integration along all of them takes seconds.
-  std::atomic<int> signal{0};
   const Scene scene =
       scene_of(Body::cylinder(0.0003, 2.0 / 3.0, 0.0, 0.5), 3.0);
-  std::chrono::steady_clock::time_point sent;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    sent = std::chrono::steady_clock::now();
-    signal = 2;
-  });
+  const FlagAfterWork interrupt(0.3);
 
   const ExtremalSolution found =
-      solve_extremal(scene, {.stop = StopCondition(3600.0, &signal)});
-  const auto ended = std::chrono::steady_clock::now();
-  other.join();
+      solve_extremal(scene, {.stop = StopCondition(3600.0, interrupt.flag())});
 
   EXPECT_EQ(found.status, ExtremalStatus::Interrupted) << found.message;
-  EXPECT_LT(std::chrono::duration<double>(ended - sent).count(), 2.0);
+  EXPECT_LT(interrupt.seconds_since(), 2.0);
 }
 
 TEST(Failure, ToReachTheToleranceKeepsTheAnswer) {

@@ -24,6 +24,8 @@ def without_times(document):
     """A result's document as text, every digit of it but what a clock has shown."""
     values = json.loads(document)
     del values["seconds"]
+    if values["forecast"]:
+        del values["forecast"]["seconds"]
     if values["discrete_system"]:
         del values["discrete_system"]["cpu_seconds"]
     return json.dumps(values, indent=1, ensure_ascii=False)

@@ -19,8 +19,8 @@ LONG = brachisto.Scene(
     body={"shape": "cylinder", "radius": 0.02, "eta_m": "2/3", "k": 0.5}, finish={"L": 3, "H": 1}
 )
 SEARCH = {"search": "global"}
-# From a signal to the end of a solve takes milliseconds; a busy machine may need longer.
-PATIENCE = 10.0
+# What takes longer hangs: from a signal to the end of a solve takes milliseconds.
+PATIENCE = 300.0
 
 
 class Signals(unittest.TestCase):
@@ -97,8 +97,9 @@ class Threads(unittest.TestCase):
         brachisto.solve(LONG, solver={**SEARCH, "limits": {"seconds": 1}})
         done.set()
         other.join()
-        # Of some hundred, so that a busy machine may leave out most.
-        self.assertGreater(len(ticks), 10)
+        # One before the solve and one after it are all that a solve that keeps others from
+        # running leaves; there are some hundred, most of which a busy machine may leave out.
+        self.assertGreater(len(ticks), 2)
 
 
 class Memory(unittest.TestCase):

@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
@@ -128,7 +131,24 @@ TEST(GlobalSearch, StopsWhenItsTimeIsOver) {
   const Solution solution = solve(base(0.02), options);
 
   EXPECT_EQ(solution.status, Status::TimeLimit);
-  EXPECT_LT(solution.effort.seconds, 3.0);
+  EXPECT_LT(solution.effort.cpu_seconds, 3.0);
+}
+
+TEST(GlobalSearch, KeepsTheBranchesThatItHadJudgedWhenItIsStopped) {
+  SolveOptions options;
+  options.use<Collocation>().search = Search::Global;
+  std::atomic<int> flag{0};
+  SolveHooks hooks{.interrupt = &flag};
+  hooks.progress = [&](std::string_view phase, const std::string& text) {
+    if (phase == "branches" && text.starts_with("2 of")) flag = 2;
+  };
+
+  const Solution solution = solve(base(0.1), options, hooks);
+
+  EXPECT_EQ(solution.status, Status::Interrupted);
+  EXPECT_FALSE(solution.motion());
+  ASSERT_EQ(solution.branches.size(), 1U);
+  EXPECT_TRUE(solution.branches[0].principal);
 }
 
 TEST(ContactScan, IsConfirmedByMultipleShooting) {

@@ -74,9 +74,12 @@ struct DesignAnswer {
   std::vector<LostSearch> lost;       ///< each was begun again elsewhere
   std::vector<DesignPath> paths;      ///< of all ways
   int searches = 0;                   ///< that ended
-  int starts = 0;            ///< bodies that they began at, in place of lost
-                             ///< ones too
-  int solves = 0;            ///< closed solutions, of all searches together
+  int starts = 0;  ///< bodies that they began at, in place of lost
+                   ///< ones too
+  int solves = 0;  ///< closed solutions, of all searches together
+  /// The limit of time came before all searches had ended: if none had, the
+  /// best is the quickest body that one had reached.
+  bool stopped = false;
   double cpu_seconds = 0.0;  ///< of them
 };
 

@@ -134,6 +134,33 @@ TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
               smooth.diagnostics->max_curvature.value, 1e-2);
 }
 
+TEST(ArcLength, FindsNoLiftOffWhereThereIsNone) {
+  // What collocation says of the same scene, or that the mesh does not tell. On
+  // all of them R_n = 0 at the start itself.
+  for (const char* name :
+       {"bead_L3", "uniform_L3", "reference_case", "theta_-30", "theta_-90",
+        "theta_60", "r_0.2", "fast"}) {
+    const ReferenceValue& row = reference(name);
+    const Solution smooth = solve(row.scene());
+    ASSERT_TRUE(smooth.verified()) << name;
+    for (const int pieces : {20, 50, 100}) {
+      const Solution solution = solve_on_pieces(row, pieces);
+      if (!solution.verified()) continue;  // too coarse for its own checks
+      EXPECT_TRUE(!solution.undecided_because().empty() ||
+                  solution.feasible() == smooth.feasible())
+          << name << ' ' << pieces;
+      const PathDiagnostics& path = *solution.diagnostics;
+      EXPECT_EQ(path.at_start.normal_force, 0.0);
+      EXPECT_EQ(solution.motion()->at(0.0).beta,
+                solution.motion()->start_angle());
+      EXPECT_NEAR(path.normal_force_after_rise.value,
+                  smooth.diagnostics->normal_force_after_rise.value,
+                  path.normal_force_error)
+          << name << ' ' << pieces;
+    }
+  }
+}
+
 TEST(ArcLength, IsTheSameByMumpsAndByNewtonsMethod) {
   // Ipopt with MUMPS alone against Newton's method with another factorisation
   // on the conditions and the contact together: both reach the KKT tolerance of

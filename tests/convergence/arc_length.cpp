@@ -137,26 +137,29 @@ TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
 TEST(ArcLength, FindsNoLiftOffWhereThereIsNone) {
   // What collocation says of the same scene, or that the mesh does not tell. On
   // all of them R_n = 0 at the start itself.
-  for (const char* name :
-       {"bead_L3", "uniform_L3", "reference_case", "theta_-30", "theta_-90",
-        "theta_60", "r_0.2", "fast"}) {
-    const ReferenceValue& row = reference(name);
+  for (const ReferenceValue& row :
+       {reference("bead_L3"), reference("uniform_L3"),
+        reference("reference_case"), reference("theta_-30"),
+        reference("theta_-90"), reference("theta_60"), reference("r_0.2"),
+        reference("fast")}) {
     const Solution smooth = solve(row.scene());
-    ASSERT_TRUE(smooth.verified()) << name;
+    ASSERT_TRUE(smooth.verified()) << row.name;
     for (const int pieces : {20, 50, 100}) {
       const Solution solution = solve_on_pieces(row, pieces);
       if (!solution.verified()) continue;  // too coarse for its own checks
       EXPECT_TRUE(!solution.undecided_because().empty() ||
                   solution.feasible() == smooth.feasible())
-          << name << ' ' << pieces;
+          << row.name << ' ' << pieces;
       const PathDiagnostics& path = *solution.diagnostics;
       EXPECT_EQ(path.at_start.normal_force, 0.0);
-      EXPECT_EQ(solution.motion()->at(0.0).beta,
-                solution.motion()->start_angle());
+      EXPECT_DOUBLE_EQ(solution.motion()->at(0.0).beta,
+                       solution.motion()->start_angle());
+      // An estimate, whose parts are of one order.
+      constexpr double kParts = 3.0;
       EXPECT_NEAR(path.normal_force_after_rise.value,
                   smooth.diagnostics->normal_force_after_rise.value,
-                  path.normal_force_error)
-          << name << ' ' << pieces;
+                  kParts * path.normal_force_error)
+          << row.name << ' ' << pieces;
     }
   }
 }

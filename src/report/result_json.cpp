@@ -143,7 +143,8 @@ Fields<Solution> diagnostics_fields() {
                 &D::least_grip,
                 {{"share_of_time", "", "of T", &LeastGrip::share_of_time},
                  {"mu", "",
-                  "greatest |R_t|/R_n from there on; null: no friction would "
+                  "greatest R_t/R_n from there on, in absolute value; null: no "
+                  "friction would "
                   "do, as where R_n → 0 and R_t does not, at a start from rest",
                   &LeastGrip::mu}})}),
       object<Solution>("curvature", "1/m",

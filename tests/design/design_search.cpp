@@ -153,20 +153,21 @@ TEST(Design, AQuickerBodyThatLiftsOffIsFoundAndRefused) {
 TEST(Design, TheGripThatThereIsBoundsTheBody) {
   // The quickest body needs more; of those that do not the quickest needs just
   // that, and τ falls as more is allowed, at the rate that its multiplier says:
-  // by a central difference of whole designs, whose error is (Δμ)² τ‴/6.
+  // by a central difference of whole designs, whose error is (Δμ)² τ‴/6, a
+  // thousandth of it by the multipliers of the three.
   const auto quickest = [](double mu) {
     DesignPlan plan;
     plan.free = {EtaM, ThetaM};
     plan.max_grip = MaxGrip{mu, 0.05};
     return search_design(base(), {}, plan, 1, nullptr);
   };
-  constexpr double kMu = 0.5, kStep = 0.01;
+  constexpr double kMu = 0.8, kStep = 0.02;
 
   const DesignSearch found = quickest(kMu);
 
   ASSERT_EQ(found.minima.size(), 2U) << found.message;
   EXPECT_FALSE(found.minima[0].feasible);
-  EXPECT_NE(found.minima[0].remarks.at(0).find("design.max_grip.mu is 0.5"),
+  EXPECT_NE(found.minima[0].remarks.at(0).find("design.max_grip.mu is 0.8"),
             std::string::npos)
       << found.minima[0].remarks.at(0);
   const DesignMinimum& best = found.minima[1];
@@ -182,7 +183,7 @@ TEST(Design, TheGripThatThereIsBoundsTheBody) {
                         quickest(kMu - kStep).minima.back().tau) /
                        (2.0 * kStep);
   EXPECT_LT(slope, 0.0);
-  EXPECT_NEAR(best.bounds_active[0].multiplier / slope, 1.0, 1e-2);
+  EXPECT_NEAR(best.bounds_active[0].multiplier / slope, 1.0, 2e-3);
 }
 
 TEST(Design, TheEdgeOfAFoldIsNoMinimum) {

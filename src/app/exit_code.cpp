@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/terminal.hpp"
@@ -12,12 +13,24 @@
 
 namespace brachisto::app {
 
+namespace {
+
+/// Of a design no less than one of its bodies, which may have to do with less
+/// grip than their tracks ask for.
+bool can_run(const Solution& solution) {
+  if (!solution.feasible()) return false;
+  return !solution.design || solution.design->best ||
+         std::ranges::any_of(solution.design->minima, &DesignMinimum::feasible);
+}
+
+}  // namespace
+
 int exit_code(const Solution& solution, int signal) {
   switch (solution.status) {
     case Status::Solved:
       if (solution.design && solution.design->stopped) return kLimit;
       if (!solution.verified()) return kNotSolved;
-      return solution.feasible() ? kSuccess : kInfeasible;
+      return can_run(solution) ? kSuccess : kInfeasible;
     case Status::IterationLimit:
     case Status::TimeLimit:
     case Status::OutOfMemory:

@@ -88,6 +88,9 @@ std::string complaint(const Solution& solution) {
   for (const std::string& reason : solution.infeasible_because()) {
     return "verified, but infeasible: " + reason;
   }
+  for (const std::string& reason : solution.undecided_because()) {
+    return "verified, feasible within the error of its mesh: " + reason;
+  }
   return {};
 }
 

@@ -59,6 +59,12 @@ SolveOptions options_until(SolveOptions options, WallClock::time_point end) {
 }
 
 Margins margins_of(const Solution& solution, double contact_response) {
+double grip_margin(const Motion& motion, const MaxGrip& max_grip) {
+  return std::atan(max_grip.mu) - motion.friction_angle_after(max_grip.after);
+}
+
+Margins margins_of(const Solution& solution, double contact_response,
+                   const std::optional<MaxGrip>& max_grip) {
   const double q = contact_response;
   const double of_branch = std::isnan(q) ? 1.0 : std::atan(q);
   const Scene& scene = solution.scene;
@@ -66,20 +72,26 @@ Margins margins_of(const Solution& solution, double contact_response) {
   const Point start = start_of_centre(scene);
   const double distance =
       std::hypot(scene.L - start.x, scene.H - start.z) - scene.body.radius;
+  const double of_grip =
+      max_grip ? grip_margin(*solution.motion(), *max_grip) : 1.0;
   Margins out;
   out << of_branch, tamed(path.normal_force_after_rise.value),
       tamed(path.at_start.normal_force_rate *
             std::sqrt(scene.H / scene.gravity)),
-      tamed(path.min_fold_margin.value), tamed(distance / scene.body.radius);
+      tamed(path.min_fold_margin.value), tamed(distance / scene.body.radius),
+      tamed(of_grip);
   return out;
 }
 
 ClosedTimes::ClosedTimes(Scene scene, const SolveOptions& options,
+                         std::optional<MaxGrip> max_grip,
                          const std::atomic<int>* interrupt)
     : scene_(std::move(scene)),
       options_(of_inner_solves(options, scene_)),
       interrupt_(interrupt),
       end_(seconds_from_now(options.limits.seconds)) {}
+      max_grip_(max_grip),
+      interrupt_(interrupt) {}
 
 Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
   const SolveOptions options = options_until(options_, end_);
@@ -154,7 +166,7 @@ MarginGradient ClosedTimes::margin_gradient(const Traits& wanted) {
     if (!is_extremal(there)) return std::nullopt;
     const std::optional<Sensitivities> slopes = sensitivities(there);
     if (!slopes) return std::nullopt;
-    return margins_of(there, slopes->contact_response);
+    return margins_of(there, slopes->contact_response, max_grip_);
   };
   const Margins middle = margins();
   for (int i = 0; i < 4; ++i) {

@@ -10,10 +10,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "brachisto/study/design_plan.hpp"
 #include "brachisto/study/solve.hpp"
 #include "design/design_space.hpp"
 #include "math/wall_clock.hpp"
@@ -24,6 +27,8 @@ namespace brachisto {
 /// \throws Stopped  if that time has come
 [[nodiscard]] SolveOptions options_until(SolveOptions options,
                                          WallClock::time_point end);
+/// atan μ less the friction angle that a motion needs [rad].
+[[nodiscard]] double grip_margin(const Motion& motion, const MaxGrip& max_grip);
 
 /// How far a body is from losing its track, all > 0 where it does not. The
 /// first is of the branch: with q = dφ/dκ, how the contact at B answers to a
@@ -32,16 +37,20 @@ namespace brachisto {
 ///
 /// The others are of a body that can run on its track: the smallest R_n after
 /// its first rise [m g], how it rises at the start, dR_n/du √(H/g) [m g], the
-/// smallest 1 − r κ_c, and the distance of B from the body at its start [r].
-/// That tracks cross themselves has no number.
-inline constexpr std::array<std::string_view, 5> kMargins{
-    "branch", "normal_force", "start", "fold_margin", "room"};
+/// smallest 1 − r κ_c, the distance of B from the body at its start [r], and,
+/// of a design with MaxGrip, grip_margin(). That tracks cross themselves has no
+/// number.
+inline constexpr std::array<std::string_view, 6> kMargins{
+    "branch", "normal_force", "start", "fold_margin", "room", "max_grip.mu"};
 inline constexpr std::string_view kBranchMargin = kMargins.front();
+inline constexpr std::size_t kGripMargin = kMargins.size() - 1;
 using Margins = Eigen::Vector<double, kMargins.size()>;
 
 /// \param contact_response  see Sensitivities
+/// \param max_grip          if there is none, its margin is 1
 [[nodiscard]] Margins margins_of(const Solution& solution,
-                                 double contact_response);
+                                 double contact_response,
+                                 const std::optional<MaxGrip>& max_grip);
 
 /// d(margins)/d(traits).
 using MarginGradient = Eigen::Matrix<double, kMargins.size(), 4>;
@@ -58,8 +67,11 @@ class ClosedTimes {
  public:
   /// \param options    of every solve; their limit of time, which begins now,
   ///                   is that of all solves together
+  /// \param options    of every solve
+  /// \param max_grip   that margins are told of
   /// \param interrupt  nonzero: stop; may be null
   ClosedTimes(Scene scene, const SolveOptions& options,
+              std::optional<MaxGrip> max_grip,
               const std::atomic<int>* interrupt);
 
   /// Moves to a body. False if it is refused: refusal() says why.
@@ -79,7 +91,7 @@ class ClosedTimes {
   [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double tau() const { return solution_.motion()->tau(); }
   [[nodiscard]] Margins margins() const {
-    return margins_of(solution_, contact_response_);
+    return margins_of(solution_, contact_response_, max_grip_);
   }
   /// dτ/d(traits), the contacts moving along.
   [[nodiscard]] const Traits& gradient() const { return gradient_; }
@@ -87,6 +99,9 @@ class ClosedTimes {
   /// that `wanted` is nonzero for.
   [[nodiscard]] MarginGradient margin_gradient(const Traits& wanted);
 
+  [[nodiscard]] const std::optional<MaxGrip>& max_grip() const {
+    return max_grip_;
+  }
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Of the time for all solves.
   [[nodiscard]] WallClock::time_point end() const { return end_; }
@@ -98,6 +113,7 @@ class ClosedTimes {
 
   Scene scene_;
   SolveOptions options_;
+  std::optional<MaxGrip> max_grip_;
   const std::atomic<int>* interrupt_;
   WallClock::time_point end_;
   Traits here_ = Traits::Zero();

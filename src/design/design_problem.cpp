@@ -21,17 +21,19 @@ constexpr double kLeastMargin = 1e-6;
 constexpr double kLeastOfBranch = 5e-3;
 constexpr double kMostOfBranch = 0.5 * std::numbers::pi - kLeastOfBranch;
 
-Eigen::Index count_of(Keep keep) {
-  return keep == Keep::None     ? 0
-         : keep == Keep::Branch ? 1
-                                : static_cast<Eigen::Index>(kMargins.size());
+Eigen::Index count_of(Keep keep, bool with_grip) {
+  if (keep == Keep::None) return 0;
+  if (keep == Keep::Branch) return 1;
+  return static_cast<Eigen::Index>(with_grip ? kMargins.size() : kGripMargin);
 }
 
 }  // namespace
 
 DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
                              Keep keep)
-    : space_(space), times_(times), num_margins_(count_of(keep)) {
+    : space_(space),
+      times_(times),
+      num_margins_(count_of(keep, times.max_grip().has_value())) {
   for (const DesignSpace::Row& row : space.rows()) {
     row_lower_.push_back(row.lower);
     row_upper_.push_back(row.upper);
@@ -81,19 +83,22 @@ std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
       continue;
     }
     const std::size_t own = space_.rows().size();
-    const bool of_margin = i >= own;
-    const bool of_branch = i == own;
     const DesignSpace::Stated stated =
-        of_margin
-            ? DesignSpace::Stated{!of_branch              ? 0.0
-                                  : point.lambda[i] > 0.0 ? kMostOfBranch
-                                                          : kLeastOfBranch,
-                                  1.0}
-            : space_.stated(i, point.lambda[i] > 0.0, y_);
+        i >= own ? stated_margin(i - own, point.lambda[i] > 0.0)
+                 : space_.stated(i, point.lambda[i] > 0.0, y_);
     out.push_back({constraint_name(static_cast<int>(i)), stated.bound,
                    -point.lambda[i] * stated.slope});
   }
   return out;
+}
+
+DesignSpace::Stated DesignProblem::stated_margin(std::size_t margin,
+                                                 bool at_most) const {
+  if (margin == 0) return {at_most ? kMostOfBranch : kLeastOfBranch, 1.0};
+  if (margin != kGripMargin) return {0.0, 1.0};
+  // atan μ − ρ ≥ 0: more μ is less of a bound.
+  const double mu = times_.max_grip()->mu;
+  return {mu, -1.0 / (1.0 + mu * mu)};
 }
 
 bool DesignProblem::do_set_point(std::span<const double> x) {

@@ -97,6 +97,10 @@ class DesignProblem final : public nlp::Problem {
                         std::span<double>) const override {}
 
   [[nodiscard]] Traits wanted_traits() const;
+  /// How a margin that holds is told: the bound, and d(margin)/d(bound) where
+  /// that is a number of the plan.
+  [[nodiscard]] DesignSpace::Stated stated_margin(std::size_t margin,
+                                                  bool at_most) const;
   void note_place() const;
 
   const DesignSpace& space_;

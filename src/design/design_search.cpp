@@ -17,6 +17,7 @@
 #include "design/design_space.hpp"
 #include "math/portable_random.hpp"
 #include "solvers/few_variables.hpp"
+#include "trajectory/grip.hpp"
 
 namespace brachisto {
 
@@ -54,6 +55,7 @@ class Searcher {
         space_(design_space(plan, scene.body)),
         interrupt_(interrupt),
         times_(scene, on_the_way(options), interrupt) {
+        times_(scene, on_the_way(options), plan.max_grip, interrupt) {
     ipopt_.tolerance = kTolerance;
     ipopt_.max_iterations = kMostIterations;
     ipopt_.linear_solver = LinearSolver::Mumps;
@@ -238,6 +240,19 @@ class Searcher {
     return judged;
   }
 
+  /// Why a track needs more grip than there is; empty if it does not.
+  [[nodiscard]] std::string lack_of_grip(const Motion& motion) const {
+    if (!plan_.max_grip) return {};
+    const auto& [mu, after] = *plan_.max_grip;
+    if (grip_margin(motion, *plan_.max_grip) >= 0.0) return {};
+    return fmt::format(
+        "from {:g} % of the time on the least friction coefficient that would "
+        "do is {}, and design.max_grip.mu is {:g}",
+        100.0 * after,
+        grip_in_words(friction_coefficient(motion.friction_angle_after(after))),
+        mu);
+  }
+
   /// Solves the track of a minimum anew and says what comes of it.
   Judged judge(DesignMinimum& minimum) {
     Scene built = scene_;
@@ -254,8 +269,11 @@ class Searcher {
       minimum.remarks.push_back(out_.message);
       return Judged::Unverified;
     }
-    minimum.feasible = anew.feasible();
     minimum.remarks = anew.infeasible_because();
+    if (const std::string lack = lack_of_grip(*anew.motion()); !lack.empty()) {
+      minimum.remarks.push_back(lack);
+    }
+    minimum.feasible = minimum.remarks.empty();
     const double tau = anew.motion()->tau();
     minimum.verified = std::abs(tau / minimum.tau - 1.0) <= kSameTau;
     if (!minimum.verified) {

@@ -189,6 +189,11 @@ void check_design(const YamlValue& root, const Draft& problem,
                  fmt::format("{} is not allowed; there are {} starts",
                              *plan.start, plan.starts));
   }
+  if (plan.max_grip && !plan.require_feasible) {
+    findings.add(position_of(root, "design.max_grip"), "design.max_grip",
+                 "not allowed beside require_feasible: false, which takes "
+                 "bodies that cannot run on their tracks");
+  }
   check_which_are_free(root, problem, findings);
   check_directions(root, problem, findings);
   check_rim(root, problem, findings);

@@ -617,6 +617,16 @@ Keys work_precision_keys() {
   };
 }
 
+/// Made where one of its keys is.
+constexpr Place<MaxGrip> kMaxGrip{[](const Draft& p) {
+                                    const auto& grip = p.design.max_grip;
+                                    return grip ? &*grip : nullptr;
+                                  },
+                                  [](Draft& p) -> MaxGrip& {
+                                    auto& grip = p.design.max_grip;
+                                    return grip ? *grip : grip.emplace();
+                                  }};
+
 Keys design_keys() {
   using Minimised = DesignPlan::Minimised;
   return {
@@ -655,6 +665,20 @@ Keys design_keys() {
        yes_or_no(kDesign, &DesignPlan::require_feasible),
        "whether the body has to be able to run on its track, without lift-off "
        "and folds"},
+      {"design.max_grip", silent_map(kMaxGrip),
+       "friction that there is: a body that needs more counts as one that "
+       "cannot run on its track"},
+      {"design.max_grip.mu",
+       number(kMaxGrip, &MaxGrip::mu),
+       "μ: R_t from −μ R_n to μ R_n",
+       {.presence = Presence::Required, .interval = kPositive}},
+      {"design.max_grip.after",
+       number(kMaxGrip, &MaxGrip::after),
+       "share of the transit time from which on it is asked for; at a start "
+       "from rest no friction would do",
+       {.fallback = "0.01",
+        .bounds = "0 ≤ share < 1",
+        .interval = {.lower = 0.0, .upper = 1.0, .upper_allowed = false}}},
       {"design.starts", number(kDesign, &DesignPlan::starts),
        "searches: the first from scene.body, the others from random bodies",
        within(1, kMostDesignStarts)},

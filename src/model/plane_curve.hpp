@@ -76,12 +76,12 @@ using PlaneCurvePtr = std::shared_ptr<const PlaneCurve>;
 
 /// The curve through points that lie at the places q on a way from rest:
 /// offset/q², which is smooth if the slope is a smooth function of q, and not
-/// zero at the start, by cubic splines. The slope at the start is that of the
-/// first cubic, continued to q = 0.
+/// zero at the start, by cubic splines.
 ///
-/// \param q        ascending from above 0 to 1; two or more
-/// \param offsets  from the start, one for each q
-[[nodiscard]] PlaneCurvePtr curve_from_rest(Point start,
+/// \param at_start  offset/q² for q → 0: its direction is the slope there
+/// \param q         ascending from above 0 to 1; one or more
+/// \param offsets   from the start, one for each q
+[[nodiscard]] PlaneCurvePtr curve_from_rest(Point start, Point at_start,
                                             const std::vector<double>& q,
                                             const std::vector<Point>& offsets);
 

@@ -53,7 +53,7 @@ struct FromRest {
 template <class Way>
 class SplineCurve final : public PlaneCurve {
  public:
-  /// \param t       ascending; the first piece reaches back to the start
+  /// \param t       ascending from 0
   /// \param origin  from which offsets are measured
   SplineCurve(Point start, Point origin, const std::vector<double>& t,
               const std::vector<double>& x, const std::vector<double>& z)
@@ -141,11 +141,10 @@ std::vector<double> coordinate(const std::vector<Point>& points,
   return values;
 }
 
-std::vector<double> over_square(const std::vector<double>& q,
+std::vector<double> over_square(Point at_start, const std::vector<double>& q,
                                 const std::vector<Point>& offsets,
                                 double Point::*which) {
-  std::vector<double> values;
-  values.reserve(q.size());
+  std::vector<double> values{at_start.*which};
   for (std::size_t i = 0; i < q.size(); ++i) {
     values.push_back(offsets[i].*which / (q[i] * q[i]));
   }
@@ -176,11 +175,14 @@ PlaneCurvePtr spline_through(const std::vector<Point>& points) {
       coordinate(points, &Point::z));
 }
 
-PlaneCurvePtr curve_from_rest(Point start, const std::vector<double>& q,
+PlaneCurvePtr curve_from_rest(Point start, Point at_start,
+                              const std::vector<double>& q,
                               const std::vector<Point>& offsets) {
+  std::vector<double> knots{0.0};
+  knots.insert(knots.end(), q.begin(), q.end());
   return std::make_shared<SplineCurve<FromRest>>(
-      start, Point{}, q, over_square(q, offsets, &Point::x),
-      over_square(q, offsets, &Point::z));
+      start, Point{}, knots, over_square(at_start, q, offsets, &Point::x),
+      over_square(at_start, q, offsets, &Point::z));
 }
 
 }  // namespace brachisto

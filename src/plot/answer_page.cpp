@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "report/scale.hpp"
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
+#include "trajectory/grip.hpp"
 
 namespace brachisto::plot {
 
@@ -83,18 +85,37 @@ std::string verdict(const Json& result) {
   }
   const bool verified = is_true(result, "verified");
   const bool feasible = is_true(result, "feasible");
+  const std::vector<std::string> undecided = words(result, "undecided_because");
   std::string out = fmt::format(
       "<p class=\"verdict {}\">{} {}</p>\n",
       verified && feasible ? "good" : "bad",
       list(fmt::format("{}, {} of {} checks passed",
                        verified ? "Verified" : "Not verified", passed, checks),
            words(result, "not_verified_because")),
-      list(feasible ? "Feasible: the body presses on the track all the way, "
-                      "and the track does not fold"
-                    : "Infeasible",
-           words(result, "infeasible_because")));
+      undecided.empty()
+          ? list(feasible ? "Feasible: the body presses on the track all the "
+                            "way, and the track does not fold"
+                          : "Infeasible",
+                 words(result, "infeasible_because"))
+          : list(feasible ? "Feasible within the error of this mesh"
+                          : "Infeasible",
+                 feasible ? undecided : words(result, "infeasible_because")));
   for (const std::string& warning : words(result, "warnings")) {
     out += fmt::format("<p>{}</p>\n", xml_escaped(warning));
+  }
+  return out;
+}
+
+/// The friction needed after shares of the time; empty for a bead.
+std::vector<LeastGrip> grip_of(const Json& result) {
+  std::vector<LeastGrip> out;
+  const Json::json_pointer list("/grip/least_after");
+  if (!result.contains(list)) return out;
+  for (const Json& one : result.at(list)) {
+    const double mu = number(one, "mu");
+    out.push_back(
+        {number(one, "share_of_time"),
+         std::isnan(mu) ? std::numeric_limits<double>::infinity() : mu});
   }
   return out;
 }
@@ -117,6 +138,9 @@ std::string numbers(const Json& result) {
     add(symbols_html("normal force R_n"),
         fmt::format("{} to {} m g", printed(number(*force, "min"), 4),
                     printed(number(*force, "max"), 4)));
+  }
+  if (const std::vector<LeastGrip> grip = grip_of(result); !grip.empty()) {
+    add("grip, least μ", grip_in_words(grip));
   }
   return out + "</dl>\n";
 }

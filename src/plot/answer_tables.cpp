@@ -48,13 +48,13 @@ Part part_of(std::string_view key) {
                          std::initializer_list<std::string_view> keys) {
       for (const std::string_view one : keys) parts[one] = part;
     };
-    put(Part::Head,
-        {"schema_version", "status", "message", "warnings", "verified",
-         "not_verified_because", "feasible", "infeasible_because"});
+    put(Part::Head, {"schema_version", "status", "message", "warnings",
+                     "verified", "not_verified_because", "feasible",
+                     "infeasible_because", "undecided_because"});
     put(Part::Found,
         {"tau", "transit_time", "centre_path_length", "rail_length",
          "start_angle", "end_angle", "rotation", "normal_force", "friction",
-         "curvature", "at_start", "fold_margin", "estimated_error"});
+         "grip", "curvature", "at_start", "fold_margin", "estimated_error"});
     put(Part::Limits, {"limits"});
     put(Part::Sensitivities, {"sensitivities"});
     put(Part::Certificate, {"certificate"});

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/letters.hpp"
 #include "report/path_frame.hpp"
+#include "trajectory/grip.hpp"
 
 namespace brachisto::report::cutting {
 
@@ -219,6 +221,13 @@ Drawing body_drawing(const Motion& motion, std::span<const MassPart> parts) {
   return out;
 }
 
+/// In letters that DXF has; empty for a bead.
+std::string grip_label(const Solution& solution) {
+  if (!solution.scene.body.rolls()) return {};
+  return "Grip: least friction coefficient " +
+         grip_in_words(solution.diagnostics->least_grip);
+}
+
 }  // namespace
 
 std::vector<Drawing> cutting_template(const Solution& solution,
@@ -234,6 +243,7 @@ std::vector<Drawing> cutting_template(const Solution& solution,
   const double strip = strip_width(solution);
   std::vector<Drawing> out = pieces(Edge(motion, strip).points(), strip, sheet);
   const std::size_t count = out.size();
+  const std::string grip = grip_label(solution);
   for (std::size_t i = 0; i < count; ++i) {
     Drawing& drawing = out[i];
     drawing.name = fmt::format("track-{:02}", i + 1);
@@ -242,6 +252,12 @@ std::vector<Drawing> cutting_template(const Solution& solution,
         {{kMargin, sheet.height - 0.5 * (kMargin - kLetter) - 1.0},
          kLetter,
          drawing.title});
+    if (grip.empty()) continue;
+    const double size =
+        std::min(kLetter, kLetter * (sheet.width - 2.0 * kMargin) /
+                              width_of(letters(grip), kLetter));
+    drawing.labels.push_back(
+        {{kMargin, 0.5 * (kMargin + kLetter) - 1.0}, size, grip});
   }
   if (motion.scene().body.rolls()) {
     out.push_back(body_drawing(motion, parts));

@@ -124,9 +124,11 @@ class Picture {
         scene_(solution.scene),
         body_(scene_.body),
         reasons_(solution.infeasible_because()),
-        lifts_off_(solution.diagnostics->min_normal_force.value < 0.0 &&
+        lifts_off_(solution.diagnostics->min_normal_force.value <
+                       -solution.diagnostics->normal_force_error &&
                    !forbid_lift_off(scene_.limits)),
-        folds_(solution.diagnostics->min_fold_margin.value < 0.0),
+        folds_(solution.diagnostics->min_fold_margin.value <
+               -solution.diagnostics->fold_margin_error),
         rows_(motion_.fine_sample(600)),
         frame_(content(), std::numeric_limits<double>::infinity()),
         enlarged_(enlarged(motion_, rows_, frame_.scale)) {}

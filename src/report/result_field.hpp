@@ -131,15 +131,14 @@ template <class Source, class Find>
 }
 
 /// A list with an object per item; `items` is a member of the source.
-template <class Source, class Item>
+template <class Source, class Items>
 [[nodiscard]] Field<Source> list(std::string_view name,
-                                 std::string_view meaning,
-                                 std::vector<Item> Source::*items,
-                                 Fields<Item> fields) {
+                                 std::string_view meaning, Items Source::*items,
+                                 Fields<typename Items::value_type> fields) {
   return {{name, "array", "", meaning, texts_of(fields)},
           [=](const Source& source) {
             Json json = Json::array();
-            for (const Item& item : source.*items) {
+            for (const auto& item : source.*items) {
               json.push_back(written(fields, item));
             }
             return json;

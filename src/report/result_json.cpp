@@ -74,8 +74,15 @@ Fields<Solution> verdict_fields() {
            [](S s) {
              return s.verified() ? std::optional(s.feasible()) : std::nullopt;
            }},
-          {"infeasible_because", "", "why not", [](S s) {
+          {"infeasible_because", "", "why not",
+           [](S s) {
              return s.verified() ? Texts(s.infeasible_because()) : Texts();
+           }},
+          {"undecided_because", "",
+           "what of it is smaller than the error of this mesh, so that a finer "
+           "one has to decide; it counts as feasible",
+           [](S s) {
+             return s.verified() ? Texts(s.undecided_because()) : Texts();
            }}};
 }
 
@@ -129,6 +136,18 @@ Fields<Solution> diagnostics_fields() {
           {{"share_above_0.3", "", "0.3", &D::friction_above_0_3},
            {"share_above_0.5", "", "0.5", &D::friction_above_0_5},
            {"share_above_1", "", "1", &D::friction_above_1}}),
+      object<Solution>(
+          "grip", "",
+          "friction coefficient that rolling needs; null for a bead",
+          rolling_diagnostics_of,
+          {list("least_after", "from shares of the transit time on: 0, 1, 5 %",
+                &D::least_grip,
+                {{"share_of_time", "", "of T", &LeastGrip::share_of_time},
+                 {"mu", "",
+                  "greatest R_t/R_n from there on, in absolute value; null: no "
+                  "friction would "
+                  "do, as where R_n → 0 and R_t does not, at a start from rest",
+                  &LeastGrip::mu}})}),
       object<Solution>("curvature", "1/m",
                        "κ_b of the track; null: no bound, it folds",
                        diagnostics_of,

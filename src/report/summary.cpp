@@ -21,6 +21,7 @@
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 #include "study/wider_search.hpp"
+#include "trajectory/grip.hpp"
 
 namespace brachisto::report {
 
@@ -111,7 +112,8 @@ void add_answer(std::string& out, const Solution& solution) {
                    slope(path.end_angle())));
   line(out, "contact force", contact_force(diagnostics));
   if (!solution.scene.body.rolls()) return;
-  line(out, "grip",
+  line(out, "grip", "least μ " + grip_in_words(diagnostics.least_grip));
+  line(out, "",
        fmt::format(
            "friction needed, |R_t|/R_n: > 0.3 for {:.0f} % of the time, > 0.5 "
            "for {:.0f} %, > 1 for {:.0f} %",
@@ -220,7 +222,10 @@ std::string verdict(const Solution& solution) {
     text +=
         fmt::format(", {} agree to {:.0e}", agreement->where, agreement->value);
   }
-  return text + (solution.feasible() ? "; feasible" : "; INFEASIBLE");
+  return text + (!solution.feasible() ? "; INFEASIBLE"
+                 : solution.undecided_because().empty()
+                     ? "; feasible"
+                     : "; feasible within the error of this mesh");
 }
 
 void add_verdict(std::string& out, const Solution& solution) {
@@ -228,6 +233,9 @@ void add_verdict(std::string& out, const Solution& solution) {
   if (solution.verified()) {
     for (const std::string& reason : solution.infeasible_because()) {
       line(out, "", reason);
+    }
+    for (const std::string& reason : solution.undecided_because()) {
+      line(out, "undecided", reason);
     }
   }
   if (solution.status != Status::Solved) {
@@ -434,13 +442,18 @@ std::string next(const Solution& solution) {
   if (!solution.feasible()) {
     // The body of a design is what it has chosen.
     if (solution.design) return {};
-    const std::string other = "a smaller eta_m, or a nearer point B";
+    const std::string other = solution.scene.body.off_centred()
+                                  ? "a smaller eta_m, or a nearer point B"
+                                  : "a nearer point B";
     const std::string search = wider_search(solution.scene, solution.options);
     return search.empty()
                ? other
                : fmt::format(
                      "solver.{}, for another contact may be feasible; {}",
                      search, other);
+  }
+  if (!solution.undecided_because().empty()) {
+    return "a finer mesh, which decides whether the track is feasible";
   }
   return solution.options.of<Shooting>() != nullptr || solution.extremal ||
                  limited

@@ -74,6 +74,11 @@ std::vector<std::string> Solution::infeasible_because() const {
   return brachisto::infeasible_because(scene, *diagnostics);
 }
 
+std::vector<std::string> Solution::undecided_because() const {
+  if (!diagnostics) return {};
+  return brachisto::undecided_because(scene, *diagnostics);
+}
+
 std::vector<std::string> Solution::not_verified_because() const {
   return brachisto::not_verified_because(certificate);
 }

@@ -25,6 +25,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Figures of a result document that stand in a flat table, as JSON pointers.
+constexpr const char* kGripAfter1 = "/grip/least_after/1/mu";
+constexpr const char* kGripAfter5 = "/grip/least_after/2/mu";
 constexpr const char* kFigures[] = {
     "/status",
     "/verified",
@@ -44,6 +46,8 @@ constexpr const char* kFigures[] = {
     "/friction/share_above_0.3",
     "/friction/share_above_0.5",
     "/friction/share_above_1",
+    kGripAfter1,
+    kGripAfter5,
     "/curvature/min",
     "/curvature/min_after_rise",
     "/curvature/max",
@@ -79,6 +83,9 @@ std::vector<const char*> figures_of(const io::SweepFile& file) {
 }
 
 std::string column_name(const std::string& pointer) {
+  // Of an item of a list the place tells nothing.
+  if (pointer == kGripAfter1) return "grip.mu_after_1_percent";
+  if (pointer == kGripAfter5) return "grip.mu_after_5_percent";
   std::string name = pointer.substr(1);
   std::replace(name.begin(), name.end(), '/', '.');
   return name;

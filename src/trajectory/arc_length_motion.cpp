@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/contact.hpp"
+#include "model/cubic_spline.hpp"
 #include "model/start_angle.hpp"
 #include "transcription/arc_length.hpp"
 
@@ -31,17 +33,81 @@ std::vector<int> nodes_of_curve(int n) {
   return nodes;
 }
 
-PlaneCurvePtr curve_through(const ArcLength& problem, std::span<const double> x,
-                            const Scene& scene, const Units& units) {
+/// The last node and every second one before it.
+std::vector<int> thinned(const std::vector<int>& nodes) {
+  std::vector<int> few;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if ((nodes.size() - 1 - i) % 2 == 0) few.push_back(nodes[i]);
+  }
+  return few;
+}
+
+/// Places σ, and how far the centre is there from its start.
+struct Places {
   std::vector<double> sigma;
   std::vector<Point> offsets;
-  for (const int node : nodes_of_curve(problem.num_intervals())) {
+};
+
+Places places_of(const std::vector<int>& nodes, const ArcLength& problem,
+                 std::span<const double> x, const Units& units) {
+  Places out;
+  for (const int node : nodes) {
     const auto i = static_cast<std::size_t>(
         problem.layout().state(node, StateComponent::X));
-    sigma.push_back(problem.sigma(node));
-    offsets.push_back({x[i] * units.length, x[i + 1] * units.length});
+    out.sigma.push_back(problem.sigma(node));
+    out.offsets.push_back({x[i] * units.length, x[i + 1] * units.length});
   }
-  return curve_from_rest(start_of_centre(scene), sigma, offsets);
+  return out;
+}
+
+PlaneCurvePtr curve_through(const Places& places, double length,
+                            const Scene& scene) {
+  const double beta = start_angle(scene.body);
+  return curve_from_rest(start_of_centre(scene),
+                         {length * std::cos(beta), length * std::sin(beta)},
+                         places.sigma, places.offsets);
+}
+
+/// The direction of the cubic through (x, z)/σ² of the first four places,
+/// continued to the start.
+double angle_at_start(const Places& places) {
+  const std::size_t count = std::min<std::size_t>(4, places.sigma.size());
+  const std::vector<double> sigma(
+      places.sigma.begin(),
+      places.sigma.begin() + static_cast<std::ptrdiff_t>(count));
+  const auto continued = [&](double Point::*which) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; ++i) {
+      values.push_back(places.offsets[i].*which / (sigma[i] * sigma[i]));
+    }
+    return CubicSpline(sigma, values).at(0, 0.0).f;
+  };
+  return std::atan2(continued(&Point::z), continued(&Point::x));
+}
+
+/// What a figure of two motions differs by about the place where it is least,
+/// the first tenth of the way, where it may rise from zero, left out.
+template <class Figure>
+double difference(const Motion& motion, const Motion& other, int num_pieces,
+                  Figure&& figure) {
+  constexpr double kFirst = 0.1;
+  const double about = 4.0 / num_pieces;
+  const std::vector<TrajectoryPoint> rows = motion.fine_sample(0);
+  const TrajectoryPoint* least = &rows.back();
+  for (const TrajectoryPoint& row : rows) {
+    if (row.sigma > kFirst && figure(row.motion) < figure(least->motion)) {
+      least = &row;
+    }
+  }
+  double largest = 0.0;
+  for (const TrajectoryPoint& row : rows) {
+    if (std::abs(row.sigma - least->sigma) > about || row.sigma < kFirst) {
+      continue;
+    }
+    largest = std::max(largest, std::abs(figure(row.motion) -
+                                         figure(other.at(row.sigma).motion)));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -50,10 +116,51 @@ ArcLengthMotion::ArcLengthMotion(const ArcLength& problem,
                                  std::span<const double> x, double T,
                                  double end_angle, const Scene& scene,
                                  const Units& units)
-    : on_curve_(scene, curve_through(problem, x, scene, units)),
+    : ArcLengthMotion(nodes_of_curve(problem.num_intervals()), problem, x, T,
+                      end_angle, scene, units) {}
+
+ArcLengthMotion::ArcLengthMotion(const std::vector<int>& nodes,
+                                 const ArcLength& problem,
+                                 std::span<const double> x, double T,
+                                 double end_angle, const Scene& scene,
+                                 const Units& units)
+    : on_curve_(scene, curve_through(places_of(nodes, problem, x, units),
+                                     x.back() * units.length, scene)),
+      coarser_(curve_through(places_of(thinned(nodes), problem, x, units),
+                             x.back() * units.length, scene)),
       transit_time_(T * units.time),
       length_(x.back() * units.length),
-      end_angle_(end_angle) {}
+      end_angle_(end_angle),
+      continued_start_angle_(
+          angle_at_start(places_of(nodes, problem, x, units))),
+      num_pieces_(problem.num_intervals()) {}
+
+PathDiagnostics ArcLengthMotion::diagnose() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  PathDiagnostics out = Motion::diagnose();
+  out.normal_force_error = out.fold_margin_error = kInfinity;
+  const PrescribedMotion coarser(scene(), coarser_);
+  if (coarser.stall()) return out;
+  const PathDiagnostics other = coarser.diagnose();
+  // The sign of dR_n/du at the start decides whether it lifts off and folds.
+  const double rate = out.at_start.normal_force_rate;
+  if (!(std::abs(rate - other.at_start.normal_force_rate) < std::abs(rate))) {
+    return out;
+  }
+  const double of_nodes = 1.0 / (1.0 * num_pieces_ * num_pieces_);
+  const auto error = [&](auto&& figure, const Extreme& least,
+                         const Extreme& least_of_other) {
+    return of_nodes + std::max(std::abs(least.value - least_of_other.value),
+                               difference(*this, coarser, num_pieces_, figure));
+  };
+  out.normal_force_error =
+      error([](const Kinematics& at) { return at.R_n; },
+            out.normal_force_after_rise, other.normal_force_after_rise);
+  out.fold_margin_error =
+      error([](const Kinematics& at) { return at.fold_margin; },
+            out.min_fold_margin, other.min_fold_margin);
+  return out;
+}
 
 double ArcLengthMotion::start_angle() const {
   return brachisto::start_angle(scene().body);

@@ -26,7 +26,9 @@ class ArcLength;
 /// The curve takes nodes √N/2 apart at first, then N^(1/4)/1.5 apart. The first
 /// nodes of all, which are off by O(1/(N j²)) at node j in x/σ², are not among
 /// them, so that what remains is O(N⁻²), and so is the error of interpolation
-/// over the first pieces, (2√N)⁻⁴.
+/// over the first pieces, (2√N)⁻⁴. At the start x/σ² is S cos β₀ and z/σ²
+/// is S sin β₀ with the β₀ that the start demands: there R_n = 0 whatever N is,
+/// and next to it R_n has the sign of its slope.
 class ArcLengthMotion final : public Motion {
  public:
   /// \param x          a solution of `problem`
@@ -39,6 +41,11 @@ class ArcLengthMotion final : public Motion {
   /// The motion on the curve through the nodes, which may stall if the mesh is
   /// much too coarse.
   [[nodiscard]] const PrescribedMotion& on_curve() const { return on_curve_; }
+
+  /// The slope at the start that the nodes alone tell [rad].
+  [[nodiscard]] double continued_start_angle() const {
+    return continued_start_angle_;
+  }
 
   [[nodiscard]] const Scene& scene() const override {
     return on_curve_.scene();
@@ -58,10 +65,20 @@ class ArcLengthMotion final : public Motion {
       int least) const override {
     return on_curve_.fine_sample(least);
   }
+  /// Errors of extremes are told by the curve through half as many nodes: what
+  /// the two differ by is about four times what interpolation leaves. What the
+  /// nodes are off by is counted as N⁻² [m g].
+  [[nodiscard]] PathDiagnostics diagnose() const override;
 
  private:
+  ArcLengthMotion(const std::vector<int>& nodes, const ArcLength& problem,
+                  std::span<const double> x, double T, double end_angle,
+                  const Scene& scene, const Units& units);
+
   PrescribedMotion on_curve_;
-  double transit_time_, length_, end_angle_;
+  PlaneCurvePtr coarser_;  ///< through every second node of the curve
+  double transit_time_, length_, end_angle_, continued_start_angle_;
+  int num_pieces_;
 };
 
 }  // namespace brachisto

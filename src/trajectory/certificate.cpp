@@ -382,10 +382,11 @@ void check_motion(const ArcLengthMotion& motion, double error,
                   kThresholds.time_factor * error + curve.error_estimate());
   certificate.add("reintegration_error", reintegration_error(curve, kBegin),
                   std::max(error, kIntegrator));
-  certificate.add("start_angle",
-                  std::abs(curve.start_angle() - motion.start_angle()),
-                  std::min(kThresholds.largest_slope,
-                           kThresholds.interior_factor * std::sqrt(error)));
+  certificate.add(
+      "start_angle",
+      std::abs(motion.continued_start_angle() - motion.start_angle()),
+      std::min(kThresholds.largest_slope,
+               kThresholds.interior_factor * std::sqrt(error)));
 }
 
 /// How far the ends are from A and B, in x over L and in z over H.

@@ -15,6 +15,16 @@ bool forbid_lift_off(const PathLimits& limits) {
   return limits.friction || limits.normal_min.value_or(-1.0) >= 0.0;
 }
 
+namespace {
+
+/// Whether a number that must be above 0 is below by more than its error.
+/// Written so that a NaN counts as below.
+bool falls_short(double value, double error) {
+  return error > 0.0 ? !(value >= -error) : !(value > 0.0);
+}
+
+}  // namespace
+
 std::vector<std::string> infeasible_because(const Scene& scene,
                                             const PathDiagnostics& path) {
   std::vector<std::string> reasons;
@@ -26,23 +36,23 @@ std::vector<std::string> infeasible_because(const Scene& scene,
     }
   }
   if (!forbid_lift_off(scene.limits)) {
-    // Written so that a NaN counts as infeasible.
     const Extreme& force = path.min_normal_force;
     // 0 is not taken where it is the limit at the start.
-    const bool presses =
-        force.value > 0.0 || (force.value == 0.0 && force.at_start);
-    if (path.at_start.lifts_off() || !presses) {
+    const bool presses = (force.value == 0.0 && force.at_start) ||
+                         !falls_short(force.value, path.normal_force_error);
+    const bool at_once =
+        path.at_start.lifts_off() && std::isfinite(path.normal_force_error);
+    if (at_once || !presses) {
       reasons.push_back(fmt::format(
           "the body would lift off{} = {:.4g} m g at x_b = {:.4g}{}",
-          path.at_start.lifts_off() ? " at the start, least R_n" : ": R_n",
-          force.value, force.x,
+          at_once ? " at the start, least R_n" : ": R_n", force.value, force.x,
           scene.limits.any()
               ? "; normal_force: {min: 0} under scene.limits would forbid it"
               : ""));
     }
   }
   const Extreme& margin = path.min_fold_margin;
-  if (!(margin.value > 0.0)) {
+  if (falls_short(margin.value, path.fold_margin_error)) {
     reasons.push_back(
         margin.at_start
             ? "the track folds at the start, β′ > 0"
@@ -54,6 +64,28 @@ std::vector<std::string> infeasible_because(const Scene& scene,
         fmt::format("the track crosses itself at x_b = {:.4g}, z_b = {:.4g}",
                     path.self_crossing->x, path.self_crossing->z));
   }
+  return reasons;
+}
+
+std::vector<std::string> undecided_because(const Scene& scene,
+                                           const PathDiagnostics& path) {
+  std::vector<std::string> reasons;
+  if (!scene.body.rolls()) return reasons;
+  const auto ask = [&](const char* what, const Extreme& least, double error,
+                       const char* unit) {
+    if (!(error > 0.0) || !(std::abs(least.value) <= error)) return;
+    reasons.push_back(fmt::format(
+        "{} = {:.2g}{} at x_b = {:.4g}, and the error of this mesh is {:.1g}{}",
+        what, least.value, unit, least.x, error, unit));
+  };
+  if (std::isinf(path.normal_force_error)) {
+    return {"this mesh does not tell whether R_n rises at the start"};
+  }
+  if (!forbid_lift_off(scene.limits)) {
+    ask("least R_n after its first rise", path.normal_force_after_rise,
+        path.normal_force_error, " m g");
+  }
+  ask("least 1 − r κ_c", path.min_fold_margin, path.fold_margin_error, "");
   return reasons;
 }
 

@@ -22,10 +22,17 @@ namespace brachisto {
 /// (R_n ≤ 0 for a u > 0, unless limits forbid it), the track folds (1 − r κ_c ≤
 /// 0) or crosses itself; each with the place. Empty if none of that happens. A
 /// bead on a wire may do all of it. Next to the start, where R_n is as small as
-/// one likes, the signs of its limits there decide.
+/// one likes, the signs of its limits there decide. What is no more than the
+/// error of its mesh is no reason.
 ///
 /// That the body touches the track at a second place is not looked for.
 [[nodiscard]] std::vector<std::string> infeasible_because(
+    const Scene& scene, const PathDiagnostics& path);
+
+/// What a finer mesh has to decide: R_n after its first rise or 1 − r κ_c,
+/// where either is nearer to zero than its error on this one, on whichever
+/// side.
+[[nodiscard]] std::vector<std::string> undecided_because(
     const Scene& scene, const PathDiagnostics& path);
 
 }  // namespace brachisto

@@ -11,6 +11,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/minima.hpp"
 #include "math/roots.hpp"
+#include "trajectory/grip.hpp"
 #include "trajectory/self_crossing.hpp"
 
 namespace brachisto {
@@ -126,6 +127,10 @@ double less_curvature(const TrajectoryPoint& p) {
 double fold_margin(const TrajectoryPoint& p) {
   return p.motion.fold_margin;
 }
+/// −ρ with the friction angle ρ = atan2(|R_t|, R_n).
+double less_friction_angle(const TrajectoryPoint& p) {
+  return -std::atan2(std::abs(p.motion.R_t), p.motion.R_n);
+}
 
 /// The samples of a path, narrower next to the start, where forces rise from
 /// zero and their sign decides.
@@ -195,7 +200,41 @@ Extreme after_rise(const Motion& motion, const Rows& rows, double at_start,
   return smallest_behind(motion, std::span(samples).subspan(top), f);
 }
 
+/// ρ at the start, or what it tends to where both forces vanish: at a smooth
+/// start R_t = −k a/(A q), so that without inertia only R_t/R_n has a limit.
+/// The first rows are places of σ and 2σ.
+double friction_angle_at_start(const Motion& motion, const Rows& rows) {
+  TrajectoryPoint start = rows.front();
+  start.motion.R_n = motion.at_start().normal_force;
+  if (start.motion.R_n == 0.0 && motion.scene().body.k == 0.0) {
+    return less_friction_angle(rows[2]) - 2.0 * less_friction_angle(rows[1]);
+  }
+  return -less_friction_angle(start);
+}
+
+double friction_angle(const Motion& motion, const Rows& rows, double share) {
+  const double t = share * rows.back().t;
+  if (!(t > 0.0)) {
+    return -infimum(motion, rows, -friction_angle_at_start(motion, rows),
+                    less_friction_angle)
+                .value;
+  }
+  const auto next = std::ranges::upper_bound(rows, t, {}, &TrajectoryPoint::t);
+  const double sigma = math::find_root(
+      [&](double s) { return motion.at(s).t - t; }, (next - 1)->sigma,
+      next->sigma, (next - 1)->t - t, next->t - t);
+  Rows rest{motion.at(sigma)};
+  rest.insert(rest.end(), next, rows.end());
+  return -infimum(motion, rest, less_friction_angle(rest.front()),
+                  less_friction_angle)
+              .value;
+}
+
 }  // namespace
+
+double Motion::friction_angle_after(double share) const {
+  return friction_angle(*this, sample_path(*this), share);
+}
 
 PathDiagnostics Motion::diagnose() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -211,6 +250,9 @@ PathDiagnostics Motion::diagnose() const {
         rows[1].sigma);
     out.min_normal_force = {dip.value, at(dip.at).motion.contact.x};
   }
+  // The slope that a mesh finds at the start is not quite the one that it has
+  // to be, and R_n next to it is off by as much as it is there.
+  out.normal_force_error = std::abs(rows.front().motion.R_n - force);
   out.max_normal_force = supremum(*this, rows, force, less_normal_force);
   out.normal_force_after_rise = after_rise(*this, rows, force, normal_force);
   out.min_fold_margin =
@@ -235,6 +277,10 @@ PathDiagnostics Motion::diagnose() const {
   out.friction_above_0_3 = friction_share(*this, rows, 0.3);
   out.friction_above_0_5 = friction_share(*this, rows, 0.5);
   out.friction_above_1 = friction_share(*this, rows, 1.0);
+  for (std::size_t i = 0; i < kGripShares.size(); ++i) {
+    const double rho = friction_angle(*this, rows, kGripShares[i]);
+    out.least_grip[i] = {kGripShares[i], friction_coefficient(rho)};
+  }
   out.self_crossing = self_crossing(track);
   return out;
 }

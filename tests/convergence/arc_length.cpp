@@ -134,6 +134,36 @@ TEST(ArcLength, HasASmoothMotionThroughItsNodes) {
               smooth.diagnostics->max_curvature.value, 1e-2);
 }
 
+TEST(ArcLength, FindsNoLiftOffWhereThereIsNone) {
+  // What collocation says of the same scene, or that the mesh does not tell. On
+  // all of them R_n = 0 at the start itself.
+  for (const ReferenceValue& row :
+       {reference("bead_L3"), reference("uniform_L3"),
+        reference("reference_case"), reference("theta_-30"),
+        reference("theta_-90"), reference("theta_60"), reference("r_0.2"),
+        reference("fast")}) {
+    const Solution smooth = solve(row.scene());
+    ASSERT_TRUE(smooth.verified()) << row.name;
+    for (const int pieces : {20, 50, 100}) {
+      const Solution solution = solve_on_pieces(row, pieces);
+      if (!solution.verified()) continue;  // too coarse for its own checks
+      EXPECT_TRUE(!solution.undecided_because().empty() ||
+                  solution.feasible() == smooth.feasible())
+          << row.name << ' ' << pieces;
+      const PathDiagnostics& path = *solution.diagnostics;
+      EXPECT_EQ(path.at_start.normal_force, 0.0);
+      EXPECT_DOUBLE_EQ(solution.motion()->at(0.0).beta,
+                       solution.motion()->start_angle());
+      // An estimate, whose parts are of one order.
+      constexpr double kParts = 3.0;
+      EXPECT_NEAR(path.normal_force_after_rise.value,
+                  smooth.diagnostics->normal_force_after_rise.value,
+                  kParts * path.normal_force_error)
+          << row.name << ' ' << pieces;
+    }
+  }
+}
+
 TEST(ArcLength, IsTheSameByMumpsAndByNewtonsMethod) {
   // Ipopt with MUMPS alone against Newton's method with another factorisation
   // on the conditions and the contact together: both reach the KKT tolerance of

@@ -150,6 +150,42 @@ TEST(Design, AQuickerBodyThatLiftsOffIsFoundAndRefused) {
   EXPECT_EQ(gather_designs(plan, {found}).best->tau, free.tau);
 }
 
+TEST(Design, TheGripThatThereIsBoundsTheBody) {
+  // The quickest body needs more; of those that do not the quickest needs just
+  // that, and τ falls as more is allowed, at the rate that its multiplier says:
+  // by a central difference of whole designs, whose error is (Δμ)² τ‴/6, a
+  // thousandth of it by the multipliers of the three.
+  const auto quickest = [](double mu) {
+    DesignPlan plan;
+    plan.free = {EtaM, ThetaM};
+    plan.max_grip = MaxGrip{mu, 0.05};
+    return search_design(base(), {}, plan, 1, nullptr);
+  };
+  constexpr double kMu = 0.8, kStep = 0.02;
+
+  const DesignSearch found = quickest(kMu);
+
+  ASSERT_EQ(found.minima.size(), 2U) << found.message;
+  EXPECT_FALSE(found.minima[0].feasible);
+  EXPECT_NE(found.minima[0].remarks.at(0).find("design.max_grip.mu is 0.8"),
+            std::string::npos)
+      << found.minima[0].remarks.at(0);
+  const DesignMinimum& best = found.minima[1];
+  EXPECT_TRUE(best.feasible && best.verified);
+  EXPECT_GT(best.tau, found.minima[0].tau);
+  ASSERT_EQ(best.bounds_active.size(), 1U);
+  EXPECT_EQ(best.bounds_active[0].name, "max_grip.mu");
+  EXPECT_EQ(best.bounds_active[0].bound, kMu);
+  // A least margin of 1e-6 rad is asked for.
+  const Solution there = *found.answer;
+  EXPECT_NEAR(there.diagnostics->least_grip[2].mu, kMu, 3e-6);
+  const double slope = (quickest(kMu + kStep).minima.back().tau -
+                        quickest(kMu - kStep).minima.back().tau) /
+                       (2.0 * kStep);
+  EXPECT_LT(slope, 0.0);
+  EXPECT_NEAR(best.bounds_active[0].multiplier / slope, 1.0, 2e-3);
+}
+
 TEST(Design, TheEdgeOfAFoldIsNoMinimum) {
   // At θ_m = 1.133, k = 0 the branch from the cycloid turns at η_m = 0.94782
   // and again at 0.3957; what lies beyond is quicker than what lies before,

@@ -64,6 +64,24 @@ TEST(DesignSection, IsRead) {
   EXPECT_EQ(stated.start, 2);
 }
 
+TEST(DesignSection, BoundsTheGrip) {
+  EXPECT_FALSE(plan("{free: [k]}").max_grip);
+  const DesignPlan stated = plan("{free: [k], max_grip: {mu: 1/2}}");
+
+  ASSERT_TRUE(stated.max_grip);
+  EXPECT_EQ(stated.max_grip->mu, 0.5);
+  EXPECT_EQ(stated.max_grip->after, 0.01);
+  EXPECT_EQ(plan("{free: [k], max_grip: {mu: 1, after: 0.05}}").max_grip->after,
+            0.05);
+  EXPECT_TRUE(refused(with("{free: [k], max_grip: {after: 0.05}}"),
+                      "design.max_grip.mu: missing"));
+  EXPECT_TRUE(refused(with("{free: [k], max_grip: {mu: 1, after: 1}}"),
+                      "0 ≤ share < 1"));
+  EXPECT_TRUE(
+      refused(with("{free: [k], max_grip: {mu: 1}, require_feasible: false}"),
+              "not allowed beside require_feasible: false"));
+}
+
 TEST(DesignSection, RefusesWhatIsNoBodyKey) {
   refused(with("{free: [eta]}"), "eta_m");
   refused(with("{free: [k, k]}"), "repeated");

@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, PlaneCurvePtr>> all_curves() {
       {"centre over an arc", centre_path_over(arc, 0.3)},
       {"spline", spline_through({a, {1.0, 0.6}, {2.0, 0.7}, b})},
       {"through places from rest",
-       curve_from_rest(a, {0.3, 0.5, 0.8, 1.0},
+       curve_from_rest(a, {0.1, 1.0}, {0.3, 0.5, 0.8, 1.0},
                        {{0.01, 0.1}, {0.1, 0.3}, {1.1, 0.9}, {2.5, 1.25}})}};
 }
 
@@ -48,7 +48,8 @@ TEST(CurveFromRest, IsExactForCubicsOverSquares) {
   std::vector<Point> offsets;
   for (const double q : places) offsets.push_back(offset(q));
 
-  const PlaneCurvePtr curve = curve_from_rest({3.0, 4.0}, places, offsets);
+  const PlaneCurvePtr curve =
+      curve_from_rest({3.0, 4.0}, {1.0, 2.0}, places, offsets);
 
   constexpr double kRounding = 1e-14;
   for (const double q : {0.0, 1e-6, 0.1, 0.3, 0.45, 0.7, 0.99, 1.0}) {
@@ -131,7 +132,7 @@ TEST(Pace, IsThatOfThePlace) {
   const std::vector<PlaneCurvePtr> curves{
       spline_through(points), parabola({0.0, 0.0}, {2.0, 1.0}, 1.0),
       centre_path_over(spline_through(points), 0.05),
-      curve_from_rest({0.0, 0.0}, {0.4, 0.7, 1.0},
+      curve_from_rest({0.0, 0.0}, {0.5, 1.5}, {0.4, 0.7, 1.0},
                       {{0.1, 0.3}, {0.5, 0.7}, {1.0, 1.0}})};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (const double q : {1e-6, 0.1, 0.5, 0.77, 1.0}) {

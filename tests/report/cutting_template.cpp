@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "report/letters.hpp"
 #include "report/solutions.hpp"
 #include "report/xml.hpp"
 
@@ -143,6 +144,31 @@ TEST(CuttingTemplate, EverythingIsOnItsSheet) {
     }
     if (!is_track(drawing)) continue;
     EXPECT_EQ(drawing.width, sheet.width);
+  }
+}
+
+TEST(CuttingTemplate, EveryPieceTellsTheGripThatTheBodyNeeds) {
+  for (const double width : {300.0, 600.0}) {
+    for (const Drawing& drawing :
+         drawings_of(off_centred_solution(), {width, 400.0})) {
+      if (!is_track(drawing)) continue;
+      const report::cutting::Label& grip = drawing.labels.at(1);
+      EXPECT_TRUE(grip.text.starts_with("Grip: least friction coefficient "))
+          << grip.text;
+      EXPECT_TRUE(std::ranges::all_of(grip.text, [](char c) {
+        return c >= ' ' && c <= '~';
+      })) << "DXF has no others";
+      // In wide letters, above the strip.
+      EXPECT_LE(
+          grip.at.x + report::width_of(report::letters(grip.text), grip.size),
+          width);
+      for (const Point p : drawing.polylines.front().points) {
+        EXPECT_GE(p.z, grip.at.z);
+      }
+    }
+  }
+  for (const Drawing& drawing : drawings_of(bead_solution())) {
+    EXPECT_EQ(drawing.labels.size(), 1U) << "a bead rubs nowhere";
   }
 }
 

@@ -104,6 +104,11 @@ TEST(ResultJson, NamesTheMembersOfItsObjects) {
     EXPECT_EQ(document[object]["min_at_start"], true) << object;
     EXPECT_EQ(document[object]["max_at_start"], false) << object;
   }
+  const json& grip = document["grip"]["least_after"];
+  ASSERT_EQ(grip.size(), 3U);
+  EXPECT_TRUE(grip[0]["mu"].is_null()) << "at the start no friction would do";
+  EXPECT_EQ(grip[1]["share_of_time"], 0.01);
+  EXPECT_GT(grip[1]["mu"], grip[2]["mu"]);
   EXPECT_EQ(document["at_start"]["normal_force"], 0.0);
   EXPECT_EQ(document["at_start"]["curvature"],
             -1.0 / off_centred_solution().scene.body.radius);
@@ -336,7 +341,7 @@ TEST(ResultJson, OfABeadHasNothingThatOnlyARollingBodyHas) {
   const json document = json::parse(result_json(bead_solution()));
 
   EXPECT_EQ(document["verified"], true);
-  for (const char* key : {"rotation", "friction", "fold_margin"}) {
+  for (const char* key : {"rotation", "friction", "grip", "fold_margin"}) {
     EXPECT_TRUE(document[key].is_null()) << key;
   }
   EXPECT_EQ(document["scene"]["body"]["shape"], "bead");

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "report/solutions.hpp"
@@ -271,6 +272,56 @@ TEST(Summary, TellsWhyABodyCouldNotRun) {
 
   EXPECT_TRUE(says(text, "INFEASIBLE")) << text;
   EXPECT_TRUE(says(text, "lift off")) << text;
+}
+
+TEST(Summary, SaysWhatTheMeshLeavesOpen) {
+  Solution solution = testing::uniform_solution();
+  solution.diagnostics->min_normal_force = {-0.5, 1.25};
+  solution.diagnostics->normal_force_after_rise = {-0.5, 1.25};
+  solution.diagnostics->normal_force_error = 0.75;
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(solution.feasible());
+  EXPECT_TRUE(says(text, "feasible within the error of this mesh")) << text;
+  EXPECT_TRUE(says(text, "the error of this mesh is 0.8 m g")) << text;
+  EXPECT_TRUE(says(text, "a finer mesh")) << text;
+
+  // The same from above, where there would be no reason for either.
+  solution.diagnostics->min_normal_force = {0.0, 0.0, true};
+  solution.diagnostics->normal_force_after_rise = {0.5, 1.25};
+  EXPECT_TRUE(says(summary(solution), "within the error of this mesh"));
+
+  solution.diagnostics->normal_force_error = 0.25;
+  EXPECT_TRUE(solution.undecided_because().empty());
+  solution.diagnostics->min_normal_force = {-0.5, 1.25};
+  EXPECT_FALSE(solution.feasible()) << "by more than the error";
+}
+
+TEST(Summary, AdvisesNoSmallerOffsetOfABodyThatHasNone) {
+  Solution solution = testing::uniform_solution();
+  solution.diagnostics->min_normal_force = {-0.5, 1.25};
+  EXPECT_FALSE(says(summary(solution), "eta_m"));
+
+  solution.scene.body.eta_m = 0.5;
+  EXPECT_TRUE(says(summary(solution), "a smaller eta_m"));
+}
+
+TEST(Summary, TellsTheLeastGrip) {
+  Solution solution = testing::uniform_solution();
+  auto& grip = solution.diagnostics->least_grip;
+  grip[1].mu = 0.62001;
+  grip[2].mu = 0.45;
+
+  EXPECT_TRUE(says(summary(solution),
+                   "least μ 0.621 from 1 % of the time on, 0.45 from 5 % on; "
+                   "more than any at the start itself"));
+
+  for (LeastGrip& one : grip) one.mu = 0.3;
+  EXPECT_TRUE(says(summary(solution), "least μ 0.3 from the start on\n"));
+  for (LeastGrip& one : grip) one.mu = INFINITY;
+  EXPECT_TRUE(says(summary(solution),
+                   "least μ more than any from 1 % of the time on\n"));
 }
 
 }  // namespace

@@ -65,6 +65,29 @@ TEST(EvaluatePath, OfStandardCurvesIsSlowerThanTheExtremal) {
   }
 }
 
+TEST(EvaluatePath, OnAnInclineTheGripNeededIsTheSameAllTheWay) {
+  // A uniform cylinder on a slope β: R_n = cos β, R_t = k/(1 + k) sin β.
+  const Solution solution =
+      solve(with_path(reference_case(0.0), Curve::Track, Shape::Straight));
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  for (const LeastGrip& grip : solution.diagnostics->least_grip) {
+    EXPECT_NEAR(grip.mu, (0.5 / 1.5) * (1.0 / 3.0), 1e-12)
+        << grip.share_of_time;
+  }
+}
+
+TEST(EvaluatePath, WithoutInertiaABodyOnItsAxisNeedsNoGrip) {
+  Scene scene = reference_case(0.0);
+  scene.body.k = 0.0;
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  for (const LeastGrip& grip : solution.diagnostics->least_grip) {
+    EXPECT_NEAR(grip.mu, 0.0, 1e-9) << grip.share_of_time;
+  }
+}
+
 TEST(EvaluatePath, TouchesTheTrackAtBothEnds) {
   for (const Shape shape :
        {Shape::Straight, Shape::Parabola, Shape::CircularArc, Shape::Cycloid}) {

@@ -29,7 +29,8 @@ class TableTest : public ::testing::Test {
         R"({"status":"solved","message":"a, \"b\"","verified":true,)"
         R"("feasible":false,"tau":5.09344446659778,"transit_time":1.15,)"
         R"("estimated_error":1e-11,"end_angle":-0.125,"friction":)"
-        R"({"share_above_0.3":0.34}})";
+        R"({"share_above_0.3":0.34},"grip":{"least_after":)"
+        R"([{"mu":null},{"mu":0.8},{"mu":null}]}})";
     store_.record(std::vector<Answer>{{21, verified, ""}, answer(3)},
                   ChainPlan(job_.file));
   }
@@ -116,6 +117,8 @@ TEST_F(TableTest, ExportsJson) {
   EXPECT_EQ(document["rows"][1]["scene"], 21);
   EXPECT_EQ(document["rows"][1]["tau"], 5.09344446659778);
   EXPECT_EQ(document["rows"][1]["friction.share_above_0.3"], 0.34);
+  EXPECT_EQ(document["rows"][1]["grip.mu_after_1_percent"], 0.8);
+  EXPECT_TRUE(document["rows"][1]["grip.mu_after_5_percent"].is_null());
   EXPECT_TRUE(document["rows"][0]["tau"].is_null());
 }
 

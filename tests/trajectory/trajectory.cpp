@@ -331,6 +331,64 @@ TEST(Diagnostics, SharesOfFrictionOfAUniformCylinderAreInClosedForm) {
   EXPECT_NEAR(path.friction_above_1, share(1.0), 1e-6);
 }
 
+TEST(Grip, OfAUniformCylinderIsInClosedForm) {
+  // |R_t|/R_n = k/(2 + k) cot ψ/2 as above, which falls up to ψ = π and rises
+  // from there on to less than it was at 5 % of the time; none would do at the
+  // start, where ψ = 0.
+  const testing::ReferenceValue& row = reference("uniform_L3");
+  const double k = row.scene().body.k;
+  const double end = std::numbers::pi - 2.0 * row.end_angle;
+
+  const PathDiagnostics path = fine_path(row).diagnose();
+
+  EXPECT_EQ(path.least_grip[0].mu, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 1; i < path.least_grip.size(); ++i) {
+    const auto [share, mu] = path.least_grip[i];
+    EXPECT_EQ(share, kGripShares[i]);
+    const double known = k / (2.0 + k) / std::tan(0.5 * share * end);
+    // Slopes are as good as 1e-7, and forces at the first hundredth of the time
+    // are that small.
+    EXPECT_NEAR(mu / known, 1.0, 1e-5) << share;
+  }
+}
+
+TEST(Grip, OfABodyWithoutInertiaIsThatOfItsOffset) {
+  // The reaction points through the centre of mass: R_t/R_n = η cos δ/(1 − η
+  // sin δ) with δ = θ − β, whose greatest is η/√(1 − η²), at sin δ = η. The
+  // body turns more than once. At the start, where both forces vanish, it is
+  // less.
+  Scene scene = reference("reference_case").scene();
+  scene.body = Body::cylinder(scene.body.radius, 0.6, 0.0, 0.0);
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  for (const LeastGrip& grip : solution.diagnostics->least_grip) {
+    EXPECT_NEAR(grip.mu, 0.6 / 0.8, 1e-7) << grip.share_of_time;
+  }
+}
+
+TEST(Grip, IsWhatTheForcesOfADenseTableAskFor) {
+  // Of N rows at distances h the greatest ratio is within h²/8
+  // max|(|R_t|/R_n)″| of the path's, where it is not the first one after the
+  // share.
+  const Trajectory path = fine_path(reference("theta_-30"));
+  const std::vector<TrajectoryPoint> rows = path.fine_sample(20'000);
+
+  for (const double share : {0.01, 0.05, 0.3}) {
+    double greatest = 0.0;
+    for (const TrajectoryPoint& row : rows) {
+      if (row.t < share * path.transit_time()) continue;
+      greatest = std::max(greatest, std::abs(row.motion.R_t) / row.motion.R_n);
+    }
+    const double mu = std::tan(path.friction_angle_after(share));
+    EXPECT_GE(mu, greatest * (1.0 - 1e-12)) << share;
+    // The ratio falls like 1/t there, so that the first row, which is later by
+    // at most 1/20 000 of the way, has less by as much over the share.
+    EXPECT_LE(mu, greatest * (1.0 + 3.0 / 20'000.0 / share)) << share;
+  }
+}
+
 TEST(Diagnostics, TheFoldMarginOfAValleyExceedsOne) {
   // A cycloid turns upwards all the way: κ_c < 0, and 1 − r κ_c > 1.
   const PathDiagnostics path = fine_path(reference("uniform_L3")).diagnose();

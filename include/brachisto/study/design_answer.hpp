@@ -37,7 +37,7 @@ struct DesignMinimum {
   Body body;
   NamedNumbers values;  ///< of what is free
   double tau = 0.0;
-  bool feasible = false;
+  bool feasible = false;  ///< with DesignPlan::max_grip, if there is one
   /// Solved anew from the cycloid its track passed every check, and has this τ:
   /// it lies on the principal branch.
   bool verified = false;

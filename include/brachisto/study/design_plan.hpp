@@ -44,6 +44,13 @@ struct FreePart {
 /// factor A vanishes whenever the mass touches the track.
 inline constexpr double kLargestOffset = 0.99;
 
+/// The friction coefficient that there is, asked for from a share of the
+/// transit time on: at a start from rest no friction would do.
+struct MaxGrip {
+  double mu = 0.0;      ///< > 0
+  double after = 0.01;  ///< share of the transit time, in [0, 1)
+};
+
 inline constexpr int kMostDesignStarts = 1000;
 
 /// The section `design` of a problem file: which body is the quickest on its
@@ -58,6 +65,8 @@ struct DesignPlan {
   /// Whether the body has to be able to run on its track; see
   /// Solution::feasible().
   bool require_feasible = true;
+  /// What is asked of a feasible body besides; only if that is required.
+  std::optional<MaxGrip> max_grip;
   int starts = 5;  ///< the body of the scene, then random ones; ≥ 1
   std::uint64_t seed = 1;
   std::optional<int> start;  ///< the one that is searched from, 1 to `starts`;

@@ -96,6 +96,8 @@ struct Solution {
   /// See brachisto::infeasible_because(); empty as long as nothing is solved.
   [[nodiscard]] std::vector<std::string> infeasible_because() const;
   [[nodiscard]] bool feasible() const { return infeasible_because().empty(); }
+  /// See brachisto::undecided_because(); empty as long as nothing is solved.
+  [[nodiscard]] std::vector<std::string> undecided_because() const;
   /// Forgets the answer with all that is known of it, not how it was sought.
   void discard_answer();
 };

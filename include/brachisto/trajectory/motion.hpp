@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,17 @@ struct Extreme {
   bool at_start = false;
 };
 
+/// The grip that rolling needs from a share of the transit time on.
+struct LeastGrip {
+  double share_of_time = 0.0;
+  /// Least friction coefficient: the supremum of |R_t|/R_n; ∞: none would do,
+  /// as where R_n → 0 and R_t does not.
+  double mu = 0.0;
+};
+
+/// The shares of the transit time that are asked about.
+inline constexpr std::array<double, 3> kGripShares{0.0, 0.01, 0.05};
+
 /// What a path does to the body for u > 0; what the start itself tends to
 /// stands apart, in `at_start`. On every extremal R_n → 0 there, κ_b → −1/r (a
 /// bead's −∞), and the friction needed grows without bound if k > 0. Extremes
@@ -47,6 +59,8 @@ struct PathDiagnostics {
   double friction_above_0_3 = 0.0;  ///< share of T with |R_t| > 0.3 R_n
   double friction_above_0_5 = 0.0;
   double friction_above_1 = 0.0;
+  /// After each of kGripShares.
+  std::array<LeastGrip, kGripShares.size()> least_grip;
   /// Of κ_b [1/m]; ∓∞ if the track folds, where κ_b has a pole.
   Extreme min_curvature, max_curvature;
   /// The smallest κ_b after its first monotone rise from the start [1/m].
@@ -54,6 +68,9 @@ struct PathDiagnostics {
   Extreme min_fold_margin;             ///< of 1 − r κ_c
   double max_abs_slope = 0.0;          ///< of the continuous β [rad]
   std::optional<Point> self_crossing;  ///< of the track [m]
+  /// What the mesh leaves open, estimated: of R_n after its first rise [m g],
+  /// and of the smallest 1 − r κ_c. 0 where the path is known much better.
+  double normal_force_error = 0.0, fold_margin_error = 0.0;
 };
 
 /// A motion from A to B.
@@ -82,7 +99,12 @@ class Motion {
   /// θ_end − θ_m [rad]; nothing for a bead.
   [[nodiscard]] std::optional<double> rotation() const;
   /// From a fine sample of the path.
-  [[nodiscard]] PathDiagnostics diagnose() const;
+  [[nodiscard]] virtual PathDiagnostics diagnose() const;
+  /// The greatest angle atan2(|R_t|, R_n) between the force of the track and
+  /// its normal from t = share·T on [rad]: rolling needs μ ≥ tan of it; at π/2
+  /// or more no μ would do. Unlike |R_t|/R_n it is regular where R_n = 0.
+  /// \param share  in [0, 1); at 0 the start counts with its limit
+  [[nodiscard]] double friction_angle_after(double share) const;
 
  protected:
   Motion() = default;

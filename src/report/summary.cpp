@@ -397,6 +397,12 @@ std::string found(const Solution& solution) {
         "from {} in {}", first.eta_m == 0.0 ? "the cycloid" : "a neighbour",
         counted(effort.continuation.size() - 1, "step")));
   }
+  if (const auto L = solution.continued_from_L) {
+    parts.push_back(fmt::format(
+        "from L = {:.6g} m back in L, for here no branch is principal: the "
+        "uniform cylinder has no path to B",
+        *L));
+  }
   if (!solution.folds.empty()) {
     parts.push_back(fmt::format(
         "beyond {} of that branch, the first at η_m = {:.6f}",
@@ -434,7 +440,9 @@ std::string next(const Solution& solution) {
   if (!solution.feasible()) {
     // The body of a design is what it has chosen.
     if (solution.design) return {};
-    const std::string other = "a smaller eta_m, or a nearer point B";
+    const std::string other = solution.scene.body.off_centred()
+                                  ? "a smaller eta_m, or a nearer point B"
+                                  : "a nearer point B";
     const std::string search = wider_search(solution.scene, solution.options);
     return search.empty()
                ? other

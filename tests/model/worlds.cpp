@@ -242,11 +242,15 @@ TEST(AWorld, IsRefusedForEnergyOnlyWhereItDoesNotSuffice) {
 
     const bool is_refused = refused(scene, "scene.finish");
     ++(is_refused ? refusals : others);
-    if (is_refused) EXPECT_LE(energy, 0.0) << i;
+    if (is_refused) {
+      EXPECT_LE(energy, 0.0) << i;
+    }
     // Of a centred body the bound is attained. At each end the grid misses
     // the best slope by 1° at most, and with it r (1 − cos 1°) < 1e-4 m under
     // a pull of 9.81 m/s².
-    if (eta == 0.0 && energy < -2e-3) EXPECT_TRUE(is_refused) << i;
+    if (eta == 0.0 && energy < -2e-3) {
+      EXPECT_TRUE(is_refused) << i;
+    }
   }
   EXPECT_GT(refusals, 40);
   EXPECT_GT(others, 40);

@@ -42,6 +42,7 @@ int exit_code(const Solution& solution, int signal) {
     case Status::NotConverged:
     case Status::NotEvaluable:
     case Status::NoAdmissiblePath:
+    case Status::NotReached:
     case Status::NoSmoothContact:
     case Status::NoFastestTrack:
     case Status::Infeasible:

@@ -123,11 +123,12 @@ bool ClosedTimes::move_to(const Traits& traits) {
     return false;
   }
   Solution solution = solved(scene.body, held_.get());
-  const bool beyond_folds = !solution.folds.empty();
+  const bool beyond_folds =
+      !solution.folds.empty() || solution.continued_from_L;
   if (!is_extremal(solution) ||
       (beyond_folds && follow_ == Follow::Neighbours)) {
     refusal_ = fmt::format(
-        "the branch cannot be followed to η_m = {:.6g}, θ_m = {:.6g}, k = "
+        "the branch was not followed to η_m = {:.6g}, θ_m = {:.6g}, k = "
         "{:.6g}, r = {:.6g} m",
         scene.body.eta_m, scene.body.theta_m, scene.body.k, scene.body.radius);
     return false;

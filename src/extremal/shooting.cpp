@@ -26,7 +26,7 @@ std::string_view describe(ExtremalStatus status) {
   constexpr std::array<std::string_view, 12> kSentences{
       "solved to the accuracy asked for",
       "an extremal was found, with fewer digits than asked for",
-      "no path exists for a centred body, from which to start",
+      "a centred body has no smooth contact from which to start",
       "the branch of extremals from the cycloid turns back before η_m",
       "the continuation from the cycloid got stuck before η_m",
       "Newton's method did not converge",
@@ -108,7 +108,8 @@ bool Solve::continue_in_offset() {
       fail(ExtremalStatus::BranchTurnsBack,
            fmt::format(
                "it turns at η = {:.6g} (φ = {:.4g}), below η_m = {:.6g};"
-               " no extremal continues from the cycloid. Try to follow "
+               " beyond, the branch from the cycloid was not followed. Try to "
+               "follow "
                "the fold, a guess from a direct method, or a smaller "
                "η_m",
                report.folds.empty() ? eta : report.folds.front(), phi, target));
@@ -292,8 +293,8 @@ ExtremalSolution solve_extremal(const Scene& scene,
     ExtremalSolution none;
     none.status = ExtremalStatus::NoCycloid;
     none.message = fmt::format(
-        "{}: with r ≥ H its centre would end above its start unless L > r + "
-        "√(r² − H²); try a larger H or L, or a smaller radius",
+        "{}: B lies inside it at its start, (L − r)² + H² ≤ r²; try a larger "
+        "H or L, or a smaller radius",
         describe(none.status));
     return none;
   }

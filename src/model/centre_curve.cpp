@@ -98,7 +98,8 @@ PlaneCurvePtr centre_curve(const Scene& scene) {
       const std::optional<CycloidArc> arc = axisymmetric_optimum(scene);
       if (!arc) {
         throw std::invalid_argument(
-            "B lies inside the body at its start; no cycloid leads there");
+            "B lies inside the uniform cylinder at its start, whose cycloid is "
+            "asked for; none leads there");
       }
       return cycloid_curve(arc->start, arc->at(arc->psi_end));
     }

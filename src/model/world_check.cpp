@@ -3,10 +3,14 @@
 
 #include "model/world_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "model/contact.hpp"
 #include "model/field.hpp"
+#include "model/inertia.hpp"
+#include "model/start_angle.hpp"
 
 namespace brachisto {
 
@@ -41,22 +45,75 @@ void check_sphere(const Scene& scene, SceneChecker& check) {
   }
 }
 
-/// Where the centre's ends are the given points and no rotation enters, energy
-/// alone says whether B can be reached.
-void check_energy(const Scene& scene, SceneChecker& check) {
-  const bool given_ends =
-      !scene.body.rolls() ||
-      (scene.contact == Contact::Centre && !scene.body.off_centred());
-  if (!given_ends || !check.sound()) return;
+/// A scene's energy per mass at best, less what the air takes [m²/s²].
+struct EnergyBound {
+  double fall;      ///< of the potential from A to B, at most
+  double at_start;  ///< ½ v₀² A(θ_m, β₀), at most
+};
+
+/// A bound for every slope at B, every angle θ_end, and where the slope at A
+/// is_open for every β₀:
+///
+///     A(θ_m, β₀) ≤ (1 + η)² + k,
+///     centre of mass at the start: C_A + r η e(θ_m), |C_A − A| = r,
+///     centre of mass at the end: r (1 − η) to r (1 + η) from B,
+///
+/// or r η from it where B is the end of the centre's path. The potential of a
+/// sphere grows with the distance from its centre O, so that the start counts
+/// at its furthest place from O and the end at its nearest.
+EnergyBound energy_bound(const Scene& scene, bool is_open) {
+  const Body& body = scene.body;
   const double v_0 = scene.world.start_speed;
-  const double at_start =
-      0.5 * axisymmetric_inertia_factor(scene.body) * v_0 * v_0;
-  const double gain = potential_fall(scene, {0.0, 0.0}, {scene.L, scene.H});
-  if (at_start + gain > 0.0) return;
-  check.add("scene.finish",
-            fmt::format("B cannot be reached: its potential is {:.6g} m²/s² "
-                        "above that of A, and the body starts with {:.6g}",
-                        -gain, at_start));
+  const bool touches = body.rolls() && scene.contact != Contact::Centre;
+  const double to_centre = touches ? body.radius : 0.0;
+  const double to_mass = body.radius * body.eta_m;
+  const Point O = scene.world.sphere->centre;
+  // So far from `place`, away from O.
+  const auto off = [&](Point place, double by) -> Point {
+    const double d = std::hypot(place.x - O.x, place.z - O.z);
+    if (d == 0.0) return {place.x + by, place.z};
+    return {place.x + by * (place.x - O.x) / d,
+            place.z + by * (place.z - O.z) / d};
+  };
+  const Point start =
+      is_open ? off(mass_centre(body, {0.0, 0.0}, body.theta_m), to_centre)
+              : mass_centre(body, start_of_centre(scene), body.theta_m);
+  const Point B{scene.L, scene.H};
+  const double distance = std::hypot(B.x - O.x, B.z - O.z);
+  const double furthest = to_centre + to_mass;
+  const double nearest = std::abs(to_centre - to_mass);
+  const Point end = distance >= furthest ? off(B, -furthest)
+                    : distance < nearest ? off(B, -nearest)
+                                         : O;
+  const double A = body.off_centred()
+                       ? (1.0 + body.eta_m) * (1.0 + body.eta_m) + body.k
+                       : axisymmetric_inertia_factor(body);
+  return {potential_fall(scene, start, end), 0.5 * A * v_0 * v_0};
+}
+
+/// Energy says where B cannot be reached: in the field of a sphere alone, for
+/// in a uniform one B lies below A.
+void check_energy(const Scene& scene, SceneChecker& check) {
+  if (!scene.world.sphere || !check.sound()) return;
+  const EnergyBound most = energy_bound(scene, slope_at_A_is_open(scene));
+  const double missing = -(most.at_start + most.fall);
+  if (missing < 0.0) return;
+  // A body that is thrown may start where the one at rest does not.
+  Scene thrown = scene;
+  thrown.world.start_speed = 1.0;
+  const EnergyBound by_speed = energy_bound(thrown, slope_at_A_is_open(thrown));
+  const double least_speed =
+      std::sqrt(std::max(0.0, -by_speed.fall / by_speed.at_start));
+  check.add(
+      "scene.finish",
+      fmt::format("B cannot be reached: {} potential is {:.6g} m²/s² higher "
+                  "there, and the body starts with {:.6g}{}, which is {:.6g} "
+                  "too little; it takes a start.speed of more than {:.6g} m/s",
+                  scene.body.rolls() ? "whatever its slope and angle there, the"
+                                     : "the",
+                  -most.fall, most.at_start,
+                  scene.world.air.any() ? ", of which the air takes more" : "",
+                  missing, least_speed));
 }
 
 /// What is derived for an ordinary world alone.

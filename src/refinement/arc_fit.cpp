@@ -190,7 +190,8 @@ class Fit {
       ++out_.newton_steps;
       const PathRates newton = system.newton();
       if (!newton.open.allFinite()) {
-        return fail("the optimality conditions of the arcs have no solution");
+        return fail(
+            "no solution of the optimality conditions of the arcs was found");
       }
       Vector step = Vector::Zero(newton.open.size());
       // What is less than that follows from the residuals, or is rounding.

@@ -61,7 +61,13 @@ class LimitedSolve {
   static constexpr int kDegree = 7;
 
   [[nodiscard]] LimitedRefinement finished() {
-    return {std::move(protocol_).finished(), std::move(answer_)};
+    std::optional<BlockingLimit> blocking;
+    if (!answer_ && tightening_ &&
+        protocol_.status != Status::NoSmoothContact) {
+      blocking = tightening_->blocking();
+    }
+    return {std::move(protocol_).finished(), std::move(answer_),
+            std::move(blocking)};
   }
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
@@ -71,14 +77,19 @@ class LimitedSolve {
     if (!tightened && protocol_.status == Status::Infeasible) return path;
     if (protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
-    const std::string message = protocol_.message;
+    const std::string message =
+        tightened
+            ? "a path on a coarse mesh keeps the limits, but no arcs were "
+              "fitted to it: " +
+                  protocol_.message
+            : protocol_.message;
     if (!path && !stopped()) path = follow_from_loosest();
     if (!path && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_->bracket_contact()) {
       path = read_off(kDegree);
     }
     if (!path && !stopped() && protocol_.status != Status::NoSmoothContact) {
-      protocol_.fail(status, message);  // of the first attempt
+      protocol_.fail(status, message + followed());  // of the first attempt
     }
     return path;
   }
@@ -199,7 +210,8 @@ class LimitedSolve {
       std::optional<FittedPath> path,
       const std::function<Stage(double share)>& stage_at, double step) {
     constexpr double kLargestStep = 0.2, kSmallestStep = 1e-3;
-    double reached = 0.0;
+    double& reached = reached_;
+    reached = 0.0;
     while (path && reached < 1.0) {
       const double share = std::min(1.0, reached + step);
       auto next = fit_beside(*path, stage_at(share));
@@ -218,6 +230,20 @@ class LimitedSolve {
       }
     }
     return path;
+  }
+
+  /// How far follow_from_loosest() came.
+  [[nodiscard]] std::string followed() const {
+    if (!(reached_ > 0.0)) return {};
+    std::string where;
+    for (const PathInequality& limit : tightening_->relaxation().at(reached_)) {
+      if (limit.kind != PathInequality::Kind::FrictionForward) continue;
+      where = fmt::format(", to friction {:.3g}", limit.number);
+    }
+    return fmt::format(
+        ". From limits that the free path keeps it was followed {:.3g} of the "
+        "way to these{}; not further",
+        reached_, where);
   }
 
   /// From the loosest limits.
@@ -343,6 +369,7 @@ class LimitedSolve {
   PassProtocol protocol_;
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
+  double reached_ = 0.0;  ///< share of the way that follow() came
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "refinement/arc_fit.hpp"
 #include "refinement/refinement.hpp"
+#include "refinement/tightening.hpp"
 
 namespace brachisto {
 
@@ -24,6 +25,7 @@ struct LimitedAnswer {
 /// Outcome of refine_limited().
 struct LimitedRefinement : RefinementProtocol {
   std::optional<LimitedAnswer> answer;
+  std::optional<BlockingLimit> blocking;  ///< if limits were not kept
 };
 
 /// In three stages.

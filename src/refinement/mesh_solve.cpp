@@ -174,7 +174,8 @@ MeshSolution solve_on_mesh(Transcription& problem, MeshStart start,
   if (solution.solved() && !solution.tangency.closed) {
     solution.status = Status::NotConverged;
     solution.message = fmt::format(
-        "no end angle φ reproduces itself: |β_end(φ) − φ| = {:.2e} at φ = "
+        "no end angle φ was found that reproduces itself: |β_end(φ) − φ| = "
+        "{:.2e} at φ = "
         "{:.6g} rad after {} passes",
         std::abs(solution.tangency.mismatch), solution.tangency.phi,
         solution.tangency.passes);

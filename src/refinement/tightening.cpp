@@ -302,7 +302,7 @@ bool Tightening::bracket_contact() {
   if (highest - lowest < 2.0 * kStep) return false;
   return protocol_.fail(
       Status::NoSmoothContact,
-      fmt::format("no smooth contact under these limits: for slopes "
+      fmt::format("no smooth contact was found under these limits: for slopes "
                   "at B from {:.3g} to {:.3g} rad the path that keeps "
                   "the limits ends {:.2g} rad or more off; try "
                   "contact: optimal",
@@ -333,7 +333,7 @@ bool Tightening::close_in(Held a, Held b) {
   }
   return protocol_.fail(
       Status::NoSmoothContact,
-      fmt::format("no smooth contact under these limits: at φ = "
+      fmt::format("no smooth contact was found under these limits: at φ = "
                   "{:.6g} rad the slope at the end jumps from {:.2g} "
                   "to {:.2g} rad off; try contact: optimal",
                   a.phi, a.open, b.open));
@@ -341,9 +341,10 @@ bool Tightening::close_in(Held a, Held b) {
 
 bool Tightening::none_found() {
   std::string text = give_way_for_good_
-                         ? "no path nearby keeps the limits"
+                         ? "the limits give way at any price where the "
+                           "solver ended"
                          : "no path was found that keeps the limits";
-  text += tightest();
+  blocking_ = tightest();
   if (budget_ == 0) {
     text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
   } else if (!give_way_for_good_ && !protocol_.message.empty()) {
@@ -355,11 +356,11 @@ bool Tightening::none_found() {
                         std::move(text));
 }
 
-std::string Tightening::tightest() const {
+std::optional<BlockingLimit> Tightening::tightest() const {
   if (!last_ || give_.size() != last_->point().lambda.size()) return {};
   const LimitedTime& problem = last_->problem();
   double most = 0.0;
-  std::string which;
+  std::optional<std::size_t> which;
   for (int i = 0; i < problem.layout().num_limits(); ++i) {
     double cost = 0.0;
     for (int c = 0; c < problem.layout().num_points(); ++c) {
@@ -368,10 +369,10 @@ std::string Tightening::tightest() const {
     }
     if (cost <= most) continue;
     most = cost;
-    which =
-        fmt::format("; the tightest is {}", name(problem.limits()[at(i)].kind));
+    which = at(i);
   }
-  return which;
+  if (!which) return {};
+  return BlockingLimit{*last_, *which};
 }
 
 }  // namespace brachisto

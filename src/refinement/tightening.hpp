@@ -19,6 +19,13 @@
 
 namespace brachisto {
 
+/// The limit that had the greatest share in giving way, and the path that came
+/// nearest to keeping them all.
+struct BlockingLimit {
+  LimitedCurve nearest;
+  std::size_t index;  ///< among the limits of the path
+};
+
 /// Solves the program of a scene under limits on a coarse mesh: first with
 /// limits that give way at a price (nlp::Elastic), from the free extremal, then
 /// with limits that do not.
@@ -62,6 +69,10 @@ class Tightening {
   /// for the reason that the protocol tells so far.
   bool none_found();
 
+  /// Of tighten(), if limits gave way in the end.
+  [[nodiscard]] const std::optional<BlockingLimit>& blocking() const {
+    return blocking_;
+  }
   [[nodiscard]] const LimitRelaxation& relaxation() const {
     return relaxation_;
   }
@@ -102,7 +113,7 @@ class Tightening {
   bool close_in(Held a, Held b);
 
   /// The limit that has the greatest share in giving way.
-  [[nodiscard]] std::string tightest() const;
+  [[nodiscard]] std::optional<BlockingLimit> tightest() const;
 
   const Scene& scene_;
   const ExtremalCurve& free_;
@@ -119,6 +130,7 @@ class Tightening {
   std::vector<double> give_;           ///< by constraint
   double given_way_ = 1.0;             ///< as a share of give_
   bool give_way_for_good_ = false;
+  std::optional<BlockingLimit> blocking_;
 };
 
 }  // namespace brachisto

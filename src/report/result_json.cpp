@@ -468,6 +468,11 @@ Fields<Solution> search_fields() {
   return {
       {"folds", "", "η_m at which the branch from the cycloid turned",
        &Solution::folds},
+      {"continued_from_L", "m",
+       "L at which the way left the cycloid, to come back in L; null: it is "
+       "the "
+       "scene's own",
+       &Solution::continued_from_L},
       object<Solution>(
           "cold_start", "", "where guess: straight or random led",
           &Solution::cold_start,

@@ -405,6 +405,12 @@ std::string found(const Solution& solution) {
         "from {} in {}", first.eta_m == 0.0 ? "the cycloid" : "a neighbour",
         counted(effort.continuation.size() - 1, "step")));
   }
+  if (const auto L = solution.continued_from_L) {
+    parts.push_back(fmt::format(
+        "from L = {:.6g} m back in L, for here no branch is principal: the "
+        "uniform cylinder has no path to B",
+        *L));
+  }
   if (!solution.folds.empty()) {
     parts.push_back(fmt::format(
         "beyond {} of that branch, the first at η_m = {:.6f}",

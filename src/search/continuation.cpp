@@ -180,11 +180,7 @@ Continuation follow(const SceneLine& scene_at, RollingTime problem,
       growth = way.growth_after_failure;
       step = 0.5 * (history.distance(fraction) - here);
       if (0.5 * (fraction - from) >= way.smallest_step) continue;
-      result.message = fmt::format(
-          "the extremal that continues from η_m = {:.6g} could be followed to "
-          "η_m = {:.6g} only, of {:.6g}",
-          scene_at(0.0).body.eta_m, scene_at(from).body.eta_m,
-          scene_at(1.0).body.eta_m);
+      result.reached = from;
       return result;
     }
     if (progress) {
@@ -206,6 +202,7 @@ Continuation follow(const SceneLine& scene_at, RollingTime problem,
     growth = way.largest_growth;
   }
   result.status = Status::Solved;
+  result.reached = 1.0;
   return result;
 }
 
@@ -263,9 +260,18 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
   const double phi_0 = arc.slope_angle(arc.psi_end);
   const double number = turns(scene.body, arc.arc_length(arc.psi_end));
   RollingTime problem(scene_at(kNextToNothing), mesh, phi_0);
+  const auto told = [&scene](Continuation way) {
+    if (way.status == Status::NotConverged) {
+      way.message = fmt::format(
+          "the extremal that continues from the cycloid, η_m = 0, was followed "
+          "to η_m = {:.6g}, not to {:.6g}",
+          way.reached * scene.body.eta_m, scene.body.eta_m);
+    }
+    return way;
+  };
   if (are_many(number)) {
-    return follow_turns(scene_at, std::move(problem), arc, number, stop,
-                        progress);
+    return told(follow_turns(scene_at, std::move(problem), arc, number, stop,
+                             progress));
   }
   // The first step has no secant to follow and tells on which side of a
   // neighbouring branch the path begins: near η_m = 0 there may be one so close
@@ -273,9 +279,10 @@ Continuation continue_from_cycloid(const Scene& scene, const CycloidArc& arc,
   constexpr double kFirstStep = 1.0 / 256.0;
   constexpr double kSmallestStep = 1e-5;
   BranchPoint start{0.0, mesh, cycloid_extremal(problem, arc), phi_0};
-  return follow(scene_at, std::move(problem), std::move(start),
-                {scene.body.off_centred() ? kFirstStep : 1.0, kSmallestStep},
-                stop, progress);
+  return told(
+      follow(scene_at, std::move(problem), std::move(start),
+             {scene.body.off_centred() ? kFirstStep : 1.0, kSmallestStep}, stop,
+             progress));
 }
 
 bool comparable(const Scene& a, const Scene& b) {
@@ -307,16 +314,23 @@ bool can_continue(const Neighbour& neighbour, const Scene& scene) {
 
 Continuation continue_from_neighbour(const Scene& scene,
                                      const Neighbour& neighbour,
-                                     const StopCondition& stop) {
+                                     const StopCondition& stop,
+                                     double smallest_step) {
   const Scene from = in_natural_units(neighbour.scene);
   const auto scene_at = [&](double fraction) {
     return between(from, scene, fraction);
   };
-  // Beyond a few steps the way from the cycloid is the shorter one.
-  constexpr double kSmallestStep = 1.0 / 8.0;
-  return follow(scene_at, RollingTime(from, neighbour.mesh, neighbour.phi),
-                {0.0, neighbour.mesh, neighbour.point, neighbour.phi},
-                {1.0, kSmallestStep}, stop, {});
+  Continuation way =
+      follow(scene_at, RollingTime(from, neighbour.mesh, neighbour.phi),
+             {0.0, neighbour.mesh, neighbour.point, neighbour.phi},
+             {1.0, smallest_step}, stop, {});
+  if (way.status == Status::NotConverged) {
+    way.message = fmt::format(
+        "the extremal of the neighbouring scene could be followed {:.3g} of "
+        "the way only",
+        way.reached);
+  }
+  return way;
 }
 
 }  // namespace brachisto

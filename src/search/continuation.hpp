@@ -33,6 +33,7 @@ struct Continuation {
   double phi = 0.0;                    ///< [rad]
   int newton_steps = 0;                ///< in all, rejected steps included
   int rejected_steps = 0;
+  double reached = 0.0;  ///< share of the way to the scene
 };
 
 /// An extremal that was found for a scene not far away.
@@ -81,10 +82,14 @@ struct Neighbour {
 /// Follows the extremal of a neighbour on its own mesh along the straight line
 /// between the two scenes, with the same care; usually in one step.
 ///
-/// \param scene      in natural units
-/// \param neighbour  that can_continue() to it
+/// \param scene          in natural units
+/// \param neighbour      that can_continue() to it
+/// \param smallest_step  as a share of the way; where the cycloid is another
+///                       start, it is the shorter way beyond a few steps
 [[nodiscard]] Continuation continue_from_neighbour(const Scene& scene,
                                                    const Neighbour& neighbour,
-                                                   const StopCondition& stop);
+                                                   const StopCondition& stop,
+                                                   double smallest_step = 1.0 /
+                                                                          8.0);
 
 }  // namespace brachisto

@@ -92,11 +92,10 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
       out.status = Status::NotConverged;
       out.message = fmt::format(
           "the extremal that continues from the uniform field without air, "
-          "from rest, could be followed only as far as {:.3g} of the start "
-          "speed, the drag and the field of a sphere that are asked for: "
-          "beyond "
-          "that energy may not carry the body to B, or no slope make 𝓗 minimal "
-          "all along",
+          "from rest, was followed as far as {:.3g} of the start "
+          "speed, the drag and the field of a sphere that are asked for, not "
+          "further: energy may not carry the body to B, or no slope make 𝓗 "
+          "minimal all along",
           fraction);
       out.curve.reset();
       return out;

@@ -29,15 +29,19 @@ constexpr std::array kWords{
     Words{"out_of_memory", "There is not enough memory."},
     Words{"no_admissible_path",
           "No path satisfies the conditions of the scene."},
+    Words{
+        "not_reached",
+        "No extremal was followed from the cycloid to the scene. There may be "
+        "one."},
     Words{"no_smooth_contact",
-          "Under the limits no track that reaches B goes on there as its end "
-          "was built."},
+          "Under the limits no slope at B was found with which a track goes on "
+          "there as its end was built."},
     Words{"no_fastest_track",
           "Under the limits tracks that turn ever more sharply at A are ever "
           "faster."},
     Words{"infeasible",
-          "No path next to where the solver ended keeps the "
-          "limits."},
+          "The solver ended at a path where the limits give way at any price. "
+          "Other paths may keep them."},
     Words{"stalled", "The body does not reach the end of the given path."},
     Words{"internal_error", "The solver reported an internal error."}};
 static_assert(kWords.size() ==

@@ -84,8 +84,11 @@ DiscreteAnswer solve_discrete_system(const Scene& scene,
   out.residual = std::numeric_limits<double>::quiet_NaN();
   std::optional<std::vector<double>> start = system.cycloid_guess();
   if (!start) {
-    out.status = Status::NoAdmissiblePath;
-    out.message = "there is no cycloid of a uniform cylinder to start from";
+    out.status = scene.body.off_centred() ? Status::NotReached
+                                          : Status::NoAdmissiblePath;
+    out.message =
+        "B lies inside the uniform cylinder at its start: there is no cycloid "
+        "to start from";
     return out;
   }
   const double begin = process_cpu_seconds();

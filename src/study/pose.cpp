@@ -186,15 +186,14 @@ Collocation program_of(const SolveOptions& options) {
   return program;
 }
 
-/// The scene whose extremal the limits are relaxed to.
+}  // namespace
+
 Scene without_limits(Scene scene) {
   if (scene.contact != Contact::Centre) scene.contact = Contact::Smooth;
   scene.limits = {};
   scene.end_slope.reset();
   return scene;
 }
-
-}  // namespace
 
 bool is_limited(const Scene& scene) {
   const bool own_slopes =
@@ -207,6 +206,15 @@ MeshOptions PosedProblem::mesh_options_after(const Work& done) const {
   left.ipopt.max_iterations =
       std::max(0, options.limits.iterations - done.iterations);
   return left;
+}
+
+/// What the solve starts from, of a scene in natural units.
+static void prepare(PosedProblem& posed) {
+  posed.limited.reset();
+  if (is_limited(posed.asked)) posed.limited = posed.natural;
+  posed.natural = without_limits(posed.natural);
+  posed.cycloid.reset();
+  if (!posed.asked.path) posed.cycloid = axisymmetric_optimum(posed.natural);
 }
 
 PosedProblem pose(const Scene& scene, const SolveOptions& options,
@@ -224,9 +232,14 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
   mesh.polish = out.program.polish;
   mesh.progress = hooks.progress;
   mesh.newton_alone = out.program.solver == ProgramSolver::NewtonKkt;
-  if (is_limited(scene)) out.limited = out.natural;
-  out.natural = without_limits(out.natural);
-  if (!scene.path) out.cycloid = axisymmetric_optimum(out.natural);
+  prepare(out);
+  return out;
+}
+
+PosedProblem with_scene(const PosedProblem& posed, const Scene& scene) {
+  PosedProblem out = posed;
+  static_cast<PosedScene&>(out) = PosedScene(scene);
+  prepare(out);
   return out;
 }
 

@@ -50,6 +50,14 @@ struct PosedProblem : PosedScene {
   }
 };
 
+/// The scene whose extremal limits are relaxed to: without them, and with a
+/// contact of slopes of its own.
+[[nodiscard]] Scene without_limits(Scene scene);
+
+/// Another scene, by the same options and within the same limits of time.
+[[nodiscard]] PosedProblem with_scene(const PosedProblem& posed,
+                                      const Scene& scene);
+
 /// Checks and poses a problem. The limit of time begins here.
 /// \throws std::invalid_argument  see solve()
 [[nodiscard]] PosedProblem pose(const Scene& scene, const SolveOptions& options,

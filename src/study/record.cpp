@@ -26,6 +26,7 @@ void record(const Start& start, Solution& out) {
   out.effort.newton_steps += start.newton_steps;
   out.effort.continuation = start.steps;
   out.folds = start.folds;
+  out.continued_from_L = start.continued_from_L;
   record(Outcome{start.status, start.message}, out);
 }
 

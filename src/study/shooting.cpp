@@ -92,11 +92,8 @@ ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
 }
 
 Outcome outcome_of(const ExtremalSolution& extremal) {
-  const Status status = extremal.usable() ? Status::Solved
-                        : extremal.status == ExtremalStatus::NoCycloid
-                            ? Status::NoAdmissiblePath
-                            : Status::NotConverged;
-  return {status, extremal.message};
+  return {extremal.usable() ? Status::Solved : Status::NotConverged,
+          extremal.message};
 }
 
 MeshAnswer answer_from_extremal(const PosedProblem& posed,

@@ -34,6 +34,7 @@ namespace brachisto {
                                      double tolerance);
 
 /// How the indirect method ended.
+/// \pre it had a cycloid to start from; see without_cycloid()
 [[nodiscard]] Outcome outcome_of(const ExtremalSolution& extremal);
 
 /// The extremal on a mesh fine enough for the finite problem's conditions,

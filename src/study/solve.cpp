@@ -20,6 +20,7 @@
 #include "refinement/turn_meshes.hpp"
 #include "search/descent.hpp"
 #include "study/answer.hpp"
+#include "study/blocking_limit.hpp"
 #include "study/certification.hpp"
 #include "study/limited_sample.hpp"
 #include "study/limited_shooting.hpp"
@@ -63,6 +64,9 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
               std::optional<double> transit_time = std::nullopt);
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out);
+/// With the limit that was not kept.
+void record_limited(const PosedProblem& posed,
+                    const LimitedRefinement& refinement, Solution& out);
 
 }  // namespace
 
@@ -141,11 +145,13 @@ void differentiate(const PosedProblem& posed, Solution& out) {
 void solve_program(const PosedProblem& posed, const Start& start,
                    Solution& out) {
   record(start, out);
-  if (posed.stop().met() || !posed.cycloid) return;
-  if (posed.searches()) return search_contacts(posed, start, out);
+  if (posed.stop().met()) return;
+  // What a search looks through is measured by some path.
+  if (posed.searches() && (posed.cycloid || start.curve))
+    return search_contacts(posed, start, out);
   if (!start.curve) return;
   if (posed.limited) return refine_under_limits(posed, start, out);
-  if (posed.program.guess != Guess::Cycloid) {
+  if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
     record(start_elsewhere(posed, start, out.effort), out);
   }
   if (posed.program.discretisation.formulation == Formulation::ArcLength) {
@@ -160,6 +166,13 @@ void solve_by_shooting(const PosedProblem& posed, Solution& out) {
   if (posed.limited) return shoot_under_limits(posed, out);
   const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
   record(extremal, out);
+  if (extremal.status == ExtremalStatus::NoCycloid) {
+    Outcome outcome = without_cycloid(posed);
+    if (outcome.status == Status::NotReached) {
+      outcome.message += ". Try method: ipopt, which can start at a greater L";
+    }
+    return record(std::move(outcome), out);
+  }
   record(outcome_of(extremal), out);
   if (!extremal.usable()) return;
   MeshAnswer found = [&] {
@@ -181,7 +194,7 @@ void shoot_under_limits(const PosedProblem& posed, Solution& out) {
   const LimitedRefinement program =
       refine_limited(*posed.limited, loose, *start.curve, start.phi,
                      posed.mesh_options_after(out.effort));
-  record(program, out);
+  record_limited(posed, program, out);
   if (!program.answer || posed.stop().met()) return;
   const FittedPath& nearby = program.answer->path;
   const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
@@ -244,9 +257,11 @@ void follow_given_path(const PosedProblem& posed, Solution& out) {
 /// it is a saddle, the minima beside it.
 void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out) {
-  // As a multiple of the path of the uniform cylinder.
+  // As a multiple of the path of the uniform cylinder, or what is in its place.
   constexpr double kLongest = 3.0;
-  const double uniform = posed.cycloid->arc_length(posed.cycloid->psi_end);
+  const double uniform = posed.cycloid
+                             ? posed.cycloid->arc_length(posed.cycloid->psi_end)
+                             : principal.curve->arc_length();
   // Each of the extremals may take what the limit allows.
   const MeshOptions each = posed.mesh_options_after(out.effort);
   std::vector<ContactCandidate> known;
@@ -264,7 +279,7 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
   record(search, out);
   JudgedBranches judged =
       judge_branches(posed, posed.program.discretisation, search.contacts,
-                     principal.curve.has_value(), each);
+                     principal.curve && !principal.continued_from_L, each);
   record(judged, out);
   if (posed.stop().met()) return;
   JudgedBranch* best = best_branch(judged.branches);
@@ -352,9 +367,17 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
   record(verdict(out, found.solution.message), out);
 }
 
+void record_limited(const PosedProblem& posed,
+                    const LimitedRefinement& refinement, Solution& out) {
+  record(refinement, out);
+  if (refinement.blocking) {
+    out.message += in_words(posed, *refinement.blocking);
+  }
+}
+
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out) {
-  record(refinement, out);
+  record_limited(posed, refinement, out);
   if (!refinement.answer || posed.stop().met()) return;
   conclude(posed, *refinement.answer, refinement.message, out);
 }

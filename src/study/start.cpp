@@ -10,6 +10,8 @@
 #include <numbers>
 #include <utility>
 
+#include "model/contact.hpp"
+#include "model/scene_coordinate.hpp"
 #include "model/world_part.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/world_continuation.hpp"
@@ -17,17 +19,27 @@
 #include "study/wider_search.hpp"
 #include "trajectory/trajectory.hpp"
 #include "transcription/initial_guess.hpp"
+#include "transcription/prolongation.hpp"
 
 namespace brachisto {
 
 namespace {
 
-std::string no_cycloid(const Scene& scene) {
-  return fmt::format(
-      "B lies inside the uniform cylinder at its start, (L − r)² + H² ≤ r² "
-      "with r = {:g}, L = {:g}, H = {:g}, so that no branch starts from its "
-      "path. Try a smaller radius or a point B further away",
-      scene.body.radius, scene.L, scene.H);
+/// A longer scene, B off the uniform cylinder at its start by a quarter of r,
+/// to continue without limits from:
+///
+///     (L − r)² + H² = (5/4 r)².
+Scene with_cycloid(Scene scene) {
+  const double r = scene.body.radius;
+  scene.L = r + std::sqrt(1.5625 * r * r - scene.H * scene.H);
+  return without_limits(std::move(scene));
+}
+
+/// Whether B lies in the body at its start, off-centred as it is: what tracks
+/// there may be end in it, and none is known.
+bool covers_finish(const Scene& scene) {
+  const Point start = start_of_centre(in_ordinary_world(scene));
+  return std::hypot(scene.L - start.x, scene.H - start.z) <= scene.body.radius;
 }
 
 /// Why B may lie too little below A; empty if it does not.
@@ -59,15 +71,8 @@ void follow_folds(const PosedProblem& posed, Start& start) {
   start.curve.emplace(problem, sample_extremal(extremal, posed.units, problem));
 }
 
-}  // namespace
-
-Start start_from_cycloid(const PosedProblem& posed) {
-  if (!posed.cycloid) {
-    Start none;
-    none.status = Status::NoAdmissiblePath;
-    none.message = no_cycloid(posed.scene);
-    return none;
-  }
+/// From the cycloid of the scene, in the ordinary world.
+Start start_in_offset(const PosedProblem& posed) {
   const CycloidArc& arc = *posed.cycloid;
   Start start = [&] {
     const PhaseTimer timer(Phase::Start);
@@ -77,12 +82,6 @@ Start start_from_cycloid(const PosedProblem& posed) {
                  {}};
   }();
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
-  if (start.curve && !posed.natural.world.ordinary()) {
-    const PhaseTimer timer(Phase::Start);
-    static_cast<Continuation&>(start) = continue_into_world(
-        posed.natural, std::move(start), posed.stop(), posed.progress());
-    return start;
-  }
   if (start.curve) return start;
   const std::string slow = slow_at_end(arc);
   const std::string search = wider_search(posed.scene, posed.options);
@@ -90,6 +89,91 @@ Start start_from_cycloid(const PosedProblem& posed) {
     start.message += slow;
   } else if (!search.empty()) {
     start.message += ". Try " + search + ", which looks for other extremals";
+  }
+  return start;
+}
+
+/// Ends with `outcome`, and with the work done so far.
+Start ended(Start start, Outcome outcome) {
+  start.curve.reset();
+  start.status = outcome.status;
+  start.message = std::move(outcome.message);
+  return start;
+}
+
+/// The branch of a scene that has a cycloid, followed back in L.
+Start start_from_longer(const PosedProblem& posed) {
+  constexpr double kSmallestStep = 1.0 / 1024.0;
+  if (!posed.scene.body.off_centred() || covers_finish(posed.scene)) {
+    return ended({}, without_cycloid(posed));
+  }
+  const PosedProblem longer =
+      with_scene(posed, with_cycloid(in_ordinary_world(posed.scene)));
+  Start start = start_from_cycloid(longer);
+  if (posed.stop().met()) return start;
+  const auto not_reached = [&](const std::string& how) {
+    Outcome outcome = without_cycloid(posed);
+    outcome.message += how;
+    return outcome;
+  };
+  if (!start.curve) {
+    return ended(std::move(start),
+                 not_reached(fmt::format(". At L = {:.6g} m, where there is "
+                                         "one, {}",
+                                         longer.scene.L, start.message)));
+  }
+  const PhaseTimer timer(Phase::Start);
+  const ExtremalCurve& curve = *start.curve;
+  const RollingTime there(longer.natural, curve.mesh(), start.phi);
+  Continuation back = continue_from_neighbour(
+      in_ordinary_world(posed.natural),
+      {longer.scene, curve.mesh(), prolong(curve, there), start.phi},
+      posed.stop(), kSmallestStep);
+  start.newton_steps += back.newton_steps;
+  start.rejected_steps += back.rejected_steps;
+  start.steps.insert(start.steps.end(), back.steps.begin() + 1,
+                     back.steps.end());
+  start.status = back.status;
+  if (posed.stop().met()) return start;
+  if (!back.curve) {
+    const Scene last = between(longer.natural, posed.natural, back.reached);
+    return ended(
+        std::move(start),
+        not_reached(fmt::format(
+            ". The extremal of L = {:.6g} m was followed down to L = {:.6g} m",
+            longer.scene.L, posed.scene.H * last.L / last.H)));
+  }
+  start.curve = std::move(back.curve);
+  start.phi = back.phi;
+  start.continued_from_L = longer.scene.L;
+  return start;
+}
+
+}  // namespace
+
+Outcome without_cycloid(const PosedProblem& posed) {
+  const Scene& scene = posed.scene;
+  const bool proven =
+      !scene.body.off_centred() && !posed.limited && scene.world.ordinary();
+  return {proven ? Status::NoAdmissiblePath : Status::NotReached,
+          fmt::format(
+              "B lies inside the uniform cylinder at its start, (L − r)² + "
+              "H² ≤ r² with r = {:g}, L = {:g}, H = {:g}: {}",
+              scene.body.radius, scene.L, scene.H,
+              proven ? "it has no smooth contact. Try a smaller radius or a "
+                       "point B further away"
+                     : "there is no cycloid to start from. That does not show "
+                       "that this scene has no path. Try a smaller radius or a "
+                       "point B further away")};
+}
+
+Start start_from_cycloid(const PosedProblem& posed) {
+  Start start =
+      posed.cycloid ? start_in_offset(posed) : start_from_longer(posed);
+  if (start.curve && !posed.natural.world.ordinary()) {
+    const PhaseTimer timer(Phase::Start);
+    static_cast<Continuation&>(start) = continue_into_world(
+        posed.natural, std::move(start), posed.stop(), posed.progress());
   }
   return start;
 }

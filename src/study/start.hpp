@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,24 @@ namespace brachisto {
 
 /// Where refinement starts, and how that was found.
 struct Start : Continuation {
-  std::vector<double> folds;  ///< see Solution::folds
+  std::vector<double> folds;                    ///< see Solution::folds
+  std::optional<double> continued_from_L = {};  ///< see Solution
 };
 
 /// The principal branch. Where its continuation in natural parameters is stuck,
 /// pseudo-arclength continuation of the indirect method goes on: through folds,
 /// and past near meetings of branches.
+///
+/// Where the uniform cylinder has no path to B, an off-centred body may have
+/// one: then a scene of greater L, where both have one, is started from, and
+/// its extremal followed back in L. What that does not reach is
+/// Status::NotReached, but Status::NoAdmissiblePath of the uniform cylinder
+/// itself, from rest, with slopes of its own in a uniform field.
 [[nodiscard]] Start start_from_cycloid(const PosedProblem& posed);
+
+/// How a solve ends that can only start from the cycloid, of a scene without
+/// one.
+[[nodiscard]] Outcome without_cycloid(const PosedProblem& posed);
 
 /// Whether the answer is the end of one branch, which the neighbour's extremal
 /// can_continue() to.

@@ -56,7 +56,7 @@ void expect_refused(const fs::path& file, const std::string& because) {
   try {
     const io::ProblemFile problem = io::read_problem_file(file);
     const Solution solution = solve(problem.scene, problem.options);
-    EXPECT_EQ(solution.status, Status::NoAdmissiblePath);
+    EXPECT_EQ(solution.status, Status::NotReached);
     EXPECT_FALSE(trajectory_of(solution));
     message = solution.message;
   } catch (const io::InputError& error) {

@@ -507,8 +507,32 @@ TEST(LimitedRefusals, OfTooLittleFrictionNameNoTime) {
   EXPECT_FALSE(solution.verified());
   EXPECT_EQ(solution.motion(), nullptr);
   EXPECT_TRUE(solution.limits.empty());
-  EXPECT_NE(solution.message.find("the tightest is friction"),
+  for (const char* told :
+       {"the tightest is friction: 0.05 is asked for, and the path that came "
+        "nearest ",
+        "To try: a larger friction, a smaller eta_m"}) {
+    EXPECT_NE(solution.message.find(told), std::string::npos)
+        << solution.message;
+  }
+  // What was tried, not what exists.
+  EXPECT_EQ(solution.message.find("no path"), std::string::npos);
+}
+
+TEST(LimitedRefusals, AdviseWhatTheBodyHas) {
+  // On a straight slope of 1/3 a uniform body presses with cos 18° = 0.949.
+  Scene scene = off_centred_scene();
+  scene.body = Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5);
+  scene.L = 3.0;
+  scene.H = 1.0;
+  scene.limits.normal_min = 0.97;
+
+  const Solution solution = solve(scene);
+
+  EXPECT_FALSE(solution.verified());
+  EXPECT_NE(solution.message.find("To try: a smaller normal_force.min"),
             std::string::npos)
+      << solution.message;
+  EXPECT_EQ(solution.message.find("eta_m"), std::string::npos)
       << solution.message;
 }
 

@@ -108,8 +108,8 @@ inline constexpr double kLargestAngle = 1e6;
 ///   the track.
 ///
 /// \return all violations, empty if the scene is well formed. A well-formed
-///         scene may still have no admissible path; see
-///         Status::NoAdmissiblePath.
+///         scene may still have no admissible path, or none that is found; see
+///         Status::NoAdmissiblePath and Status::NotReached.
 [[nodiscard]] std::vector<SceneError> validate(const Scene& scene);
 
 }  // namespace brachisto

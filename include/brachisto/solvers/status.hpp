@@ -23,10 +23,11 @@ enum class Status {
   Interrupted,       ///< SIGINT or SIGTERM
   OutOfMemory,       ///< there is less memory than it takes
   NoAdmissiblePath,  ///< no path can exist; nothing was solved
+  NotReached,        ///< no branch was followed to the scene; there may be one
   NoSmoothContact,   ///< under the limits no slope at B continues the path
   NoFastestTrack,  ///< none is reached by the sharper and sharper turns at rest
                    ///< that its limits allow
-  Infeasible,      ///< next to where the solver ended no path keeps the limits
+  Infeasible,      ///< the solver ended where limits give way at any price
   Stalled,         ///< on a given path the body does not arrive
   InternalError,   ///< the solver reported a fault of the set-up
 };

@@ -48,7 +48,8 @@ struct DiscreteAnswer {
 /// Solves the discrete system of a scene from the cycloid of the uniform
 /// cylinder by one of the three ways. All end at the same residual.
 ///
-/// Status::NoAdmissiblePath if there is no cycloid, Status::NotEvaluable if the
+/// Status::NoAdmissiblePath if there is no cycloid of a uniform cylinder,
+/// Status::NotReached if of an off-centred one, Status::NotEvaluable if the
 /// iteration was turned back by points without a real transit time,
 /// Status::OutOfMemory if a dense matrix does not fit.
 ///

@@ -68,6 +68,10 @@ struct Solution {
   /// η_m. Usually empty. Otherwise the solution lies beyond a fold: connected
   /// with the cycloid, but not what it turns into as η_m grows.
   std::vector<double> folds;
+  /// L [m] of the scene whose branch from the cycloid was followed back in L
+  /// to this one, where the uniform cylinder has no path to B: then no branch
+  /// of this scene is principal. Usually nothing.
+  std::optional<double> continued_from_L;
   std::optional<ColdStart> cold_start;
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
   /// What Search::Global left undone, its work being bounded; empty if nothing.

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "study/blocking_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "brachisto/model/scene.hpp"
+#include "trajectory/limited_motion.hpp"
+#include "trajectory/stated_limits.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// What was asked for and what came nearest. Next to rest curvatures are those
+/// of a quotient 0/0: the first twentieth is left out, as of the free path.
+struct Miss {
+  const StatedLimit* limit = nullptr;
+  double slack = std::numeric_limits<double>::infinity();
+  double friction = 0.0;  ///< the largest |R_t|/R_n; ∞ where R_n ≤ 0
+};
+
+Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
+           const BlockingLimit& blocking) {
+  constexpr double kStart = 0.05;
+  const auto& all = blocking.nearest.problem().limits();
+  const std::size_t i = blocking.index;
+  int index = 0;
+  for (std::size_t k = i; k > 0 && all[k - 1].kind == all[i].kind; --k) ++index;
+  Miss miss;
+  for (const StatedLimit& limit : limits) {
+    if (!limit.is(all[i].kind, index, true) &&
+        !limit.is(all[i].kind, index, false)) {
+      continue;
+    }
+    for (const TrajectoryPoint& at : motion.at_nodes()) {
+      if (at.sigma < kStart) continue;
+      const double slack = limit.slack(at);
+      if (slack < miss.slack) {
+        miss.slack = slack;
+        miss.limit = &limit;
+      }
+      miss.friction = std::max(miss.friction,
+                               at.motion.R_n > 0.0
+                                   ? std::abs(at.motion.R_t) / at.motion.R_n
+                                   : std::numeric_limits<double>::infinity());
+    }
+  }
+  return miss;
+}
+
+std::string advice(const Scene& scene, const StatedLimit& limit,
+                   bool of_friction) {
+  const bool of_normal = limit.name.starts_with("normal_force");
+  std::string out =
+      of_friction || limit.name.starts_with("curvature")
+          ? fmt::format("a larger {}", limit.name)
+      : limit.name == "floor"            ? "a lower floor"
+      : limit.name == "fold_margin"      ? "a smaller fold_margin"
+      : limit.name == "normal_force.min" ? "a smaller normal_force.min"
+      : limit.name == "normal_force.max" ? "a larger normal_force.max"
+                                         : "more room at " + limit.name;
+  if ((of_friction || of_normal) && scene.body.off_centred()) {
+    out += ", a smaller eta_m";
+  }
+  if (of_friction) out += ", a longer L";
+  Scene optimal = scene;
+  optimal.contact = Contact::Optimal;
+  optimal.end_slope.reset();
+  if (scene.body.rolls() && scene.contact == Contact::Smooth &&
+      validate(optimal).empty()) {
+    out += ", contact: optimal";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
+  const LimitedMotion motion(blocking.nearest, posed.asked, posed.units);
+  const std::vector<StatedLimit> limits = stated_limits(posed.asked);
+  const Miss miss = worst(limits, motion, blocking);
+  if (miss.limit == nullptr) return {};
+  const StatedLimit& limit = *miss.limit;
+  const bool of_friction = limit.name == "friction";
+  std::string text = fmt::format("; the tightest is {}", limit.name);
+  if (of_friction && miss.friction > *limit.bound) {
+    text +=
+        fmt::format(": {:.6g} is asked for, and the path that came nearest {}",
+                    *limit.bound,
+                    std::isfinite(miss.friction)
+                        ? fmt::format("needs {:.3g}", miss.friction)
+                        : "lifts off");
+  } else if (!of_friction && miss.slack < 0.0) {
+    const std::string_view unit = limit.words ? limit.words->unit : "m";
+    text +=
+        fmt::format("{}, which the path that came nearest misses by {:.3g}{}{}",
+                    limit.bound ? fmt::format(": {:.6g}{}{}", *limit.bound,
+                                              unit.empty() ? "" : " ", unit)
+                                : "",
+                    -miss.slack, unit.empty() ? "" : " ", unit);
+  }
+  return text + ". To try: " + advice(posed.asked, limit, of_friction);
+}
+
+}  // namespace brachisto

@@ -14,7 +14,7 @@ void fill_end(const AdaptiveIntegration<CanonicalRates<Size>>& path,
               ArcEnd& end) {
   end.y = states_of(path.now());
   end.t = path.now()[kTime];
-  end.beta = path.beta();
+  end.beta = path.rates().beta;
   end.rates = states_of(path.slope());
 }
 
@@ -60,7 +60,7 @@ bool integrate_path(const CanonicalFlow& flow, const State& start, double near,
   knots.push_back(knot_at(0.0, stack, first.beta));
   if (!advance(path, span, control, step, [&](double u) {
         ++end.steps;
-        knots.push_back(knot_at(u, path.now(), path.beta()));
+        knots.push_back(knot_at(u, path.now(), path.rates().beta));
       })) {
     return false;
   }

@@ -45,7 +45,7 @@ std::optional<InitialCondition> BackwardShooting::shoot(
   double u = 0.0;
   // A fraction of a radian of the rolling, also where w is yet to grow.
   double step = 0.3 * r / (w + std::sqrt(r));
-  if (path != nullptr) path->knots.push_back(knot_at(u, now, back.beta()));
+  if (path != nullptr) path->knots.push_back(knot_at(u, now, back.rates().beta));
   for (int i = 0; now[kW] > 0.0; ++i) {
     ++steps_;
     const bool taken = back.step(step, tolerance);
@@ -57,12 +57,12 @@ std::optional<InitialCondition> BackwardShooting::shoot(
       continue;
     }
     const double left = longest_ - r * (theta - now[kTheta]);
-    if (back.failed() || std::abs(back.beta()) > std::numbers::pi ||
+    if (back.failed() || std::abs(back.rates().beta) > std::numbers::pi ||
         std::abs(now[kX] - start_.x) > left) {
       return std::nullopt;
     }
     if (path != nullptr && now[kW] > 0.0) {
-      path->knots.push_back(knot_at(u, now, back.beta()));
+      path->knots.push_back(knot_at(u, now, back.rates().beta));
     }
   }
   // w is smooth through zero: Newton's method on u.
@@ -75,7 +75,7 @@ std::optional<InitialCondition> BackwardShooting::shoot(
   if (path != nullptr) {
     path->p_x = p_x;
     path->p_z = p_z;
-    path->knots.push_back(knot_at(u, now, back.beta()));
+    path->knots.push_back(knot_at(u, now, back.rates().beta));
     std::reverse(path->knots.begin(), path->knots.end());
     for (ExtremalPath::Knot& knot : path->knots) {
       knot.u = u - knot.u;

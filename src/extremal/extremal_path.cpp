@@ -8,10 +8,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
+#include "extremal/arc_flow.hpp"
 #include "extremal/arc_integration.hpp"
-#include "extremal/world_flow.hpp"
+#include "model/world_hamiltonian.hpp"
 
 namespace brachisto {
 
@@ -51,30 +53,21 @@ ExtremalState ExtremalPath::at(double sigma) const {
 
 ExtremalPath::Knot ExtremalPath::in_world(const Knot& knot, const Knot& next,
                                           double span) const {
-  const auto phase_of = [](const Knot& at) -> worlds::State {
+  const auto node_at = [](const Knot& at) {
     const auto& [x, z, theta, w, p_theta, p_w] = at.y;
-    return {x, z, theta, w, at.p_x, at.p_z, p_theta, p_w};
+    arcs::Knot out{at.u, arcs::Node(8), at.t, at.beta};
+    out.y << x, z, theta, w, at.p_x, at.p_z, p_theta, p_w;
+    return out;
   };
-  worlds::WorldFlow flow(natural_);
-  if (flow.has_surface()) {
-    // Paths have knots on the surface, and only one of two that follow on each
-    // other is there.
-    const double first = flow.height(phase_of(knot));
-    const double last = flow.height(phase_of(next));
-    const double height = std::abs(first) > std::abs(last) ? first : last;
-    flow =
-        flow.on_side(height > 0.0 ? SphereSide::Outside : SphereSide::Inside);
-  }
-  const worlds::Passed there = worlds::step_from(
-      flow, {knot.u, phase_of(knot), knot.t, knot.beta}, span);
+  const arcs::ArcFlow flow(natural_, std::nullopt);
+  const arcs::Knot there = flow.step_from(node_at(knot), node_at(next), span);
   const auto& y = there.y;
   return {.u = there.u,
-          .y = {y[worlds::kX], y[worlds::kZ], y[worlds::kTheta], y[worlds::kW],
-                y[worlds::kPTheta], y[worlds::kPW]},
+          .y = {y(0), y(1), y(2), y(3), y(6), y(7)},
           .t = there.t,
-          .beta = there.beta,
-          .p_x = y[worlds::kPX],
-          .p_z = y[worlds::kPZ]};
+          .beta = there.control,
+          .p_x = y(4),
+          .p_z = y(5)};
 }
 
 ExtremalState ExtremalPath::in_si(const Knot& knot) const {

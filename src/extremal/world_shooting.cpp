@@ -5,129 +5,96 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
+#include "extremal/arc_newton.hpp"
 #include "extremal/extremal_attempt.hpp"
 #include "extremal/shooting_system.hpp"
-#include "extremal/world_system.hpp"
-#include "math/index.hpp"
-#include "model/start_angle.hpp"
 #include "model/world_part.hpp"
 
 namespace brachisto {
 
 namespace {
 
-using worlds::WorldSystem;
-
-/// Newton's method ended, and where.
-struct WorldRoot {
-  bool converged = false;
-  Eigen::VectorXd point;
-  WorldSystem::Linearisation at;
-  Eigen::VectorXd last_change;
-  int steps = 0;
-  double residual = std::numeric_limits<double>::infinity();
-};
-
-WorldRoot find_world_root(const WorldSystem& system, Eigen::VectorXd start,
-                          const shooting::StepControl& control,
-                          int most_steps) {
-  constexpr double kConverged = 1e-14, kRounding = 1e-10;
-  constexpr double kSmallestFactor = 1e-2;
-  WorldRoot out;
-  out.point = std::move(start);
-  if (!system.evaluate(out.point, control, out.at)) return out;
-  while (true) {
-    out.residual = out.at.residual.lpNorm<Eigen::Infinity>();
-    out.last_change = -out.at.jacobian.partialPivLu().solve(out.at.residual);
-    if (!out.last_change.allFinite()) return out;
-    if (out.residual <= kConverged || out.steps == most_steps) break;
-    WorldSystem::Linearisation there;
-    double factor = 1.0;
-    const auto closer = [&] {
-      return system.evaluate(out.point + factor * out.last_change, control,
-                             there) &&
-             there.residual.norm() < out.at.residual.norm();
-    };
-    while (factor >= kSmallestFactor && !closer()) factor *= 0.5;
-    if (factor < kSmallestFactor) break;  // rounding, or no way
-    out.point += factor * out.last_change;
-    out.at = std::move(there);
-    ++out.steps;
-  }
-  out.converged = out.residual <= kRounding;
-  return out;
-}
+using arcs::ArcSystem;
 
 /// What a solve has and does, in natural units.
 class SolveInWorld : public shooting::ExtremalAttempt {
  public:
-  SolveInWorld(const Scene& scene, const ExtremalOptions& options, int arcs)
+  SolveInWorld(const Scene& scene, const ExtremalOptions& options,
+               const ExtremalGuess& guess)
       : ExtremalAttempt(options),
         scene_(scene),
         units_(natural_units(scene)),
         natural_(in_natural_units(scene)),
-        // The number of arcs squared is the size of the matrix.
-        arcs_(std::clamp(arcs, 4, 120)) {
+        arcs_(shooting::choose_arcs(natural_, guess, options.arcs)),
+        start_(in_natural_units_of(guess)) {
     solution_.arcs = arcs_;
   }
 
-  [[nodiscard]] Eigen::VectorXd unknowns_of(const ExtremalGuess& guess) const;
-  /// From the ordinary world's extremal to the scene's; nothing if it fails.
-  bool follow_into_world(Eigen::VectorXd& point);
-  void finish(const Eigen::VectorXd& start);
+  /// From the ordinary world's extremal to the scene's; false if it fails.
+  bool follow_into_world();
+  void finish();
 
  private:
-  void fill(const WorldSystem& system, const WorldRoot& root);
+  [[nodiscard]] arcs::Guess in_natural_units_of(
+      const ExtremalGuess& guess) const;
+  [[nodiscard]] ArcSystem::Point point_of(const ArcSystem& system) const {
+    return point_.nodes.empty() ? system.start() : point_;
+  }
+  void fill(const arcs::RefinedRoot& root, const arcs::ArcPath& path);
 
   const Scene& scene_;
   Units units_;
   Scene natural_;
   int arcs_;
+  arcs::Guess start_;
+  ArcSystem::Point point_;  ///< to go on from, if it has begun
 };
 
-Eigen::VectorXd SolveInWorld::unknowns_of(const ExtremalGuess& guess) const {
-  const WorldSystem system(natural_, arcs_);
-  Eigen::VectorXd point(system.num_unknowns());
-  const double per_speed = 1.0 / units_.speed();
-  for (int i = 0; i <= arcs_; ++i) {
-    const ExtremalState s = guess.state(static_cast<double>(i) / arcs_);
-    const worlds::State y{s.x / units_.length,
-                          s.z / units_.length,
-                          s.theta,
-                          s.w * per_speed,
-                          s.p_x / per_speed,
-                          s.p_z / per_speed,
-                          s.p_theta / units_.time,
-                          s.p_w / (units_.time * per_speed)};
-    std::copy(y.begin(), y.end(), point.data() + WorldSystem::of_node(i));
-  }
-  point(system.of_duration()) = guess.rolling_time / units_.time;
-  point(system.of_phi()) = guess.phi;
-  if (system.open()) point(system.of_slope()) = guess.state(0.0).beta;
-  return point;
+arcs::Guess SolveInWorld::in_natural_units_of(
+    const ExtremalGuess& guess) const {
+  arcs::Guess out;
+  out.arcs = {{.held = {}, .duration = guess.rolling_time / units_.time}};
+  const auto state = guess.state;
+  const Units units = units_;
+  out.state = [state, units](std::size_t, double share) {
+    const ExtremalState s = state(share);
+    const double speed = units.speed();
+    return arcs::State{s.x / units.length,
+                       s.z / units.length,
+                       s.theta,
+                       s.w / speed,
+                       s.beta,
+                       s.p_x * speed,
+                       s.p_z * speed,
+                       s.p_theta / units.time,
+                       s.p_w * speed / units.time,
+                       0.0};
+  };
+  return out;
 }
 
-bool SolveInWorld::follow_into_world(Eigen::VectorXd& point) {
+bool SolveInWorld::follow_into_world() {
   constexpr double kFirstStep = 0.25, kSmallestStep = 1.0 / 512.0;
   // Newton's method near its solution doubles the digits in each step.
   constexpr int kMostSteps = 8, kFewSteps = 5;
   constexpr double kLargestTurn = 0.25;
   double fraction = 0.0;
   double step = kFirstStep;
+  double phi = start_.state(0, 1.0)[arcs::kBeta];
   while (fraction < 1.0) {
     const double next = std::min(1.0, fraction + step);
     const Scene part = part_of_world(natural_, next);
-    const WorldSystem system(part, arcs_);
-    const WorldRoot root = find_world_root(system, point, {}, kMostSteps);
+    const ArcSystem system(part, start_, arcs_);
+    arcs::ArcRoot root =
+        arcs::find_root(system, point_of(system), {}, kMostSteps);
     solution_.newton_steps += root.steps;
     const double turn =
-        std::abs(root.point(system.of_phi()) - point(system.of_phi()));
+        root.converged ? std::abs(root.at.slope_at_B.value - phi) : 0.0;
     if (options_.stop.met()) {
       stop(fmt::format("{:.3g} of the way into the world", fraction));
       return false;
@@ -142,91 +109,79 @@ bool SolveInWorld::follow_into_world(Eigen::VectorXd& point) {
                        fraction));
       return false;
     }
-    point = root.point;
+    phi = root.at.slope_at_B.value;
+    point_ = std::move(root.point);
     fraction = next;
     if (root.steps <= kFewSteps) step *= 2.0;
   }
   return true;
 }
 
-void SolveInWorld::finish(const Eigen::VectorXd& start) {
+void SolveInWorld::finish() {
   // The local error is well below the wanted accuracy of the whole.
   constexpr double kShare = 0.1, kTightest = 1e-15;
   const double wanted = std::max(options_.tolerance, 1e-14);
-  shooting::StepControl control{
+  const ocp::StepControl control{
       .tolerance = std::max(kShare * wanted, kTightest), .halve = false};
-  const WorldSystem system(natural_, arcs_);
-  const WorldRoot coarse =
-      find_world_root(system, start, control, options_.max_newton_steps);
-  solution_.newton_steps += coarse.steps;
-  if (!coarse.converged) {
+  const ArcSystem system(natural_, start_, arcs_);
+  const arcs::ArcRoot root = arcs::find_root(system, point_of(system), control,
+                                             options_.max_newton_steps);
+  solution_.newton_steps += root.steps;
+  solution_.residual = root.residual;
+  if (!root.converged) {
     if (options_.stop.met()) return stop("in Newton's method");
     return fail(ExtremalStatus::NewtonFailed,
                 fmt::format("after {} steps the residual is {:.1e}; try a "
                             "better guess, or more arcs",
-                            coarse.steps, coarse.residual));
+                            root.steps, root.residual));
   }
-  control.halve = true;
-  const WorldRoot fine =
-      find_world_root(system, coarse.point, control, options_.max_newton_steps);
-  solution_.newton_steps += fine.steps;
-  if (!fine.converged) {
-    if (options_.stop.met()) return stop("in Newton's method");
-    return fail(ExtremalStatus::NewtonFailed,
-                fmt::format("with every step halved the residual is {:.1e}",
-                            fine.residual));
+  arcs::RefinedRoot refined;
+  arcs::ArcPath path;
+  if (arcs::refine_root(system, root, control, refined)) {
+    path = system.path(refined.point, {control.tolerance, true});
   }
-  const auto time_of = [](const WorldRoot& root) {
-    return root.at.transit_time + root.at.time_gradient * root.last_change;
-  };
-  const double T = time_of(fine);
-  solution_.transit_time = T * units_.time;
-  solution_.error_estimate =
-      std::abs(time_of(coarse) / T - 1.0) +
-      std::numeric_limits<double>::epsilon() * std::sqrt(1.0 + fine.at.steps);
-  fill(system, fine);
-  std::vector<ExtremalPath::Knot> knots;
-  const bool followed =
-      system.follow(fine.point, control, [&](const worlds::Passed& at) {
-        const auto& y = at.y;
-        knots.push_back(
-            {.u = at.u,
-             .y = {y[worlds::kX], y[worlds::kZ], y[worlds::kTheta],
-                   y[worlds::kW], y[worlds::kPTheta], y[worlds::kPW]},
-             .t = at.t,
-             .beta = at.beta,
-             .p_x = y[worlds::kPX],
-             .p_z = y[worlds::kPZ]});
-      });
-  if (!followed) {
+  if (path.empty()) {
     return fail(ExtremalStatus::NewtonFailed,
                 "the solution cannot be integrated again");
   }
-  knots.back().u = fine.point(system.of_duration());
-  // At rest exactly, not but for rounding.
-  if (natural_.world.start_speed == 0.0) knots.front().y[shooting::kW] = 0.0;
-  solution_.start_angle = knots.front().beta;
-  const double p_x = knots.back().p_x;
-  const double p_z = knots.back().p_z;
-  solution_.path = ExtremalPath(natural_, units_, p_x, p_z, std::move(knots));
+  fill(refined, path);
   judge();
 }
 
-void SolveInWorld::fill(const WorldSystem& system, const WorldRoot& root) {
-  const worlds::State last = system.node(root.point, arcs_);
+void SolveInWorld::fill(const arcs::RefinedRoot& root,
+                        const arcs::ArcPath& path) {
+  solution_.transit_time = root.transit_time * units_.time;
+  solution_.error_estimate = root.error_estimate;
   solution_.tau =
       solution_.transit_time * std::sqrt(2.0 * scene_.gravity / scene_.H);
-  solution_.rolling_time = root.point(system.of_duration()) * units_.time;
-  solution_.phi = root.point(system.of_phi());
+  std::vector<ExtremalPath::Knot> knots;
+  for (const arcs::Knot& at : path.arcs().front().knots) {
+    const auto& y = at.y;
+    knots.push_back({.u = at.u,
+                     .y = {y(0), y(1), y(2), y(3), y(6), y(7)},
+                     .t = at.t,
+                     .beta = at.control,
+                     .p_x = y(4),
+                     .p_z = y(5)});
+  }
+  const double U = path.rolling_time();
+  knots.back().u = U;
+  // At rest exactly, not but for rounding.
+  if (natural_.world.start_speed == 0.0) knots.front().y[shooting::kW] = 0.0;
+  const ExtremalPath::Knot& last = knots.back();
+  solution_.rolling_time = U * units_.time;
+  solution_.phi = last.beta;
+  solution_.start_angle = knots.front().beta;
   // No-slip: S = r (θ_end − θ_m). For a bead θ counts arc length.
-  const double turned = last[worlds::kTheta] - natural_.body.theta_m;
+  const double turned = last.y[shooting::kTheta] - natural_.body.theta_m;
   solution_.rotation = natural_.body.rolls() ? turned : 0.0;
   solution_.centre_path_length =
       turned / shooting::inverse_radius(natural_.body) * units_.length;
-  solution_.p_x = last[worlds::kPX] / units_.speed();
-  solution_.p_z = last[worlds::kPZ] / units_.speed();
+  solution_.p_x = last.p_x / units_.speed();
+  solution_.p_z = last.p_z / units_.speed();
   solution_.integration_steps = root.at.steps;
-  solution_.residual = root.residual;
+  const double p_x = last.p_x, p_z = last.p_z;
+  solution_.path = ExtremalPath(natural_, units_, p_x, p_z, std::move(knots));
 }
 
 }  // namespace
@@ -234,10 +189,8 @@ void SolveInWorld::fill(const WorldSystem& system, const WorldRoot& root) {
 ExtremalSolution solve_extremal_in_world(const Scene& scene,
                                          const ExtremalGuess& guess,
                                          const ExtremalOptions& options) {
-  SolveInWorld solve(
-      scene, options,
-      shooting::choose_arcs(in_natural_units(scene), guess, options.arcs));
-  return solve.within_its_stop([&] { solve.finish(solve.unknowns_of(guess)); });
+  SolveInWorld solve(scene, options, guess);
+  return solve.within_its_stop([&] { solve.finish(); });
 }
 
 ExtremalSolution solve_extremal_in_world(const Scene& scene,
@@ -249,12 +202,9 @@ ExtremalSolution solve_extremal_in_world(const Scene& scene,
   guess.p_x = ordinary.p_x;
   guess.p_z = ordinary.p_z;
   guess.state = [&](double sigma) { return ordinary.path.at(sigma); };
-  SolveInWorld solve(
-      scene, options,
-      shooting::choose_arcs(in_natural_units(scene), guess, options.arcs));
+  SolveInWorld solve(scene, options, guess);
   return solve.within_its_stop([&] {
-    Eigen::VectorXd point = solve.unknowns_of(guess);
-    if (solve.follow_into_world(point)) solve.finish(point);
+    if (solve.follow_into_world()) solve.finish();
   });
 }
 

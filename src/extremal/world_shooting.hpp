@@ -11,7 +11,7 @@
 namespace brachisto {
 
 /// solve_extremal() of a scene whose world is not ordinary, by Newton's method
-/// for the equations of worlds::WorldSystem from a guess nearby.
+/// for the equations of arcs::ArcSystem from a guess nearby.
 [[nodiscard]] ExtremalSolution solve_extremal_in_world(
     const Scene& scene, const ExtremalGuess& guess,
     const ExtremalOptions& options);

@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <type_traits>
 
 namespace brachisto::math {
 
@@ -57,6 +59,18 @@ struct Jet2 {
     return out;
   }
 
+  /// The same of a function that is linear.
+  [[nodiscard]] Jet2 chain(Real f, Real df) const {
+    Jet2 out(f);
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      out.gradient[i] = df * gradient[i];
+    }
+    for (std::size_t i = 0; i < hessian.size(); ++i) {
+      out.hessian[i] = df * hessian[i];
+    }
+    return out;
+  }
+
   Jet2& operator+=(const Jet2& other) {
     value += other.value;
     for (std::size_t i = 0; i < gradient.size(); ++i) {
@@ -67,11 +81,18 @@ struct Jet2 {
     }
     return *this;
   }
-  Jet2& operator-=(const Jet2& other) { return *this += -other; }
-
-  [[nodiscard]] Jet2 operator-() const {
-    return chain(-value, Real(-1), Real(0));
+  Jet2& operator-=(const Jet2& other) {
+    value -= other.value;
+    for (std::size_t i = 0; i < gradient.size(); ++i) {
+      gradient[i] -= other.gradient[i];
+    }
+    for (std::size_t i = 0; i < hessian.size(); ++i) {
+      hessian[i] -= other.hessian[i];
+    }
+    return *this;
   }
+
+  [[nodiscard]] Jet2 operator-() const { return chain(-value, Real(-1)); }
 
   friend Jet2 operator+(Jet2 a, const Jet2& b) { return a += b; }
   friend Jet2 operator-(Jet2 a, const Jet2& b) { return a -= b; }
@@ -89,6 +110,12 @@ struct Jet2 {
       }
     }
     return out;
+  }
+  /// With a number no derivative of it has to be multiplied.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  friend Jet2 operator*(const Jet2& a, Number factor) {
+    return a.chain(a.value * Real(factor), Real(factor));
   }
   friend Jet2 operator/(const Jet2& a, const Jet2& b) {
     const Real inverse = Real(1) / b.value;

@@ -7,6 +7,8 @@
 #include <array>
 #include <numbers>
 
+#include "math/nearest_minimum.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -92,7 +94,7 @@ double slope_rate(const Body& body, double gravity, const RollingState& state,
 double minimising_slope(const Body& body, double gravity,
                         const RollingState& state, const Costates& p,
                         double near) {
-  return nearest_minimum(
+  return math::nearest_minimum(
       [&](double beta) {
         return slope_hamiltonian(body, gravity, state, p, beta);
       },

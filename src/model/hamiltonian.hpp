@@ -6,9 +6,7 @@
 
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
@@ -78,30 +76,6 @@ struct SlopeHamiltonian {
 [[nodiscard]] double slope_rate(const Body& body, double gravity,
                                 const RollingState& state, const Costates& p,
                                 double beta);
-
-/// The minimum nearest to `near` of a function of β, told with its first two
-/// derivatives: Newton's method, turned into descent where the function is not
-/// convex, and kept from jumping over a neighbouring maximum by a bound on the
-/// step. NaN if none is reached.
-template <class Function>
-[[nodiscard]] double nearest_minimum(const Function& function, double near) {
-  constexpr double kLongestStep = 0.25;
-  constexpr int kMaxSteps = 100;
-  // The next step of Newton's method would be the square of this one times
-  // ½ h_βββ/h_ββ: less than the rounding of h_β over h_ββ, however flat h is.
-  constexpr double kLastStep = 1e-9;
-  double beta = near;
-  for (int i = 0; i < kMaxSteps; ++i) {
-    const SlopeHamiltonian h = function(beta);
-    double step = h.d2_beta > 0.0 ? -h.d_beta / h.d2_beta
-                                  : -std::copysign(kLongestStep, h.d_beta);
-    step = std::clamp(step, -kLongestStep, kLongestStep);
-    beta += step;
-    if (std::isnan(beta)) break;
-    if (h.d2_beta > 0.0 && std::abs(step) < kLastStep) return beta;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
 
 /// The slope angle nearest to `near` that makes 𝓗 minimal: ∂𝓗/∂β = 0 with
 /// ∂²𝓗/∂β² > 0 [rad]. NaN if no minimum is reached from there.

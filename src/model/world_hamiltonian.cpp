@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/nearest_minimum.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -105,7 +107,7 @@ Costates costate_rates(const Scene& scene, const MovingState& state,
 
 double minimising_slope(const Scene& scene, const MovingState& state,
                         const Costates& p, double near) {
-  return nearest_minimum(
+  return math::nearest_minimum(
       [&](double beta) { return by_slope(scene, phase_of(state, p, beta)); },
       near);
 }

@@ -26,7 +26,7 @@ int held_on(const Arc& arc) {
 
 /// The arcs of a path with the junctions of the extremal.
 std::vector<Arc> with_junctions(std::vector<Arc> arcs,
-                                const limited::ArcPath& extremal) {
+                                const arcs::ArcPath& extremal) {
   double u = 0.0;
   for (std::size_t a = 0; a + 1 < arcs.size(); ++a) {
     u += extremal.arcs()[a].duration;
@@ -38,7 +38,7 @@ std::vector<Arc> with_junctions(std::vector<Arc> arcs,
 /// An extremal at the collocation points of a mesh of its arcs.
 class ArcSample {
  public:
-  ArcSample(const limited::ArcPath& path, std::vector<Arc> arcs,
+  ArcSample(const arcs::ArcPath& path, std::vector<Arc> arcs,
             const LimitedTime& problem)
       : path_(path), arcs_(std::move(arcs)), problem_(problem) {
     for (std::size_t a = 0; a < arcs_.size(); ++a) {
@@ -74,22 +74,21 @@ class ArcSample {
 
   [[nodiscard]] LimitedPoint at_place(Mesh::Place place) const {
     const auto& [arc, begin, end] = elements_[at(place.element)];
-    const limited::ArcPath::Stretch& here = path_.arcs()[arc];
-    const limited::State y =
+    const arcs::ArcPath::Stretch& here = path_.arcs()[arc];
+    const arcs::ArcPoint at_u =
         path_.at(arc, (begin + place.t * (end - begin)) * here.duration);
-    const auto rates = here.flow.rates(y);
+    const arcs::State& y = at_u.y;
     LimitedPoint out;
-    out.state = {y[limited::kX], y[limited::kZ],    y[limited::kTheta],
-                 y[limited::kW], y[limited::kBeta], rates.y[limited::kBeta]};
+    out.state = {y[arcs::kX], y[arcs::kZ],    y[arcs::kTheta],
+                 y[arcs::kW], y[arcs::kBeta], at_u.q};
     out.multipliers.assign(problem_.limits().size(), 0.0);
     if (path_.blind(arc)) return out;
-    out.p = {y[limited::kPX], y[limited::kPZ], y[limited::kPTheta],
-             y[limited::kPW]};
-    out.p_beta = y[limited::kPBeta];
+    out.p = {y[arcs::kPX], y[arcs::kPZ], y[arcs::kPTheta], y[arcs::kPW]};
+    out.p_beta = y[arcs::kPBeta];
     // Multipliers of limits are minus the derivative of T by a bound, ν is
     // positive where a lower one holds.
     if (const int held = held_on(arcs_[arc]); held >= 0) {
-      out.multipliers[at(held)] = -rates.nu;
+      out.multipliers[at(held)] = -at_u.nu;
     }
     return out;
   }
@@ -98,12 +97,11 @@ class ArcSample {
   /// impulses: −Λ of what they jump along, and as the control is to stay
   /// stationary one of what holds it.
   void add_jump(std::size_t arc) {
-    const limited::ArcPath::Stretch& here = path_.arcs()[arc];
+    const arcs::ArcPath::Stretch& here = path_.arcs()[arc];
     if (!here.jumps_along) return;
     const Arc& before = arcs_[arc];
     const int held = held_on(before);
-    const bool of_control =
-        here.flow.kind() == limited::LimitedFlow::Kind::Control;
+    const bool of_control = here.flow.kind() == arcs::ArcFlow::Kind::Control;
     const int along = before.touch ? static_cast<int>(before.touch->limit)
                       : of_control ? held_on(arcs_[arc + 1])
                                    : held;
@@ -113,7 +111,7 @@ class ArcSample {
     };
     multiplier(along) -= here.jump;
     if (!of_control) return;
-    const limited::State y = path_.at(arc, here.duration);
+    const arcs::ArcPoint y = path_.at(arc, here.duration);
     multiplier(held) += here.jump *
                         here.flow.by_control(here.jumps_along->limit, y) /
                         here.flow.by_control(here.flow.held()->limit, y);
@@ -124,10 +122,10 @@ class ArcSample {
   /// them is too much over its length.
   [[nodiscard]] bool left_to_stationarity(std::size_t arc) const {
     constexpr double kShort = 1e-4;
-    const limited::ArcPath::Stretch& here = path_.arcs()[arc];
+    const arcs::ArcPath::Stretch& here = path_.arcs()[arc];
     return path_.blind(arc) ||
            (arc + 1 < arcs_.size() &&
-            here.flow.kind() == limited::LimitedFlow::Kind::Control &&
+            here.flow.kind() == arcs::ArcFlow::Kind::Control &&
             here.duration < kShort * path_.rolling_time());
   }
 
@@ -172,7 +170,7 @@ class ArcSample {
                          {layout.start_row(held)}, point_);
   }
 
-  const limited::ArcPath& path_;
+  const arcs::ArcPath& path_;
   std::vector<Arc> arcs_;
   LimitedTime problem_;
   std::vector<Element> elements_;
@@ -180,16 +178,15 @@ class ArcSample {
 };
 
 /// An extremal on a mesh of degree p.
-FittedPath sampled_path(const limited::ArcPath& extremal,
-                        const FittedPath& nearby, std::vector<Arc> arcs,
-                        int p) {
+FittedPath sampled_path(const arcs::ArcPath& extremal, const FittedPath& nearby,
+                        std::vector<Arc> arcs, int p) {
   const LimitedTime& found = nearby.curve.problem();
   // A slope that the scene gives stays the one that is asked for.
   LimitedEnds ends = nearby.ends;
   const bool sought = end_is_sought(found.scene());
   if (sought) ends.phi = extremal.slope_at_end();
   if (start_is_sought(ends)) {
-    ends.start = extremal.at(0, 0.0)[limited::kBeta];
+    ends.start = extremal.at(0, 0.0).y[arcs::kBeta];
   }
   const LimitedTime problem(found.scene(), found.limits(), mesh_of(arcs, p),
                             ends, held_limits(arcs));

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "brachisto/math/stop_condition.hpp"
-#include "extremal/limited_shooting.hpp"
+#include "extremal/arc_shooting.hpp"
 #include "refinement/limited_refinement.hpp"
 
 namespace brachisto {

@@ -12,18 +12,18 @@
 
 namespace brachisto {
 
-limited::Guess as_guess(const FittedPath& path) {
+arcs::Guess as_guess(const FittedPath& path) {
   const LimitedTime& problem = path.curve.problem();
   const auto held_limit = [&](std::size_t limit, nlp::Held where) {
     const PathInequality& found = problem.limits()[limit];
-    return limited::HeldLimit{
+    return arcs::HeldLimit{
         found, where == nlp::Held::AtUpper ? found.upper : found.lower};
   };
-  limited::Guess guess;
+  arcs::Guess guess;
   std::vector<int> first_element{0};
   double begin = 0.0;
   for (const Arc& arc : path.arcs) {
-    limited::Arc& out = guess.arcs.emplace_back();
+    arcs::Arc& out = guess.arcs.emplace_back();
     out.duration = (arc.end - begin) * path.curve.rolling_time();
     for (std::size_t i = 0; i < arc.held.size(); ++i) {
       if (arc.held[i] != nlp::Held::No) out.held = held_limit(i, arc.held[i]);
@@ -41,10 +41,10 @@ limited::Guess as_guess(const FittedPath& path) {
     const double length = cuts[at(e + 1)] - cuts[at(e)];
     const LimitedPoint here =
         path.curve.at(first_element[arc] + e, (share - cuts[at(e)]) / length);
-    return limited::State{here.state.x, here.state.z,    here.state.theta,
-                          here.state.w, here.state.beta, here.p.p_x,
-                          here.p.p_z,   here.p.p_theta,  here.p.p_w,
-                          here.p_beta};
+    return arcs::State{here.state.x, here.state.z,    here.state.theta,
+                       here.state.w, here.state.beta, here.p.p_x,
+                       here.p.p_z,   here.p.p_theta,  here.p.p_w,
+                       here.p_beta};
   };
   return guess;
 }

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "brachisto/study/solution.hpp"
-#include "extremal/limited_shooting.hpp"
+#include "extremal/arc_shooting.hpp"
 #include "refinement/arc_fit.hpp"
 
 namespace brachisto {
@@ -16,7 +16,7 @@ namespace brachisto {
 /// A solution under limits as the start of a shooting over its arcs, on each of
 /// which one limit holds or none.
 /// \param path  must outlive the guess
-[[nodiscard]] limited::Guess as_guess(const FittedPath& path);
+[[nodiscard]] arcs::Guess as_guess(const FittedPath& path);
 
 /// The extremal with the arcs of a path nearby; none if two limits hold on one
 /// of them.

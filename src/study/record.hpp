@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "extremal/limited_shooting.hpp"
+#include "extremal/arc_shooting.hpp"
 #include "extremal/shooting.hpp"
 #include "refinement/refinement.hpp"
 #include "study/answer.hpp"

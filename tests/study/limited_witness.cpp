@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
-#include "extremal/limited_shooting.hpp"
+#include "extremal/arc_shooting.hpp"
 #include "model/start_angle.hpp"
 #include "model/units.hpp"
 #include "refinement/limited_refinement.hpp"
@@ -320,9 +320,9 @@ double tau_of(const LimitedExtremal& found, const Scene& natural) {
 LimitedExtremal found_from(const Scene& nearby, const Scene& scene) {
   const Fitted fitted(nearby);
   const Scene natural = in_natural_units(scene);
-  limited::Guess guess = as_guess(*fitted.path);
+  arcs::Guess guess = as_guess(*fitted.path);
   const auto limits = inequalities(natural.body, natural.limits);
-  for (limited::Arc& arc : guess.arcs) {
+  for (arcs::Arc& arc : guess.arcs) {
     if (!arc.held) continue;
     for (const PathInequality& limit : limits) {
       if (limit.kind == arc.held->limit.kind) {
@@ -373,18 +373,18 @@ TEST(LimitedWitness, FindsACycloidALineOnTheFloorAndTheSameCycloid) {
 TEST(LimitedWitness, ObjectsToArcsThatLeaveALimitOut) {
   const Scene scene = under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0));
   const Fitted fitted(scene);
-  limited::Guess guess = as_guess(*fitted.path);
+  arcs::Guess guess = as_guess(*fitted.path);
   ASSERT_EQ(guess.arcs.size(), 3U);
   // The free extremal's own arc, from a path that is not far.
-  limited::Arc all;
-  for (const limited::Arc& arc : guess.arcs) all.duration += arc.duration;
+  arcs::Arc all;
+  for (const arcs::Arc& arc : guess.arcs) all.duration += arc.duration;
   guess.arcs = {all};
   const LimitedCurve& curve = fitted.path->curve;
   guess.state = [&](std::size_t, double share) {
     const LimitedPoint at = curve.at(share);
-    return limited::State{
-        at.state.x, at.state.z, at.state.theta, at.state.w, at.state.beta,
-        at.p.p_x,   at.p.p_z,   at.p.p_theta,   at.p.p_w,   0.0};
+    return arcs::State{at.state.x,    at.state.z, at.state.theta, at.state.w,
+                       at.state.beta, at.p.p_x,   at.p.p_z,       at.p.p_theta,
+                       at.p.p_w,      0.0};
   };
 
   const LimitedExtremal found =
@@ -398,7 +398,7 @@ TEST(LimitedWitness, ObjectsToArcsThatLeaveALimitOut) {
 /// The same path along a floor that holds the body down.
 TEST(LimitedWitness, ObjectsToALimitThatHoldsTheOtherWay) {
   const Fitted fitted(under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0)));
-  limited::Guess guess = as_guess(*fitted.path);
+  arcs::Guess guess = as_guess(*fitted.path);
   Scene natural = *fitted.posed.limited;
   natural.limits = {};
   const PathInequality& floor = guess.arcs.at(1).held->limit;
@@ -425,34 +425,34 @@ TEST(LimitedWitness, KnowsItsPathBetweenItsSteps) {
   const LimitedExtremal found = shoot_over_arcs(*fitted.path, {});
 
   ASSERT_TRUE(found.solved) << found.message;
-  const limited::ArcPath& path = found.path;
+  const arcs::ArcPath& path = found.path;
   ASSERT_TRUE(path.blind(0));
   // h⁴ of central differences of order four, and rounding over h.
   constexpr double kStep = 1e-3, kDifferences = 1e-9;
   for (std::size_t a = 0; a < path.arcs().size(); ++a) {
-    const limited::ArcPath::Stretch& arc = path.arcs()[a];
+    const arcs::ArcPath::Stretch& arc = path.arcs()[a];
     for (const double share : {0.3, 0.55, 0.8}) {
       const double u = share * arc.duration;
       ASSERT_GT(std::min(u, arc.duration - u), 2.0 * kStep);
-      const limited::State y = path.at(a, u);
+      const arcs::State y = path.at(a, u).y;
       const auto rate = [&](std::size_t i) {
         const auto across = [&](double h) {
-          return path.at(a, u + h)[i] - path.at(a, u - h)[i];
+          return path.at(a, u + h).y[i] - path.at(a, u - h).y[i];
         };
         return (8.0 * across(kStep) - across(2.0 * kStep)) / (12.0 * kStep);
       };
-      EXPECT_NEAR(rate(limited::kX),
-                  y[limited::kW] * std::cos(y[limited::kBeta]), kDifferences);
+      EXPECT_NEAR(rate(arcs::kX), y[arcs::kW] * std::cos(y[arcs::kBeta]),
+                  kDifferences);
       EXPECT_NEAR(
-          rate(limited::kW),
-          natural.gravity * (std::sin(y[limited::kBeta]) +
-                             natural.body.eta_m * std::cos(y[limited::kTheta])),
+          rate(arcs::kW),
+          natural.gravity * (std::sin(y[arcs::kBeta]) +
+                             natural.body.eta_m * std::cos(y[arcs::kTheta])),
           kDifferences);
     }
     if (a + 1 == path.arcs().size()) continue;
-    const limited::State end = path.at(a, arc.duration);
-    const limited::State next = path.at(a + 1, 0.0);
-    for (std::size_t i = 0; i < limited::kStates; ++i) {
+    const arcs::State end = path.at(a, arc.duration).y;
+    const arcs::State next = path.at(a + 1, 0.0).y;
+    for (std::size_t i = 0; i < arcs::kStates; ++i) {
       EXPECT_NEAR(end[i], next[i], 1e-11) << a << ", " << i;
     }
   }
@@ -460,7 +460,7 @@ TEST(LimitedWitness, KnowsItsPathBetweenItsSteps) {
 
 TEST(LimitedWitness, SaysWhichConditionsFail) {
   const Fitted fitted(under(bead_scene(), floor_at(1.0)));
-  limited::Guess guess = as_guess(*fitted.path);
+  arcs::Guess guess = as_guess(*fitted.path);
   ASSERT_EQ(guess.arcs.size(), 2U);
   // An arc along the floor does not end above it.
   Scene elsewhere = *fitted.posed.limited;
@@ -500,7 +500,7 @@ TEST(LimitedWitness, RefusesArcsOnWhichTwoLimitsHold) {
 TEST(LimitedWitness, NamesTheArcsThatItDoesNotKnow) {
   const Scene scene = under(off_centred_scene(), floor_at(0.9 + 1.0 / 3.0));
   const Fitted fitted(scene);
-  limited::Guess guess = as_guess(*fitted.path);
+  arcs::Guess guess = as_guess(*fitted.path);
   guess.arcs.erase(guess.arcs.begin());
   const auto state = guess.state;
   guess.state = [=](std::size_t arc, double share) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// An extremal under limits as a function of the rolling time, arc by arc.
+/// An extremal as a function of the rolling time, arc by arc.
 
 #pragma once
 
@@ -10,26 +10,21 @@
 #include <string>
 #include <vector>
 
-#include "extremal/limited_boundary.hpp"
-#include "extremal/limited_flow.hpp"
+#include "extremal/arc_boundary.hpp"
+#include "extremal/arc_flow.hpp"
 
-namespace brachisto::limited {
+namespace brachisto::arcs {
 
-/// An extremal under limits through the steps of its integration; between them
+/// An extremal through the steps of its integration; between them
 /// it is integrated anew, so that every point has the accuracy of the
 /// integration. All in natural units.
 class ArcPath {
  public:
-  /// One accepted step, u from the start of the arc.
-  struct Knot {
-    double u = 0.0;
-    State y;
-  };
   /// An arc, and what the costates of the states do at its end.
   struct Stretch {
-    LimitedFlow flow;
+    ArcFlow flow;
     double duration = 0.0;    ///< of u
-    std::vector<Knot> knots;  ///< ascending in u
+    std::vector<Knot> knots;  ///< ascending in u, from the start of the arc
     /// They jump by Λ ∂c/∂y of this limit.
     std::optional<HeldLimit> jumps_along = {};
     double jump = 0.0;  ///< Λ
@@ -49,10 +44,10 @@ class ArcPath {
   /// U.
   [[nodiscard]] double rolling_time() const;
   [[nodiscard]] double slope_at_end() const {
-    return arcs_.back().knots.back().y[kBeta];
+    return at(arcs_.size() - 1, arcs_.back().knots.back().u).y[kBeta];
   }
   /// At so much u from the start of an arc; costs one step of the integration.
-  [[nodiscard]] State at(std::size_t arc, double u) const;
+  [[nodiscard]] ArcPoint at(std::size_t arc, double u) const;
 
   /// Why the path is no extremal under the limits although its equations hold:
   /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc
@@ -65,4 +60,4 @@ class ArcPath {
   std::optional<LimitedStart> forced_;
 };
 
-}  // namespace brachisto::limited
+}  // namespace brachisto::arcs

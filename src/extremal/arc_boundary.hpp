@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Conditions at the two ends of an extremal under limits.
+/// Conditions at the two ends of an extremal.
 
 #pragma once
 
@@ -10,18 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "extremal/limited_flow.hpp"
+#include "extremal/arc_flow.hpp"
 
-namespace brachisto::limited {
-
-/// Each component as a variable of its own.
-[[nodiscard]] Values<Jet> variables(const State& y);
+namespace brachisto::arcs {
 
 /// How a path leaves A.
 class LimitedStart {
  public:
   enum class Kind {
-    Free,     ///< with the start angle of the body
+    Free,     ///< with the slope that makes 𝓗 minimal
     Forced,   ///< along a limit on forces, from the border of the static cone
     Turning,  ///< along a limit of the curvature
   };
@@ -44,8 +41,8 @@ class LimitedStart {
   [[nodiscard]] State left_rest(double u = kLeftRest) const;
 
   /// What vanishes at the first node: states that are known, and p_β where β is
-  /// not, or where the path is free.
-  [[nodiscard]] std::vector<Jet> conditions(const State& y) const;
+  /// a state that is not.
+  [[nodiscard]] std::vector<Jet> conditions(const LinearPoint& first) const;
 
  private:
   Scene scene_;
@@ -57,7 +54,9 @@ class LimitedStart {
 };
 
 /// What vanishes at B.
+/// \param turns  whether β is a state there
 [[nodiscard]] std::vector<Jet> end_conditions(const Scene& natural,
-                                              const State& y);
+                                              const LinearPoint& last,
+                                              bool turns);
 
-}  // namespace brachisto::limited
+}  // namespace brachisto::arcs

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "extremal/limited_system.hpp"
+#include "extremal/arc_system.hpp"
 
 namespace brachisto {
 
@@ -28,19 +28,19 @@ struct LimitedExtremal {
   double error_estimate = 0.0;  ///< relative, of T
   Loose start_angle, end_angle;
   std::vector<Loose> junctions;  ///< u at which arcs end, the last one at B
-  limited::ArcPath path;         ///< if it is solved
+  arcs::ArcPath path;            ///< if it is solved
   double residual = 0.0;         ///< of all equations, in natural units
   int newton_steps = 0, integration_steps = 0;
 };
 
-/// Newton's method for the equations of LimitedSystem, started from a path
+/// Newton's method for the equations of arcs::ArcSystem, started from a path
 /// nearby. Solved is what keeps all limits, with multipliers of the right sign.
 /// The time's error is estimated by one step more, with all steps of the
 /// integration halved.
 ///
 /// \param natural  the scene in natural units, with limits
-[[nodiscard]] LimitedExtremal solve_limited_extremal(
-    const Scene& natural, const limited::Guess& guess,
-    const StopCondition& stop);
+[[nodiscard]] LimitedExtremal solve_limited_extremal(const Scene& natural,
+                                                     const arcs::Guess& guess,
+                                                     const StopCondition& stop);
 
 }  // namespace brachisto

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "extremal/limited_boundary.hpp"
+#include "extremal/arc_boundary.hpp"
 
 #include <cmath>
 
 #include "math/jet2.hpp"
 #include "model/contact.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "model/start_under_limits.hpp"
 
-namespace brachisto::limited {
+namespace brachisto::arcs {
 
 namespace {
 
@@ -63,26 +64,17 @@ double rise_from_rest(const Scene& scene, const HeldLimit& held, double slope) {
                                 On::variable(0.0, 3)});
   const double W = scene.gravity * energy_slope(body, body.theta_m, slope);
   const auto second = [&](int i, int j) { return c.hessian[On::pair(i, j)]; };
-  return -(c.gradient[0] * 0.5 * W * rotation_per_length(body) +
+  return -(c.gradient[0] * 0.5 * W * rotation_per_length(scene) +
            0.5 * second(1, 1) * W * W) /
          (c.gradient[2] + 2.0 * W * second(3, 1));
 }
 
 }  // namespace
 
-Values<Jet> variables(const State& y) {
-  Values<Jet> out;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    out[i] = Jet::variable(y[i], static_cast<int>(i));
-  }
-  return out;
-}
-
 LimitedStart::LimitedStart(const Scene& natural,
                            const std::optional<HeldLimit>& held, double near)
     : scene_(natural) {
   if (!held) {
-    slope_ = start_angle(scene_.body);
     if (is_optimal(scene_)) refusal_ = "it leaves an optimal contact freely";
   } else if (held->limit.bounds_force()) {
     kind_ = Kind::Forced;
@@ -110,37 +102,44 @@ State LimitedStart::left_rest(double u) const {
   State y{};
   y[kX] = centre.x + s * std::cos(*slope_);
   y[kZ] = centre.z + s * std::sin(*slope_);
-  y[kTheta] = body.theta_m + s * rotation_per_length(body);
+  y[kTheta] = body.theta_m + s * rotation_per_length(scene_);
   y[kW] = w;
   y[kBeta] = *slope_ + rise_ * u * u;
   return y;
 }
 
-std::vector<Jet> LimitedStart::conditions(const State& y) const {
-  const Values<Jet> v = variables(y);
+std::vector<Jet> LimitedStart::conditions(const LinearPoint& first) const {
+  const Values<Jet>& v = first.y;
   std::vector<Jet> out;
   if (kind_ == Kind::Forced) {
     const State rest = left_rest();
     for (std::size_t i = 0; i < kStates; ++i) out.push_back(v[i] - rest[i]);
     return out;
   }
+  const Body& body = scene_.body;
   const double r = contact_radius(scene_);
   out = {v[kX] - sin(v[kBeta]) * r, v[kZ] + cos(v[kBeta]) * r,
-         v[kTheta] - scene_.body.theta_m, v[kW]};
-  if (slope_) out.push_back(v[kBeta] - *slope_);
-  if (!slope_ || kind_ == Kind::Free) {
-    out.push_back(transversality(scene_, v));
+         v[kTheta] - body.theta_m,
+         v[kW] - root_of_inertia(body, Jet(body.theta_m), v[kBeta]) *
+                     scene_.world.start_speed};
+  if (kind_ == Kind::Free) return out;
+  out.push_back(slope_ ? v[kBeta] - *slope_ : transversality(scene_, v));
+  return out;
+}
+
+std::vector<Jet> end_conditions(const Scene& natural, const LinearPoint& last,
+                                bool turns) {
+  const Values<Jet>& v = last.y;
+  const double r = contact_radius(natural);
+  std::vector<Jet> out{v[kX] - sin(v[kBeta]) * r - natural.L,
+                       v[kZ] + cos(v[kBeta]) * r - natural.H, v[kPTheta],
+                       v[kPW]};
+  if (natural.contact == Contact::EndSlope) {
+    out.push_back(v[kBeta] - *natural.end_slope);
+  } else if (turns || is_optimal(natural)) {
+    out.push_back(transversality(natural, v));
   }
   return out;
 }
 
-std::vector<Jet> end_conditions(const Scene& natural, const State& y) {
-  const Values<Jet> v = variables(y);
-  const double r = contact_radius(natural);
-  const bool given = natural.contact == Contact::EndSlope;
-  return {v[kX] - sin(v[kBeta]) * r - natural.L,
-          v[kZ] + cos(v[kBeta]) * r - natural.H, v[kPTheta], v[kPW],
-          given ? v[kBeta] - *natural.end_slope : transversality(natural, v)};
-}
-
-}  // namespace brachisto::limited
+}  // namespace brachisto::arcs

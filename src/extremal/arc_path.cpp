@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "extremal/limited_path.hpp"
+#include "extremal/arc_path.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,7 @@
 #include <iterator>
 #include <utility>
 
-#include "extremal/limited_integration.hpp"
-
-namespace brachisto::limited {
+namespace brachisto::arcs {
 
 ArcPath::ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced)
     : arcs_(std::move(arcs)), forced_(std::move(forced)) {}
@@ -23,14 +21,28 @@ double ArcPath::rolling_time() const {
   return sum;
 }
 
-State ArcPath::at(std::size_t arc, double u) const {
+ArcPoint ArcPath::at(std::size_t arc, double u) const {
   const Stretch& here = arcs_[arc];
-  if (blind(arc) && u < LimitedStart::kLeftRest) return forced_->left_rest(u);
+  ArcPoint out;
+  if (blind(arc) && u < LimitedStart::kLeftRest) {
+    const State y = forced_->left_rest(u);
+    double control = 0.0;
+    // At rest itself there is no control.
+    static_cast<void>(here.flow.find(here.flow.node_of(y), control, out));
+    out.y = y;
+    return out;
+  }
   const auto next = std::upper_bound(
       here.knots.begin() + 1, here.knots.end(), u,
       [](double value, const Knot& knot) { return value < knot.u; });
-  const Knot& knot = *std::prev(next);
-  return knot.u == u ? knot.y : step_from(here.flow, knot.y, u - knot.u);
+  const Knot& from = *std::prev(next);
+  Knot knot = from;
+  if (from.u != u) {
+    const Knot& towards = next == here.knots.end() ? from : *next;
+    knot = here.flow.step_from(from, towards, u - from.u);
+  }
+  static_cast<void>(here.flow.find(knot.y, knot.control, out));
+  return out;
 }
 
 std::string ArcPath::objection(
@@ -43,7 +55,7 @@ std::string ArcPath::objection(
   std::string out;
   double start_of_arc = 0.0;
   for (std::size_t a = 0; a < arcs_.size(); ++a) {
-    const LimitedFlow& flow = arcs_[a].flow;
+    const ArcFlow& flow = arcs_[a].flow;
     double largest = 1.0, wrong = 0.0;
     // The start of an arc is the end of the one before, or rest, where a path
     // that leaves it freely may break limits at once.
@@ -51,8 +63,13 @@ std::string ArcPath::objection(
     for (auto knot = a == 0 && !blind(a) ? rest : rest + 1;
          knot != arcs_[a].knots.end(); ++knot) {
       const double u = start_of_arc + knot->u;
+      ArcPoint here;
+      double control = knot->control;
+      if (!flow.find(knot->y, control, here)) {
+        return fmt::format("its arc has no control at u = {:.6g}", u);
+      }
       for (const PathInequality& limit : limits) {
-        const double value = flow.value(limit, knot->y);
+        const double value = flow.value(limit, here);
         const double excess =
             std::max(limit.lower - value, value - limit.upper);
         if (excess <= kExceeded || !out.empty()) continue;
@@ -60,17 +77,15 @@ std::string ArcPath::objection(
                           name(limit.kind), excess, u);
       }
       if (knot == rest) continue;
-      if (!(knot->y[kW] > 0.0)) {
+      if (!(here.y[kW] > 0.0)) {
         return fmt::format("the body comes to rest at u = {:.6g}", u);
       }
-      if (flow.kind() == LimitedFlow::Kind::Free &&
-          !(flow.legendre(knot->y) > 0.0)) {
+      if (flow.kind() == ArcFlow::Kind::Free && !(here.legendre > 0.0)) {
         out = fmt::format("its free arc is no minimum at u = {:.6g}", u);
       }
       if (!flow.held() || blind(a)) continue;
-      const double nu = flow.rates(knot->y).nu;
-      largest = std::max(largest, std::abs(nu));
-      wrong = std::max(wrong, wrong_way(*flow.held(), nu));
+      largest = std::max(largest, std::abs(here.nu));
+      wrong = std::max(wrong, wrong_way(*flow.held(), here.nu));
     }
     if (!out.empty()) return out;
     if (wrong > kWrongSign * largest) {
@@ -87,4 +102,4 @@ std::string ArcPath::objection(
   return out;
 }
 
-}  // namespace brachisto::limited
+}  // namespace brachisto::arcs

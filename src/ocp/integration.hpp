@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Integration along an arc with the error under control, and with the exact
+/// derivatives of the steps taken.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/nearest_minimum.hpp"
+#include "math/roots.hpp"
+
+namespace brachisto::ocp {
+
+/// How accurately steps are taken.
+struct StepControl {
+  /// Local error allowed to each step, in natural units.
+  double tolerance = 1e-13;
+  /// Takes every step that the error control chooses as two halves.
+  bool halve = false;
+};
+
+template <class Stack>
+using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<Stack, double,
+                                                               Stack, double>;
+
+/// A path on its way, by an embedded Runge–Kutta pair of orders 7 and 8
+/// (Fehlberg 1968). The caller says how long a step shall be and learns whether
+/// it was taken.
+///
+/// \tparam Rates  the right-hand side as odeint wants it, its Stack, failed,
+///                and relative_error()
+template <class Rates>
+class AdaptiveIntegration {
+ public:
+  using Stack = typename Rates::Stack;
+
+  AdaptiveIntegration(const Rates& rates, const Stack& start)
+      : rates_(rates), now_(start) {
+    rates_(now_, slope_, 0.0);
+  }
+
+  [[nodiscard]] const Stack& now() const { return now_; }
+  [[nodiscard]] const Stack& slope() const { return slope_; }
+  /// The right-hand side with what it remembers of the last place.
+  [[nodiscard]] const Rates& rates() const { return rates_; }
+  /// True if there are no rates here; no step can be taken then.
+  [[nodiscard]] bool failed() const { return rates_.failed; }
+  /// By how much the next step had better be longer than the last.
+  [[nodiscard]] double factor() const { return factor_; }
+
+  /// Takes a step of length h if its error is at most the tolerance.
+  /// \param halve  takes it as two halves
+  /// \return false if nothing has moved
+  bool step(double h, double tolerance, bool halve = false) {
+    constexpr double kSafety = 0.9;
+    constexpr double kOrder = 8.0;
+    Stack next, error;
+    stepper_.do_step(rates_, now_, slope_, 0.0, next, h, error);
+    const double ratio = rates_.relative_error(now_, error, tolerance);
+    factor_ = std::clamp(kSafety * std::pow(ratio, -1.0 / kOrder), 0.2, 3.0);
+    if (!(ratio <= 1.0)) return false;
+    if (halve) {
+      stepper_.do_step(rates_, now_, slope_, 0.0, next, 0.5 * h);
+      const Stack middle = next;
+      stepper_.do_step(rates_, middle, 0.0, next, 0.5 * h);
+    }
+    move_to(next);
+    return true;
+  }
+
+  /// A step of length h, whatever its error.
+  void step_unchecked(double h) {
+    Stack next;
+    stepper_.do_step(rates_, now_, slope_, 0.0, next, h);
+    move_to(next);
+  }
+
+ private:
+  void move_to(const Stack& next) {
+    now_ = next;
+    rates_(now_, slope_, 0.0);
+  }
+
+  Rates rates_;
+  Stack now_, slope_;
+  double factor_ = 1.0;
+  Stepper<Stack> stepper_;
+};
+
+/// Steps from 0 to `span` with error control; tells `on_step` of every step,
+/// which ends the way there by returning false.
+template <class Rates, class OnStep>
+[[nodiscard]] bool advance(AdaptiveIntegration<Rates>& path, double span,
+                           const StepControl& control, double& step,
+                           OnStep&& on_step) {
+  constexpr double kShortest = 1e-8;  // of the arc
+  // A third of a turn takes a few hundred at the tightest tolerance.
+  constexpr int kMostSteps = 20'000;
+  if (path.failed() || !(span > 0.0)) return false;
+  if (!(step > 0.0)) step = 0.1 * span;
+  double u = 0.0;
+  for (int tried = 0; u < span; ++tried) {
+    if (tried == kMostSteps) return false;
+    check_stop();
+    const double rest = span - u;
+    // Neither a sliver at the end nor a step beyond it.
+    const double h = rest <= step ? rest : std::min(step, 0.5 * rest);
+    if (!path.step(h, control.tolerance, control.halve)) {
+      step = h * path.factor();
+      if (step < kShortest * span) return false;
+      continue;
+    }
+    u = rest <= step ? span : u + h;
+    step = h < step ? std::max(step, h * path.factor()) : h * path.factor();
+    if (path.failed()) return false;
+    if constexpr (std::is_same_v<decltype(on_step(u)), bool>) {
+      if (!on_step(u)) return true;
+    } else {
+      on_step(u);
+    }
+  }
+  return true;
+}
+
+/// A flow as odeint wants it: states, costates and ∫L; with `Columns` behind
+/// them row by row their derivatives by the state at the start. Remembers the
+/// last control, near which the next one is searched. Odeint works on a copy:
+/// that a stage found none shows in the error of its step.
+///
+/// \tparam Columns  Flow::kSize or 0
+template <class Flow, std::size_t Columns>
+struct FlowRates {
+  using Number = typename Flow::Number;
+  static constexpr std::size_t kPath = Flow::kSize + 1;
+  static constexpr std::size_t kCost = Flow::kSize;  ///< position of ∫L
+  using Stack = std::array<Number, kPath*(1 + Columns)>;
+  using State = typename Flow::State;
+  using At = typename Flow::template At<std::conditional_t<
+      Columns == 0, typename Flow::FirstOrder, typename Flow::SecondOrder>>;
+
+  const Flow& flow;
+  Number control;
+  bool failed = false;
+
+  void operator()(const Stack& stack, Stack& rates, double) {
+    At at;
+    if (failed || !flow.find(state_of(stack), control, at)) {
+      failed = true;
+      rates.fill(Number(0.0));
+      return;
+    }
+    const State f = Flow::rates(at);
+    std::copy(f.begin(), f.end(), rates.begin());
+    rates[kCost] = at.rates.cost.value;
+    if constexpr (Columns > 0) {
+      const typename Flow::Linearisation by = flow.linearisation(at);
+      for (std::size_t i = 0; i < kPath; ++i) {
+        std::array<Number, Columns> row{};
+        for (std::size_t k = 0; k < Flow::kSize; ++k) {
+          const Number* other = stack.data() + kPath + k * Columns;
+          for (std::size_t j = 0; j < Columns; ++j) {
+            row[j] = row[j] + by[i][k] * other[j];
+          }
+        }
+        std::copy(
+            row.begin(), row.end(),
+            rates.begin() + static_cast<std::ptrdiff_t>(kPath + i * Columns));
+      }
+    }
+  }
+
+  /// Of the path, relative to the tolerance. Where the states alone are judged
+  /// also of their derivatives: next to rest β comes back to a limit on forces
+  /// at a rate ∝ 1/u, which an incline, on which it never leaves it, does not
+  /// show. A step too long for that rate would be right and its derivatives
+  /// huge.
+  [[nodiscard]] double relative_error(const Stack& now, const Stack& error,
+                                      double tolerance) const {
+    using math::magnitude;
+    constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < kPath; ++i) {
+      const double weight = i == kCost ? 1.0 : flow.error_weight(i);
+      if (weight == 0.0) continue;
+      const double ratio = magnitude(error[i]) * weight /
+                           (tolerance + kRounding * magnitude(now[i]) * weight);
+      if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, ratio);
+    }
+    if (flow.judges_costates) return largest;
+    constexpr double kOfDerivatives = 1e-8;
+    for (std::size_t i = 0; i < Flow::kStates; ++i) {
+      for (std::size_t j = 0; j < std::min(Columns, Flow::kStates); ++j) {
+        const std::size_t place = kPath + i * Columns + j;
+        const double ratio = magnitude(error[place]) /
+                             (kOfDerivatives * (1.0 + magnitude(now[place])));
+        if (!std::isfinite(ratio)) {
+          return std::numeric_limits<double>::infinity();
+        }
+        largest = std::max(largest, ratio);
+      }
+    }
+    return largest;
+  }
+
+  [[nodiscard]] static State state_of(const Stack& stack) {
+    State y;
+    std::copy_n(stack.begin(), Flow::kSize, y.begin());
+    return y;
+  }
+  [[nodiscard]] static Stack stack_of(const State& y) {
+    Stack stack{};
+    std::copy(y.begin(), y.end(), stack.begin());
+    for (std::size_t j = 0; j < Columns; ++j) {
+      stack[kPath + j * Columns + j] = Number(1.0);
+    }
+    return stack;
+  }
+};
+
+/// Where a way has led.
+template <class Rates>
+struct Arrived {
+  typename Rates::Stack now, slope;
+  typename Rates::Number control;
+};
+
+/// Goes from 0 to `span`; tells `on_step(u, stack, control)` of every step.
+/// A problem that has a surface, on which its rates have a kink, is followed in
+/// pieces that end where the surface is passed: an error estimate from stages
+/// on both sides would see little of it.
+///
+/// \param near  control near which the first one is searched
+/// \param step  [in,out] step to try first; the last one taken
+template <std::size_t Columns, class Flow, class OnStep>
+[[nodiscard]] std::optional<Arrived<FlowRates<Flow, Columns>>> travel(
+    const Flow& flow, const typename Flow::State& start,
+    const typename Flow::Number& near, double span, const StepControl& control,
+    double& step, OnStep&& on_step) {
+  using Rates = FlowRates<Flow, Columns>;
+  using Path = AdaptiveIntegration<Rates>;
+  if (!flow.has_surface()) {
+    Path path(Rates{flow, near}, Rates::stack_of(start));
+    if (!advance(path, span, control, step, [&](double u) {
+          on_step(u, path.now(), path.rates().control);
+        })) {
+      return std::nullopt;
+    }
+    return Arrived<Rates>{path.now(), path.slope(), path.rates().control};
+  }
+  constexpr int kMostPassages = 50;
+  const auto height = [&](const typename Rates::Stack& stack) {
+    return flow.height(Rates::state_of(stack));
+  };
+  // The last place that is known to be on the side of a piece.
+  double u = 0.0;
+  typename Rates::Stack now = Rates::stack_of(start);
+  typename Rates::Number steer = near;
+  bool above = height(now) > 0.0;
+  for (int passages = 0; passages <= kMostPassages; ++passages) {
+    const Flow here = flow.on_side(above);
+    const double from = u;
+    double beyond = 0.0;  // length of the step that led over the surface
+    Path path(Rates{here, steer}, now);
+    const bool went =
+        u >= span || advance(path, span - from, control, step, [&](double v) {
+          if ((height(path.now()) > 0.0) != above) {
+            beyond = from + v - u;
+            return false;
+          }
+          u = from + v;
+          now = path.now();
+          steer = path.rates().control;
+          on_step(u, now, steer);
+          return true;
+        });
+    if (!went) return std::nullopt;
+    if (beyond == 0.0) return Arrived<Rates>{now, path.slope(), steer};
+    const auto after = [&](double h) {
+      Path part(Rates{here, steer}, now);
+      part.step_unchecked(h);
+      return part;
+    };
+    // At its beginning a piece may lie on the surface but for rounding.
+    const double side = above ? 1.0 : -1.0;
+    const double at_first = std::max(0.0, side * height(now));
+    if (at_first > 0.0) {
+      const double h = math::find_root(
+          [&](double part) { return side * height(after(part).now()); }, 0.0,
+          beyond, at_first, std::min(0.0, side * height(path.now())));
+      const Path on_surface = after(h);
+      u += h;
+      now = on_surface.now();
+      steer = on_surface.rates().control;
+      on_step(u, now, steer);
+    }
+    above = !above;
+  }
+  return std::nullopt;
+}
+
+/// Where an arc ends.
+template <class Flow>
+struct ArcEnd {
+  static constexpr int kWidth = static_cast<int>(Flow::kSize);
+
+  typename Flow::State y;
+  typename Flow::Number cost{};     ///< ∫L over the arc
+  typename Flow::Number control{};  ///< continuous along the arc
+  typename Flow::State rates;       ///< dy/du
+  typename Flow::Number cost_rate{};
+  int steps = 0;
+  /// ∂y/∂(y at the start), and of ∫L.
+  Eigen::Matrix<typename Flow::Number, kWidth, kWidth> by_start;
+  Eigen::Matrix<typename Flow::Number, 1, kWidth> cost_by_start;
+};
+
+/// Integrates from u = 0 to `span` with the derivatives.
+/// \return false if there is no control, or the steps become too small
+template <class Flow>
+[[nodiscard]] bool integrate_arc(const Flow& flow,
+                                 const typename Flow::State& start,
+                                 const typename Flow::Number& near, double span,
+                                 const StepControl& control, double& step,
+                                 ArcEnd<Flow>& end) {
+  using Rates = FlowRates<Flow, Flow::kSize>;
+  end.steps = 0;
+  const auto arrived = travel<Flow::kSize>(
+      flow, start, near, span, control, step,
+      [&](double, const auto&, const auto&) { ++end.steps; });
+  if (!arrived) return false;
+  end.y = Rates::state_of(arrived->now);
+  end.cost = arrived->now[Rates::kCost];
+  end.control = arrived->control;
+  end.rates = Rates::state_of(arrived->slope);
+  end.cost_rate = arrived->slope[Rates::kCost];
+  const auto* derivative = arrived->now.data() + Rates::kPath;
+  for (int i = 0; i <= ArcEnd<Flow>::kWidth; ++i) {
+    for (int j = 0; j < ArcEnd<Flow>::kWidth; ++j, ++derivative) {
+      (i < ArcEnd<Flow>::kWidth ? end.by_start(i, j) : end.cost_by_start(j)) =
+          *derivative;
+    }
+  }
+  return true;
+}
+
+/// A state on the way.
+template <class Flow>
+struct Passed {
+  double u = 0.0;
+  typename Flow::State y{};
+  double cost = 0.0, control = 0.0;
+};
+
+/// The same without derivatives; tells of the start and of every step.
+template <class Flow, class Tell>
+[[nodiscard]] bool follow_arc(const Flow& flow,
+                              const typename Flow::State& start, double near,
+                              double span, const StepControl& control,
+                              Tell&& tell) {
+  using Rates = FlowRates<Flow, 0>;
+  typename Rates::At at;
+  if (!flow.find(start, near, at)) return false;
+  tell(Passed<Flow>{0.0, start, 0.0, near});
+  double step = 0.0;
+  return travel<0>(flow, start, near, span, control, step,
+                   [&](double u, const auto& stack, double steer) {
+                     tell(Passed<Flow>{u, Rates::state_of(stack),
+                                       stack[Rates::kCost], steer});
+                   })
+      .has_value();
+}
+
+/// One step of length `span`, unchecked: for interpolation.
+template <class Flow>
+[[nodiscard]] Passed<Flow> step_from(const Flow& flow, const Passed<Flow>& from,
+                                     double span) {
+  using Rates = FlowRates<Flow, 0>;
+  typename Rates::Stack stack = Rates::stack_of(from.y);
+  stack[Rates::kCost] = from.cost;
+  AdaptiveIntegration<Rates> path(Rates{flow, from.control}, stack);
+  path.step_unchecked(span);
+  return {from.u + span, Rates::state_of(path.now()), path.now()[Rates::kCost],
+          path.rates().control};
+}
+
+}  // namespace brachisto::ocp

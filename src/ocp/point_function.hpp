@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What an optimal-control problem is to the methods that solve it: a function
+/// of one point, written once for any scalar.
+///
+/// Minimise ∫ L(y, u) ds subject to y' = f(y, u) and bounds of c(y, u). A point
+/// is the states y and behind them the one control u. The function is asked
+/// with numbers, with jets for derivatives, and with whatever else counts.
+
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+namespace brachisto::ocp {
+
+/// L and y' at a point.
+template <class Scalar, std::size_t States>
+struct Rates {
+  Scalar cost{};
+  std::array<Scalar, States> states{};
+};
+
+/// States and the control behind them.
+template <class Problem, class Scalar>
+using PointOf = std::array<Scalar, Problem::kStates + 1>;
+
+/// The bounds of one limit, lower ≤ c(y, u) ≤ upper.
+struct Bounds {
+  double lower, upper;
+};
+
+/// A problem is what has
+///
+/// - `kStates`, and `state_name()` of each;
+/// - `rates(yu)`: L and f;
+/// - `num_limits()`, and of each its `limit_name()`, its `bounds()` and its
+///   value `limit(i, yu)`;
+/// - `costate_weight(i)`, what the error of a costate counts beside 1;
+/// - `has_surface()`, on which rates have a kink, `height(y)` above it, and
+///   `keep_to_side(above)`, which makes the law of one side that of both.
+template <class Problem>
+concept PointFunction = requires(const Problem& problem, std::size_t i,
+                                 const PointOf<Problem, double>& yu) {
+  { Problem::kStates } -> std::convertible_to<std::size_t>;
+  { problem.rates(yu) } -> std::same_as<Rates<double, Problem::kStates>>;
+  { problem.num_limits() } -> std::convertible_to<std::size_t>;
+  { problem.limit(i, yu) } -> std::same_as<double>;
+  { problem.bounds(i) } -> std::same_as<Bounds>;
+  { problem.state_name(i) } -> std::convertible_to<std::string_view>;
+  { problem.limit_name(i) } -> std::convertible_to<std::string_view>;
+  { problem.costate_weight(i) } -> std::same_as<double>;
+  { problem.has_surface() } -> std::same_as<bool>;
+  { problem.height(yu) } -> std::convertible_to<double>;
+};
+
+/// The point with states and control as independent variables of jets.
+///
+/// \param yu  of numbers, or of any scalar that jets are made of
+template <class Jet, class Scalar, std::size_t Size>
+[[nodiscard]] std::array<Jet, Size> as_variables(
+    const std::array<Scalar, Size>& yu) {
+  std::array<Jet, Size> out;
+  for (std::size_t i = 0; i < Size; ++i) {
+    out[i] = Jet::variable(yu[i], static_cast<int>(i));
+  }
+  return out;
+}
+
+}  // namespace brachisto::ocp

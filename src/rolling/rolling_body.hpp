@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The rolling body as a problem of optimal control in the rolling time u: one
+/// text of its cost, its rates and its limits, in any field and in air.
+
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "math/jet1.hpp"
+#include "model/field.hpp"
+#include "model/path_inequality.hpp"
+#include "ocp/point_function.hpp"
+
+namespace brachisto::rolling {
+
+/// Order of the states.
+enum State : std::size_t { kX, kZ, kTheta, kW, kBeta };
+
+/// What both descriptions are made of.
+class Moving {
+ public:
+  /// \param natural  the scene, in natural units
+  /// \param limits   the ones that it knows
+  /// \param rotation_per_length  dθ/ds: 1/r, or what suits where nothing
+  ///                             depends on θ
+  Moving(Scene natural, std::vector<PathInequality> limits,
+         double rotation_per_length)
+      : scene_(std::move(natural)),
+        limits_(std::move(limits)),
+        rotation_per_length_(rotation_per_length) {}
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<PathInequality>& limits() const {
+    return limits_;
+  }
+
+  [[nodiscard]] std::size_t num_limits() const { return limits_.size(); }
+  [[nodiscard]] ocp::Bounds bounds(std::size_t i) const {
+    return {limits_[i].lower, limits_[i].upper};
+  }
+  [[nodiscard]] std::string_view limit_name(std::size_t i) const {
+    return name(limits_[i].kind);
+  }
+  [[nodiscard]] std::string_view state_name(std::size_t i) const {
+    constexpr std::array<std::string_view, 5> kNames{"x", "z", "theta", "w",
+                                                     "beta"};
+    return kNames.at(i);
+  }
+
+  /// Whether the field has a kink, at the surface of a sphere.
+  [[nodiscard]] bool has_surface() const {
+    return scene_.world.sphere.has_value();
+  }
+  /// How far the centre of mass is above it.
+  template <class States>
+  [[nodiscard]] double height(const States& y) const {
+    return height_above_surface(
+        scene_, mass_centre(scene_.body, {y[kX], y[kZ]}, y[kTheta]));
+  }
+  void keep_to_side(bool above) {
+    scene_.world.side = above ? SphereSide::Outside : SphereSide::Inside;
+  }
+
+  /// p_θ is r times a costate of arc length.
+  [[nodiscard]] double costate_weight(std::size_t i) const {
+    return i == kTheta ? rotation_per_length_ : 1.0;
+  }
+
+ protected:
+  /// √A, and with it
+  ///
+  ///     x' = w cos β,  z' = w sin β,  r θ' = w,  w' = speed_gain().
+  template <class Scalar>
+  [[nodiscard]] ocp::Rates<Scalar, 4> rolling_rates(const Scalar& x,
+                                                    const Scalar& z,
+                                                    const Scalar& theta,
+                                                    const Scalar& w,
+                                                    const Scalar& beta) const {
+    using std::cos;
+    using std::sin;
+    const Scalar root = root_of_inertia(scene_.body, theta, beta);
+    return {root,
+            {w * cos(beta), w * sin(beta), w * rotation_per_length_,
+             speed_gain(scene_, x, z, theta, w, beta, root)}};
+  }
+
+  Scene scene_;
+  std::vector<PathInequality> limits_;
+  double rotation_per_length_;
+};
+
+/// ∂c/∂(x, z) of a limit of the place.
+template <class Scalar>
+struct Normal {
+  Scalar x, z;
+};
+template <class Scalar>
+[[nodiscard]] Normal<Scalar> normal_of(const PathInequality& limit,
+                                       const Scalar& x, const Scalar& z) {
+  using On = math::Jet1<Scalar, 2>;
+  const On c = value_of(limit, ContactForce<On>{},
+                        TurningPoint<On>{On::variable(x, 0), On::variable(z, 1),
+                                         On(0.0), On(0.0), On(0.0), On(0.0)});
+  return {c.gradient[0], c.gradient[1]};
+}
+
+/// The slope angle β is the control, as on free arcs and along boundaries.
+class Steered : public Moving {
+ public:
+  static constexpr std::size_t kStates = 4;
+  using Moving::Moving;
+
+  template <class Scalar>
+  [[nodiscard]] ocp::Rates<Scalar, kStates> rates(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    const auto& [x, z, theta, w, beta] = yu;
+    return rolling_rates(x, z, theta, w, beta);
+  }
+  /// Of a limit c of the place how fast it changes on the way, which has to be
+  /// 0 for its boundary to be followed:
+  ///
+  ///     dc/du = w (∂c/∂x cos β + ∂c/∂z sin β).
+  template <class Scalar>
+  [[nodiscard]] Scalar limit(std::size_t i,
+                             const std::array<Scalar, kStates + 1>& yu) const {
+    using std::cos;
+    using std::sin;
+    const Normal<Scalar> n = normal_of(limits_[i], yu[kX], yu[kZ]);
+    return yu[kW] * (n.x * cos(yu[kStates]) + n.z * sin(yu[kStates]));
+  }
+  [[nodiscard]] ocp::Bounds bounds(std::size_t) const {
+    return {0.0, std::numeric_limits<double>::infinity()};
+  }
+};
+
+/// β is a state, and how fast it turns the control, q = dβ/du.
+class Turning : public Moving {
+ public:
+  static constexpr std::size_t kStates = 5;
+  using Moving::Moving;
+
+  template <class Scalar>
+  [[nodiscard]] ocp::Rates<Scalar, kStates> rates(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    const auto& [x, z, theta, w, beta, q] = yu;
+    const auto [cost, f] = rolling_rates(x, z, theta, w, beta);
+    return {cost, {f[kX], f[kZ], f[kTheta], f[kW], q}};
+  }
+  template <class Scalar>
+  [[nodiscard]] Scalar limit(std::size_t i,
+                             const std::array<Scalar, kStates + 1>& yu) const {
+    return value(limits_[i], yu);
+  }
+  /// Of any limit.
+  template <class Scalar>
+  [[nodiscard]] Scalar value(const PathInequality& limit,
+                             const std::array<Scalar, kStates + 1>& yu) const {
+    const auto& [x, z, theta, w, beta, q] = yu;
+    return value_of(limit, scene_.body, scene_.gravity,
+                    TurningPoint<Scalar>{x, z, theta, w, beta, q});
+  }
+};
+
+static_assert(ocp::PointFunction<Steered> && ocp::PointFunction<Turning>);
+
+}  // namespace brachisto::rolling

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// One text of the rolling body for numbers of two precisions, for four numbers
+// at once, for jets and for intervals.
+
+#include "support/scalars.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "model/path_inequality.hpp"
+#include "model/units.hpp"
+#include "ocp/flow.hpp"
+#include "ocp/integration.hpp"
+#include "rolling/rolling_body.hpp"
+#include "support/random_points.hpp"
+#include "support/world_scenes.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+using rolling::Steered;
+using rolling::Turning;
+
+constexpr unsigned kSeed = 20260411;
+// Some ten operations on numbers of order one.
+constexpr double kRounding = 1e-14;
+
+Scene in_all_of_the_world() {
+  Scene scene =
+      in_air(with_push(about_sphere(off_centred_scene(0.4), around()), 0.7),
+             0.1, 0.05);
+  scene.limits.friction = 0.6;
+  scene.limits.normal_max = 3.0;
+  scene.limits.curvature = {3.0, 2.0, CurvatureLimit::Of::Centre};
+  scene.limits.floor = 1.4;
+  scene.limits.discs = {{{1.5, 1.3}, 0.3}};
+  scene.limits.half_planes = {{{1.5, 1.2}, -1.4}};
+  scene = in_natural_units(scene);
+  scene.world.side = SphereSide::Inside;
+  return scene;
+}
+
+template <class Body>
+Body described(const Scene& scene) {
+  return {scene, inequalities(scene.body, scene.limits),
+          1.0 / scene.body.radius};
+}
+
+template <class Problem>
+ocp::PointOf<Problem, double> random_point(Random& random) {
+  ocp::PointOf<Problem, double> yu{
+      random.uniform(0.1, 0.9), random.uniform(0.1, 0.3),
+      random.uniform(-1.0, 6.0), random.uniform(0.3, 0.6),
+      random.uniform(-0.5, 1.2)};
+  if constexpr (Problem::kStates == 5) yu[5] = random.uniform(-1.0, 1.0);
+  return yu;
+}
+
+/// L, f and all limits at a point, as a row.
+template <class Problem, class Scalar>
+std::vector<Scalar> all_of(const Problem& problem,
+                           const ocp::PointOf<Problem, Scalar>& yu) {
+  const auto rates = problem.rates(yu);
+  std::vector<Scalar> out{rates.cost};
+  out.insert(out.end(), rates.states.begin(), rates.states.end());
+  for (std::size_t i = 0; i < problem.num_limits(); ++i) {
+    // Of what does not bound the control the steered body knows the rate.
+    if (Problem::kStates == 4 && problem.limits()[i].bounds_control()) continue;
+    out.push_back(problem.limit(i, yu));
+  }
+  return out;
+}
+
+template <class Scalar, class Problem>
+ocp::PointOf<Problem, Scalar> converted(
+    const Problem&, const ocp::PointOf<Problem, double>& yu) {
+  ocp::PointOf<Problem, Scalar> out;
+  for (std::size_t i = 0; i < yu.size(); ++i) out[i] = Scalar(yu[i]);
+  return out;
+}
+
+template <class Problem>
+class PointFunctionOf : public ::testing::Test {};
+using Problems = ::testing::Types<Steered, Turning>;
+TYPED_TEST_SUITE(PointFunctionOf, Problems);
+
+TYPED_TEST(PointFunctionOf, IsTheSameForLongDoublesLanesAndIntervals) {
+  const auto problem = described<TypeParam>(in_all_of_the_world());
+  Random random(kSeed);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::array<ocp::PointOf<TypeParam, double>, 4> points;
+    for (auto& yu : points) yu = random_point<TypeParam>(random);
+    ocp::PointOf<TypeParam, Lanes> at_once;
+    for (std::size_t i = 0; i < at_once.size(); ++i) {
+      for (std::size_t l = 0; l < 4; ++l) at_once[i].lane[l] = points[l][i];
+    }
+
+    const auto lanes = all_of(problem, at_once);
+
+    for (std::size_t l = 0; l < 4; ++l) {
+      const auto plainly = all_of(problem, points[l]);
+      const auto precisely =
+          all_of(problem, converted<long double>(problem, points[l]));
+      const auto within =
+          all_of(problem, converted<Interval>(problem, points[l]));
+      ASSERT_EQ(plainly.size(), lanes.size());
+      for (std::size_t i = 0; i < plainly.size(); ++i) {
+        const double size = 1.0 + std::abs(plainly[i]);
+        EXPECT_EQ(lanes[i].lane[l], plainly[i]) << i;
+        EXPECT_NEAR(static_cast<double>(precisely[i]), plainly[i],
+                    kRounding * size)
+            << i;
+        EXPECT_TRUE(within[i].contains(static_cast<double>(precisely[i]))) << i;
+        EXPECT_LE(within[i].width(), 10.0 * kRounding * size) << i;
+      }
+    }
+  }
+}
+
+/// The interval of a box has the values at its corners, and is not much wider.
+TYPED_TEST(PointFunctionOf, EnclosesABoxByIntervals) {
+  constexpr double kHalf = 1e-3, kMostStretch = 200.0;
+  const auto problem = described<TypeParam>(in_all_of_the_world());
+  Random random(kSeed);
+  const auto centre = random_point<TypeParam>(random);
+  ocp::PointOf<TypeParam, Interval> box;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    box[i] = Interval(centre[i] - kHalf, centre[i] + kHalf);
+  }
+
+  const auto enclosed = all_of(problem, box);
+
+  for (int trial = 0; trial < 200; ++trial) {
+    auto inside = centre;
+    for (double& x : inside) x += random.uniform(-kHalf, kHalf);
+    const auto values = all_of(problem, inside);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_TRUE(enclosed[i].contains(values[i])) << i;
+    }
+  }
+  for (const Interval& value : enclosed) {
+    EXPECT_LE(value.width(), kMostStretch * kHalf);
+  }
+}
+
+/// A way through the integrator with these numbers.
+template <class Scalar>
+typename ocp::Flow<Steered, Scalar>::State integrated(
+    const Scene& scene,
+    const typename ocp::Flow<Steered, Scalar>::State& start) {
+  using Flow = ocp::Flow<Steered, Scalar>;
+  using Rates = ocp::FlowRates<Flow, Flow::kSize>;
+  const Flow flow(described<Steered>(scene));
+  ocp::AdaptiveIntegration<Rates> path(Rates{flow, Scalar(0.8)},
+                                       Rates::stack_of(start));
+  double step = 0.0;
+  EXPECT_TRUE(ocp::advance(path, 0.3, {}, step, [](double) {}));
+  return Rates::state_of(path.now());
+}
+
+constexpr std::array<double, 8> kStart{0.1,  0.2, 0.5,  0.6,
+                                       -0.8, 0.1, 0.02, -0.9};
+
+TEST(Integration, IsTheSameForLongDoublesAndLanes) {
+  // A few steps of 1e-13 each, which differ in length.
+  constexpr double kSteps = 1e-11;
+  const Scene scene = in_all_of_the_world();
+  std::array<std::array<double, 8>, 4> starts;
+  starts.fill(kStart);
+  std::array<long double, 8> precise;
+  std::array<Lanes, 8> lanes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (std::size_t l = 0; l < 4; ++l) {
+      starts[l][i] *= 1.0 + 0.02 * static_cast<double>(l);
+      lanes[i].lane[l] = starts[l][i];
+    }
+    precise[i] = kStart[i];
+  }
+
+  const auto by_lanes = integrated<Lanes>(scene, lanes);
+  const auto precisely = integrated<long double>(scene, precise);
+
+  for (std::size_t l = 0; l < 4; ++l) {
+    const auto alone = integrated<double>(scene, starts[l]);
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_NEAR(by_lanes[i].lane[l], alone[i], kSteps) << i << ", lane " << l;
+      if (l > 0) continue;
+      EXPECT_NEAR(static_cast<double>(precisely[i]), alone[i], kSteps) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brachisto::testing

@@ -71,8 +71,8 @@ double rise_from_rest(const Scene& scene, const HeldLimit& held, double slope) {
 
 }  // namespace
 
-LimitedStart::LimitedStart(const Scene& natural,
-                           const std::optional<HeldLimit>& held, double near)
+Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
+                     double near)
     : scene_(natural) {
   if (!held) {
     if (is_optimal(scene_)) refusal_ = "it leaves an optimal contact freely";
@@ -92,7 +92,7 @@ LimitedStart::LimitedStart(const Scene& natural,
   }
 }
 
-State LimitedStart::left_rest(double u) const {
+State Departure::left_rest(double u) const {
   const Body& body = scene_.body;
   const Point centre =
       centre_above({0.0, 0.0}, contact_radius(scene_), *slope_);
@@ -108,7 +108,7 @@ State LimitedStart::left_rest(double u) const {
   return y;
 }
 
-std::vector<Jet> LimitedStart::conditions(const LinearPoint& first) const {
+std::vector<Jet> Departure::conditions(const LinearPoint& first) const {
   const Values<Jet>& v = first.y;
   std::vector<Jet> out;
   if (kind_ == Kind::Forced) {

@@ -15,7 +15,7 @@
 namespace brachisto::arcs {
 
 /// How a path leaves A.
-class LimitedStart {
+class Departure {
  public:
   enum class Kind {
     Free,     ///< with the slope that makes 𝓗 minimal
@@ -26,8 +26,8 @@ class LimitedStart {
   /// \param natural  the scene, in natural units
   /// \param held     the limit that holds from A on
   /// \param near     a slope near the one at A [rad]
-  LimitedStart(const Scene& natural, const std::optional<HeldLimit>& held,
-               double near);
+  Departure(const Scene& natural, const std::optional<HeldLimit>& held,
+            double near);
 
   [[nodiscard]] Kind kind() const { return kind_; }
   /// Why this method does not know starts of the kind; empty if it does.

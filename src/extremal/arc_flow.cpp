@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "extremal/canonical_flow.hpp"
-
 namespace brachisto::arcs {
 
 namespace {
@@ -57,16 +55,11 @@ double dot(const auto& a, const auto& b) {
 constexpr std::array<Component, 8> kWithoutSlope{kX,  kZ,  kTheta,  kW,
                                                  kPX, kPZ, kPTheta, kPW};
 
-std::vector<PathInequality> only(const std::optional<HeldLimit>& held) {
-  return held ? std::vector<PathInequality>{held->limit}
-              : std::vector<PathInequality>{};
-}
-
 }  // namespace
 
 double rotation_per_length(const Scene& natural) {
   if (natural.limits.any() && !natural.body.off_centred()) return 0.0;
-  return shooting::inverse_radius(natural.body);
+  return natural.body.rolls() ? 1.0 / natural.body.radius : 1.0;
 }
 
 ArcFlow::ArcFlow(const Scene& natural, std::optional<HeldLimit> held)
@@ -74,18 +67,21 @@ ArcFlow::ArcFlow(const Scene& natural, std::optional<HeldLimit> held)
       kind_(!held_                          ? Kind::Free
             : held_->limit.bounds_control() ? Kind::Control
                                             : Kind::Place),
-      flow_(SteeredFlow(rolling::Steered(natural, only(held_),
-                                         rotation_per_length(natural)))) {
-  if (kind_ == Kind::Place) {
-    flow_ = SteeredFlow(
-        rolling::Steered(natural, only(held_), rotation_per_length(natural)),
-        ocp::HeldLimit{0, 0.0});
-  } else if (kind_ == Kind::Control) {
-    flow_ = TurningFlow(
-        rolling::Turning(natural, only(held_), rotation_per_length(natural)),
-        ocp::HeldLimit{0, held_->bound});
-  }
-}
+      flow_([&]() -> AnyFlow {
+        const double turn = rotation_per_length(natural);
+        if (kind_ == Kind::Control) {
+          return TurningFlow(rolling::Turning(natural, {held_->limit}, turn),
+                             ocp::HeldLimit{0, held_->bound});
+        }
+        if (kind_ == Kind::Place) {
+          return SteeredFlow(rolling::Steered(natural, {held_->limit}, turn),
+                             ocp::HeldLimit{0, 0.0});
+        }
+        if (natural.world.changes_rates()) {
+          return SteeredFlow(rolling::Steered(natural, {}, turn));
+        }
+        return FallingFlow(rolling::SteeredFalling(natural, {}, turn));
+      }()) {}
 
 void ArcFlow::judge_states_alone() {
   std::visit([](auto& flow) { flow.judges_costates = false; }, flow_);
@@ -256,12 +252,17 @@ double ArcFlow::by_control(const PathInequality& limit,
 
 bool ArcFlow::integrate(const Node& start, double near, double span,
                         const ocp::StepControl& control, double& step,
-                        PieceEnd& end) const {
+                        PieceEnd& end, bool derivatives) const {
   return std::visit(
       [&]<class Flow>(const Flow& flow) {
         ocp::ArcEnd<Flow> found;
-        if (!ocp::integrate_arc(flow, array_of<Flow>(start), near, span,
-                                control, step, found)) {
+        found.by_start.setZero();
+        found.cost_by_start.setZero();
+        const auto y = array_of<Flow>(start);
+        if (!(derivatives ? ocp::integrate_arc(flow, y, near, span, control,
+                                               step, found)
+                          : ocp::end_of_arc(flow, y, near, span, control, step,
+                                            found))) {
           return false;
         }
         end = {.y = vector_of(found.y),

@@ -44,9 +44,15 @@ using State = Values<double>;
 /// Numbers with their derivatives by all components of a node.
 using Jet = math::Jet1<double, static_cast<int>(kSize)>;
 
-/// dθ/ds of a scene: 1/r, or 1 for a bead. Under limits 0 without an offset,
-/// for programs have no θ then: one that no row but its own knew would be all
-/// that Newton's method sees of a guess from them.
+/// Order in the nodes of arcs whose control is β.
+namespace free_arc {
+enum : Eigen::Index { kX, kZ, kTheta, kW, kPX, kPZ, kPTheta, kPW };
+}
+
+/// dθ/ds of a scene: 1/r, or 1 for a bead, whose θ is the arc length then.
+/// Under limits 0 without an offset, for programs have no θ then: one that no
+/// row but its own knew would be all that Newton's method sees of a guess from
+/// them.
 [[nodiscard]] double rotation_per_length(const Scene& natural);
 
 /// A limit that holds at one of its bounds.
@@ -151,9 +157,10 @@ class ArcFlow {
   /// Integrates over `span` with derivatives by Fehlberg's pair; false if the
   /// steps become too small.
   /// \param step  [in,out] step to try first, 0: any; the last one taken
+  /// \param derivatives  zero if they are not asked for
   [[nodiscard]] bool integrate(const Node& start, double near, double span,
                                const ocp::StepControl& control, double& step,
-                               PieceEnd& end) const;
+                               PieceEnd& end, bool derivatives = true) const;
   /// The same without derivatives; tells of the start and of every step, u from
   /// the start of the piece.
   [[nodiscard]] bool follow(const Node& start, double near, double span,
@@ -166,11 +173,13 @@ class ArcFlow {
 
  private:
   using SteeredFlow = ocp::Flow<rolling::Steered>;
+  using FallingFlow = ocp::Flow<rolling::SteeredFalling>;
   using TurningFlow = ocp::Flow<rolling::Turning>;
+  using AnyFlow = std::variant<SteeredFlow, FallingFlow, TurningFlow>;
 
   std::optional<HeldLimit> held_;
   Kind kind_;
-  std::variant<SteeredFlow, TurningFlow> flow_;
+  AnyFlow flow_;
 };
 
 /// ∂c/∂(x, z) of a limit of the place.

@@ -30,7 +30,8 @@ struct ArcRoot {
 /// long, would change.
 struct RefinedRoot {
   ArcSystem::Point point;
-  ArcSystem::Linearisation at;  ///< with the steps halved, before the change
+  ArcSystem::Linearisation
+      at;  ///< with the steps halved, before the last change
   double transit_time = 0.0;
   double error_estimate = 0.0;  ///< relative, of it
 };

@@ -12,7 +12,7 @@
 
 namespace brachisto::arcs {
 
-ArcPath::ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced)
+ArcPath::ArcPath(std::vector<Stretch> arcs, std::optional<Departure> forced)
     : arcs_(std::move(arcs)), forced_(std::move(forced)) {}
 
 double ArcPath::rolling_time() const {
@@ -24,7 +24,7 @@ double ArcPath::rolling_time() const {
 ArcPoint ArcPath::at(std::size_t arc, double u) const {
   const Stretch& here = arcs_[arc];
   ArcPoint out;
-  if (blind(arc) && u < LimitedStart::kLeftRest) {
+  if (blind(arc) && u < Departure::kLeftRest) {
     const State y = forced_->left_rest(u);
     double control = 0.0;
     // At rest itself there is no control.
@@ -32,17 +32,20 @@ ArcPoint ArcPath::at(std::size_t arc, double u) const {
     out.y = y;
     return out;
   }
+  Knot knot = knot_at(arc, u);
+  static_cast<void>(here.flow.find(knot.y, knot.control, out));
+  return out;
+}
+
+Knot ArcPath::knot_at(std::size_t arc, double u) const {
+  const Stretch& here = arcs_[arc];
   const auto next = std::upper_bound(
       here.knots.begin() + 1, here.knots.end(), u,
       [](double value, const Knot& knot) { return value < knot.u; });
   const Knot& from = *std::prev(next);
-  Knot knot = from;
-  if (from.u != u) {
-    const Knot& towards = next == here.knots.end() ? from : *next;
-    knot = here.flow.step_from(from, towards, u - from.u);
-  }
-  static_cast<void>(here.flow.find(knot.y, knot.control, out));
-  return out;
+  if (from.u == u) return from;
+  const Knot& towards = next == here.knots.end() ? from : *next;
+  return here.flow.step_from(from, towards, u - from.u);
 }
 
 std::string ArcPath::objection(

@@ -33,7 +33,7 @@ class ArcPath {
   ArcPath() = default;
   /// \param forced  how the first arc leaves rest if that is along a limit on
   ///                forces; of its costates nothing is known then
-  ArcPath(std::vector<Stretch> arcs, std::optional<LimitedStart> forced);
+  ArcPath(std::vector<Stretch> arcs, std::optional<Departure> forced);
 
   [[nodiscard]] bool empty() const { return arcs_.empty(); }
   [[nodiscard]] const std::vector<Stretch>& arcs() const { return arcs_; }
@@ -48,6 +48,8 @@ class ArcPath {
   }
   /// At so much u from the start of an arc; costs one step of the integration.
   [[nodiscard]] ArcPoint at(std::size_t arc, double u) const;
+  /// The same as the integration has it. \pre the arc is not blind()
+  [[nodiscard]] Knot knot_at(std::size_t arc, double u) const;
 
   /// Why the path is no extremal under the limits although its equations hold:
   /// a limit is exceeded, a multiplier or a jump has the wrong sign, a free arc
@@ -57,7 +59,7 @@ class ArcPath {
 
  private:
   std::vector<Stretch> arcs_;
-  std::optional<LimitedStart> forced_;
+  std::optional<Departure> forced_;
 };
 
 }  // namespace brachisto::arcs

@@ -186,6 +186,16 @@ ArcSystem::ArcSystem(const Scene& natural, const Guess& guess, int pieces)
   take_guess(guess);
 }
 
+ArcSystem ArcSystem::in(const Scene& natural) const {
+  ArcSystem out = *this;
+  out.scene_ = natural;
+  out.leave_ = Departure(natural, arcs_.front().held, slope_near_A_);
+  out.flows_.clear();
+  for (const Arc& arc : arcs_) out.flows_.emplace_back(natural, arc.held);
+  if (out.blind(0)) out.flows_.front().judge_states_alone();
+  return out;
+}
+
 std::string ArcSystem::unknown_junction(int arc) const {
   const Kind before = flows_[at(arc - 1)].kind(), here = flows_[at(arc)].kind();
   const auto& touched = arcs_[at(arc - 1)].touched;
@@ -223,7 +233,7 @@ int ArcSystem::arc_of_node(int node) const {
 }
 
 double ArcSystem::span_of(const Point& point, int arc) const {
-  const double at_rest = blind(arc) ? LimitedStart::kLeftRest : 0.0;
+  const double at_rest = blind(arc) ? Departure::kLeftRest : 0.0;
   return (point.globals(arc) - at_rest) / pieces_[at(arc)];
 }
 
@@ -310,7 +320,7 @@ bool ArcSystem::matching_rows(Rows& rows, int arc, const PieceEnd& end,
 }
 
 bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
-                         Linearisation& out) const {
+                         Linearisation& out, bool derivatives) const {
   const Index globals = point.globals.size();
   out.links.clear();
   out.links.reserve(point.nodes.size());
@@ -327,6 +337,7 @@ bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
     double step = 0.0;
     for (int k = 0; k < pieces_[at(a)]; ++k) {
       const std::size_t i = at(first_node_[at(a)] + k);
+      out.piece = first_node_[at(a)] + k;
       const Node& y = point.nodes[i];
       const Node& next = point.nodes[i + 1];
       const double near = turns(flow) ? 0.0 : slope;
@@ -342,11 +353,13 @@ bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
         if (!blind(a)) junction_rows(rows, a, y, first);
         ArcPoint here;
         if (blind(a) && flow.find(y, steer, here)) {
-          out.transit_time += LimitedStart::kLeftRest * here.root;
+          out.transit_time += Departure::kLeftRest * here.root;
         }
       }
       PieceEnd end;
-      if (!flow.integrate(y, near, span, control, step, end)) return false;
+      if (!flow.integrate(y, near, span, control, step, end, derivatives)) {
+        return false;
+      }
       slope = turns(flow) ? end.y(static_cast<Index>(kBeta)) : end.control;
       out.steps += end.steps;
       out.transit_time += end.t;
@@ -401,10 +414,13 @@ ArcPath ArcSystem::path(const Point& point,
     ArcPath::Stretch& arc = arcs.emplace_back(
         ArcPath::Stretch{flows_[at(a)], point.globals(a), {}});
     const bool turning = turns(arc.flow);
-    const double begin = blind(a) ? LimitedStart::kLeftRest : 0.0;
+    const double begin = blind(a) ? Departure::kLeftRest : 0.0;
     const double span = span_of(point, a);
     for (int k = 0; k < pieces_[at(a)]; ++k) {
-      const Node& start = point.nodes[at(first_node_[at(a)] + k)];
+      Node start = point.nodes[at(first_node_[at(a)] + k)];
+      // At rest exactly, not but for rounding.
+      const bool rests = scene_.world.start_speed == 0.0 && !blind(0);
+      if (a == 0 && k == 0 && rests) start(static_cast<Index>(kW)) = 0.0;
       // In place of the end of the piece before, from which it is not far.
       if (k > 0) arc.knots.pop_back();
       const double from = begin + k * span;

@@ -61,9 +61,12 @@ struct Guess {
 /// solved as a problem of least squares whose residual has to vanish.
 class ArcSystem {
  public:
-  /// \param natural  the scene, in natural units; must outlive this
+  /// \param natural  the scene, in natural units
   /// \param pieces   of all arcs; 0: from the turns of the body
   ArcSystem(const Scene& natural, const Guess& guess, int pieces = 0);
+
+  /// The same equations of a scene that differs by numbers.
+  [[nodiscard]] ArcSystem in(const Scene& natural) const;
 
   /// Why this method does not know arcs of the kind; empty if it does.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
@@ -78,7 +81,8 @@ class ArcSystem {
     Point time_gradient;
     Jet slope_at_A, slope_at_B;  ///< derivatives by the nodes there
     int steps = 0;
-    int arc = 0;  ///< the last one that was begun
+    int arc = 0;    ///< the last one that was begun
+    int piece = 0;  ///< of all pieces, the last one that was begun
 
     /// Largest residual, and their length.
     [[nodiscard]] double largest() const;
@@ -87,12 +91,15 @@ class ArcSystem {
     [[nodiscard]] int worst_node() const;
   };
   /// False where a piece cannot be integrated.
+  /// \param derivatives  whether more than the residual is asked for
   [[nodiscard]] bool evaluate(const Point& point,
                               const ocp::StepControl& control,
-                              Linearisation& out) const;
+                              Linearisation& out,
+                              bool derivatives = true) const;
 
   [[nodiscard]] int num_arcs() const { return static_cast<int>(arcs_.size()); }
   [[nodiscard]] int num_nodes() const { return first_node_.back() + 1; }
+  [[nodiscard]] int num_pieces() const { return first_node_.back(); }
   /// The arc that begins at a node or contains it; num_arcs() at B.
   [[nodiscard]] int arc_of_node(int node) const;
   /// "arc 2 of 5, along floor"; "B".
@@ -111,7 +118,7 @@ class ArcSystem {
   [[nodiscard]] int of_jump(int jump) const { return num_arcs() + jump; }
   /// Whether the costates do not enter an arc.
   [[nodiscard]] bool blind(int arc) const {
-    return arc == 0 && leave_.kind() == LimitedStart::Kind::Forced;
+    return arc == 0 && leave_.kind() == Departure::Kind::Forced;
   }
   [[nodiscard]] double span_of(const Point& point, int arc) const;
   /// The limit along whose gradient costates jump in front of an arc.
@@ -123,10 +130,10 @@ class ArcSystem {
                                    const Node& next, double next_near,
                                    double jump) const;
 
-  const Scene& scene_;
+  Scene scene_;
   std::vector<Arc> arcs_;
   std::vector<ArcFlow> flows_;
-  LimitedStart leave_;
+  Departure leave_;
   double slope_near_A_;
   std::vector<int> pieces_;      ///< of each arc
   std::vector<int> first_node_;  ///< of each arc, and the node at B

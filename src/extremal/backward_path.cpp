@@ -7,21 +7,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "extremal/adaptive_integration.hpp"
 #include "model/contact.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
 
-namespace brachisto::shooting {
+namespace brachisto {
 
 BackwardShooting::BackwardShooting(const Scene& natural, double longest)
     : scene_(natural),
       longest_(longest),
-      start_(start_conditions(natural, natural.body.eta_m)) {}
+      start_(start_of_centre(natural)),
+      flow_({natural, {}, 1.0 / natural.body.radius}) {}
 
 std::optional<InitialCondition> BackwardShooting::shoot(
     const TerminalCondition& terminal, double tolerance,
-    BackwardPath* path) const {
+    std::vector<arcs::Knot>* path) const {
+  using namespace arcs::free_arc;
+  using Rates = ocp::FlowRates<Flow, 0>;
   constexpr int kMostSteps = 100000;
   constexpr double kShortest = 1e-8;
   const auto& [theta, phi] = terminal;
@@ -37,18 +39,23 @@ std::optional<InitialCondition> BackwardShooting::shoot(
   const double p_x = along * std::cos(phi) - across * std::sin(phi);
   const double p_z = along * std::sin(phi) + across * std::cos(phi);
 
-  const CanonicalFlow flow(body, scene_.gravity, {p_x, p_z, body.eta_m});
-  const Stack<kPath> start{end.x, end.z, theta, w, 0.0, 0.0, 0.0};
-  AdaptiveIntegration back(CanonicalRates<kPath>{flow, phi, -1.0}, start);
+  ocp::AdaptiveIntegration<Rates> back(
+      Rates{flow_, phi},
+      Rates::stack_of({end.x, end.z, theta, w, p_x, p_z, 0.0, 0.0}));
   if (back.failed()) return std::nullopt;
-  const Stack<kPath>& now = back.now();
+  const auto& now = back.now();
   double u = 0.0;
+  const auto tell = [&] {
+    if (path == nullptr) return;
+    path->push_back({u, Eigen::Map<const arcs::Node>(now.data(), Flow::kSize),
+                     now[Rates::kCost], back.rates().control});
+  };
   // A fraction of a radian of the rolling, also where w is yet to grow.
   double step = 0.3 * r / (w + std::sqrt(r));
-  if (path != nullptr) path->knots.push_back(knot_at(u, now, back.rates().beta));
+  tell();
   for (int i = 0; now[kW] > 0.0; ++i) {
     ++steps_;
-    const bool taken = back.step(step, tolerance);
+    const bool taken = back.step(-step, tolerance);
     if (i == kMostSteps) return std::nullopt;
     if (taken) u += step;
     step *= back.factor();
@@ -57,32 +64,28 @@ std::optional<InitialCondition> BackwardShooting::shoot(
       continue;
     }
     const double left = longest_ - r * (theta - now[kTheta]);
-    if (back.failed() || std::abs(back.rates().beta) > std::numbers::pi ||
+    if (back.failed() || std::abs(back.rates().control) > std::numbers::pi ||
         std::abs(now[kX] - start_.x) > left) {
       return std::nullopt;
     }
-    if (path != nullptr && now[kW] > 0.0) {
-      path->knots.push_back(knot_at(u, now, back.rates().beta));
-    }
+    if (now[kW] > 0.0) tell();
   }
   // w is smooth through zero: Newton's method on u.
   for (int i = 0; i < 4; ++i) {
     const double by = -now[kW] / back.slope()[kW];
     back.step_unchecked(by);
-    u += by;
+    u -= by;
   }
   if (back.failed() || !(std::abs(now[kW]) <= tolerance)) return std::nullopt;
   if (path != nullptr) {
-    path->p_x = p_x;
-    path->p_z = p_z;
-    path->knots.push_back(knot_at(u, now, back.rates().beta));
-    std::reverse(path->knots.begin(), path->knots.end());
-    for (ExtremalPath::Knot& knot : path->knots) {
+    tell();
+    std::reverse(path->begin(), path->end());
+    for (arcs::Knot& knot : *path) {
       knot.u = u - knot.u;
-      knot.t -= now[kTime];
+      knot.t -= now[Rates::kCost];
     }
   }
-  return InitialCondition{now[kX] - start_.x, now[kTheta], -now[kTime]};
+  return InitialCondition{now[kX] - start_.x, now[kTheta], -now[Rates::kCost]};
 }
 
-}  // namespace brachisto::shooting
+}  // namespace brachisto

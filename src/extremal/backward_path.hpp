@@ -10,11 +10,9 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
-#include "extremal/boundary.hpp"
-#include "extremal/canonical_flow.hpp"
-#include "extremal/extremal_path.hpp"
+#include "extremal/arc_flow.hpp"
 
-namespace brachisto::shooting {
+namespace brachisto {
 
 /// How a body arrives at B. An extremal with smooth contact is known by it:
 /// β = φ there, the energy gives w, p_θ = p_w = 0, and 𝓗 = ∂𝓗/∂β = 0 leave
@@ -34,13 +32,6 @@ struct InitialCondition {
   double transit_time = 0.0;
 };
 
-/// The costates p_x, p_z and the path itself.
-struct BackwardPath {
-  double p_x = 0.0, p_z = 0.0;
-  /// From the start on, u ascending from 0.
-  std::vector<ExtremalPath::Knot> knots;
-};
-
 /// Integrates Hamilton's equations back from B.
 class BackwardShooting {
  public:
@@ -53,20 +44,23 @@ class BackwardShooting {
   /// loop (|β| > π), or if it does not come to rest.
   ///
   /// \param tolerance  local error of a step, in natural units
-  /// \param path       [out] if not null
+  /// \param path       [out] if not null: from the start on, u ascending from 0
   [[nodiscard]] std::optional<InitialCondition> shoot(
       const TerminalCondition& terminal, double tolerance,
-      BackwardPath* path) const;
+      std::vector<arcs::Knot>* path) const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   /// Steps of the integrator in all.
   [[nodiscard]] long steps() const { return steps_; }
 
  private:
+  using Flow = ocp::Flow<rolling::SteeredFalling>;
+
   Scene scene_;
   double longest_;
-  InitialState start_;
+  Point start_;  ///< C_A
+  Flow flow_;
   mutable long steps_ = 0;
 };
 
-}  // namespace brachisto::shooting
+}  // namespace brachisto

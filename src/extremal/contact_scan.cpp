@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "extremal/backward_path.hpp"
 #include "model/units.hpp"
@@ -15,8 +16,6 @@
 namespace brachisto {
 
 namespace {
-
-using namespace shooting;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kScanTolerance = 1e-7;
@@ -116,22 +115,23 @@ class Scan {
     std::sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) {
       return a.transit_time < b.transit_time;
     });
+    using namespace arcs::free_arc;
     std::vector<ScannedContact> found;
     for (const Root& root : roots) {
-      BackwardPath path;
-      if (!shooting_.shoot(root.terminal, kPolishTolerance, &path)) continue;
+      std::vector<arcs::Knot> knots;
+      if (!shooting_.shoot(root.terminal, kPolishTolerance, &knots)) continue;
       // The start is at θ_m, not whole turns away from it.
       const Scene& scene = shooting_.scene();
       const double turns = root.target - scene.body.theta_m;
-      for (ExtremalPath::Knot& knot : path.knots) {
-        knot.y[kTheta] -= turns;
-      }
-      const ExtremalPath::Knot& end = path.knots.back();
+      for (arcs::Knot& knot : knots) knot.y(kTheta) -= turns;
+      const arcs::Knot end = knots.back();
+      arcs::ArcPath::Stretch arc{arcs::ArcFlow(scene, std::nullopt), end.u,
+                                 std::move(knots)};
       found.push_back(
           {root.terminal.phi, end.u, end.t,
-           scene.body.radius * (root.terminal.theta - root.target), path.p_x,
-           path.p_z,
-           ExtremalPath(scene, Units{}, path.p_x, path.p_z, path.knots)});
+           scene.body.radius * (root.terminal.theta - root.target), end.y(kPX),
+           end.y(kPZ),
+           ExtremalPath(scene, Units{}, {{std::move(arc)}, std::nullopt})});
     }
     return found;
   }

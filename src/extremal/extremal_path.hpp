@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// An extremal as a function of the rolling time.
+/// An extremal without limits as a function of the rolling time.
 
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "brachisto/model/scene.hpp"
+#include "extremal/arc_path.hpp"
 #include "model/units.hpp"
 
 namespace brachisto {
@@ -42,42 +39,28 @@ struct Regularity {
   [[nodiscard]] bool free_of_loops() const;
 };
 
-/// An extremal through the steps of its integration; between them it is
-/// integrated anew, so that every point has the accuracy of the integration.
+/// A path of one free arc, in SI units.
 class ExtremalPath {
  public:
-  /// One accepted step: u [natural units] and what the integration had there.
-  struct Knot {
-    double u = 0.0;
-    std::array<double, 6> y{};  ///< x, z, θ, w, p_θ, p_w in natural units
-    double t = 0.0;
-    double beta = 0.0;
-    double p_x = 0.0, p_z = 0.0;  ///< in other worlds; else constant
-  };
-
   ExtremalPath() = default;
-  /// \param natural  the scene in its natural units
-  /// \param knots    ascending in u from 0 to U
-  ExtremalPath(const Scene& natural, const Units& units, double p_x, double p_z,
-               std::vector<Knot> knots);
+  /// \param natural  the scene in its natural units, as is the path
+  ExtremalPath(const Scene& natural, const Units& units, arcs::ArcPath path);
 
-  [[nodiscard]] bool empty() const { return knots_.empty(); }
+  [[nodiscard]] bool empty() const { return path_.empty(); }
   /// The extremal at u = σ U, σ in [0, 1] (clamped); costs one step of the
-  /// integration, allocates nothing. \pre !empty()
+  /// integration. \pre !empty()
   [[nodiscard]] ExtremalState at(double sigma) const;
   /// Looks at every step.
   [[nodiscard]] Regularity regularity() const;
 
  private:
-  [[nodiscard]] ExtremalState in_si(const Knot& knot) const;
-  /// One step of length `span` from a knot towards the next, in another world.
-  [[nodiscard]] Knot in_world(const Knot& knot, const Knot& next,
-                              double span) const;
-
-  Scene natural_;
+  bool rolls_ = false;
   Units units_;
-  double p_x_ = 0.0, p_z_ = 0.0;
-  std::vector<Knot> knots_;
+  arcs::ArcPath path_;
 };
+
+/// In SI units what stands at a place of a free arc in natural ones.
+[[nodiscard]] ExtremalState in_si(const arcs::Knot& knot, const Units& units,
+                                  bool rolls);
 
 }  // namespace brachisto

@@ -8,16 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <string_view>
 #include <utility>
 
-#include "extremal/boundary.hpp"
+#include "extremal/arc_newton.hpp"
 #include "extremal/continuation.hpp"
-#include "extremal/extremal_attempt.hpp"
-#include "extremal/world_shooting.hpp"
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
-#include "model/start_angle.hpp"
 #include "model/world_part.hpp"
 
 namespace brachisto {
@@ -43,105 +40,184 @@ std::string_view describe(ExtremalStatus status) {
 
 namespace {
 
-using namespace shooting;
+using arcs::ArcSystem;
+using arcs::BranchEnd;
+namespace of_arc = arcs::free_arc;
 
-/// What the two ways to a solution share.
-class Solve : public ExtremalAttempt {
+Scene freed_of_limits(Scene scene) {
+  scene.limits = {};
+  return scene;
+}
+
+/// The guess as one free arc in natural units.
+arcs::Guess as_arc(const ExtremalGuess& guess, const Units& units) {
+  arcs::Guess out;
+  out.arcs = {{.held = {}, .duration = guess.rolling_time / units.time}};
+  out.state = [state = guess.state, units](std::size_t, double share) {
+    const ExtremalState s = state(share);
+    const double speed = units.speed();
+    return arcs::State{s.x / units.length,
+                       s.z / units.length,
+                       s.theta,
+                       s.w / speed,
+                       s.beta,
+                       s.p_x * speed,
+                       s.p_z * speed,
+                       s.p_theta / units.time,
+                       s.p_w * speed / units.time,
+                       0.0};
+  };
+  return out;
+}
+
+/// A solution in the making.
+class Solve {
  public:
+  /// \param scene, options  must outlive this
   Solve(const Scene& scene, const ExtremalOptions& options,
         const ExtremalGuess& guess)
-      : ExtremalAttempt(options),
-        scene_(scene),
+      : scene_(scene),
+        options_(options),
         units_(natural_units(scene)),
-        natural_(in_natural_units(scene)),
-        system_(natural_, choose_arcs(natural_, guess, options.arcs),
-                options.stop),
-        start_(to_chain(natural_, units_, guess, system_.num_arcs())),
-        scale_(scale_of(natural_, start_)) {
-    solution_.arcs = system_.num_arcs();
-    solution_.start_angle = brachisto::start_angle(scene.body);
+        natural_(freed_of_limits(in_natural_units(scene))),
+        system_(natural_, as_arc(guess, units_), options.arcs),
+        point_(system_.start()) {
+    solution_.arcs = system_.num_pieces();
   }
 
-  /// Follows the branch from the cycloid; false if it does not arrive.
-  bool continue_in_offset();
+  /// Follows the branch from the cycloid, and into another world; false if it
+  /// does not arrive.
+  bool follow_from_cycloid() { return follow_offset() && follow_into_world(); }
   /// Newton's method to full accuracy, and the result.
   void finish();
 
- private:
-  void fill(const ShootingResult& result);
-  /// T, corrected for the matching errors left [natural units].
-  [[nodiscard]] double time_of(const ShootingResult& result) const {
-    return result.at.transit_time +
-           system_.time_missing(result.point, result.at.residual);
+  /// Runs `ways` of it within its own stop condition.
+  template <class Ways>
+  [[nodiscard]] ExtremalSolution within_its_stop(Ways&& ways) {
+    const StopScope scope(options_.stop);
+    try {
+      ways();
+    } catch (const Stopped&) {
+      if (!options_.stop.met()) throw;
+      fail(options_.stop.interrupted() ? ExtremalStatus::Interrupted
+                                       : ExtremalStatus::TimeLimit,
+           where_);
+    }
+    return std::move(solution_);
   }
+
+ private:
+  void fail(ExtremalStatus status, std::string_view details) {
+    solution_.status = status;
+    solution_.message = fmt::format("{}: {}", describe(status), details);
+  }
+  bool follow_offset();
+  bool follow_into_world();
+  /// To the last scene of a family; `where` is what a place of it is in words.
+  [[nodiscard]] arcs::FollowedBranch follow(
+      const arcs::Family& family,
+      const std::function<std::string(double)>& where);
   /// What is known of ∂²𝓗/∂β² along a point of the branch, in words.
-  [[nodiscard]] std::string legendre_at(const ChainVector& point) const;
-  [[nodiscard]] double rounding_error(const ShootingResult& result) const;
+  [[nodiscard]] std::string legendre_at(const Scene& natural) const;
+  void fill(const arcs::RefinedRoot& root, arcs::ArcPath path);
+  /// What a path that meets the equations is worth.
+  void judge();
 
   const Scene& scene_;
+  const ExtremalOptions& options_;
   Units units_;
   Scene natural_;
-  ShootingSystem system_;
-  ChainVector start_;
-  ChainScale scale_;
+  ArcSystem system_;
+  ArcSystem::Point point_;  ///< to go on from
+  std::string where_ = "at the start";
+  ExtremalSolution solution_;
 };
 
-bool Solve::continue_in_offset() {
-  const double target = natural_.body.eta_m;
-  start_.globals(kEta) = 0.0;
-  if (target == 0.0) return true;
-  FollowedBranch branch =
-      follow_branch(system_, start_, scale_, target, options_);
+arcs::FollowedBranch Solve::follow(
+    const arcs::Family& family,
+    const std::function<std::string(double)>& where) {
+  arcs::FollowedBranch branch =
+      follow_branch(system_.in(family.scene(family.from)), point_, family,
+                    [&](double parameter) { where_ = where(parameter); });
   solution_.newton_steps += branch.newton_steps;
-  solution_.continuation = std::move(branch.report);
+  point_ = branch.point;
+  return branch;
+}
+
+bool Solve::follow_offset() {
+  const double target = natural_.body.eta_m;
+  if (target == 0.0) return true;
+  const auto with_offset = [scene = in_ordinary_world(natural_)](double eta) {
+    Scene out = scene;
+    out.body.eta_m = eta;
+    return out;
+  };
+  const arcs::FollowedBranch branch =
+      follow({.scene = with_offset,
+              .from = 0.0,
+              .to = target,
+              .follow_folds = options_.follow_folds},
+             [&](double eta) {
+               return fmt::format("at η = {:.6g} of {:.6g}", eta, target);
+             });
   ContinuationReport& report = solution_.continuation;
-  for (ContinuationPoint& point : report.points) {
-    point.transit_time *= units_.time;
+  report.folds = branch.folds;
+  report.rejected_steps = branch.rejected_steps;
+  for (const arcs::BranchPoint& at : branch.points) {
+    report.points.push_back(
+        {at.parameter, at.phi, at.transit_time * units_.time});
   }
-  start_ = std::move(branch.point);
-  const double eta = start_.globals(kEta);
-  const double phi = start_.globals(kPhi);
-  switch (branch.end) {
-    case BranchEnd::Reached:
-      return true;
-    case BranchEnd::TurnsBack:
-      fail(ExtremalStatus::BranchTurnsBack,
-           fmt::format(
-               "it turns at η = {:.6g} (φ = {:.4g}), below η_m = {:.6g};"
-               " beyond, the branch from the cycloid was not followed. Try to "
-               "follow "
-               "the fold, a guess from a direct method, or a smaller "
-               "η_m",
-               report.folds.empty() ? eta : report.folds.front(), phi, target));
-      break;
-    case BranchEnd::StepTooSmall:
-    case BranchEnd::MaxSteps:
-      fail(ExtremalStatus::StepTooSmall,
-           fmt::format("at η = {:.6g} (φ = {:.4g}) of {:.6g} after {} points, "
-                       "where {}; try more arcs than {}, or a guess from a "
-                       "direct method",
-                       eta, phi, target, report.points.size(),
-                       legendre_at(start_), system_.num_arcs()));
-      break;
-    case BranchEnd::NoStart:
-      fail(ExtremalStatus::NewtonFailed,
-           "already at η = 0, where the cycloid should satisfy all conditions; "
-           "try more arcs");
-      break;
-    case BranchEnd::Stopped:
-      stop(fmt::format("at η = {:.6g} of {:.6g}", eta, target));
-      break;
+  if (branch.end == BranchEnd::Reached) return true;
+  if (branch.end == BranchEnd::NoStart) {
+    fail(ExtremalStatus::NewtonFailed,
+         "already at η = 0, where the cycloid should satisfy all conditions; "
+         "try more arcs");
+    return false;
+  }
+  const auto& [eta, phi, time] = branch.points.back();
+  if (branch.end == BranchEnd::TurnsBack) {
+    fail(ExtremalStatus::BranchTurnsBack,
+         fmt::format("it turns at η = {:.6g} (φ = {:.4g}), below η_m = {:.6g};"
+                     " beyond, the branch from the cycloid was not followed. "
+                     "Try to follow the fold, a guess from a direct method, or "
+                     "a smaller η_m",
+                     report.folds.empty() ? eta : report.folds.front(), phi,
+                     target));
+  } else {
+    fail(ExtremalStatus::StepTooSmall,
+         fmt::format("at η = {:.6g} (φ = {:.4g}) of {:.6g} after {} points, "
+                     "where {}; try more arcs than {}, or a guess from a "
+                     "direct method",
+                     eta, phi, target, report.points.size(),
+                     legendre_at(with_offset(eta)), system_.num_pieces()));
   }
   return false;
 }
 
+bool Solve::follow_into_world() {
+  if (natural_.world.ordinary()) return true;
+  const auto where = [](double part) {
+    return fmt::format(
+        "{:.3g} of the way from the uniform field without air, from rest, into "
+        "the world that is asked for",
+        part);
+  };
+  const arcs::FollowedBranch branch = follow(
+      {.scene = [this](double part) { return part_of_world(natural_, part); },
+       .from = 0.0,
+       .to = 1.0},
+      where);
+  if (branch.end == BranchEnd::Reached) return true;
+  fail(ExtremalStatus::NewtonFailed,
+       "beyond " +
+           where(branch.points.empty() ? 0.0 : branch.points.back().parameter));
+  return false;
+}
+
 // Where ∂²𝓗/∂β² reaches zero, extremals get corners and are not followed.
-std::string Solve::legendre_at(const ChainVector& point) const {
-  const Globals& q = point.globals;
-  Scene scene = natural_;
-  scene.body.eta_m = q(kEta);
-  const ExtremalPath path(scene, units_, q(kPX), q(kPZ),
-                          system_.path(point, {}));
+std::string Solve::legendre_at(const Scene& natural) const {
+  const ExtremalPath path(natural, units_,
+                          system_.in(natural).path(point_, {}));
   if (path.empty()) {
     return "the path cannot be integrated accurately, as happens when "
            "∂²𝓗/∂β² reaches zero along it";
@@ -152,115 +228,90 @@ std::string Solve::legendre_at(const ChainVector& point) const {
 
 void Solve::finish() {
   // The local error is well below the wanted accuracy of the whole.
-  constexpr double kShare = 0.1;
-  constexpr double kTightest = 1e-15;
+  constexpr double kShare = 0.1, kTightest = 1e-15;
   const double wanted = std::max(options_.tolerance, 1e-14);
-  ShootingOptions newton{
-      .integration = {.tolerance = std::max(kShare * wanted, kTightest),
-                      .halve = false},
-      .tolerance = wanted,
-      .max_steps = options_.max_newton_steps};
-  const TangencyRow tangency = TangencyRow::offset(natural_.body.eta_m);
-
-  const ShootingResult coarse =
-      solve_newton(system_, start_, scale_, tangency, newton);
-  solution_.newton_steps += coarse.steps;
-  const auto describe_stop = [&](const ShootingResult& result) {
-    return fmt::format(
-        "after {} steps the correction is {:.1e}, the residual "
-        "{:.1e}",
-        result.steps, result.last_correction, scale_.norm(result.at.residual));
-  };
-  switch (coarse.end) {
-    case NewtonEnd::Converged:
-      break;
-    case NewtonEnd::NotEvaluable:
-      fail(ExtremalStatus::BadGuess,
-           fmt::format("on arc {} of {} no slope makes 𝓗 minimal, or the step "
-                       "became too small; try a guess nearer to an extremal, "
-                       "or more arcs",
-                       coarse.at.arc + 1, system_.num_arcs()));
-      return;
-    case NewtonEnd::Stopped:
-      stop(describe_stop(coarse));
-      return;
-    case NewtonEnd::Diverged:
-    case NewtonEnd::MaxSteps:
-      fail(ExtremalStatus::NewtonFailed,
-           describe_stop(coarse) + "; try a better guess, or more arcs");
-      return;
+  const ocp::StepControl control{
+      .tolerance = std::max(kShare * wanted, kTightest), .halve = false};
+  where_ = "in Newton's method";
+  const arcs::ArcRoot root =
+      arcs::find_root(system_, point_, control, options_.max_newton_steps);
+  solution_.newton_steps += root.steps;
+  solution_.residual = root.residual;
+  if (root.at.links.empty()) {
+    return fail(
+        ExtremalStatus::BadGuess,
+        fmt::format("on arc {} of {} no slope makes 𝓗 minimal, or the step "
+                    "became too small; try a guess nearer to an extremal, "
+                    "or more arcs",
+                    root.at.piece + 1, system_.num_pieces()));
   }
-  newton.integration.halve = true;
-  const ShootingResult fine =
-      solve_newton(system_, coarse.point, scale_, tangency, newton);
-  solution_.newton_steps += fine.steps;
-  if (fine.end == NewtonEnd::Stopped) {
-    stop(describe_stop(fine));
-    return;
+  if (!root.converged) {
+    return fail(ExtremalStatus::NewtonFailed,
+                fmt::format("after {} steps the residual is {:.1e}; try a "
+                            "better guess, or more arcs",
+                            root.steps, root.residual));
   }
-  fill(fine.end == NewtonEnd::Converged ? fine : coarse);
-
-  solution_.error_estimate =
-      std::abs(time_of(fine) - time_of(coarse)) / time_of(fine) +
-      rounding_error(fine);
-  if (fine.end != NewtonEnd::Converged) {
-    fail(ExtremalStatus::NewtonFailed,
-         "with every step halved " + describe_stop(fine));
-    return;
+  arcs::RefinedRoot refined;
+  arcs::ArcPath path;
+  if (arcs::refine_root(system_, root, control, refined)) {
+    where_ = "on the way along the solution";
+    path = system_.path(refined.point, {control.tolerance, true});
   }
-  solution_.path = ExtremalPath(natural_, units_, fine.point.globals(kPX),
-                                fine.point.globals(kPZ),
-                                system_.path(fine.point, newton.integration));
-  if (solution_.path.empty() && system_.stopped()) {
-    stop("on the way along the solution");
-    return;
+  if (path.empty()) {
+    return fail(ExtremalStatus::NewtonFailed,
+                "the solution cannot be integrated again");
   }
-  if (solution_.path.empty()) {
-    fail(ExtremalStatus::NewtonFailed,
-         "the solution cannot be integrated again");
-    return;
-  }
+  fill(refined, std::move(path));
   judge();
 }
 
-void Solve::fill(const ShootingResult& result) {
-  const Globals& q = result.point.globals;
-  solution_.transit_time = time_of(result) * units_.time;
+void Solve::fill(const arcs::RefinedRoot& root, arcs::ArcPath path) {
+  solution_.transit_time = root.transit_time * units_.time;
+  solution_.error_estimate = root.error_estimate;
   solution_.tau =
       solution_.transit_time * std::sqrt(2.0 * scene_.gravity / scene_.H);
-  solution_.rolling_time = q(kU) * units_.time;
-  solution_.phi = q(kPhi);
+  solution_.rolling_time = path.rolling_time() * units_.time;
+  solution_.start_angle = path.arcs().front().knots.front().control;
+  const arcs::Knot& last = path.arcs().back().knots.back();
+  solution_.phi = last.control;
   // No-slip: S = r (θ_end − θ_m). For a bead θ counts arc length.
-  const double turned =
-      result.point.nodes.back()(kTheta) - natural_.body.theta_m;
+  const double turned = last.y(of_arc::kTheta) - natural_.body.theta_m;
   solution_.rotation = natural_.body.rolls() ? turned : 0.0;
   solution_.centre_path_length =
-      turned / inverse_radius(natural_.body) * units_.length;
-  solution_.p_x = q(kPX) / units_.speed();
-  solution_.p_z = q(kPZ) / units_.speed();
-  solution_.integration_steps = result.at.steps;
-  solution_.residual = scale_.norm(result.at.residual);
+      turned / arcs::rotation_per_length(natural_) * units_.length;
+  solution_.p_x = last.y(of_arc::kPX) / units_.speed();
+  solution_.p_z = last.y(of_arc::kPZ) / units_.speed();
+  solution_.integration_steps = root.at.steps;
+  solution_.path = ExtremalPath(natural_, units_, std::move(path));
 }
 
-// Every step rounds the states, which T feels through the costates; the errors
-// are independent. The slope at the end, which determines φ and so the end
-// point, is as wrong as the last correction that could not be told from zero.
-double Solve::rounding_error(const ShootingResult& result) const {
-  const double T = result.at.transit_time;
-  const Globals& q = result.point.globals;
-  double largest = T;
-  for (const Vector6& node : result.point.nodes) {
-    largest = std::max(largest, std::abs(q(kPX) * node(kX)) +
-                                    std::abs(q(kPZ) * node(kZ)) +
-                                    std::abs(node(kPTheta) * node(kTheta)) +
-                                    std::abs(node(kPW) * node(kW)));
+void Solve::judge() {
+  Regularity& found = solution_.regularity;
+  found = solution_.path.regularity();
+  if (!found.keeps_moving()) {
+    fail(ExtremalStatus::Stalls,
+         fmt::format("its speed falls to {:.3g} of the largest; try another "
+                     "guess",
+                     found.min_w));
+  } else if (!found.free_of_loops()) {
+    fail(ExtremalStatus::Loop,
+         fmt::format("its slope angle runs from {:.4g} to {:.4g}; try another "
+                     "guess",
+                     found.min_beta, found.max_beta));
+  } else if (!found.legendre_holds()) {
+    fail(ExtremalStatus::NotMinimal,
+         fmt::format("∂²𝓗/∂β² falls to {:.3g}; try another guess",
+                     found.min_legendre));
+  } else if (!(solution_.error_estimate <=
+               std::max(options_.tolerance, 1e-14))) {
+    fail(ExtremalStatus::AccuracyNotReached,
+         fmt::format("the relative error of T is about {:.1e} instead of "
+                     "{:.1e}, because of rounding or a sharply bent path",
+                     solution_.error_estimate, options_.tolerance));
+  } else {
+    solution_.status = ExtremalStatus::Solved;
+    solution_.message = describe(ExtremalStatus::Solved);
   }
-  const EndSlide slide = end_slide(natural_, q(kPhi));
-  const double per_phi = q(kPX) * slide.dx_dphi + q(kPZ) * slide.dz_dphi;
-  return (std::numeric_limits<double>::epsilon() *
-              std::sqrt(1.0 + result.at.steps) * largest +
-          std::abs(per_phi * result.last_change_of_phi)) /
-         T;
 }
 
 }  // namespace
@@ -273,22 +324,13 @@ bool ExtremalSolution::usable() const {
 
 ExtremalSolution solve_extremal(const Scene& scene, const ExtremalGuess& guess,
                                 const ExtremalOptions& options) {
-  if (!scene.world.ordinary()) {
-    return solve_extremal_in_world(scene, guess, options);
-  }
   Solve solve(scene, options, guess);
   return solve.within_its_stop([&] { solve.finish(); });
 }
 
 ExtremalSolution solve_extremal(const Scene& scene,
                                 const ExtremalOptions& options) {
-  if (!scene.world.ordinary()) {
-    ExtremalSolution ordinary =
-        solve_extremal(in_ordinary_world(scene), options);
-    return ordinary.usable() ? solve_extremal_in_world(scene, ordinary, options)
-                             : ordinary;
-  }
-  const ExtremalGuess cycloid = cycloid_guess(scene);
+  const ExtremalGuess cycloid = cycloid_guess(in_ordinary_world(scene));
   if (!cycloid.state) {
     ExtremalSolution none;
     none.status = ExtremalStatus::NoCycloid;
@@ -300,7 +342,7 @@ ExtremalSolution solve_extremal(const Scene& scene,
   }
   Solve solve(scene, options, cycloid);
   return solve.within_its_stop([&] {
-    if (solve.continue_in_offset()) solve.finish();
+    if (solve.follow_from_cycloid()) solve.finish();
   });
 }
 
@@ -319,9 +361,7 @@ ExtremalGuess cycloid_guess(const Scene& scene) {
 
   guess.rolling_time = arc->rolling_time(g);
   guess.phi = arc->slope_angle(arc->psi_end);
-  guess.p_x = p_x;
-  guess.p_z = p_z;
-  guess.state = [arc = *arc, body, g, root, p_z](double sigma) {
+  guess.state = [arc = *arc, body, g, root, p_x, p_z](double sigma) {
     const double psi = sigma * arc.psi_end;
     const Point centre = arc.at(psi);
     const double w = arc.fall_speed(g, psi);
@@ -334,7 +374,9 @@ ExtremalGuess cycloid_guess(const Scene& scene) {
                          .p_theta = 0.0,
                          .p_w = -(root * std::cos(0.5 * psi) + w * p_z) / g,
                          .beta = arc.slope_angle(psi),
-                         .t = root * sigma * arc.rolling_time(g)};
+                         .t = root * sigma * arc.rolling_time(g),
+                         .p_x = p_x,
+                         .p_z = p_z};
   };
   return guess;
 }

@@ -54,8 +54,6 @@ enum class ExtremalStatus {
 struct ExtremalGuess {
   double rolling_time = 0.0;  ///< U [s]
   double phi = 0.0;           ///< slope angle at the end [rad]
-  double p_x = 0.0;           ///< [s/m]
-  double p_z = 0.0;           ///< [s/m]
   /// The extremal at σ = u/U in [0, 1]; t is not used.
   std::function<ExtremalState(double sigma)> state;
 };

@@ -11,12 +11,6 @@ double Sphere::strength_at(Point place) const {
                     : surface_gravity * d / radius;
 }
 
-double height_above_surface(const Scene& scene, Point place) {
-  const Sphere& sphere = *scene.world.sphere;
-  return std::hypot(place.x - sphere.centre.x, place.z - sphere.centre.z) -
-         sphere.radius;
-}
-
 SphereSide side_of_surface(const Scene& scene, Point place) {
   return height_above_surface(scene, place) > 0.0 ? SphereSide::Outside
                                                   : SphereSide::Inside;

@@ -35,7 +35,19 @@ template <class Scalar>
 [[nodiscard]] SphereSide side_of_surface(const Scene& scene, Point place);
 
 /// d − R, how far a place is beyond the surface of the scene's sphere.
-[[nodiscard]] double height_above_surface(const Scene& scene, Point place);
+template <class Scalar>
+[[nodiscard]] Scalar height_above_surface(const Scene& scene, const Scalar& x,
+                                          const Scalar& z) {
+  using std::sqrt;
+  const Sphere& sphere = *scene.world.sphere;
+  const Scalar dx = x - Scalar(sphere.centre.x);
+  const Scalar dz = z - Scalar(sphere.centre.z);
+  return sqrt(dx * dx + dz * dz) - Scalar(sphere.radius);
+}
+[[nodiscard]] inline double height_above_surface(const Scene& scene,
+                                                 Point place) {
+  return height_above_surface(scene, place.x, place.z);
+}
 
 /// Force per mass of the field at a place: (0, g), or towards the centre of a
 /// sphere of radius R with the surface gravity g_s, at the distance d,

@@ -3,6 +3,7 @@
 
 #include "ocp/chain_elimination.hpp"
 
+#include <Eigen/LU>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -33,7 +34,8 @@ ChainElimination::ChainElimination(const std::vector<ChainLink>& links) {
     all.bottomRightCorner(link.here.rows(), 1) = -link.residual;
     if (&link == &links.back()) {
       last_ = width;
-      final_.compute(all.leftCols(width + globals));
+      final_matrix_ = all.leftCols(width + globals);
+      final_.compute(final_matrix_);
       final_right_ = all.rightCols(1);
       return;
     }
@@ -46,6 +48,10 @@ ChainElimination::ChainElimination(const std::vector<ChainLink>& links) {
     out.globals = rest.block(0, next, width, globals);
     out.right = rest.topRightCorner(width, 1);
     carried = rest.bottomRows(rows - width);
+    // Every reflection reverses the sign, and so does a negative pivot.
+    const auto signs = (qr.hCoeffs().array() != 0.0).count() +
+                       (out.upper.diagonal().array() < 0.0).count();
+    mirrored_ = mirrored_ != (signs % 2 != 0);
   }
 }
 
@@ -88,6 +94,14 @@ double ChainElimination::looseness(const Functional& sum) const {
   if (!factors_.empty()) right.head(last_) -= carried;
   const MatrixXd inverse = final_.pseudoInverse();
   return std::sqrt(square + (inverse.transpose() * right).squaredNorm());
+}
+
+int ChainElimination::determinant_sign() const {
+  assert(final_matrix_.rows() == final_matrix_.cols());
+  const double last =
+      Eigen::PartialPivLU<MatrixXd>(final_matrix_).determinant();
+  if (last == 0.0 || !std::isfinite(last)) return 0;
+  return (last > 0.0) != mirrored_ ? 1 : -1;
 }
 
 }  // namespace brachisto::ocp

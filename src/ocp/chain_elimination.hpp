@@ -56,6 +56,10 @@ class ChainElimination {
   /// row of the pseudo-inverse.
   [[nodiscard]] double looseness(const Functional& sum) const;
 
+  /// Sign of the determinant of as many equations as unknowns, 1 or −1; 0 if
+  /// they are singular.
+  [[nodiscard]] int determinant_sign() const;
+
  private:
   struct Factors {
     Eigen::MatrixXd upper;  ///< triangular, of δs_i
@@ -64,6 +68,8 @@ class ChainElimination {
   };
   std::vector<Factors> factors_;
   Eigen::Index last_ = 0;  ///< components of the last node
+  bool mirrored_ = false;  ///< whether the transformations reverse a sign
+  Eigen::MatrixXd final_matrix_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> final_;
   Eigen::VectorXd final_right_;
 };

@@ -44,6 +44,7 @@ class Flow {
   static constexpr std::size_t kStates = Problem::kStates;
   static constexpr std::size_t kControl = kStates;  ///< its place in a point
   static constexpr std::size_t kSize = 2 * kStates;
+  static constexpr std::size_t kIgnorable = ignorable_states<Problem>();
   static constexpr int kPoint = static_cast<int>(kStates) + 1;
   using Number = Scalar;
   /// States, then their costates.
@@ -69,6 +70,14 @@ class Flow {
   /// Positive on one side of the surface, above it.
   [[nodiscard]] double height(const State& y) const {
     return problem_.height(y);
+  }
+  /// ∇h of that height.
+  [[nodiscard]] std::array<Scalar, kStates> height_gradient(
+      const State& y) const {
+    using Jet = math::Jet1<Scalar, static_cast<int>(kStates)>;
+    std::array<Scalar, kStates> states;
+    std::copy_n(y.begin(), kStates, states.begin());
+    return problem_.height(as_variables<Jet>(states)).gradient;
   }
   /// The same with the law of one side of the surface on both.
   [[nodiscard]] Flow on_side(bool above) const {

@@ -165,11 +165,15 @@ struct FlowRates {
     rates[kCost] = at.rates.cost.value;
     if constexpr (Columns > 0) {
       const typename Flow::Linearisation by = flow.linearisation(at);
+      constexpr std::size_t kFirst = Flow::kIgnorable;
       for (std::size_t i = 0; i < kPath; ++i) {
         std::array<Number, Columns> row{};
-        for (std::size_t k = 0; k < Flow::kSize; ++k) {
+        // Costates of states that nothing depends on are constant.
+        const bool constant = i >= Flow::kStates && i < Flow::kStates + kFirst;
+        for (std::size_t k = constant ? Flow::kSize : kFirst; k < Flow::kSize;
+             ++k) {
           const Number* other = stack.data() + kPath + k * Columns;
-          for (std::size_t j = 0; j < Columns; ++j) {
+          for (std::size_t j = kFirst; j < Columns; ++j) {
             row[j] = row[j] + by[i][k] * other[j];
           }
         }
@@ -235,6 +239,45 @@ struct Arrived {
   typename Rates::Stack now, slope;
   typename Rates::Number control;
 };
+
+/// Derivatives beyond a surface. A neighbour passes it later by du and has
+/// moved at the rates of this side until then:
+///
+///     δy⁺ = δy⁻ + (y'⁻ − y'⁺) du,   du = −∇h·δy⁻ / ∇h·y'⁻
+///
+/// where h is the height above it.
+template <std::size_t Columns, class Flow, class Stack>
+void pass_surface(const Flow& here, const Flow& there,
+                  const typename Flow::Number& control, Stack& now) {
+  if constexpr (Columns > 0) {
+    using Rates = FlowRates<Flow, Columns>;
+    using Number = typename Flow::Number;
+    const typename Flow::State y = Rates::state_of(now);
+    typename Flow::template At<typename Flow::FirstOrder> at_here, at_there;
+    Number same = control;
+    if (!here.find(y, same, at_here) || !there.find(y, same, at_there)) return;
+    const auto before = Flow::rates(at_here), behind = Flow::rates(at_there);
+    const auto normal = here.height_gradient(y);
+    const auto rise = [&](const auto& change) {
+      Number sum(0.0);
+      for (std::size_t i = 0; i < Flow::kStates; ++i) {
+        sum = sum + normal[i] * change(i);
+      }
+      return sum;
+    };
+    const Number speed = rise([&](std::size_t i) { return before[i]; });
+    for (std::size_t j = 0; j < Columns; ++j) {
+      const auto place = [&](std::size_t i) {
+        return Rates::kPath + i * Columns + j;
+      };
+      const Number du =
+          rise([&](std::size_t i) { return now[place(i)]; }) / speed;
+      for (std::size_t i = 0; i < Flow::kSize; ++i) {
+        now[place(i)] = now[place(i)] - (before[i] - behind[i]) * du;
+      }
+    }
+  }
+}
 
 /// Goes from 0 to `span`; tells `on_step(u, stack, control)` of every step.
 /// A problem that has a surface, on which its rates have a kink, is followed in
@@ -304,6 +347,7 @@ template <std::size_t Columns, class Flow, class OnStep>
       now = on_surface.now();
       steer = on_surface.rates().control;
       on_step(u, now, steer);
+      pass_surface<Columns>(here, flow.on_side(!above), steer, now);
     }
     above = !above;
   }
@@ -326,26 +370,40 @@ struct ArcEnd {
   Eigen::Matrix<typename Flow::Number, 1, kWidth> cost_by_start;
 };
 
-/// Integrates from u = 0 to `span` with the derivatives.
-/// \return false if there is no control, or the steps become too small
+/// Integrates from u = 0 to `span`; nothing if there is no control, or the
+/// steps become too small.
+template <std::size_t Columns, class Flow>
+[[nodiscard]] auto arrive(const Flow& flow, const typename Flow::State& start,
+                          const typename Flow::Number& near, double span,
+                          const StepControl& control, double& step,
+                          ArcEnd<Flow>& end) {
+  using Rates = FlowRates<Flow, Columns>;
+  end.steps = 0;
+  const auto arrived =
+      travel<Columns>(flow, start, near, span, control, step,
+                      [&](double, const auto&, const auto&) { ++end.steps; });
+  if (arrived) {
+    end.y = Rates::state_of(arrived->now);
+    end.cost = arrived->now[Rates::kCost];
+    end.control = arrived->control;
+    end.rates = Rates::state_of(arrived->slope);
+    end.cost_rate = arrived->slope[Rates::kCost];
+  }
+  return arrived;
+}
+
+/// The same with the derivatives; false if it fails.
 template <class Flow>
 [[nodiscard]] bool integrate_arc(const Flow& flow,
                                  const typename Flow::State& start,
                                  const typename Flow::Number& near, double span,
                                  const StepControl& control, double& step,
                                  ArcEnd<Flow>& end) {
-  using Rates = FlowRates<Flow, Flow::kSize>;
-  end.steps = 0;
-  const auto arrived = travel<Flow::kSize>(
-      flow, start, near, span, control, step,
-      [&](double, const auto&, const auto&) { ++end.steps; });
+  const auto arrived =
+      arrive<Flow::kSize>(flow, start, near, span, control, step, end);
   if (!arrived) return false;
-  end.y = Rates::state_of(arrived->now);
-  end.cost = arrived->now[Rates::kCost];
-  end.control = arrived->control;
-  end.rates = Rates::state_of(arrived->slope);
-  end.cost_rate = arrived->slope[Rates::kCost];
-  const auto* derivative = arrived->now.data() + Rates::kPath;
+  const auto* derivative =
+      arrived->now.data() + FlowRates<Flow, Flow::kSize>::kPath;
   for (int i = 0; i <= ArcEnd<Flow>::kWidth; ++i) {
     for (int j = 0; j < ArcEnd<Flow>::kWidth; ++j, ++derivative) {
       (i < ArcEnd<Flow>::kWidth ? end.by_start(i, j) : end.cost_by_start(j)) =
@@ -353,6 +411,17 @@ template <class Flow>
     }
   }
   return true;
+}
+
+/// The same without the derivatives, which are left as they are. Takes the same
+/// steps.
+template <class Flow>
+[[nodiscard]] bool end_of_arc(const Flow& flow,
+                              const typename Flow::State& start,
+                              const typename Flow::Number& near, double span,
+                              const StepControl& control, double& step,
+                              ArcEnd<Flow>& end) {
+  return arrive<0>(flow, start, near, span, control, step, end).has_value();
 }
 
 /// A state on the way.

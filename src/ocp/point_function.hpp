@@ -58,6 +58,14 @@ concept PointFunction = requires(const Problem& problem, std::size_t i,
   { problem.height(yu) } -> std::convertible_to<double>;
 };
 
+/// How many of the first states nothing depends on, as a problem says it by
+/// `kIgnorable`; their costates are constant (ignorable coordinates).
+template <class Problem>
+consteval std::size_t ignorable_states() {
+  if constexpr (requires { Problem::kIgnorable; }) return Problem::kIgnorable;
+  return 0;
+}
+
 /// The point with states and control as independent variables of jets.
 ///
 /// \param yu  of numbers, or of any scalar that jets are made of

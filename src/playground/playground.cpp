@@ -50,8 +50,6 @@ ExtremalSolution from_the_last(const ExtremalOptions& options) {
   const ExtremalGuess guess{
       .rolling_time = last.rolling_time,
       .phi = last.phi,
-      .p_x = last.p_x,
-      .p_z = last.p_z,
       .state = [&last](double sigma) { return last.path.at(sigma); }};
   return solve_extremal(state.scene, guess, options);
 }

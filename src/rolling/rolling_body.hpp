@@ -59,10 +59,13 @@ class Moving {
     return scene_.world.sphere.has_value();
   }
   /// How far the centre of mass is above it.
-  template <class States>
-  [[nodiscard]] double height(const States& y) const {
-    return height_above_surface(
-        scene_, mass_centre(scene_.body, {y[kX], y[kZ]}, y[kTheta]));
+  template <class Scalar, std::size_t Size>
+  [[nodiscard]] Scalar height(const std::array<Scalar, Size>& y) const {
+    using std::cos;
+    using std::sin;
+    const double r_m = scene_.body.radius * scene_.body.eta_m;
+    return height_above_surface(scene_, Scalar(y[kX] + cos(y[kTheta]) * r_m),
+                                Scalar(y[kZ] + sin(y[kTheta]) * r_m));
   }
   void keep_to_side(bool above) {
     scene_.world.side = above ? SphereSide::Outside : SphereSide::Inside;
@@ -140,6 +143,14 @@ class Steered : public Moving {
   }
 };
 
+/// The same in a uniform field without air: nothing depends on the place, and
+/// p_x and p_z are constant.
+class SteeredFalling : public Steered {
+ public:
+  static constexpr std::size_t kIgnorable = 2;
+  using Steered::Steered;
+};
+
 /// β is a state, and how fast it turns the control, q = dβ/du.
 class Turning : public Moving {
  public:
@@ -168,6 +179,8 @@ class Turning : public Moving {
   }
 };
 
-static_assert(ocp::PointFunction<Steered> && ocp::PointFunction<Turning>);
+static_assert(ocp::PointFunction<Steered> &&
+              ocp::PointFunction<SteeredFalling> &&
+              ocp::PointFunction<Turning>);
 
 }  // namespace brachisto::rolling

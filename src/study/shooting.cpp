@@ -38,12 +38,9 @@ ExtremalGuess as_guess(const ExtremalCurve& curve, const Units& units,
                        double phi) {
   // Costates are minus the gradient of the time: p_x in s/m, p_θ in s, p_w in
   // s per m/s.
-  const double per_length = units.time / units.length;
   ExtremalGuess guess;
   guess.rolling_time = curve.rolling_time() * units.time;
   guess.phi = phi;
-  guess.p_x = curve.p_x() * per_length;
-  guess.p_z = curve.p_z() * per_length;
   guess.state = [&curve, units](double sigma) {
     const ExtremalPoint at = curve.at(sigma);
     return ExtremalState{.x = at.centre.x * units.length,

@@ -317,6 +317,43 @@ TEST(ArcFlow, HasTheExactDerivativesOfItsEnd) {
   }
 }
 
+/// The costates' rates jump where a surface is passed, and a neighbour passes
+/// it sooner or later.
+TEST(ArcFlow, HasTheDerivativesOfArcsThroughASurface) {
+  Scene scene = in_natural_units(testing::in_air(
+      testing::with_push(testing::about_sphere(testing::off_centred_scene(0.4),
+                                               testing::around()),
+                         0.7),
+      0.1, 0.05));
+  constexpr double kLong = 0.7, kNear = 0.8, h = 1e-5;
+  Node start(8);
+  start << 0.1, 0.2, 0.5, 0.6, -0.8, 0.1, 0.02, -0.9;
+  const auto height = [&](const Node& y) {
+    return height_above_surface(scene,
+                                mass_centre(scene.body, {y(0), y(1)}, y(2)));
+  };
+  // The surface lies half-way between the heights of its ends.
+  const Node far = end_of(ArcFlow(scene, std::nullopt), start, kNear, kLong).y;
+  scene.world.sphere->radius += 0.5 * (height(start) + height(far));
+  const ArcFlow flow(scene, std::nullopt);
+  const PieceEnd end = end_of(flow, start, kNear, kLong);
+  ASSERT_LT(height(start) * height(end.y), 0.0);
+
+  for (Eigen::Index j = 0; j < start.size(); ++j) {
+    const Node by = h * Node::Unit(start.size(), j);
+    const PieceEnd more = end_of(flow, start + by, kNear, kLong);
+    const PieceEnd less = end_of(flow, start - by, kNear, kLong);
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
+      const double difference = (more.y(i) - less.y(i)) / (2.0 * h);
+      // h² times third derivatives of some hundred.
+      EXPECT_NEAR(end.by_start(i, j), difference,
+                  1e-7 * (1.0 + std::abs(difference)))
+          << i << " by " << j;
+    }
+    EXPECT_NEAR(end.time_by_start(j), (more.t - less.t) / (2.0 * h), 1e-7);
+  }
+}
+
 /// The same of what its places say: slopes, multipliers and costates.
 TEST(ArcFlow, HasTheExactDerivativesOfItsPlaces) {
   Random random(kSeed);
@@ -428,8 +465,8 @@ TEST(ArcFlow, HasTheDerivativesOfAnInclineFromRest) {
     const double P = A / std::pow(std::sin(steepest), 2);
     ArcFlow flow(scene, held);
     flow.judge_states_alone();
-    const Node rest = flow.node_of(LimitedStart(scene, held, 0.7).left_rest());
-    const double u_0 = LimitedStart::kLeftRest, u_1 = u_0 + kLength;
+    const Node rest = flow.node_of(Departure(scene, held, 0.7).left_rest());
+    const double u_0 = Departure::kLeftRest, u_1 = u_0 + kLength;
 
     const PieceEnd end = end_of(flow, rest, 0.0, kLength);
 
@@ -453,26 +490,26 @@ TEST(ArcFlow, HasTheDerivativesOfAnInclineFromRest) {
 }
 
 /// The static cone of a uniform cylinder: tan β₀ = μ (1 + k)/k.
-TEST(LimitedStart, LeavesRestOnTheBorderOfTheStaticCone) {
+TEST(Departure, LeavesRestOnTheBorderOfTheStaticCone) {
   constexpr double mu = 0.4;
   const Scene scene = uniform_under(mu);
   const HeldLimit held = friction_on(scene);
   ASSERT_EQ(held.limit.kind, PathInequality::Kind::FrictionBackward);
 
-  const LimitedStart start(scene, held, 0.7);
+  const Departure start(scene, held, 0.7);
 
-  EXPECT_EQ(start.kind(), LimitedStart::Kind::Forced);
+  EXPECT_EQ(start.kind(), Departure::Kind::Forced);
   EXPECT_NEAR(start.left_rest()[kBeta], std::atan(3.0 * mu), 1e-14);
 }
 
 /// With β right to the second order what the limit is off is of the third.
-TEST(LimitedStart, KeepsTheLimitNextToRest) {
+TEST(Departure, KeepsTheLimitNextToRest) {
   constexpr double h = 1e-6;
   const Scene scene = natural_scene();
   for (const HeldLimit& held : limits_of_control()) {
     if (held.limit.kind != PathInequality::Kind::FrictionBackward) continue;
-    const LimitedStart start(scene, held, 1.2);
-    ASSERT_EQ(start.kind(), LimitedStart::Kind::Forced);
+    const Departure start(scene, held, 1.2);
+    ASSERT_EQ(start.kind(), Departure::Kind::Forced);
     const auto off = [&](double u) {
       const State y = start.left_rest(u);
       const double q =

@@ -76,7 +76,7 @@ TEST(CycloidGuess, SatisfiesPontryaginsConditionsWithoutOffset) {
   for (const double sigma : {0.0, 0.1, 0.5, 0.9, 1.0}) {
     const ExtremalState s = guess.state(sigma);
     const RollingState state{s.theta, s.w};
-    const Costates p{guess.p_x, guess.p_z, s.p_theta, s.p_w};
+    const Costates p{s.p_x, s.p_z, s.p_theta, s.p_w};
     EXPECT_NEAR(hamiltonian(scene.body, scene.gravity, state, p, s.beta), 0.0,
                 1e-14);
     EXPECT_NEAR(

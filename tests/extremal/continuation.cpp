@@ -79,8 +79,6 @@ TEST(Guess, FromANeighbouringSolutionConverges) {
   const ExtremalGuess guess{
       .rolling_time = neighbour.rolling_time,
       .phi = neighbour.phi,
-      .p_x = neighbour.p_x,
-      .p_z = neighbour.p_z,
       .state = [&](double sigma) { return neighbour.path.at(sigma); }};
 
   const ExtremalSolution found = solve_extremal(scene, guess);

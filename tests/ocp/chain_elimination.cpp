@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <vector>
 
@@ -149,6 +150,33 @@ TEST(ChainElimination, TellsHowLooseASumOfUnknownsIs) {
 
     first += kWidths[i];
   }
+}
+
+TEST(ChainElimination, KnowsTheSignOfTheDeterminant) {
+  constexpr Index kWidth = 4, kNodes = 5, kAtStart = 2;
+  Random random(kSeed);
+  int positive = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<ChainLink> links;
+    for (Index i = 0; i < kNodes; ++i) {
+      const bool last = i + 1 == kNodes;
+      const Index rows = last     ? kWidth + kGlobals - kAtStart
+                         : i == 0 ? kWidth + kAtStart
+                                  : kWidth;
+      links.push_back({random_matrix(random, rows, kWidth),
+                       random_matrix(random, rows, last ? 0 : kWidth),
+                       random_matrix(random, rows, kGlobals),
+                       random_matrix(random, rows, 1)});
+    }
+    const double determinant = dense(links).matrix.determinant();
+
+    const int sign = ChainElimination(links).determinant_sign();
+
+    EXPECT_EQ(sign, determinant > 0.0 ? 1 : -1) << trial;
+    if (sign > 0) ++positive;
+  }
+  EXPECT_GT(positive, 0);
+  EXPECT_LT(positive, 20);
 }
 
 }  // namespace

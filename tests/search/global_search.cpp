@@ -161,7 +161,7 @@ TEST(ContactScan, IsConfirmedByMultipleShooting) {
   ASSERT_EQ(contacts.size(), 3u);
   for (const ScannedContact& contact : contacts) {
     const ExtremalSolution solution = solve_extremal(
-        natural, {contact.rolling_time, contact.phi, contact.p_x, contact.p_z,
+        natural, {contact.rolling_time, contact.phi,
                   [&contact](double sigma) { return contact.path.at(sigma); }});
 
     ASSERT_TRUE(solution.solved()) << solution.message;

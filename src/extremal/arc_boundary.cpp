@@ -15,22 +15,6 @@ namespace brachisto::arcs {
 
 namespace {
 
-/// The radius by which centre and track are apart at A and B.
-double contact_radius(const Scene& scene) {
-  return scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
-}
-
-bool is_optimal(const Scene& scene) {
-  return scene.contact == Contact::Optimal && scene.body.rolls();
-}
-
-/// p_β = 0, or where the slope is free to turn about the contact
-/// p_β = −r (p_x cos β + p_z sin β).
-Jet transversality(const Scene& scene, const Values<Jet>& v) {
-  const double r = is_optimal(scene) ? scene.body.radius : 0.0;
-  return v[kPBeta] + (v[kPX] * cos(v[kBeta]) + v[kPZ] * sin(v[kBeta])) * r;
-}
-
 /// The slope at rest next to `near` at which a limit on forces holds.
 double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   using On = math::Jet1<double, 1>;
@@ -75,7 +59,8 @@ Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
                      double near)
     : scene_(natural) {
   if (!held) {
-    if (is_optimal(scene_)) refusal_ = "it leaves an optimal contact freely";
+    if (has_optimal_ends(scene_))
+      refusal_ = "it leaves an optimal contact freely";
   } else if (held->limit.bounds_force()) {
     kind_ = Kind::Forced;
     slope_ = slope_at_rest(scene_, *held, near);
@@ -84,7 +69,7 @@ Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
     kind_ = Kind::Turning;
     const std::vector<PathInequality> limits =
         inequalities(scene_.body, scene_.limits);
-    if (is_optimal(scene_) || bound_valleys(limits)) return;
+    if (has_optimal_ends(scene_) || bound_valleys(limits)) return;
     slope_ = start_angle_under(scene_.body, limits);
     if (!slope_) refusal_ = "no direction at rest keeps the limits";
   } else {
@@ -106,40 +91,6 @@ State Departure::left_rest(double u) const {
   y[kW] = w;
   y[kBeta] = *slope_ + rise_ * u * u;
   return y;
-}
-
-std::vector<Jet> Departure::conditions(const LinearPoint& first) const {
-  const Values<Jet>& v = first.y;
-  std::vector<Jet> out;
-  if (kind_ == Kind::Forced) {
-    const State rest = left_rest();
-    for (std::size_t i = 0; i < kStates; ++i) out.push_back(v[i] - rest[i]);
-    return out;
-  }
-  const Body& body = scene_.body;
-  const double r = contact_radius(scene_);
-  out = {v[kX] - sin(v[kBeta]) * r, v[kZ] + cos(v[kBeta]) * r,
-         v[kTheta] - body.theta_m,
-         v[kW] - root_of_inertia(body, Jet(body.theta_m), v[kBeta]) *
-                     scene_.world.start_speed};
-  if (kind_ == Kind::Free) return out;
-  out.push_back(slope_ ? v[kBeta] - *slope_ : transversality(scene_, v));
-  return out;
-}
-
-std::vector<Jet> end_conditions(const Scene& natural, const LinearPoint& last,
-                                bool turns) {
-  const Values<Jet>& v = last.y;
-  const double r = contact_radius(natural);
-  std::vector<Jet> out{v[kX] - sin(v[kBeta]) * r - natural.L,
-                       v[kZ] + cos(v[kBeta]) * r - natural.H, v[kPTheta],
-                       v[kPW]};
-  if (natural.contact == Contact::EndSlope) {
-    out.push_back(v[kBeta] - *natural.end_slope);
-  } else if (turns || is_optimal(natural)) {
-    out.push_back(transversality(natural, v));
-  }
-  return out;
 }
 
 }  // namespace brachisto::arcs

@@ -6,11 +6,13 @@
 
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "extremal/arc_flow.hpp"
+#include "model/field.hpp"
 
 namespace brachisto::arcs {
 
@@ -42,7 +44,8 @@ class Departure {
 
   /// What vanishes at the first node: states that are known, and p_β where β is
   /// a state that is not.
-  [[nodiscard]] std::vector<Jet> conditions(const LinearPoint& first) const;
+  template <class Scalar>
+  [[nodiscard]] std::vector<Scalar> conditions(const Values<Scalar>& v) const;
 
  private:
   Scene scene_;
@@ -53,10 +56,76 @@ class Departure {
   std::string refusal_;
 };
 
+/// The radius by which centre and track are apart at A and B.
+[[nodiscard]] inline double contact_radius(const Scene& scene) {
+  return scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
+}
+
+/// Whether the slopes at A and B are free to turn about the contact.
+[[nodiscard]] inline bool has_optimal_ends(const Scene& scene) {
+  return scene.contact == Contact::Optimal && scene.body.rolls();
+}
+
+/// p_β, or where the slope is free to turn about the contact
+/// p_β + r (p_x cos β + p_z sin β).
+template <class Scalar>
+[[nodiscard]] Scalar transversality(const Scene& scene,
+                                    const Values<Scalar>& v) {
+  using std::cos;
+  using std::sin;
+  if (!has_optimal_ends(scene)) return v[kPBeta];
+  return v[kPBeta] + (v[kPX] * cos(v[kBeta]) + v[kPZ] * sin(v[kBeta])) *
+                         Scalar(scene.body.radius);
+}
+
+/// How far the centre is from where it touches a place with the slope β: c −
+/// P − r (sin β, −cos β).
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> off_place(const Scene& scene, Point place,
+                                            const Values<Scalar>& v) {
+  using std::cos;
+  using std::sin;
+  const Scalar r(contact_radius(scene));
+  return {v[kX] - sin(v[kBeta]) * r - Scalar(place.x),
+          v[kZ] + cos(v[kBeta]) * r - Scalar(place.z)};
+}
+
+template <class Scalar>
+std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
+  std::vector<Scalar> out;
+  if (kind_ == Kind::Forced) {
+    const State rest = left_rest();
+    for (std::size_t i = 0; i < kStates; ++i) {
+      out.push_back(v[i] - Scalar(rest[i]));
+    }
+    return out;
+  }
+  const Body& body = scene_.body;
+  out = off_place(scene_, {0.0, 0.0}, v);
+  out.push_back(v[kTheta] - Scalar(body.theta_m));
+  out.push_back(v[kW] - root_of_inertia(body, Scalar(body.theta_m), v[kBeta]) *
+                            Scalar(scene_.world.start_speed));
+  if (kind_ == Kind::Free) return out;
+  out.push_back(slope_ ? v[kBeta] - Scalar(*slope_)
+                       : transversality(scene_, v));
+  return out;
+}
+
 /// What vanishes at B.
 /// \param turns  whether β is a state there
-[[nodiscard]] std::vector<Jet> end_conditions(const Scene& natural,
-                                              const LinearPoint& last,
-                                              bool turns);
+template <class Scalar>
+[[nodiscard]] std::vector<Scalar> end_conditions(const Scene& natural,
+                                                 const Values<Scalar>& v,
+                                                 bool turns) {
+  std::vector<Scalar> out = off_place(natural, {natural.L, natural.H}, v);
+  out.push_back(v[kPTheta]);
+  out.push_back(v[kPW]);
+  if (natural.contact == Contact::EndSlope) {
+    out.push_back(v[kBeta] - Scalar(*natural.end_slope));
+  } else if (turns || has_optimal_ends(natural)) {
+    out.push_back(transversality(natural, v));
+  }
+  return out;
+}
 
 }  // namespace brachisto::arcs

@@ -26,8 +26,10 @@ struct ArcRoot {
                                 const ocp::StepControl& control,
                                 int most_steps);
 
-/// A root as accurate as it gets: what the last residual, and steps half as
-/// long, would change.
+/// A root as accurate as it gets, by two steps of Newton's method with all
+/// steps of the integration halved. The error of T is estimated by what the
+/// first one changes, by twice what the second one does, which is rounding,
+/// and by the rounding of independent steps.
 struct RefinedRoot {
   ArcSystem::Point point;
   ArcSystem::Linearisation

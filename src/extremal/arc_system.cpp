@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "extremal/node_equations.hpp"
 #include "math/index.hpp"
 
 namespace brachisto::arcs {
@@ -38,79 +39,6 @@ std::string touches_alone(const HeldLimit& touched) {
 }
 
 }  // namespace
-
-/// The equations that belong to one node.
-class ArcSystem::Rows {
- public:
-  Rows(Index width, Index next, Index globals) {
-    // Matching, the condition of its start, and what junctions add.
-    constexpr Index kMost = 2 * static_cast<Index>(kSize) + 6;
-    link_.here.setZero(kMost, width);
-    link_.next.setZero(kMost, next);
-    link_.globals.setZero(kMost, globals);
-    link_.residual.setZero(kMost);
-  }
-
-  /// An equation of this node alone.
-  void add(const Jet& value) {
-    for (Index j = 0; j < link_.here.cols(); ++j) {
-      link_.here(size_, j) = value.gradient[static_cast<std::size_t>(j)];
-    }
-    link_.residual(size_++) = value.value;
-  }
-  /// That a function of the next node equals one of the end of a piece, which
-  /// takes a share of the duration that is unknown `duration`.
-  void add(const Jet& next, const Jet& last, const PieceEnd& end, int duration,
-           double share) {
-    const Eigen::Map<const Eigen::RowVectorXd> by(last.gradient.data(),
-                                                  end.y.size());
-    link_.here.row(size_) = -by * end.by_start;
-    link_.globals(size_, duration) = -by.dot(end.rates) * share;
-    for (Index j = 0; j < link_.next.cols(); ++j) {
-      link_.next(size_, j) = next.gradient[static_cast<std::size_t>(j)];
-    }
-    link_.residual(size_++) = next.value - last.value;
-  }
-  /// The derivative of the equation that was added last.
-  [[nodiscard]] double& by_global(int i) { return link_.globals(size_ - 1, i); }
-  /// Within an arc all components fit together.
-  void match(const Node& next, const PieceEnd& end, int duration,
-             double share) {
-    const Index width = next.size();
-    link_.here.middleRows(size_, width) = -end.by_start;
-    link_.next.middleRows(size_, width).setIdentity();
-    link_.globals.col(duration).segment(size_, width) = -end.rates * share;
-    link_.residual.segment(size_, width) = next - end.y;
-    size_ += width;
-  }
-  /// Costates that mean nothing are zero.
-  void pin_costates(const Node& y) {
-    for (Index i = kStates; i < y.size(); ++i) {
-      link_.here(size_, i) = 1.0;
-      link_.residual(size_++) = y(i);
-    }
-  }
-  /// The states of a node fit together.
-  void match_states(const Node& next, const PieceEnd& end, int duration,
-                    double share) {
-    const auto states = static_cast<Index>(kStates);
-    link_.here.middleRows(size_, states) = -end.by_start.topRows(states);
-    link_.next.middleRows(size_, states).leftCols(states).setIdentity();
-    link_.globals.col(duration).segment(size_, states) =
-        -end.rates.head(states) * share;
-    link_.residual.segment(size_, states) = (next - end.y).head(states);
-    size_ += states;
-  }
-
-  [[nodiscard]] ocp::ChainLink take() const {
-    return {link_.here.topRows(size_), link_.next.topRows(size_),
-            link_.globals.topRows(size_), link_.residual.head(size_)};
-  }
-
- private:
-  ocp::ChainLink link_;
-  Index size_ = 0;
-};
 
 double ArcSystem::Linearisation::largest() const {
   double out = 0.0;
@@ -244,7 +172,7 @@ const HeldLimit& ArcSystem::jumps_along(int arc) const {
               .held;
 }
 
-void ArcSystem::junction_rows(Rows& rows, int arc, const Node& y,
+void ArcSystem::junction_rows(NodeEquations& rows, int arc, const Node& y,
                               const LinearPoint& at_node) const {
   const ArcFlow& here = flows_[at(arc)];
   if (arc == 0 ? !blind(0) : blind(arc - 1)) rows.add(at_node.hamiltonian);
@@ -274,7 +202,7 @@ void ArcSystem::junction_rows(Rows& rows, int arc, const Node& y,
   }
 }
 
-bool ArcSystem::matching_rows(Rows& rows, int arc, const PieceEnd& end,
+bool ArcSystem::matching_rows(NodeEquations& rows, int arc, const PieceEnd& end,
                               const Node& next, double next_near,
                               double jump) const {
   const ArcFlow& before = flows_[at(arc)];
@@ -341,13 +269,13 @@ bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
       const Node& y = point.nodes[i];
       const Node& next = point.nodes[i + 1];
       const double near = turns(flow) ? 0.0 : slope;
-      Rows rows(y.size(), next.size(), globals);
+      NodeEquations rows(y.size(), next.size(), globals);
       if (k == 0) {
         LinearPoint first;
         double steer = near;
         if (!flow.find(y, steer, first)) return false;
         if (a == 0) {
-          for (const Jet& row : leave_.conditions(first)) rows.add(row);
+          for (const Jet& row : leave_.conditions(first.y)) rows.add(row);
           out.slope_at_A = first.y[kBeta];
         }
         if (!blind(a)) junction_rows(rows, a, y, first);
@@ -386,8 +314,8 @@ bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
   LinearPoint at_B;
   double steer = turning ? 0.0 : slope;
   if (!flows_.back().find(last, steer, at_B)) return false;
-  Rows rows(last.size(), 0, globals);
-  for (const Jet& row : end_conditions(scene_, at_B, turning)) rows.add(row);
+  NodeEquations rows(last.size(), 0, globals);
+  for (const Jet& row : end_conditions(scene_, at_B.y, turning)) rows.add(row);
   if (jump_.back() >= 0) {
     const HeldLimit& touched = *arcs_.back().touched;
     rows.add(flows_.back().along(touched.limit, last).value - touched.bound);

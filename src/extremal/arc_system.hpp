@@ -19,6 +19,8 @@
 
 namespace brachisto::arcs {
 
+class NodeEquations;
+
 /// A stretch of the path along which the same limit holds, or none.
 struct Arc {
   std::optional<HeldLimit> held;
@@ -109,8 +111,6 @@ class ArcSystem {
                              const ocp::StepControl& control) const;
 
  private:
-  class Rows;
-
   /// Why the arcs on both sides of a junction are not known, or nothing.
   [[nodiscard]] std::string unknown_junction(int arc) const;
   void take_guess(const Guess& guess);
@@ -123,12 +123,12 @@ class ArcSystem {
   [[nodiscard]] double span_of(const Point& point, int arc) const;
   /// The limit along whose gradient costates jump in front of an arc.
   [[nodiscard]] const HeldLimit& jumps_along(int arc) const;
-  void junction_rows(Rows& rows, int arc, const Node& y,
+  void junction_rows(NodeEquations& rows, int arc, const Node& y,
                      const LinearPoint& at) const;
   /// Between the end of a piece and the node behind it.
-  [[nodiscard]] bool matching_rows(Rows& rows, int arc, const PieceEnd& end,
-                                   const Node& next, double next_near,
-                                   double jump) const;
+  [[nodiscard]] bool matching_rows(NodeEquations& rows, int arc,
+                                   const PieceEnd& end, const Node& next,
+                                   double next_near, double jump) const;
 
   Scene scene_;
   std::vector<Arc> arcs_;

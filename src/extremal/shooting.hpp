@@ -14,10 +14,9 @@
 ///     ∂𝓗/∂β = 0, ∂²𝓗/∂β² > 0,  p_x, p_z constant,  p_θ' = −∂𝓗/∂θ,
 ///     p_w' = −∂𝓗/∂w,  p_θ(U) = p_w(U) = 0,  𝓗 = 0,  β(U) = φ.
 ///
-/// All is regular at the start, where w = 0, β = β₀ and p_w = −√A/(g a). The
-/// unknowns are U, p_x, p_z, φ and the states and costates where arcs meet.
-/// Nothing here is shared with the collocation of the same problem but the
-/// physics, so that each is a witness for the other.
+/// All is regular at the start, where w = 0, β = β₀ and p_w = −√A/(g a). It is
+/// one free arc of arcs::ArcSystem, in any world; what is new here is the way
+/// to it, from the cycloid along a branch.
 
 #pragma once
 
@@ -63,8 +62,9 @@ struct ExtremalOptions {
   double tolerance = 1e-13;
   /// Newton steps for one solution, at least 1.
   int max_newton_steps = 50;
-  /// Arcs of the multiple shooting; 0: from the number of turns of the body.
-  int arcs = 0;
+  /// Pieces of the multiple shooting, called arcs in messages; 0: from the
+  /// number of turns of the body.
+  int arcs = 0;  ///< pieces of the one arc
 
   /// Goes on through folds of the branch instead of stopping at the first; an
   /// answer beyond a fold is connected with the cycloid, but is not what the
@@ -101,10 +101,10 @@ struct ExtremalSolution {
   double p_x = 0.0;                 ///< −∂T/∂x_end [s/m]
   double p_z = 0.0;                 ///< −∂T/∂z_end [s/m]
 
-  int arcs = 0;
+  int arcs = 0;                 ///< pieces of the one arc
   int newton_steps = 0;         ///< in all
   int integration_steps = 0;    ///< along the final path
-  double residual = 0.0;        ///< largest scaled boundary or matching error
+  double residual = 0.0;        ///< largest of all equations, in natural units
   double error_estimate = 0.0;  ///< relative, of T: see solve_extremal()
 
   Regularity regularity;
@@ -120,11 +120,8 @@ struct ExtremalSolution {
 /// The extremal that Newton's method finds from a guess, which need not lie on
 /// the principal branch.
 ///
-/// T is corrected for the matching errors left, to the first order through the
-/// costates. `error_estimate` is the sum of the change of T when every step of
-/// the integration is halved and the problem solved again (the result returned
-/// is the second one), of what the uncertainty of φ means for T, and of the
-/// rounding of independent steps.
+/// T is corrected for the matching errors left, to the first order. Its
+/// `error_estimate` is that of arcs::refine_root().
 ///
 /// Cost: linear in the number of turns of the body.
 /// \pre validate(scene) is empty; guess.state is set

@@ -66,7 +66,7 @@ void expect_exact_derivatives(const Scene& si) {
   }
   const auto remainder = [&](double h) {
     ArcSystem::Linearisation there;
-    EXPECT_TRUE(system.evaluate(moved(point, h, v), {}, there, false));
+    EXPECT_TRUE(system.evaluate(arcs::moved(point, h, v), {}, there, false));
     return distance(there.links, here.links, h, slope);
   };
 

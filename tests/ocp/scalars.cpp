@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 
+#include "extremal/arc_boundary.hpp"
 #include "model/path_inequality.hpp"
 #include "model/units.hpp"
 #include "ocp/flow.hpp"
@@ -191,6 +192,46 @@ TEST(Integration, IsTheSameForLongDoublesAndLanes) {
       if (l > 0) continue;
       EXPECT_NEAR(static_cast<double>(precisely[i]), alone[i], kSteps) << i;
     }
+  }
+}
+
+/// What is left of the equations of one free arc: at A, after it, and at B.
+template <class Scalar>
+std::vector<Scalar> shooting_residual(
+    const Scene& scene, const typename ocp::Flow<Steered, Scalar>::State& start,
+    Scalar beta) {
+  const arcs::Departure leave(scene, std::nullopt, 0.8);
+  const auto values = [](const auto& y, const Scalar& slope) {
+    return arcs::Values<Scalar>{y[0], y[1], y[2], y[3], slope,
+                                y[4], y[5], y[6], y[7], Scalar(0.0)};
+  };
+  std::vector<Scalar> out = leave.conditions(values(start, beta));
+  const auto end = integrated<Scalar>(scene, start);
+  for (const Scalar& row :
+       arcs::end_conditions(scene, values(end, beta), false)) {
+    out.push_back(row);
+  }
+  return out;
+}
+
+TEST(ShootingResidual, IsTheSameForLongDoublesAndLanes) {
+  constexpr double kSteps = 1e-11, kBeta = 0.8;
+  const Scene scene = in_all_of_the_world();
+  std::array<long double, 8> precise;
+  std::array<Lanes, 8> lanes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    precise[i] = kStart[i];
+    lanes[i] = Lanes(kStart[i]);
+  }
+
+  const auto alone = shooting_residual<double>(scene, kStart, kBeta);
+  const auto by_lanes = shooting_residual<Lanes>(scene, lanes, Lanes(kBeta));
+  const auto precisely = shooting_residual<long double>(scene, precise, kBeta);
+
+  ASSERT_EQ(alone.size(), 8U);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_NEAR(by_lanes[i].lane[3], alone[i], kSteps) << i;
+    EXPECT_NEAR(static_cast<double>(precisely[i]), alone[i], kSteps) << i;
   }
 }
 

@@ -18,7 +18,7 @@
 #include "model/path_inequality.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
-#include "rolling/rolling_body.hpp"
+#include "rolling/steered_falling.hpp"
 
 namespace brachisto::arcs {
 

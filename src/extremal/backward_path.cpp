@@ -23,7 +23,7 @@ std::optional<InitialCondition> BackwardShooting::shoot(
     const TerminalCondition& terminal, double tolerance,
     std::vector<arcs::Knot>* path) const {
   using namespace arcs::free_arc;
-  using Rates = ocp::FlowRates<Flow, 0>;
+  using Rates = ocp::FlowRates<Flow, false>;
   constexpr int kMostSteps = 100000;
   constexpr double kShortest = 1e-8;
   const auto& [theta, phi] = terminal;

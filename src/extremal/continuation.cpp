@@ -131,19 +131,18 @@ class Branch {
 // The derivative by the parameter is a difference: directions need few digits,
 // and the equations have a solution whatever they are.
 bool Branch::linearise(Corrected& at) const {
-  constexpr double kDifference = 1e-4;
+  constexpr double kDifference = 1e-5;
   const Index globals = at.point.globals.size() - 1;
   const double parameter = at.parameter();
   ArcSystem::Point inner{at.point.nodes, at.point.globals.head(globals)};
-  ArcSystem::Linearisation here, up, down;
+  ArcSystem::Linearisation here, beside;
   const auto evaluate = [&](double value, ArcSystem::Linearisation& out,
                             bool derivatives) {
     return system_.in(family_.scene(value))
         .evaluate(inner, control_, out, derivatives);
   };
   if (!evaluate(parameter, here, true) ||
-      !evaluate(parameter + kDifference, up, false) ||
-      !evaluate(parameter - kDifference, down, false)) {
+      !evaluate(parameter + kDifference, beside, false)) {
     return false;
   }
   at.links = std::move(here.links);
@@ -151,7 +150,7 @@ bool Branch::linearise(Corrected& at) const {
     MatrixXd& by = at.links[i].globals;
     by.conservativeResize(Eigen::NoChange, globals + 1);
     by.col(globals) =
-        (up.links[i].residual - down.links[i].residual) / (2.0 * kDifference);
+        (beside.links[i].residual - at.links[i].residual) / kDifference;
   }
   at.slope_at_B = here.slope_at_B;
   at.transit_time = here.transit_time;

@@ -106,11 +106,18 @@ class Flow {
     control = held_ ? control_of_limit(y, control) : control_of(y, control);
     if (!(magnitude(control) < kInfinity)) return false;
     at.control = control;
-    const auto yu = as_variables<Jet>(point(y, control));
-    at.rates = problem_.rates(yu);
+    const PointOf<Problem, Scalar> here = point(y, control);
+    const auto yu = as_variables<Jet>(here);
+    if constexpr (requires { problem_.template jets<Jet>(here); }) {
+      at.rates = problem_.template jets<Jet>(here);
+    } else {
+      at.rates = problem_.rates(yu);
+    }
     at.hamiltonian = at.rates.cost;
     for (std::size_t i = 0; i < kStates; ++i) {
-      at.hamiltonian += at.rates.states[i] * Jet(y[kStates + i]);
+      const Scalar& p = y[kStates + i];
+      at.hamiltonian +=
+          at.rates.states[i].chain(at.rates.states[i].value * p, p);
     }
     if (!held_) return true;
     at.limit = problem_.limit(held_->limit, yu) - Jet(Scalar(held_->bound));
@@ -225,20 +232,24 @@ class Flow {
   }
 
   [[nodiscard]] Scalar control_of(const State& y, const Scalar& near) const {
-    using Jet = math::Jet2<Scalar, 1>;
-    struct Told {
-      Scalar value, first, second;
-    };
     return math::nearest_minimum(
-        [&](const Scalar& control) {
-          const auto at = problem_.rates(steered<Jet>(y, control));
-          Jet h = at.cost;
-          for (std::size_t i = 0; i < kStates; ++i) {
-            h += at.states[i] * Jet(y[kStates + i]);
-          }
-          return Told{h.value, h.gradient[0], h.hessian[0]};
-        },
-        near);
+        [&](const Scalar& u) { return by_control(y, u); }, near);
+  }
+
+  /// 𝓗 with its first two derivatives by the control.
+  [[nodiscard]] ByControl<Scalar> by_control(const State& y,
+                                             const Scalar& control) const {
+    if constexpr (requires { problem_.hamiltonian_by_control(y, control); }) {
+      return problem_.hamiltonian_by_control(y, control);
+    } else {
+      using Jet = math::Jet2<Scalar, 1>;
+      const auto at = problem_.rates(steered<Jet>(y, control));
+      Jet h = at.cost;
+      for (std::size_t i = 0; i < kStates; ++i) {
+        h += at.states[i] * Jet(y[kStates + i]);
+      }
+      return {h.value, h.gradient[0], h.hessian[0]};
+    }
   }
 
   /// Newton's method; limits are affine in the control or nearly so.

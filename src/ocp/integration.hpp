@@ -133,25 +133,48 @@ template <class Rates, class OnStep>
   return true;
 }
 
-/// A flow as odeint wants it: states, costates and ∫L; with `Columns` behind
-/// them row by row their derivatives by the state at the start. Remembers the
-/// last control, near which the next one is searched. Odeint works on a copy:
-/// that a stage found none shows in the error of its step.
-///
-/// \tparam Columns  Flow::kSize or 0
-template <class Flow, std::size_t Columns>
+/// A flow as odeint wants it: states, costates and ∫L; behind them, if asked
+/// for, row by row their derivatives by the state at the start. Of ignorable
+/// states neither the column is kept, by which nothing else changes, nor the
+/// row of the costate, which is constant. Remembers the last control, near
+/// which the next one is searched. Odeint works on a copy: that a stage found
+/// none shows in the error of its step.
+template <class Flow, bool Derivatives>
 struct FlowRates {
   using Number = typename Flow::Number;
   static constexpr std::size_t kPath = Flow::kSize + 1;
   static constexpr std::size_t kCost = Flow::kSize;  ///< position of ∫L
-  using Stack = std::array<Number, kPath*(1 + Columns)>;
+  static constexpr std::size_t kFirst = Flow::kIgnorable;
+  static constexpr std::size_t kColumns =
+      Derivatives ? Flow::kSize - kFirst : 0;
+  static constexpr std::size_t kRows = kPath - kFirst;
+  using Stack = std::array<Number, kPath + kRows * kColumns>;
   using State = typename Flow::State;
   using At = typename Flow::template At<std::conditional_t<
-      Columns == 0, typename Flow::FirstOrder, typename Flow::SecondOrder>>;
+      Derivatives, typename Flow::SecondOrder, typename Flow::FirstOrder>>;
 
   const Flow& flow;
   Number control;
   bool failed = false;
+
+  [[nodiscard]] static constexpr bool is_constant(std::size_t component) {
+    return component >= Flow::kStates && component < Flow::kStates + kFirst;
+  }
+  /// Where the row of a component that is not constant begins.
+  [[nodiscard]] static constexpr std::size_t row_of(std::size_t component) {
+    const std::size_t row =
+        component < Flow::kStates ? component : component - kFirst;
+    return kPath + row * kColumns;
+  }
+  /// ∂(component)/∂(another one at the start).
+  [[nodiscard]] static Number derivative(const Stack& stack,
+                                         std::size_t component,
+                                         std::size_t by) {
+    if (by < kFirst || is_constant(component)) {
+      return Number(component == by ? 1.0 : 0.0);
+    }
+    return stack[row_of(component) + by - kFirst];
+  }
 
   void operator()(const Stack& stack, Stack& rates, double) {
     At at;
@@ -163,23 +186,23 @@ struct FlowRates {
     const State f = Flow::rates(at);
     std::copy(f.begin(), f.end(), rates.begin());
     rates[kCost] = at.rates.cost.value;
-    if constexpr (Columns > 0) {
+    if constexpr (Derivatives) {
       const typename Flow::Linearisation by = flow.linearisation(at);
-      constexpr std::size_t kFirst = Flow::kIgnorable;
       for (std::size_t i = 0; i < kPath; ++i) {
-        std::array<Number, Columns> row{};
-        // Costates of states that nothing depends on are constant.
-        const bool constant = i >= Flow::kStates && i < Flow::kStates + kFirst;
-        for (std::size_t k = constant ? Flow::kSize : kFirst; k < Flow::kSize;
-             ++k) {
-          const Number* other = stack.data() + kPath + k * Columns;
-          for (std::size_t j = kFirst; j < Columns; ++j) {
+        if (is_constant(i)) continue;
+        std::array<Number, kColumns> row{};
+        for (std::size_t k = kFirst; k < Flow::kSize; ++k) {
+          if (is_constant(k)) {
+            row[k - kFirst] = row[k - kFirst] + by[i][k];
+            continue;
+          }
+          const Number* other = stack.data() + row_of(k);
+          for (std::size_t j = 0; j < kColumns; ++j) {
             row[j] = row[j] + by[i][k] * other[j];
           }
         }
-        std::copy(
-            row.begin(), row.end(),
-            rates.begin() + static_cast<std::ptrdiff_t>(kPath + i * Columns));
+        std::copy(row.begin(), row.end(),
+                  rates.begin() + static_cast<std::ptrdiff_t>(row_of(i)));
       }
     }
   }
@@ -202,11 +225,11 @@ struct FlowRates {
       if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
       largest = std::max(largest, ratio);
     }
-    if (flow.judges_costates) return largest;
+    if (!Derivatives || flow.judges_costates) return largest;
     constexpr double kOfDerivatives = 1e-8;
     for (std::size_t i = 0; i < Flow::kStates; ++i) {
-      for (std::size_t j = 0; j < std::min(Columns, Flow::kStates); ++j) {
-        const std::size_t place = kPath + i * Columns + j;
+      for (std::size_t j = 0; j < Flow::kStates - kFirst; ++j) {
+        const std::size_t place = row_of(i) + j;
         const double ratio = magnitude(error[place]) /
                              (kOfDerivatives * (1.0 + magnitude(now[place])));
         if (!std::isfinite(ratio)) {
@@ -226,8 +249,8 @@ struct FlowRates {
   [[nodiscard]] static Stack stack_of(const State& y) {
     Stack stack{};
     std::copy(y.begin(), y.end(), stack.begin());
-    for (std::size_t j = 0; j < Columns; ++j) {
-      stack[kPath + j * Columns + j] = Number(1.0);
+    for (std::size_t j = 0; j < kColumns; ++j) {
+      if (!is_constant(j + kFirst)) stack[row_of(j + kFirst) + j] = Number(1.0);
     }
     return stack;
   }
@@ -246,11 +269,11 @@ struct Arrived {
 ///     δy⁺ = δy⁻ + (y'⁻ − y'⁺) du,   du = −∇h·δy⁻ / ∇h·y'⁻
 ///
 /// where h is the height above it.
-template <std::size_t Columns, class Flow, class Stack>
+template <bool Derivatives, class Flow, class Stack>
 void pass_surface(const Flow& here, const Flow& there,
                   const typename Flow::Number& control, Stack& now) {
-  if constexpr (Columns > 0) {
-    using Rates = FlowRates<Flow, Columns>;
+  if constexpr (Derivatives) {
+    using Rates = FlowRates<Flow, true>;
     using Number = typename Flow::Number;
     const typename Flow::State y = Rates::state_of(now);
     typename Flow::template At<typename Flow::FirstOrder> at_here, at_there;
@@ -266,14 +289,14 @@ void pass_surface(const Flow& here, const Flow& there,
       return sum;
     };
     const Number speed = rise([&](std::size_t i) { return before[i]; });
-    for (std::size_t j = 0; j < Columns; ++j) {
-      const auto place = [&](std::size_t i) {
-        return Rates::kPath + i * Columns + j;
-      };
+    for (std::size_t j = 0; j < Rates::kColumns; ++j) {
       const Number du =
-          rise([&](std::size_t i) { return now[place(i)]; }) / speed;
+          rise([&](std::size_t i) { return now[Rates::row_of(i) + j]; }) /
+          speed;
       for (std::size_t i = 0; i < Flow::kSize; ++i) {
-        now[place(i)] = now[place(i)] - (before[i] - behind[i]) * du;
+        if (Rates::is_constant(i)) continue;
+        Number& derivative = now[Rates::row_of(i) + j];
+        derivative = derivative - (before[i] - behind[i]) * du;
       }
     }
   }
@@ -286,12 +309,12 @@ void pass_surface(const Flow& here, const Flow& there,
 ///
 /// \param near  control near which the first one is searched
 /// \param step  [in,out] step to try first; the last one taken
-template <std::size_t Columns, class Flow, class OnStep>
-[[nodiscard]] std::optional<Arrived<FlowRates<Flow, Columns>>> travel(
+template <bool Derivatives, class Flow, class OnStep>
+[[nodiscard]] std::optional<Arrived<FlowRates<Flow, Derivatives>>> travel(
     const Flow& flow, const typename Flow::State& start,
     const typename Flow::Number& near, double span, const StepControl& control,
     double& step, OnStep&& on_step) {
-  using Rates = FlowRates<Flow, Columns>;
+  using Rates = FlowRates<Flow, Derivatives>;
   using Path = AdaptiveIntegration<Rates>;
   if (!flow.has_surface()) {
     Path path(Rates{flow, near}, Rates::stack_of(start));
@@ -347,7 +370,7 @@ template <std::size_t Columns, class Flow, class OnStep>
       now = on_surface.now();
       steer = on_surface.rates().control;
       on_step(u, now, steer);
-      pass_surface<Columns>(here, flow.on_side(!above), steer, now);
+      pass_surface<Derivatives>(here, flow.on_side(!above), steer, now);
     }
     above = !above;
   }
@@ -372,16 +395,16 @@ struct ArcEnd {
 
 /// Integrates from u = 0 to `span`; nothing if there is no control, or the
 /// steps become too small.
-template <std::size_t Columns, class Flow>
+template <bool Derivatives, class Flow>
 [[nodiscard]] auto arrive(const Flow& flow, const typename Flow::State& start,
                           const typename Flow::Number& near, double span,
                           const StepControl& control, double& step,
                           ArcEnd<Flow>& end) {
-  using Rates = FlowRates<Flow, Columns>;
+  using Rates = FlowRates<Flow, Derivatives>;
   end.steps = 0;
-  const auto arrived =
-      travel<Columns>(flow, start, near, span, control, step,
-                      [&](double, const auto&, const auto&) { ++end.steps; });
+  const auto arrived = travel<Derivatives>(
+      flow, start, near, span, control, step,
+      [&](double, const auto&, const auto&) { ++end.steps; });
   if (arrived) {
     end.y = Rates::state_of(arrived->now);
     end.cost = arrived->now[Rates::kCost];
@@ -400,14 +423,16 @@ template <class Flow>
                                  const StepControl& control, double& step,
                                  ArcEnd<Flow>& end) {
   const auto arrived =
-      arrive<Flow::kSize>(flow, start, near, span, control, step, end);
+      arrive<true>(flow, start, near, span, control, step, end);
   if (!arrived) return false;
-  const auto* derivative =
-      arrived->now.data() + FlowRates<Flow, Flow::kSize>::kPath;
-  for (int i = 0; i <= ArcEnd<Flow>::kWidth; ++i) {
-    for (int j = 0; j < ArcEnd<Flow>::kWidth; ++j, ++derivative) {
-      (i < ArcEnd<Flow>::kWidth ? end.by_start(i, j) : end.cost_by_start(j)) =
-          *derivative;
+  using Rates = FlowRates<Flow, true>;
+  for (std::size_t i = 0; i <= Flow::kSize; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t j = 0; j < Flow::kSize; ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      const auto by = Rates::derivative(arrived->now, i, j);
+      (i < Flow::kSize ? end.by_start(row, column)
+                       : end.cost_by_start(column)) = by;
     }
   }
   return true;
@@ -421,7 +446,7 @@ template <class Flow>
                               const typename Flow::Number& near, double span,
                               const StepControl& control, double& step,
                               ArcEnd<Flow>& end) {
-  return arrive<0>(flow, start, near, span, control, step, end).has_value();
+  return arrive<false>(flow, start, near, span, control, step, end).has_value();
 }
 
 /// A state on the way.
@@ -438,16 +463,16 @@ template <class Flow, class Tell>
                               const typename Flow::State& start, double near,
                               double span, const StepControl& control,
                               Tell&& tell) {
-  using Rates = FlowRates<Flow, 0>;
+  using Rates = FlowRates<Flow, false>;
   typename Rates::At at;
   if (!flow.find(start, near, at)) return false;
   tell(Passed<Flow>{0.0, start, 0.0, near});
   double step = 0.0;
-  return travel<0>(flow, start, near, span, control, step,
-                   [&](double u, const auto& stack, double steer) {
-                     tell(Passed<Flow>{u, Rates::state_of(stack),
-                                       stack[Rates::kCost], steer});
-                   })
+  return travel<false>(flow, start, near, span, control, step,
+                       [&](double u, const auto& stack, double steer) {
+                         tell(Passed<Flow>{u, Rates::state_of(stack),
+                                           stack[Rates::kCost], steer});
+                       })
       .has_value();
 }
 
@@ -455,7 +480,7 @@ template <class Flow, class Tell>
 template <class Flow>
 [[nodiscard]] Passed<Flow> step_from(const Flow& flow, const Passed<Flow>& from,
                                      double span) {
-  using Rates = FlowRates<Flow, 0>;
+  using Rates = FlowRates<Flow, false>;
   typename Rates::Stack stack = Rates::stack_of(from.y);
   stack[Rates::kCost] = from.cost;
   AdaptiveIntegration<Rates> path(Rates{flow, from.control}, stack);

@@ -25,6 +25,12 @@ struct Rates {
   std::array<Scalar, States> states{};
 };
 
+/// A function of the control with its first two derivatives by it.
+template <class Scalar>
+struct ByControl {
+  Scalar value, first, second;
+};
+
 /// States and the control behind them.
 template <class Problem, class Scalar>
 using PointOf = std::array<Scalar, Problem::kStates + 1>;
@@ -43,6 +49,11 @@ struct Bounds {
 /// - `costate_weight(i)`, what the error of a costate counts beside 1;
 /// - `has_surface()`, on which rates have a kink, `height(y)` above it, and
 ///   `keep_to_side(above)`, which makes the law of one side that of both.
+///
+/// A problem may have closed forms of what jets of it are, where a measurement
+/// asks for them: `jets<Jet>(yu)`, the rates with their derivatives by the
+/// point, and `hamiltonian_by_control(y, u)`, L + p·f for states and costates
+/// y.
 template <class Problem>
 concept PointFunction = requires(const Problem& problem, std::size_t i,
                                  const PointOf<Problem, double>& yu) {

@@ -143,14 +143,6 @@ class Steered : public Moving {
   }
 };
 
-/// The same in a uniform field without air: nothing depends on the place, and
-/// p_x and p_z are constant.
-class SteeredFalling : public Steered {
- public:
-  static constexpr std::size_t kIgnorable = 2;
-  using Steered::Steered;
-};
-
 /// β is a state, and how fast it turns the control, q = dβ/du.
 class Turning : public Moving {
  public:
@@ -179,8 +171,6 @@ class Turning : public Moving {
   }
 };
 
-static_assert(ocp::PointFunction<Steered> &&
-              ocp::PointFunction<SteeredFalling> &&
-              ocp::PointFunction<Turning>);
+static_assert(ocp::PointFunction<Steered> && ocp::PointFunction<Turning>);
 
 }  // namespace brachisto::rolling

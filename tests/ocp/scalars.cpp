@@ -154,7 +154,7 @@ typename ocp::Flow<Steered, Scalar>::State integrated(
     const Scene& scene,
     const typename ocp::Flow<Steered, Scalar>::State& start) {
   using Flow = ocp::Flow<Steered, Scalar>;
-  using Rates = ocp::FlowRates<Flow, Flow::kSize>;
+  using Rates = ocp::FlowRates<Flow, true>;
   const Flow flow(described<Steered>(scene));
   ocp::AdaptiveIntegration<Rates> path(Rates{flow, Scalar(0.8)},
                                        Rates::stack_of(start));

@@ -206,6 +206,22 @@ class Flow {
     return out;
   }
 
+  /// 𝓗 with its first two derivatives by the control.
+  [[nodiscard]] ByControl<Scalar> by_control(const State& y,
+                                             const Scalar& control) const {
+    if constexpr (requires { problem_.hamiltonian_by_control(y, control); }) {
+      return problem_.hamiltonian_by_control(y, control);
+    } else {
+      using Jet = math::Jet2<Scalar, 1>;
+      const auto at = problem_.rates(steered<Jet>(y, control));
+      Jet h = at.cost;
+      for (std::size_t i = 0; i < kStates; ++i) {
+        h += at.states[i] * Jet(y[kStates + i]);
+      }
+      return {h.value, h.gradient[0], h.hessian[0]};
+    }
+  }
+
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -234,22 +250,6 @@ class Flow {
   [[nodiscard]] Scalar control_of(const State& y, const Scalar& near) const {
     return math::nearest_minimum(
         [&](const Scalar& u) { return by_control(y, u); }, near);
-  }
-
-  /// 𝓗 with its first two derivatives by the control.
-  [[nodiscard]] ByControl<Scalar> by_control(const State& y,
-                                             const Scalar& control) const {
-    if constexpr (requires { problem_.hamiltonian_by_control(y, control); }) {
-      return problem_.hamiltonian_by_control(y, control);
-    } else {
-      using Jet = math::Jet2<Scalar, 1>;
-      const auto at = problem_.rates(steered<Jet>(y, control));
-      Jet h = at.cost;
-      for (std::size_t i = 0; i < kStates; ++i) {
-        h += at.states[i] * Jet(y[kStates + i]);
-      }
-      return {h.value, h.gradient[0], h.hessian[0]};
-    }
   }
 
   /// Newton's method; limits are affine in the control or nearly so.

@@ -16,7 +16,7 @@
 #include "model/units.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
-#include "rolling/rolling_body.hpp"
+#include "rolling/steered_falling.hpp"
 #include "support/random_points.hpp"
 #include "support/world_scenes.hpp"
 
@@ -145,6 +145,46 @@ TYPED_TEST(PointFunctionOf, EnclosesABoxByIntervals) {
   }
   for (const Interval& value : enclosed) {
     EXPECT_LE(value.width(), kMostStretch * kHalf);
+  }
+}
+
+/// The closed forms of the steered body in a uniform field are what jets are.
+TEST(SteeredFalling, HasTheDerivativesThatJetsHave) {
+  using rolling::SteeredFalling;
+  using Jet = math::Jet2<double, 5>;
+  Random random(kSeed);
+  for (const double eta : {0.0, 0.4, 0.95}) {
+    const Scene scene = in_natural_units(off_centred_scene(0.4));
+    Scene with = scene;
+    with.body.eta_m = eta;
+    const SteeredFalling problem(with, {}, 1.0 / with.body.radius);
+    const ocp::Flow<SteeredFalling> closed(problem);
+    const ocp::Flow<Steered> by_jets{Steered(with, {}, 1.0 / with.body.radius)};
+    for (int trial = 0; trial < 20; ++trial) {
+      const auto yu = random_point<Steered>(random);
+      const auto expected = problem.rates(ocp::as_variables<Jet>(yu));
+      const auto found = problem.jets<Jet>(yu);
+      const auto expect_same = [](const Jet& a, const Jet& b) {
+        EXPECT_NEAR(a.value, b.value, kRounding);
+        for (std::size_t i = 0; i < a.gradient.size(); ++i) {
+          EXPECT_NEAR(a.gradient[i], b.gradient[i], kRounding) << i;
+        }
+        for (std::size_t i = 0; i < a.hessian.size(); ++i) {
+          EXPECT_NEAR(a.hessian[i], b.hessian[i], 10.0 * kRounding) << i;
+        }
+      };
+      expect_same(found.cost, expected.cost);
+      for (std::size_t i = 0; i < 4; ++i) {
+        expect_same(found.states[i], expected.states[i]);
+      }
+      std::array<double, 8> y;
+      std::copy_n(yu.begin(), 4, y.begin());
+      for (std::size_t i = 4; i < 8; ++i) y[i] = random.uniform(-1.0, 1.0);
+      const auto h = closed.by_control(y, yu[4]);
+      const auto by = by_jets.by_control(y, yu[4]);
+      EXPECT_NEAR(h.first, by.first, 10.0 * kRounding);
+      EXPECT_NEAR(h.second, by.second, 10.0 * kRounding);
+    }
   }
 }
 

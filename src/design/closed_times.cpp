@@ -58,7 +58,6 @@ SolveOptions options_until(SolveOptions options, WallClock::time_point end) {
   return options;
 }
 
-Margins margins_of(const Solution& solution, double contact_response) {
 double grip_margin(const Motion& motion, const MaxGrip& max_grip) {
   return std::atan(max_grip.mu) - motion.friction_angle_after(max_grip.after);
 }
@@ -88,10 +87,9 @@ ClosedTimes::ClosedTimes(Scene scene, const SolveOptions& options,
                          const std::atomic<int>* interrupt)
     : scene_(std::move(scene)),
       options_(of_inner_solves(options, scene_)),
+      max_grip_(max_grip),
       interrupt_(interrupt),
       end_(seconds_from_now(options.limits.seconds)) {}
-      max_grip_(max_grip),
-      interrupt_(interrupt) {}
 
 Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
   const SolveOptions options = options_until(options_, end_);

@@ -67,7 +67,6 @@ class ClosedTimes {
  public:
   /// \param options    of every solve; their limit of time, which begins now,
   ///                   is that of all solves together
-  /// \param options    of every solve
   /// \param max_grip   that margins are told of
   /// \param interrupt  nonzero: stop; may be null
   ClosedTimes(Scene scene, const SolveOptions& options,

@@ -54,7 +54,6 @@ class Searcher {
         plan_(plan),
         space_(design_space(plan, scene.body)),
         interrupt_(interrupt),
-        times_(scene, on_the_way(options), interrupt) {
         times_(scene, on_the_way(options), plan.max_grip, interrupt) {
     ipopt_.tolerance = kTolerance;
     ipopt_.max_iterations = kMostIterations;

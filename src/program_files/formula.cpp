@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace brachisto::program_files {
@@ -146,6 +145,16 @@ Formula operator/(const Formula& a, const Formula& b) {
   return out;
 }
 
+Formula Formula::either(const Formula& a, double bound, const Formula& above,
+                        const Formula& below) {
+  Formula out;
+  out.tree_ = {token(Operation::If), token(Operation::Greater)};
+  for (const Formula& operand : {a, Formula(bound), above, below}) {
+    operand.append_to(out.tree_);
+  }
+  return out;
+}
+
 Formula sin(const Formula& a) {
   if (a.is_constant()) return std::sin(a.constant_);
   return Formula::applied(Formula::Operation::Sine, a);
@@ -159,10 +168,6 @@ Formula cos(const Formula& a) {
 Formula sqrt(const Formula& a) {
   if (a.is_constant()) return std::sqrt(a.constant_);
   return Formula::applied(Formula::Operation::Root, a);
-}
-
-double plain(const Formula& /*formula*/) {
-  throw std::logic_error("a formula was asked for its value");
 }
 
 }  // namespace brachisto::program_files

@@ -131,8 +131,12 @@ class CollocationFormulas final : public ProgramInFormulas {
     }
     return out;
   }
-  [[nodiscard]] ocp::Rates<Formula, kStates> rates(int point) const {
-    return seen_from(point).rates(states_and_control(point));
+  /// Kept, as the rows of a point are asked for one after the other.
+  [[nodiscard]] const ocp::Rates<Formula, kStates>& rates(int point) const {
+    if (std::exchange(rated_, point) != point) {
+      rates_ = seen_from(point).rates(states_and_control(point));
+    }
+    return rates_;
   }
   /// h_e U.
   [[nodiscard]] Formula duration(int point) const {
@@ -160,6 +164,8 @@ class CollocationFormulas final : public ProgramInFormulas {
   const Problem& problem_;
   Description by_place_, inside_, outside_;
   std::vector<SphereSide> sides_;
+  mutable int rated_ = -1;
+  mutable ocp::Rates<Formula, kStates> rates_;
 };
 
 template <class Description, class Problem>

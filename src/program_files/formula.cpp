@@ -14,6 +14,9 @@ namespace {
 using Token = Formula::Token;
 using Tree = std::vector<Token>;
 
+/// Room that an operation leaves for what is affine: one allocation, not five.
+constexpr std::size_t kUsualTokens = 16;
+
 Token token(Formula::Operation operation) {
   return {Token::Kind::Operation, static_cast<int>(operation)};
 }
@@ -91,14 +94,18 @@ void Formula::append_to(Tree& out) const {
 
 Formula Formula::applied(Operation operation, const Formula& a) {
   Formula out;
-  out.tree_ = {token(operation)};
+  out.tree_.reserve(kUsualTokens + a.tree_.size());
+  out.tree_.push_back(token(operation));
   a.append_to(out.tree_);
   return out;
 }
 
 Formula Formula::applied(Operation operation, const Formula& a,
                          const Formula& b) {
-  Formula out = applied(operation, a);
+  Formula out;
+  out.tree_.reserve(kUsualTokens + a.tree_.size() + b.tree_.size());
+  out.tree_.push_back(token(operation));
+  a.append_to(out.tree_);
   b.append_to(out.tree_);
   return out;
 }

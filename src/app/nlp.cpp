@@ -21,7 +21,6 @@
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/program_directory.hpp"
-#include "program_files/program_in_formulas.hpp"
 
 namespace brachisto::app {
 
@@ -46,11 +45,8 @@ struct NlpFlags : CommonFlags {
 
 /// \throws io::InputError  if what is asked for does not exist
 void refuse(const io::ProblemFile& problem, const NlpFlags& flags) {
-  std::string reason =
+  const std::string reason =
       program_files::no_program_because(problem.scene, problem.options);
-  if (reason.empty() && flags.format == "nl") {
-    reason = program_files::no_formulas_because(problem.scene);
-  }
   if (reason.empty()) return;
   throw io::InputError(
       {{flags.file, 0, 0, "", "no program to write: " + reason}});

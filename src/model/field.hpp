@@ -30,6 +30,14 @@ template <class Scalar>
   }
 }
 
+/// above() where a number lies above a bound, otherwise below(): decided by its
+/// value, or by whatever stands for it.
+template <class Scalar, class Above, class Below>
+[[nodiscard]] Scalar where_above(const Scalar& number, double bound,
+                                 const Above& above, const Below& below) {
+  return plain(number) > bound ? above() : below();
+}
+
 /// On which side of the surface of the scene's sphere a place is; on the
 /// surface itself inside.
 [[nodiscard]] SphereSide side_of_surface(const Scene& scene, Point place);
@@ -66,12 +74,14 @@ template <class Scalar>
   const Scalar square = dx * dx + dz * dz;
   const double share = world.sphere_share;
   const double at_surface = share * sphere.surface_gravity / R;
-  Scalar per_length(-at_surface);
-  const bool outside =
-      world.side ? *world.side == SphereSide::Outside : plain(square) > R * R;
-  if (outside) {
-    per_length = Scalar(-at_surface * R * R * R) / (square * sqrt(square));
-  }
+  const auto inside = [&] { return Scalar(-at_surface); };
+  const auto outside = [&]() -> Scalar {
+    return Scalar(-at_surface * R * R * R) / (square * sqrt(square));
+  };
+  const Scalar per_length = !world.side
+                                ? where_above(square, R * R, outside, inside)
+                            : *world.side == SphereSide::Outside ? outside()
+                                                                 : inside();
   return {dx * per_length,
           dz * per_length + Scalar((1.0 - share) * scene.gravity)};
 }

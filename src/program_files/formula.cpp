@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace brachisto::program_files {
@@ -14,6 +13,9 @@ namespace {
 
 using Token = Formula::Token;
 using Tree = std::vector<Token>;
+
+/// Room that an operation leaves for what is affine: one allocation, not five.
+constexpr std::size_t kUsualTokens = 16;
 
 Token token(Formula::Operation operation) {
   return {Token::Kind::Operation, static_cast<int>(operation)};
@@ -92,14 +94,18 @@ void Formula::append_to(Tree& out) const {
 
 Formula Formula::applied(Operation operation, const Formula& a) {
   Formula out;
-  out.tree_ = {token(operation)};
+  out.tree_.reserve(kUsualTokens + a.tree_.size());
+  out.tree_.push_back(token(operation));
   a.append_to(out.tree_);
   return out;
 }
 
 Formula Formula::applied(Operation operation, const Formula& a,
                          const Formula& b) {
-  Formula out = applied(operation, a);
+  Formula out;
+  out.tree_.reserve(kUsualTokens + a.tree_.size() + b.tree_.size());
+  out.tree_.push_back(token(operation));
+  a.append_to(out.tree_);
   b.append_to(out.tree_);
   return out;
 }
@@ -146,6 +152,16 @@ Formula operator/(const Formula& a, const Formula& b) {
   return out;
 }
 
+Formula Formula::either(const Formula& a, double bound, const Formula& above,
+                        const Formula& below) {
+  Formula out;
+  out.tree_ = {token(Operation::If), token(Operation::Greater)};
+  for (const Formula& operand : {a, Formula(bound), above, below}) {
+    operand.append_to(out.tree_);
+  }
+  return out;
+}
+
 Formula sin(const Formula& a) {
   if (a.is_constant()) return std::sin(a.constant_);
   return Formula::applied(Formula::Operation::Sine, a);
@@ -159,10 +175,6 @@ Formula cos(const Formula& a) {
 Formula sqrt(const Formula& a) {
   if (a.is_constant()) return std::sqrt(a.constant_);
   return Formula::applied(Formula::Operation::Root, a);
-}
-
-double plain(const Formula& /*formula*/) {
-  throw std::logic_error("a formula was asked for its value");
 }
 
 }  // namespace brachisto::program_files

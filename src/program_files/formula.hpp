@@ -28,6 +28,8 @@ class Formula {
     Times = 2,
     Divided = 3,
     Negative = 16,
+    Greater = 29,
+    If = 35,
     Root = 39,
     Sine = 41,
     Cosine = 46,
@@ -63,6 +65,10 @@ class Formula {
   friend Formula operator/(const Formula& a, const Formula& b);
   Formula& operator+=(const Formula& other);
 
+  /// One where a > bound, otherwise the other.
+  [[nodiscard]] static Formula either(const Formula& a, double bound,
+                                      const Formula& above,
+                                      const Formula& below);
   friend Formula sin(const Formula& a);
   friend Formula cos(const Formula& a);
   friend Formula sqrt(const Formula& a);
@@ -84,8 +90,11 @@ class Formula {
   std::vector<Token> tree_;
 };
 
-/// A formula has no value to decide anything by.
-/// \throws std::logic_error  always
-double plain(const Formula& formula);
+/// A formula has no value to decide by and says what holds on either side.
+template <class Above, class Below>
+[[nodiscard]] Formula where_above(const Formula& a, double bound,
+                                  const Above& above, const Below& below) {
+  return Formula::either(a, bound, above(), below());
+}
 
 }  // namespace brachisto::program_files

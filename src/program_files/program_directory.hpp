@@ -33,8 +33,7 @@ struct ProgramOutput {
   [[nodiscard]] std::vector<std::string> names() const;
 };
 
-/// Writes all files or none. What a format cannot say is refused before, see
-/// no_formulas_because().
+/// Writes all files or none.
 /// \return what they hold, which the .json file says
 /// \throws report::OutputError
 nlohmann::ordered_json write_program(const SolvedProgram& program,

@@ -7,10 +7,15 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "program_files/formula.hpp"
 #include "transcription/transcription.hpp"
+
+namespace brachisto {
+class ArcLength;
+class LimitedTime;
+class RollingTime;
+}  // namespace brachisto
 
 namespace brachisto::program_files {
 
@@ -30,12 +35,14 @@ class ProgramInFormulas {
   [[nodiscard]] virtual Formula constraint(int index) const = 0;
 };
 
-/// Why a program cannot be written as formulas; empty if it can.
-[[nodiscard]] std::string no_formulas_because(const Scene& scene);
-
 /// The formulas of a program, which has to outlive them.
-/// \pre no_formulas_because() has no reason for its scene
 [[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(
     const Transcription& problem);
+[[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(
+    const RollingTime& problem);
+[[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(
+    const LimitedTime& problem);
+[[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(
+    const ArcLength& problem);
 
 }  // namespace brachisto::program_files

@@ -25,6 +25,18 @@ PrimalDual guess_for(const RollingTime& problem, const PosedProblem& posed) {
              : cycloid_guess(problem, *posed.cycloid);
 }
 
+/// Where every element of the answer lies on one side of a sphere's surface,
+/// each has the law of its side: the same answer, of a program that is smooth.
+void hold_sides(RollingTime& problem, const ExtremalCurve& answer) {
+  std::vector<SphereSide> sides;
+  for (int e = 0; e < problem.mesh().num_elements(); ++e) {
+    const std::optional<SphereSide> side = answer.scene_in(e).world.side;
+    if (!side) return;
+    sides.push_back(*side);
+  }
+  problem.hold_sides(std::move(sides));
+}
+
 /// With what is fixed where it is fixed.
 PrimalDual within_fixed(const Transcription& problem, PrimalDual point) {
   for (int i = 0; i < problem.num_variables(); ++i) {
@@ -61,6 +73,7 @@ std::optional<SolvedProgram> solved_program(const Solution& solution) {
   if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {
     const ExtremalCurve& curve = found->trajectory.curve();
     RollingTime problem(curve.scene(), curve.mesh(), found->phi);
+    hold_sides(problem, curve);
     PrimalDual guess = guess_for(problem, posed);
     return made_of(std::move(problem), found->point, std::move(guess), posed,
                    found->phi);

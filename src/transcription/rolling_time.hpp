@@ -57,6 +57,7 @@ class RollingTime final : public Transcription {
   ///
   /// \param sides  of as many elements, or none: each point by its place
   void hold_sides(std::vector<SphereSide> sides);
+  [[nodiscard]] const std::vector<SphereSide>& sides() const { return sides_; }
 
   /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
   void set_start_slope(double alpha);

@@ -96,7 +96,7 @@ TEST(Nlp, ReplacesNothingUnlessItMay) {
   EXPECT_GT(fs::file_size(file), size);
 }
 
-TEST(Nlp, RefusesWhatHasNoProgramOrNoFormulasWithTheReason) {
+TEST(Nlp, RefusesWhatHasNoProgramWithTheReason) {
   const ScratchDirectory scratch;
   const std::string file = (scratch.path() / "case.nl").string();
   struct Case {
@@ -104,8 +104,7 @@ TEST(Nlp, RefusesWhatHasNoProgramOrNoFormulasWithTheReason) {
     const char* reason;
   };
   for (const auto& [arguments, reason] :
-       {Case{{kInASphere}, "inside"},
-        Case{{kScene, "--set", "solver.method=extremal"}, "ipopt"},
+       {Case{{kScene, "--set", "solver.method=extremal"}, "ipopt"},
         Case{{kScene, "--set", "scene.path={shape: straight}"}, "optimised"}}) {
     std::vector<std::string> all{"nlp", "--out", file};
     all.insert(all.end(), arguments.begin(), arguments.end());

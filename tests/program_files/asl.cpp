@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/solvers/ipopt.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/asl_program.hpp"
@@ -289,6 +290,25 @@ TEST(NlOptimum, IsOurAnswerFromTheGuessAndFromTheAnswer) {
       constexpr int kAFew = 2;
       EXPECT_LE(found.result.iterations, kAFew);
     }
+  }
+}
+
+/// Through the surface, outside, and inside.
+TEST(NlOptimum, IsOurAnswerInTheFieldOfASphere) {
+  for (const char* name :
+       {"into_the_planet", "small_planet", "gravity_train"}) {
+    SCOPED_TRACE(name);
+    const io::ProblemFile file = io::read_problem_file(
+        std::string(BRACHISTO_PROBLEMS_DIR "/worlds/") + name + ".yaml", {});
+    const SolvedProgram program = program_of(file.scene, file.options);
+    ASSERT_TRUE(program.problem->set_point(program.answer.x));
+    const double T = program.problem->eval_f();
+
+    const Found found = found_in_file(program, ProgramStart::Guess);
+
+    EXPECT_EQ(found.result.status, Status::Solved) << found.result.message;
+    EXPECT_NEAR(found.f, T, kSame * T);
+    EXPECT_LE(found.distance, kSame);
   }
 }
 

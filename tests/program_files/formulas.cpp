@@ -53,6 +53,7 @@ class Reader {
     if (token.kind == Kind::Quantity) {
       return value(program_.quantity(token.number));
     }
+    if (token.number == static_cast<int>(If)) return chosen(tree, next);
     const double a = operand(tree, next);
     switch (static_cast<Formula::Operation>(token.number)) {
       case Plus:
@@ -71,8 +72,21 @@ class Reader {
         return std::sin(a);
       case Cosine:
         return std::cos(a);
+      case Greater:
+      case If:
+        break;
     }
-    throw std::logic_error("an operation that nobody knows");
+    throw std::logic_error("an operation that is no number");
+  }
+  [[nodiscard]] double chosen(const std::vector<Formula::Token>& tree,
+                              std::size_t& next) const {
+    EXPECT_EQ(tree.at(next++).number,
+              static_cast<int>(Formula::Operation::Greater));
+    const double a = operand(tree, next);
+    const bool above = a > operand(tree, next);
+    const double there = operand(tree, next);
+    const double otherwise = operand(tree, next);
+    return above ? there : otherwise;
   }
 
   const ProgramInFormulas& program_;
@@ -100,8 +114,20 @@ TEST(Formula, ComputesWithConstants) {
   EXPECT_TRUE((0.0 * Formula::unknown(1)).terms().empty());
 }
 
-TEST(Formula, HasNoValueToDecideBy) {
-  EXPECT_THROW((void)plain(Formula::unknown(0)), std::logic_error);
+TEST(Formula, SaysWhatHoldsOnEitherSide) {
+  const Formula x = Formula::unknown(0);
+
+  const Formula either = where_above(
+      x, 2.0, [&] { return x * x; }, [] { return Formula(5.0); });
+
+  using enum Formula::Operation;
+  std::vector<Formula::Operation> operations;
+  for (const Formula::Token& token : either.tree()) {
+    if (token.kind != Formula::Token::Kind::Operation) continue;
+    operations.push_back(static_cast<Formula::Operation>(token.number));
+  }
+  EXPECT_EQ(operations, (std::vector{If, Greater, Times}));
+  EXPECT_EQ(either.tree().back().value, 5.0);
 }
 
 class Formulas : public ::testing::TestWithParam<ProgramCase> {};

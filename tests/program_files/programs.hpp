@@ -39,18 +39,34 @@ template <class Problem>
           }};
 }
 
-/// All bodies and worlds that have formulas, in all three programs; limits of
-/// all kinds, with contacts that are fixed and that are free.
+/// All bodies and worlds in all three programs; a sphere's surface that points
+/// lie on both sides of; limits of all kinds, with contacts that are fixed and
+/// that are free.
 [[nodiscard]] inline std::vector<ProgramCase> program_cases() {
-  constexpr int kDegree = 3;
-  constexpr int kElements = 3;
+  static constexpr int kDegree = 3;
+  static constexpr int kElements = 3;
   static constexpr int kPieces = 9;
   std::vector<ProgramCase> cases;
   for (const ProblemCase& row : problem_cases(kDegree, kElements)) {
-    if (!program_files::no_formulas_because(row.scene).empty()) continue;
     cases.push_back(program_case<RollingTime>(row.name, [row] {
       return std::make_unique<RollingTime>(row.problem());
     }));
+  }
+  for (const auto& [name, body_scene] :
+       {std::pair("Bead", bead_scene()),
+        std::pair("OffCentred", off_centred_scene(0.4))}) {
+    const Scene scene = natural(about_sphere(body_scene, in_the_way()));
+    for (const bool held : {false, true}) {
+      cases.push_back(program_case<RollingTime>(
+          std::string(name) + (held ? "HeldToSides" : "OnBothSides"),
+          [scene, held] {
+            using enum SphereSide;
+            auto problem = std::make_unique<RollingTime>(
+                scene, uniform_mesh(kDegree, kElements), -0.2);
+            if (held) problem->hold_sides({Outside, Inside, Outside});
+            return problem;
+          }));
+    }
   }
   for (const ArcLengthCase& row : arc_length_cases()) {
     cases.push_back(program_case<ArcLength>("Pieces" + row.name, [row] {

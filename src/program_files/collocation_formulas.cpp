@@ -4,9 +4,8 @@
 // Programs of collocation: what the rolling body says of one point, as formulas
 // in the unknowns of a scheme.
 
-#include <array>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "math/index.hpp"
 #include "program_files/program_in_formulas.hpp"

@@ -35,7 +35,7 @@ class ProgramInFormulas {
   [[nodiscard]] virtual Formula constraint(int index) const = 0;
 };
 
-/// The formulas of a program, which has to outlive them.
+/// The formulas of a program, which has to outlive them and stay as it is.
 [[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(
     const Transcription& problem);
 [[nodiscard]] std::unique_ptr<ProgramInFormulas> in_formulas(

@@ -3,8 +3,9 @@
 
 /// \file
 /// The formulas of the nonlinear programs, each for numbers and for whatever
-/// else is computed with: what a program evaluates and what is written down of
-/// it are one text.
+/// else is computed with: of pieces and contacts, what a program evaluates and
+/// what is written down of it are one text. Rates are written down from that of
+/// the rolling body.
 
 #pragma once
 

@@ -301,6 +301,8 @@ TEST(NlOptimum, IsOurAnswerInTheFieldOfASphere) {
     const io::ProblemFile file = io::read_problem_file(
         std::string(BRACHISTO_PROBLEMS_DIR "/worlds/") + name + ".yaml", {});
     const SolvedProgram program = program_of(file.scene, file.options);
+    const auto& smooth = dynamic_cast<const RollingTime&>(*program.problem);
+    EXPECT_EQ(smooth.sides().size(), at(smooth.mesh().num_elements()));
     ASSERT_TRUE(program.problem->set_point(program.answer.x));
     const double T = program.problem->eval_f();
 

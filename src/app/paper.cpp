@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto paper: every figure and every number of the paper.
+// brachisto paper: every figure of the paper and every number of its text.
 
 #include <fmt/format.h>
 #include <memory>
@@ -89,7 +89,8 @@ Verb paper_verb() {
   const auto flags = std::make_shared<PaperFlags>();
   return {
       .name = "paper",
-      .text = "Reproduce every figure and every number of the paper",
+      .text =
+          "Reproduce every figure of the paper and every number of its text",
       .flags = {directory_flag("--out", flags->out,
                                "Write index.html, figures and tables there",
                                true),

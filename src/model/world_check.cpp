@@ -106,14 +106,18 @@ void check_energy(const Scene& scene, SceneChecker& check) {
       std::sqrt(std::max(0.0, -by_speed.fall / by_speed.at_start));
   check.add(
       "scene.finish",
-      fmt::format("B cannot be reached: {} potential is {:.6g} m²/s² higher "
-                  "there, and the body starts with {:.6g}{}, which is {:.6g} "
-                  "too little; it takes a start.speed of more than {:.6g} m/s",
-                  scene.body.rolls() ? "whatever its slope and angle there, the"
-                                     : "the",
-                  -most.fall, most.at_start,
-                  scene.world.air.any() ? ", of which the air takes more" : "",
-                  missing, least_speed));
+      fmt::format(
+          "B cannot be reached: {} potential is {:.6g} m²/s² higher "
+          "there, and the body starts with {:.6g}{}, which is {:.6g} "
+          "too little; {}",
+          scene.body.rolls() ? "whatever its slope and angle there, the"
+                             : "the",
+          -most.fall, most.at_start,
+          scene.world.air.any() ? ", of which the air takes more" : "", missing,
+          least_speed > 0.0 ? fmt::format("it takes a start.speed of more than "
+                                          "{:.6g} m/s, if not of yet more",
+                                          least_speed)
+                            : "a start.speed can help"));
 }
 
 /// What is derived for an ordinary world alone.

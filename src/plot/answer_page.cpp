@@ -93,9 +93,11 @@ std::string verdict(const Json& result) {
                        verified ? "Verified" : "Not verified", passed, checks),
            words(result, "not_verified_because")),
       undecided.empty()
-          ? list(feasible ? "Feasible: the body presses on the track all the "
-                            "way, and the track does not fold"
-                          : "Infeasible",
+          ? list(!feasible ? "Infeasible"
+                 : result.at("scene").at("body").at("shape") == "bead"
+                     ? "Feasible: a bead is held from both sides"
+                     : "Feasible: the body presses on the track all the way, "
+                       "and the track does not fold",
                  words(result, "infeasible_because"))
           : list(feasible ? "Feasible within the error of this mesh"
                           : "Infeasible",

@@ -276,24 +276,24 @@ class Elements {
   Elements(const Scene& scene, const Discretisation& wanted,
            const ExtremalCurve& curve, double phi)
       : scene_(scene),
-        meets_surface_(!wanted.fixed() && scene.world.sphere),
+        meets_surface_(scene.world.sphere.has_value()),
+        fixed_(wanted.fixed()),
         degree_is_fixed_(wanted.degree.has_value()),
         tolerance_(wanted.tolerance.value_or(kDefaultTolerance)),
-        left_(wanted.fixed() ? 1 : kMaxMeshes),
         mesh_(wanted.fixed() ? fixed_mesh(wanted)
                              : first_mesh(wanted, tolerance_, curve)),
         from_(curve),
         phi_(phi) {
     if (meets_surface_) {
       surface_.learn(curve);
-      mesh_ = surface_.fit(std::move(mesh_));
+      mesh_ = surface_.fit(std::move(mesh_), fixed_);
     }
     // A large mesh starts from the solution on a much coarser one.
     constexpr int kManyElements = 4000;
     constexpr int kTimesCoarser = 8;
     constexpr int kEnoughElements = 5000;
     const int elements = mesh_.num_elements();
-    if (!wanted.fixed() || elements < kManyElements) return;
+    if (!fixed_ || elements < kManyElements) return;
     large_ = std::exchange(
         mesh_, uniform_mesh(mesh_.degree, std::min(elements / kTimesCoarser,
                                                    kEnoughElements)));
@@ -314,13 +314,20 @@ class Elements {
       mesh_ = *std::exchange(large_, std::nullopt);
       if (!solution.solved()) return true;
       start_from(answer.curve(), solution.tangency.phi);
+      if (meets_surface_) {
+        // Its own ends were not there, and it judges no other mesh.
+        surface_.learn(answer.curve());
+        mesh_ = surface_.fit(std::move(mesh_), fixed_);
+        return true;
+      }
       coarser_.emplace(std::move(answer));
       return true;
     }
     --left_;
     if (stop.met()) return false;
     if (!solution.solved()) {
-      if (!too_coarse(solution) || mesh_.num_elements() > kLargestDoubled) {
+      if (fixed_ || !too_coarse(solution) ||
+          mesh_.num_elements() > kLargestDoubled) {
         return false;
       }
       mesh_ = stretch(mesh_, 2 * mesh_.num_elements());
@@ -331,7 +338,7 @@ class Elements {
       if (!surface_.settled()) {
         // Degree p + 1 errs alike where ends are not on the surface.
         answer.estimated_error.reset();
-        mesh_ = surface_.fit(answer.problem.mesh());
+        mesh_ = surface_.fit(answer.problem.mesh(), fixed_);
         start_from(answer.curve(), solution.tangency.phi);
         if (!out.answer) out.answer.emplace(std::move(answer));
         return left_ > 0;
@@ -349,8 +356,8 @@ class Elements {
     if (best.estimated_error && *best.estimated_error <= tolerance_) {
       return false;
     }
-    if (left_ == 0) return false;
-    mesh_ = surface_.fit(next_mesh(best, tolerance_, degree_is_fixed_));
+    if (left_ == 0 || fixed_) return false;
+    mesh_ = surface_.fit(next_mesh(best, tolerance_, degree_is_fixed_), fixed_);
     if (best.finer) {
       start_from(*best.finer, best.finer_phi);
     } else {
@@ -371,9 +378,10 @@ class Elements {
 
   const Scene& scene_;
   bool meets_surface_;  ///< ends of elements go where paths pass one
+  bool fixed_;          ///< so many elements are asked for
   bool degree_is_fixed_;
   double tolerance_;
-  int left_;  ///< so many meshes may be tried yet
+  int left_ = kMaxMeshes;  ///< so many meshes may be tried yet
   Mesh mesh_;
   std::optional<Mesh> large_;  ///< to come after mesh_
   ExtremalCurve from_;

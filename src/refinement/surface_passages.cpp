@@ -86,22 +86,28 @@ Mesh with_beginnings_at(const Mesh& mesh, const std::vector<int>& elements,
   return out;
 }
 
-Mesh with_ends_at(Mesh mesh, const std::vector<double>& places) {
-  constexpr double kNear = 0.3;  // of the element that it is in
+Mesh with_ends_at(Mesh mesh, const std::vector<double>& places, bool as_many) {
+  // Of the element that a place is in: 0.5 is near one of its ends.
+  const double near = as_many ? 0.5 : 0.3;
   // A itself may lie on the surface; no element begins and ends there.
   constexpr double kNoLength = 1e-9;
+  std::size_t placed = 0;  // the last end that stays, which is at A at first
   for (const double sigma : places) {
     if (std::min(sigma, 1.0 - sigma) < kNoLength) continue;
     const auto [e, t] = mesh.locate(sigma);
-    const auto after = static_cast<std::size_t>(e) + 1;
+    const auto before = static_cast<std::size_t>(e), after = before + 1;
     std::vector<double>& ends = mesh.boundaries;
-    if (t < kNear && e > 0) {
-      ends[after - 1] = sigma;
-    } else if (t > 1.0 - kNear && after + 1 < ends.size()) {
-      ends[after] = sigma;
+    const bool before_moves = before > placed;
+    const bool after_moves = after + 1 < ends.size();
+    if (before_moves && (t < near || (as_many && !after_moves))) {
+      placed = before;
+    } else if (after_moves && (t > 1.0 - near || as_many)) {
+      placed = after;
     } else {
       ends.insert(ends.begin() + static_cast<std::ptrdiff_t>(after), sigma);
+      placed = after;
     }
+    ends[placed] = sigma;
   }
   return mesh;
 }

@@ -31,9 +31,12 @@ namespace brachisto {
 [[nodiscard]] std::vector<double> surface_passages(const Scene& scene,
                                                    const ExtremalCurve& curve);
 
-/// The mesh with an element end at each of these σ: the nearest one is moved
-/// there where it is near, otherwise there is one more.
-[[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places);
+/// The mesh with an element end at each of these ascending σ: the nearest one
+/// is moved there where it is near, otherwise there is one more. \param as_many
+/// elements as before: ends are moved however far they are, as
+///                 long as there are ends between A and B for all places
+[[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places,
+                                bool as_many = false);
 
 /// On which side of the surface the middle of each element lies; nothing where
 /// there is no sphere.
@@ -60,8 +63,9 @@ class SurfaceEnds {
   /// What a solution says of the ends of its mesh.
   void learn(const ExtremalCurve& solution);
   /// The mesh with ends where the next solution should pass.
-  [[nodiscard]] Mesh fit(Mesh mesh) const {
-    return with_ends_at(std::move(mesh), next_);
+  /// \param as_many  see with_ends_at()
+  [[nodiscard]] Mesh fit(Mesh mesh, bool as_many) const {
+    return with_ends_at(std::move(mesh), next_, as_many);
   }
   /// Whether the ends of the last solution were where it passes, as well as
   /// rounding allows.

@@ -82,8 +82,11 @@ std::string asked(const Solution& solution) {
 std::string contact_force(const PathDiagnostics& diagnostics) {
   const Extreme& least = diagnostics.min_normal_force;
   const Extreme& greatest = diagnostics.max_normal_force;
+  // To what limits on forces are kept [m g].
+  constexpr double kNothing = 1e-8;
+  const double from = std::abs(least.value) < kNothing ? 0.0 : least.value;
   std::string text =
-      fmt::format("from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", least.value,
+      fmt::format("from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", from,
                   least.at_start ? ", its limit at the start," : "",
                   greatest.value, greatest.x);
   if (least.at_start) {
@@ -206,6 +209,14 @@ void add_sensitivities(std::string& out, const Solution& solution) {
   }
 }
 
+/// Whether the design is of a body that has no grip enough.
+bool lacks_grip(const Solution& solution) {
+  return solution.design && solution.design->plan.max_grip &&
+         !solution.design->best && !solution.design->minima.empty() &&
+         std::ranges::none_of(solution.design->minima,
+                              &DesignMinimum::feasible);
+}
+
 /// "verified: 16 of 16 checks, degree 6 against 7 on 9 elements agree to 9e-12;
 /// feasible".
 std::string verdict(const Solution& solution) {
@@ -223,6 +234,8 @@ std::string verdict(const Solution& solution) {
         fmt::format(", {} agree to {:.0e}", agreement->where, agreement->value);
   }
   return text + (!solution.feasible() ? "; INFEASIBLE"
+                 : lacks_grip(solution)
+                     ? "; feasible, but for want of the grip that is asked for"
                  : solution.undecided_because().empty()
                      ? "; feasible"
                      : "; feasible within the error of this mesh");

@@ -4,11 +4,15 @@
 #include "search/world_continuation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "model/world_part.hpp"
 #include "refinement/start_closure.hpp"
@@ -39,6 +43,38 @@ double largest_turn(const ExtremalCurve& before, const ExtremalCurve& after) {
 bool keeps_moving(const ExtremalCurve& curve) {
   const auto& w = curve.w_at_points();
   return std::all_of(w.begin(), w.end(), [](double v) { return v > 0.0; });
+}
+
+/// What a world has that the ordinary one has not.
+std::string asked_for(const World& world) {
+  std::vector<std::string_view> parts;
+  if (world.start_speed != 0.0) parts.emplace_back("the start speed");
+  if (world.air.any()) parts.emplace_back("the drag");
+  if (world.sphere) parts.emplace_back("the field of the sphere");
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+/// The balance of energy in the world that is asked for, between the ends of
+/// the last path on the way there.
+std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
+  const ExtremalPoint start = last.at(0.0), end = last.at(1.0);
+  const Body& body = scene.body;
+  const double v_0 = scene.world.start_speed;
+  const double at_start =
+      0.5 * v_0 * v_0 * inertia_factor(body, start.theta, start.beta);
+  const double left =
+      (at_start + potential_fall(scene,
+                                 mass_centre(body, start.centre, start.theta),
+                                 mass_centre(body, end.centre, end.theta))) /
+      (scene.gravity * scene.H);
+  return fmt::format(
+      "of energy the body would {} {:.4g} m g H where the last path ends, {}",
+      left < 0.0 ? "lack" : "have", std::abs(left),
+      scene.world.air.any()
+          ? "before the air takes its part; or no slope makes 𝓗 minimal all "
+            "along"
+      : left < 0.0 ? "which a start speed can give"
+                   : "but no slope may make 𝓗 minimal all along");
 }
 
 }  // namespace
@@ -92,11 +128,8 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
       out.status = Status::NotConverged;
       out.message = fmt::format(
           "the extremal that continues from the uniform field without air, "
-          "from rest, was followed as far as {:.3g} of the start "
-          "speed, the drag and the field of a sphere that are asked for, not "
-          "further: energy may not carry the body to B, or no slope make 𝓗 "
-          "minimal all along",
-          fraction);
+          "from rest, was followed as far as {:.3g} of {}, not further: {}",
+          fraction, asked_for(scene.world), left_at_B(scene, *out.curve));
       out.curve.reset();
       return out;
     }

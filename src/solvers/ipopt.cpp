@@ -317,6 +317,9 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
     const PhaseTimer timer(Phase::Ipopt);
     return application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
   }());
+  // Where memory runs out while it sets up its linear system Ipopt 3.11.9 frees
+  // an array twice as it is destroyed: what is left of it stays.
+  if (outcome.status == Status::OutOfMemory) application->AddRef(nullptr);
   if (solver == LinearSolver::Mumps) book_linear_solver(*application);
   rethrow(adapter->exception(), options.stop);
   if (hook != nullptr) rethrow(hook->exception, options.stop);

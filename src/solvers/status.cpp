@@ -31,7 +31,7 @@ constexpr std::array kWords{
           "No path satisfies the conditions of the scene."},
     Words{
         "not_reached",
-        "No extremal was followed from the cycloid to the scene. There may be "
+        "No extremal was followed from the cycloid to the scene; there may be "
         "one."},
     Words{"no_smooth_contact",
           "Under the limits no slope at B was found with which a track goes on "
@@ -40,8 +40,8 @@ constexpr std::array kWords{
           "Under the limits tracks that turn ever more sharply at A are ever "
           "faster."},
     Words{"infeasible",
-          "The solver ended at a path where the limits give way at any price. "
-          "Other paths may keep them."},
+          "The solver ended at a path where the limits give way at any price; "
+          "other paths may keep them."},
     Words{"stalled", "The body does not reach the end of the given path."},
     Words{"internal_error", "The solver reported an internal error."}};
 static_assert(kWords.size() ==

@@ -82,6 +82,15 @@ std::string advice(const Scene& scene, const StatedLimit& limit,
 
 }  // namespace
 
+std::string looser_limits(const Scene& asked) {
+  const std::vector<StatedLimit> limits = stated_limits(asked);
+  if (limits.empty()) return {};
+  const auto friction =
+      std::ranges::find(limits, "friction", &StatedLimit::name);
+  const bool of_friction = friction != limits.end();
+  return advice(asked, of_friction ? *friction : limits.front(), of_friction);
+}
+
 std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   const LimitedMotion motion(blocking.nearest, posed.asked, posed.units);
   const std::vector<StatedLimit> limits = stated_limits(posed.asked);

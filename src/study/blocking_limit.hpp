@@ -18,4 +18,8 @@ namespace brachisto {
 [[nodiscard]] std::string in_words(const PosedProblem& posed,
                                    const BlockingLimit& blocking);
 
+/// What can help a scene whose limits were kept and that was not solved, of the
+/// limit that is the likeliest to be in the way; empty if it has none.
+[[nodiscard]] std::string looser_limits(const Scene& asked);
+
 }  // namespace brachisto

@@ -75,7 +75,7 @@ Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
   // Between the ends of their arcs meshes are finer; the program is solved on
   // several, each from another guess of the arcs.
   const double nodes = std::max(230.0, 330.0 * turns) * finer;
-  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 3.2e-4 * nodes};
+  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 3.0e-4 * nodes};
 }
 
 /// The indirect method, and the mesh on which its extremal is judged: see

@@ -7,6 +7,7 @@
 
 #include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
+#include "study/blocking_limit.hpp"
 #include "study/wider_search.hpp"
 #include "trajectory/feasibility.hpp"
 
@@ -85,7 +86,12 @@ std::vector<std::string> Solution::not_verified_because() const {
 
 std::string Solution::advice() const {
   const Check* second_order = certificate.find("second_order");
-  if (second_order == nullptr || !(second_order->value > 0.0)) return {};
+  if (second_order == nullptr || !(second_order->value > 0.0)) {
+    // Next to what no path keeps, multipliers grow and lose their digits.
+    const Check* signs = certificate.find("multiplier_signs");
+    return signs == nullptr || signs->passed ? std::string()
+                                             : looser_limits(scene);
+  }
   const std::string search = wider_search(scene, options);
   if (search.empty()) return {};
   return "the extremal is no minimum between its fixed ends; " + search +

@@ -372,6 +372,10 @@ void record_limited(const PosedProblem& posed,
   record(refinement, out);
   if (refinement.blocking) {
     out.message += in_words(posed, *refinement.blocking);
+  } else if (!refinement.answer && (out.status == Status::NotConverged ||
+                                    out.status == Status::NoAdmissiblePath)) {
+    const std::string looser = looser_limits(posed.asked);
+    if (!looser.empty()) out.message += ". To try: " + looser;
   }
 }
 

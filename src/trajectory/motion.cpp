@@ -18,11 +18,13 @@ namespace brachisto {
 
 namespace {
 
+/// To what a limit on friction is kept: |R_t| − μ R_n ≤ ε [m g].
+constexpr double kKept = 1e-8;
+
 /// Friction needed beyond μ R_n. Where a limit holds it at just that it is not.
 double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
-  constexpr double kRounding = 1e-8;
   const double beyond = std::abs(at.motion.R_t) - mu * at.motion.R_n;
-  return motion.scene().limits.friction ? beyond - kRounding : beyond;
+  return motion.scene().limits.friction ? beyond - kKept : beyond;
 }
 
 /// The places between rows where the excess changes its sign and back, in their
@@ -131,6 +133,13 @@ double fold_margin(const TrajectoryPoint& p) {
 double less_friction_angle(const TrajectoryPoint& p) {
   return -std::atan2(std::abs(p.motion.R_t), p.motion.R_n);
 }
+/// The same where a limit on friction is kept to ε: the least angle of forces
+/// that differ by ε. With |R_t| ≤ μ R_n + ε it is at most that of μ, for
+/// |R_t| − ε ≤ μ (R_n + ε), also where both forces vanish but for rounding.
+double less_friction_angle_of_kept(const TrajectoryPoint& p) {
+  return -std::atan2(std::max(0.0, std::abs(p.motion.R_t) - kKept),
+                     p.motion.R_n + kKept);
+}
 
 /// The samples of a path, narrower next to the start, where forces rise from
 /// zero and their sign decides.
@@ -209,14 +218,17 @@ double friction_angle_at_start(const Motion& motion, const Rows& rows) {
   if (start.motion.R_n == 0.0 && motion.scene().body.k == 0.0) {
     return less_friction_angle(rows[2]) - 2.0 * less_friction_angle(rows[1]);
   }
-  return -less_friction_angle(start);
+  return -(motion.scene().limits.friction ? less_friction_angle_of_kept(start)
+                                          : less_friction_angle(start));
 }
 
 double friction_angle(const Motion& motion, const Rows& rows, double share) {
+  const Figure less = motion.scene().limits.friction
+                          ? less_friction_angle_of_kept
+                          : less_friction_angle;
   const double t = share * rows.back().t;
   if (!(t > 0.0)) {
-    return -infimum(motion, rows, -friction_angle_at_start(motion, rows),
-                    less_friction_angle)
+    return -infimum(motion, rows, -friction_angle_at_start(motion, rows), less)
                 .value;
   }
   const auto next = std::ranges::upper_bound(rows, t, {}, &TrajectoryPoint::t);
@@ -225,9 +237,7 @@ double friction_angle(const Motion& motion, const Rows& rows, double share) {
       next->sigma, (next - 1)->t - t, next->t - t);
   Rows rest{motion.at(sigma)};
   rest.insert(rest.end(), next, rows.end());
-  return -infimum(motion, rest, less_friction_angle(rest.front()),
-                  less_friction_angle)
-              .value;
+  return -infimum(motion, rest, less(rest.front()), less).value;
 }
 
 }  // namespace

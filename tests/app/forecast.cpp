@@ -45,7 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"discretisation={degree: 8, elements: 4000}",
                                  "solver.method=newton_kkt"},
         std::vector<std::string>{
-            "discretisation={formulation: arc_length, elements: 30000}"}));
+            "discretisation={formulation: arc_length, elements: 30000}"},
+        std::vector<std::string>{"scene.limits.friction=0.3"},
+        std::vector<std::string>{"scene.limits.friction=1"}));
 
 TEST_P(ForecastOfACommand, IsWhatItTakes) {
   const Output validated = run(command("validate", GetParam()));
@@ -64,10 +66,12 @@ TEST_P(ForecastOfACommand, IsWhatItTakes) {
   EXPECT_GT(memory, 0.5 * solved.peak_memory);
   EXPECT_LT(memory, 2.0 * solved.peak_memory);
   // A factor of two, and another one: a busy machine has its caches full, which
-  // a millisecond of work in the smallest of them does not see.
+  // a millisecond of work in the smallest of them does not see. Of tracks under
+  // limits the first is three there.
+  const double factor = result.contains("limits") ? 6.0 : 4.0;
   const double seconds = size["seconds"];
-  EXPECT_GT(seconds, 0.25 * solved.cpu_seconds);
-  EXPECT_LT(seconds, 4.0 * solved.cpu_seconds);
+  EXPECT_GT(seconds, solved.cpu_seconds / factor);
+  EXPECT_LT(seconds, solved.cpu_seconds * factor);
 }
 
 TEST(Forecast, ThatDoesNotFitEndsValidateAndSolveWith7) {

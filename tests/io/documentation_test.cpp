@@ -215,8 +215,10 @@ TEST(KeyTable, DefaultsAreThoseOfTheProgram) {
     std::vector<std::string> before, after{change};
     if (spec.path.starts_with("scene.path")) {
       before = {"scene.path={shape: parabola}"};
-      after.insert(after.begin(), before.front());
+    } else if (spec.path.starts_with("design.max_grip")) {
+      before = {"design.max_grip.mu=1"};
     }
+    after.insert(after.begin(), before.begin(), before.end());
     EXPECT_EQ(effective(read(plain, after)), effective(read(plain, before)))
         << change;
   }

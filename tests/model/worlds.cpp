@@ -273,5 +273,19 @@ TEST(AWorld, IsNotRefusedJustAboveTheSpeedThatItTakes) {
       << told;
 }
 
+TEST(AWorld, IsRefusedWithoutASpeedWhereNoneIsKnown) {
+  // A body that is thrown may start at another slope than one at rest, with
+  // more potential than B has.
+  const Scene scene = about_sphere(
+      scene_of(Body::cylinder(1.0 / 3.0, 0.5, std::numbers::pi / 9.0, 0.5)),
+      {{-3.0, 9.0}, 9.9, 9.81});
+
+  ASSERT_TRUE(refused(scene, "scene.finish"));
+  EXPECT_FALSE(refused(with_push(scene, 1e-3), "scene.finish"));
+  const std::string told = validate(scene).front().message;
+  EXPECT_NE(told.find("a start.speed can help"), std::string::npos) << told;
+  EXPECT_EQ(told.find("more than"), std::string::npos) << told;
+}
+
 }  // namespace
 }  // namespace brachisto::testing

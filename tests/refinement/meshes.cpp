@@ -3,19 +3,23 @@
 
 // How the mesh is chosen, and what becomes of a bad choice.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "brachisto/study/solve.hpp"
+#include "refinement/surface_passages.hpp"
 #include "study/answer_kinds.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
 namespace {
 
+using ::testing::ElementsAre;
 using testing::reference;
 
 const Scene kScene = reference("reference_case").scene();
@@ -36,6 +40,24 @@ TEST(FixedMesh, IsTakenAsItIs) {
   // Four states and β at N p nodes and points, and U.
   EXPECT_EQ(solution.program()->variables, 4 * 52 + 51 + 1);
   EXPECT_EQ(solution.program()->constraints, 4 * 51);
+}
+
+TEST(FixedMesh, MovesItsEndsToWhereTheyAreWanted) {
+  constexpr bool kAsMany = true;
+  const Mesh mesh = uniform_mesh(5, 4);
+  const auto ends = [&](const std::vector<double>& places) {
+    return with_ends_at(mesh, places, kAsMany).boundaries;
+  };
+  EXPECT_THAT(ends({0.45}), ElementsAre(0.0, 0.25, 0.45, 0.75, 1.0));
+  EXPECT_THAT(ends({0.1}), ElementsAre(0.0, 0.1, 0.5, 0.75, 1.0));
+  EXPECT_THAT(ends({0.95}), ElementsAre(0.0, 0.25, 0.5, 0.95, 1.0));
+  // Each has its own, however near they are.
+  EXPECT_THAT(ends({0.27, 0.3}), ElementsAre(0.0, 0.27, 0.3, 0.75, 1.0));
+  EXPECT_THAT(ends({0.27, 0.3, 0.31}), ElementsAre(0.0, 0.27, 0.3, 0.31, 1.0));
+  // One more where there is none left.
+  EXPECT_THAT(ends({0.8, 0.9}), ElementsAre(0.0, 0.25, 0.5, 0.8, 0.9, 1.0));
+  EXPECT_THAT(with_ends_at(uniform_mesh(5, 1), {0.4}, kAsMany).boundaries,
+              ElementsAre(0.0, 0.4, 1.0));
 }
 
 TEST(FixedMesh, HasNoThetaForABodyThatDoesNotNeedIt) {

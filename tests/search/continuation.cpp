@@ -82,7 +82,8 @@ TEST(Continuation, SaysHowFarItCameWhereTheBranchTurnsBack) {
   EXPECT_EQ(found.status, Status::NotConverged);
   EXPECT_FALSE(found.curve);
   EXPECT_LE(found.steps.back().eta_m, 0.7464);
-  EXPECT_NE(found.message.find("could be followed to"), std::string::npos)
+  EXPECT_NE(found.message.find("was followed to η_m = 0.746"),
+            std::string::npos)
       << found.message;
 }
 

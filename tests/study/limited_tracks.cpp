@@ -536,6 +536,17 @@ TEST(LimitedRefusals, AdviseWhatTheBodyHas) {
       << solution.message;
 }
 
+TEST(LimitedRefusals, NextToTheLeastFrictionAdviseMore) {
+  // An incline to B needs 1/9; there multipliers grow beyond their digits.
+  const Solution solution = solve(under(uniform_scene(), friction(0.112)));
+
+  EXPECT_FALSE(solution.verified());
+  EXPECT_NE(solution.message.find("To try: a larger friction, a longer L"),
+            std::string::npos)
+      << solution.message;
+  EXPECT_EQ(solution.advice().find("a larger friction"), 0U);
+}
+
 TEST(LimitedRefusals, OfAFloorThatLeavesNoSmoothContactNameNoTime) {
   const Scene base = off_centred_scene();
   const Solution solution =

@@ -256,8 +256,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"Bead", into_a_planet(Body::bead())}),
     [](const auto& one) { return one.param.test; });
 
-/// Elements that are asked for do not end on the surface; those that
-/// derivatives are taken on do. 32 of degree 4 err by 1e-8 or so on them.
+/// Elements that are asked for end on the surface as others do. 32 of degree 5
+/// err by 1e-8 or so.
 TEST(Sensitivities, OnElementsThatAreAskedForFollowThePassageToo) {
   constexpr double kOfTheMesh = 1e-6;
   const Scene scene = through_a_surface().scene;

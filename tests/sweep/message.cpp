@@ -198,7 +198,7 @@ TEST(Outcome, TellsWhatTheSolutionTold) {
 TEST(Outcome, IsTheResultButForItsOrigin) {
   using Json = nlohmann::ordered_json;
   Json result = Json::parse(report::result_json(solved()));
-  for (const char* key : {"provenance", "scene", "input"}) {
+  for (const char* key : {"forecast", "provenance", "scene", "input"}) {
     EXPECT_EQ(result.erase(key), 1U) << key;
   }
 

@@ -95,6 +95,11 @@ class Sweep:
         for row in self:
             document = row.result.to_dict()
             figures = {".".join(path): _at(document, path) for path in paths}
+            # A list, whose items are told apart by a value.
+            for grip in (document.get("grip") or {}).get("least_after", []):
+                if grip["share_of_time"] > 0:
+                    share = 100 * grip["share_of_time"]
+                    figures[f"grip.mu_after_{share:g}_percent"] = grip["mu"]
             for key, value in {"scene": row.scene, **row.values, **figures}.items():
                 columns.setdefault(key, []).append(value)
         return {

@@ -96,10 +96,10 @@ class Sweep:
             document = row.result.to_dict()
             figures = {".".join(path): _at(document, path) for path in paths}
             # A list, whose items are told apart by a value.
-            for grip in (document.get("grip") or {}).get("least_after", []):
-                if grip["share_of_time"] > 0:
-                    share = 100 * grip["share_of_time"]
-                    figures[f"grip.mu_after_{share:g}_percent"] = grip["mu"]
+            least = {grip["share_of_time"]: grip["mu"]
+                     for grip in (document.get("grip") or {}).get("least_after", [])}
+            for percent in 1, 5:
+                figures[f"grip.mu_after_{percent}_percent"] = least.get(percent / 100)
             for key, value in {"scene": row.scene, **row.values, **figures}.items():
                 columns.setdefault(key, []).append(value)
         return {

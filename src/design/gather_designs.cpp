@@ -10,18 +10,19 @@
 #include <iterator>
 #include <utility>
 
+#include "design/closed_times.hpp"
 #include "design/design_space.hpp"
 
 namespace brachisto {
 
 namespace {
 
-/// Minima that agree to this, relative to τ, and in traits, are one; at the
-/// edge of a branch, whose place is known to fewer digits, to a hundred times
-/// as much.
+/// Minima that agree to this, relative to τ, and in traits, are one; where the
+/// margins that hold them are known to fewer digits, as the edge of a branch is
+/// and forces are on the meshes that searches have, to a hundred times as much.
 constexpr double kOneTau = 1e-8;
 constexpr double kOnePlace = 1e-5;
-constexpr double kAtEdge = 100.0;
+constexpr double kAtMargins = 100.0;
 
 /// Whether only the end that a design has without a bound of its own holds
 /// η_m back.
@@ -33,9 +34,16 @@ bool runs_away(const DesignPlan& plan, const DesignMinimum& minimum) {
          });
 }
 
+bool is_held_by_a_margin(const DesignMinimum& minimum) {
+  return std::ranges::any_of(minimum.bounds_active, [](const auto& held) {
+    return std::ranges::find(kMargins, held.name) != kMargins.end();
+  });
+}
+
 bool same(const DesignMinimum& a, const DesignMinimum& b) {
-  const double digits =
-      at_edge_of_branch(a) && at_edge_of_branch(b) ? kAtEdge : 1.0;
+  const bool at_margins = is_held_by_a_margin(a) && is_held_by_a_margin(b) &&
+                          a.feasible == b.feasible;
+  const double digits = at_margins ? kAtMargins : 1.0;
   return std::abs(a.tau / b.tau - 1.0) <= digits * kOneTau &&
          (traits_of(a.body) - traits_of(b.body)).norm() <= digits * kOnePlace;
 }

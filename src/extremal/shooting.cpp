@@ -44,7 +44,11 @@ using arcs::ArcSystem;
 using arcs::BranchEnd;
 namespace of_arc = arcs::free_arc;
 
-Scene freed_of_limits(Scene scene) {
+/// Without limits, with the slopes of an extremal of its own at both ends: what
+/// other contacts ask for there has a place only beside limits.
+Scene as_free_scene(Scene scene) {
+  if (scene.contact != Contact::Centre) scene.contact = Contact::Smooth;
+  scene.end_slope.reset();
   scene.limits = {};
   return scene;
 }
@@ -79,7 +83,7 @@ class Solve {
       : scene_(scene),
         options_(options),
         units_(natural_units(scene)),
-        natural_(freed_of_limits(in_natural_units(scene))),
+        natural_(as_free_scene(in_natural_units(scene))),
         system_(natural_, as_arc(guess, units_), options.arcs),
         point_(system_.start()) {
     solution_.arcs = system_.num_pieces();

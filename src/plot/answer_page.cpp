@@ -69,6 +69,20 @@ std::string slope(double radians) {
   return degrees(std::abs(radians)) + (radians < 0.0 ? " up" : " down");
 }
 
+/// Whether it is of a design none of whose bodies has grip enough; `feasible`
+/// of a result does not ask for that, and that of a minimum does.
+bool lacks_grip(const Json& result) {
+  const auto design = result.find("design");
+  if (design == result.end() || !design->is_object()) return false;
+  const auto values = design->find("values");
+  const bool has_best = values != design->end() && !values->is_null();
+  const auto minima = design->find("minima");
+  return !has_best && minima != design->end() && minima->is_array() &&
+         !minima->empty() && std::ranges::none_of(*minima, [](const Json& one) {
+           return is_true(one, "feasible");
+         });
+}
+
 std::string verdict(const Json& result) {
   const auto list = [](const std::string& first,
                        const std::vector<std::string>& reasons) {
@@ -85,15 +99,18 @@ std::string verdict(const Json& result) {
   }
   const bool verified = is_true(result, "verified");
   const bool feasible = is_true(result, "feasible");
+  const bool for_want_of_grip = verified && feasible && lacks_grip(result);
   const std::vector<std::string> undecided = words(result, "undecided_because");
   std::string out = fmt::format(
       "<p class=\"verdict {}\">{} {}</p>\n",
-      verified && feasible ? "good" : "bad",
+      verified && feasible && !for_want_of_grip ? "good" : "bad",
       list(fmt::format("{}, {} of {} checks passed",
                        verified ? "Verified" : "Not verified", passed, checks),
            words(result, "not_verified_because")),
-      undecided.empty()
+      undecided.empty() || for_want_of_grip
           ? list(!feasible ? "Infeasible"
+                 : for_want_of_grip
+                     ? "Infeasible for want of the grip that is asked for"
                  : result.at("scene").at("body").at("shape") == "bead"
                      ? "Feasible: a bead is held from both sides"
                      : "Feasible: the body presses on the track all the way, "
@@ -138,7 +155,8 @@ std::string numbers(const Json& result) {
   const auto force = result.find("normal_force");
   if (force != result.end() && force->is_object()) {
     add(symbols_html("normal force R_n"),
-        fmt::format("{} to {} m g", printed(number(*force, "min"), 4),
+        fmt::format("{} to {} m g",
+                    printed(told_force(number(*force, "min")), 4),
                     printed(number(*force, "max"), 4)));
   }
   if (const std::vector<LeastGrip> grip = grip_of(result); !grip.empty()) {

@@ -24,6 +24,7 @@ constexpr double kChord = 0.01;   ///< from the track
 constexpr double kPin = 3.0;      ///< radius of a hole
 constexpr double kPinFromEnd = 12.0, kBetweenPins = 150.0;
 constexpr double kLetter = 5.0;
+constexpr double kLeastLetter = 2.0;
 
 /// A place of the track, and the direction into the strip.
 struct EdgePoint {
@@ -221,6 +222,20 @@ Drawing body_drawing(const Motion& motion, std::span<const MassPart> parts) {
   return out;
 }
 
+/// A line above what is drawn, as large as there is room for; where that is
+/// less than the least size the sheet is wider.
+void add_line_above(Drawing& out, const std::string& text, double least) {
+  const double room = out.width - 2.0 * kMargin;
+  const std::size_t count = letters(text);
+  const double size =
+      std::clamp(kLetter * room / width_of(count, kLetter), least, kLetter);
+  out.labels.push_back(
+      {{kMargin, 0.5 * (kMargin + kLetter) - 1.0}, size, text});
+  if (size <= least) {
+    out.width = std::max(out.width, 2.0 * kMargin + width_of(count, size));
+  }
+}
+
 /// In letters that DXF has; empty for a bead.
 std::string grip_label(const Solution& solution) {
   if (!solution.scene.body.rolls()) return {};
@@ -252,16 +267,12 @@ std::vector<Drawing> cutting_template(const Solution& solution,
         {{kMargin, sheet.height - 0.5 * (kMargin - kLetter) - 1.0},
          kLetter,
          drawing.title});
-    if (grip.empty()) continue;
-    const double size =
-        std::min(kLetter, kLetter * (sheet.width - 2.0 * kMargin) /
-                              width_of(letters(grip), kLetter));
-    drawing.labels.push_back(
-        {{kMargin, 0.5 * (kMargin + kLetter) - 1.0}, size, grip});
+    if (!grip.empty()) add_line_above(drawing, grip, 0.0);
   }
   if (motion.scene().body.rolls()) {
     out.push_back(body_drawing(motion, parts));
     out.back().title = "Body at the start, its mark on the track at A";
+    add_line_above(out.back(), grip, kLeastLetter);
   }
   return out;
 }

@@ -32,10 +32,10 @@ class TemplateError : public std::runtime_error {
 /// parallel on its other side lies a strip, cut across into as many pieces as
 /// the sheet asks for. Along its middle are holes for pins of 6 mm, two at the
 /// least in each piece; numbers tell the order. Chords stay within 0.01 mm of
-/// the track. Each piece tells the grip that the body needs. Where a hump bends
-/// more sharply than the strip is wide, it is narrower. Then, of a cylinder,
-/// its outline with the hole of its axis, the radius that touches the track at
-/// A, the centre of mass, and its parts if they are known.
+/// the track. Each piece, and the body, tells the grip that is needed. Where a
+/// hump bends more sharply than the strip is wide, it is narrower. Then, of a
+/// cylinder, its outline with the hole of its axis, the radius that touches the
+/// track at A, the centre of mass, and its parts if they are known.
 ///
 /// \param solution  verified
 /// \param parts     of the body, in metres; may be empty

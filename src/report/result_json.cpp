@@ -382,7 +382,9 @@ Field<Solution> design_field() {
                               "quickest body that a search has passed before "
                               "it was lost at the edge of a fold",
                               &M::stationary},
-                             {"feasible", "", "the body can run on its track",
+                             {"feasible", "",
+                              "the body can run on its track, with the grip "
+                              "that is asked for",
                               &M::feasible},
                              {"verified", "",
                               "solved anew from the cycloid, its track passed "

@@ -82,13 +82,10 @@ std::string asked(const Solution& solution) {
 std::string contact_force(const PathDiagnostics& diagnostics) {
   const Extreme& least = diagnostics.min_normal_force;
   const Extreme& greatest = diagnostics.max_normal_force;
-  // To what limits on forces are kept [m g].
-  constexpr double kNothing = 1e-8;
-  const double from = std::abs(least.value) < kNothing ? 0.0 : least.value;
-  std::string text =
-      fmt::format("from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", from,
-                  least.at_start ? ", its limit at the start," : "",
-                  greatest.value, greatest.x);
+  std::string text = fmt::format(
+      "from {:.4g}{} to {:.4g} m g at x_b = {:.4g} m", told_force(least.value),
+      least.at_start ? ", its limit at the start," : "", greatest.value,
+      greatest.x);
   if (least.at_start) {
     text += fmt::format("; {:.4g} or more after the first rise",
                         diagnostics.normal_force_after_rise.value);
@@ -235,7 +232,7 @@ std::string verdict(const Solution& solution) {
   }
   return text + (!solution.feasible() ? "; INFEASIBLE"
                  : lacks_grip(solution)
-                     ? "; feasible, but for want of the grip that is asked for"
+                     ? "; INFEASIBLE for want of the grip that is asked for"
                  : solution.undecided_because().empty()
                      ? "; feasible"
                      : "; feasible within the error of this mesh");

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,11 +16,13 @@ namespace brachisto {
 namespace {
 
 /// The least number of three digits that is not below a positive x but for
-/// rounding.
+/// rounding and for what limits are kept to: a body pressed with its weight
+/// that keeps |R_t| ≤ μ R_n to ε asks for μ + ε.
 double rounded_up(double x) {
   constexpr double kRounding = 1e-6;  // of the last digit
   const double digit = std::pow(10.0, std::floor(std::log10(x)) - 2.0);
-  return std::ceil(x / digit - kRounding) * digit;
+  const double open = std::max(kRounding, kForceKept / digit);
+  return std::max(0.0, std::ceil(x / digit - open) * digit);
 }
 
 }  // namespace

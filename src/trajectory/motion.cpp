@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -18,13 +20,11 @@ namespace brachisto {
 
 namespace {
 
-/// To what a limit on friction is kept: |R_t| − μ R_n ≤ ε [m g].
-constexpr double kKept = 1e-8;
-
-/// Friction needed beyond μ R_n. Where a limit holds it at just that it is not.
+/// Friction needed beyond μ R_n. Where a limit holds it at just that it is not:
+/// |R_t| − μ R_n ≤ ε is to what limits are kept.
 double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
   const double beyond = std::abs(at.motion.R_t) - mu * at.motion.R_n;
-  return motion.scene().limits.friction ? beyond - kKept : beyond;
+  return motion.scene().limits.friction ? beyond - kForceKept : beyond;
 }
 
 /// The places between rows where the excess changes its sign and back, in their
@@ -112,7 +112,7 @@ std::optional<double> Motion::rotation() const {
 namespace {
 
 using Rows = std::vector<TrajectoryPoint>;
-using Figure = double (*)(const TrajectoryPoint&);
+using Figure = std::function<double(const TrajectoryPoint&)>;
 
 double normal_force(const TrajectoryPoint& p) {
   return p.motion.R_n;
@@ -133,12 +133,23 @@ double fold_margin(const TrajectoryPoint& p) {
 double less_friction_angle(const TrajectoryPoint& p) {
   return -std::atan2(std::abs(p.motion.R_t), p.motion.R_n);
 }
-/// The same where a limit on friction is kept to ε: the least angle of forces
-/// that differ by ε. With |R_t| ≤ μ R_n + ε it is at most that of μ, for
-/// |R_t| − ε ≤ μ (R_n + ε), also where both forces vanish but for rounding.
-double less_friction_angle_of_kept(const TrajectoryPoint& p) {
-  return -std::atan2(std::max(0.0, std::abs(p.motion.R_t) - kKept),
-                     p.motion.R_n + kKept);
+/// The same where a limit |R_t| ≤ μ R_n on friction is kept to ε, as
+/// |R_t| ≤ μ R_n + ε = μ (R_n + ε/μ): R_n is known to no more than ε/μ, and
+/// the least angle that it may have is asked for. It is at most that of μ, also
+/// where both forces vanish but for rounding, where atan2 of them says nothing.
+/// Where the limit is not kept nothing is taken off.
+Figure less_friction_angle_under(double mu) {
+  return [mu](const TrajectoryPoint& p) {
+    const double R_t = std::abs(p.motion.R_t);
+    const double there_is = mu * p.motion.R_n + kForceKept;
+    // Written so that a NaN stays.
+    return R_t <= there_is ? -std::atan2(mu * R_t, there_is)
+                           : less_friction_angle(p);
+  };
+}
+Figure less_friction_angle_of(const Motion& motion) {
+  const std::optional<double> mu = motion.scene().limits.friction;
+  return mu ? less_friction_angle_under(*mu) : less_friction_angle;
 }
 
 /// The samples of a path, narrower next to the start, where forces rise from
@@ -156,7 +167,7 @@ Rows sample_path(const Motion& motion) {
 
 /// A figure of the path at its samples, the first one replaced by its limit.
 std::vector<math::Sample> samples_of(const Rows& rows, double at_start,
-                                     Figure f) {
+                                     const Figure& f) {
   std::vector<math::Sample> samples;
   samples.reserve(rows.size());
   for (const TrajectoryPoint& row : rows)
@@ -167,7 +178,8 @@ std::vector<math::Sample> samples_of(const Rows& rows, double at_start,
 
 /// The smallest value behind the first sample.
 Extreme smallest_behind(const Motion& motion,
-                        std::span<const math::Sample> samples, Figure f) {
+                        std::span<const math::Sample> samples,
+                        const Figure& f) {
   math::Sample lowest = samples.back();
   for (const math::Sample& sample : samples.subspan(1)) {
     // Written so that a NaN counts as smallest and stays.
@@ -183,7 +195,7 @@ Extreme smallest_behind(const Motion& motion,
 
 /// The infimum for u > 0 of what tends to `at_start`.
 Extreme infimum(const Motion& motion, const Rows& rows, double at_start,
-                Figure f) {
+                const Figure& f) {
   const Extreme behind =
       smallest_behind(motion, samples_of(rows, at_start, f), f);
   if (!(at_start <= behind.value)) return behind;
@@ -191,7 +203,7 @@ Extreme infimum(const Motion& motion, const Rows& rows, double at_start,
 }
 
 Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
-                 Figure negative) {
+                 const Figure& negative) {
   Extreme extreme = infimum(motion, rows, -at_start, negative);
   extreme.value = -extreme.value;
   return extreme;
@@ -199,7 +211,7 @@ Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
 
 /// The smallest value after the stretch from the start on which f only rises.
 Extreme after_rise(const Motion& motion, const Rows& rows, double at_start,
-                   Figure f) {
+                   const Figure& f) {
   const std::vector<math::Sample> samples = samples_of(rows, at_start, f);
   std::size_t top = 0;
   while (top + 2 < samples.size() &&
@@ -218,14 +230,11 @@ double friction_angle_at_start(const Motion& motion, const Rows& rows) {
   if (start.motion.R_n == 0.0 && motion.scene().body.k == 0.0) {
     return less_friction_angle(rows[2]) - 2.0 * less_friction_angle(rows[1]);
   }
-  return -(motion.scene().limits.friction ? less_friction_angle_of_kept(start)
-                                          : less_friction_angle(start));
+  return -less_friction_angle_of(motion)(start);
 }
 
 double friction_angle(const Motion& motion, const Rows& rows, double share) {
-  const Figure less = motion.scene().limits.friction
-                          ? less_friction_angle_of_kept
-                          : less_friction_angle;
+  const Figure less = less_friction_angle_of(motion);
   const double t = share * rows.back().t;
   if (!(t > 0.0)) {
     return -infimum(motion, rows, -friction_angle_at_start(motion, rows), less)

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -184,6 +185,35 @@ TEST(Design, TheGripThatThereIsBoundsTheBody) {
                        (2.0 * kStep);
   EXPECT_LT(slope, 0.0);
   EXPECT_NEAR(best.bounds_active[0].multiplier / slope, 1.0, 2e-3);
+}
+
+TEST(Design, MinimaThatOneMarginHoldsAreOneToTheDigitsOfForces) {
+  // As two searches have come to them, on different meshes.
+  const auto minimum = [](double tau, double eta_m, double theta_m,
+                          std::string_view held) {
+    DesignMinimum out;
+    out.stationary = out.verified = out.feasible = true;
+    out.body = Body::cylinder(1.0 / 3.0, eta_m, theta_m, 0.5);
+    out.tau = tau;
+    if (!held.empty()) out.bounds_active = {{std::string(held), 0.6, -0.375}};
+    return out;
+  };
+  const auto gathered = [&](std::string_view held, bool feasible) {
+    DesignPlan plan;
+    plan.free = {EtaM, ThetaM};
+    std::vector<DesignSearch> searches(2);
+    searches[0].minima = {minimum(5.054866115, 0.62147925, -0.06359240, held)};
+    searches[1].minima = {minimum(5.054868251, 0.62149416, -0.06361647, held)};
+    searches[1].minima[0].feasible = feasible;
+    return gather_designs(plan, searches).minima;
+  };
+
+  const std::vector<DesignMinimum> one = gathered("max_grip.mu", true);
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one[0].found_from, 2);
+  EXPECT_EQ(gathered("max_grip.mu", false).size(), 2U);
+  EXPECT_EQ(gathered("k", true).size(), 2U) << "a bound that is met exactly";
+  EXPECT_EQ(gathered("", true).size(), 2U);
 }
 
 TEST(Design, TheEdgeOfAFoldIsNoMinimum) {

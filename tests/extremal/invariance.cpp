@@ -83,5 +83,22 @@ TEST(ErrorEstimate, BoundsTheErrorAtLooseTolerances) {
   }
 }
 
+/// Folds are followed from scenes whose limits come later.
+TEST(Result, OfContactsThatNeedLimitsIsThatOfTheSmoothOne) {
+  const ExtremalSolution smooth = solve_extremal(base_scene());
+  Scene optimal = base_scene(), given = base_scene();
+  optimal.contact = Contact::Optimal;
+  given.contact = Contact::EndSlope;
+  given.end_slope = -0.5;
+
+  for (const Scene& scene : {optimal, given}) {
+    const ExtremalSolution found = solve_extremal(scene);
+
+    ASSERT_TRUE(found.solved()) << found.message;
+    EXPECT_EQ(found.tau, smooth.tau);
+    EXPECT_EQ(found.phi, smooth.phi);
+  }
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -152,6 +152,51 @@ TEST(AnswerPage, ShowsTheMatrixOfOneElement) {
   EXPECT_FALSE(has(page_of(limited_solution()), "class=\"entries\""));
 }
 
+TEST(AnswerPage, TellsTheGripFirst) {
+  Solution solution = off_centred_solution();
+  auto& grip = solution.diagnostics->least_grip;
+  grip[0].mu = INFINITY;
+  grip[1].mu = 0.75;
+  grip[2].mu = 0.5;
+  const std::string page = page_of(solution);
+  const std::string head = page.substr(0, page.find("</header>"));
+
+  EXPECT_TRUE(has(head,
+                  "<dt>grip, least μ</dt><dd>0.75 from 1 % of the time on, 0.5 "
+                  "from 5 % on; more than any at the start itself</dd>"))
+      << head;
+  EXPECT_TRUE(has(head, "Feasible: the body presses on the track"));
+}
+
+TEST(AnswerPage, OfABeadSaysNotThatItPresses) {
+  Solution solution = bead_solution();
+  solution.diagnostics->min_normal_force = {-3.812e-12, 1.25};
+
+  const std::string page = page_of(solution);
+
+  EXPECT_TRUE(has(page, "Feasible: a bead is held from both sides."));
+  EXPECT_FALSE(has(page, "presses on the track all the way"));
+  EXPECT_FALSE(has(page, "grip, least μ"));
+  EXPECT_TRUE(has(page, "<dd>0 to 2 m g</dd>"));
+}
+
+TEST(AnswerPage, OfADesignWithoutGripSaysThatItIsInfeasible) {
+  Json result = document(off_centred_solution());
+  result["design"]["values"] = nullptr;
+  result["design"]["minima"][0]["feasible"] = false;
+  const auto page = [&] {
+    return answer_page(
+        result, off_centred_solution().scene,
+        TrajectoryTable::read(report::trajectory_csv(off_centred_solution())));
+  };
+
+  EXPECT_TRUE(has(page(), "Infeasible for want of the grip"));
+  EXPECT_FALSE(has(page(), "Feasible:"));
+
+  result["design"]["values"]["eta_m"] = 0.5;
+  EXPECT_TRUE(has(page(), "Feasible:"));
+}
+
 TEST(AnswerPage, SaysWhatFailed) {
   Json result = document(off_centred_solution());
   result["feasible"] = false;

@@ -147,21 +147,23 @@ TEST(CuttingTemplate, EverythingIsOnItsSheet) {
   }
 }
 
-TEST(CuttingTemplate, EveryPieceTellsTheGripThatTheBodyNeeds) {
+TEST(CuttingTemplate, EverySheetTellsTheGripThatTheBodyNeeds) {
   for (const double width : {300.0, 600.0}) {
     for (const Drawing& drawing :
          drawings_of(off_centred_solution(), {width, 400.0})) {
-      if (!is_track(drawing)) continue;
-      const report::cutting::Label& grip = drawing.labels.at(1);
+      ASSERT_FALSE(drawing.labels.empty()) << drawing.name;
+      const report::cutting::Label& grip = drawing.labels.back();
       EXPECT_TRUE(grip.text.starts_with("Grip: least friction coefficient "))
           << grip.text;
       EXPECT_TRUE(std::ranges::all_of(grip.text, [](char c) {
         return c >= ' ' && c <= '~';
       })) << "DXF has no others";
-      // In wide letters, above the strip.
+      // In wide letters, above what is cut.
       EXPECT_LE(
           grip.at.x + report::width_of(report::letters(grip.text), grip.size),
-          width);
+          drawing.width);
+      EXPECT_GE(grip.size, is_track(drawing) ? 1.0 : 2.0) << "to be read";
+      if (!is_track(drawing)) continue;
       for (const Point p : drawing.polylines.front().points) {
         EXPECT_GE(p.z, grip.at.z);
       }

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "report/solutions.hpp"
 
@@ -307,6 +308,30 @@ TEST(Summary, AdvisesNoSmallerOffsetOfABodyThatHasNone) {
   EXPECT_TRUE(says(summary(solution), "a smaller eta_m"));
 }
 
+TEST(Summary, TellsNoForceThatIsRoundingAlone) {
+  Solution solution = testing::uniform_solution();
+  solution.diagnostics->min_normal_force = {-3.812e-12, 1.25};
+
+  EXPECT_TRUE(says(summary(solution), "contact force    from 0 to "));
+}
+
+TEST(Summary, OfADesignWithoutGripSaysOnlyThatItIsInfeasible) {
+  Solution solution = testing::uniform_solution();
+  DesignAnswer& design = solution.design.emplace();
+  design.plan.max_grip = MaxGrip{0.3, 0.05};
+  DesignMinimum& minimum = design.minima.emplace_back();
+  minimum.stationary = minimum.verified = true;
+
+  const std::string text = summary(solution);
+
+  EXPECT_TRUE(says(text, "; INFEASIBLE for want of the grip")) << text;
+  EXPECT_FALSE(says(text, " feasible")) << text;
+
+  minimum.feasible = true;
+  design.best = minimum;
+  EXPECT_TRUE(says(summary(solution), "; feasible\n"));
+}
+
 TEST(Summary, TellsTheLeastGrip) {
   Solution solution = testing::uniform_solution();
   auto& grip = solution.diagnostics->least_grip;
@@ -319,6 +344,17 @@ TEST(Summary, TellsTheLeastGrip) {
 
   for (LeastGrip& one : grip) one.mu = 0.3;
   EXPECT_TRUE(says(summary(solution), "least μ 0.3 from the start on\n"));
+  // Friction of 0.25, 0.4 and 0.025 that is kept to 1e-8 is not more than that.
+  for (const auto& [mu, words] :
+       {std::pair{0.25000000118, "0.25"}, std::pair{0.4 + 9e-9, "0.4"},
+        std::pair{0.025 + 9e-9, "0.025"}, std::pair{0.25 + 1e-7, "0.251"},
+        std::pair{2.5, "2.5"}, std::pair{5e-9, "0"}}) {
+    for (LeastGrip& one : grip) one.mu = mu;
+    EXPECT_TRUE(says(summary(solution), fmt::format("least μ {} from the start "
+                                                    "on\n",
+                                                    words)))
+        << mu;
+  }
   for (LeastGrip& one : grip) one.mu = INFINITY;
   EXPECT_TRUE(says(summary(solution),
                    "least μ more than any from 1 % of the time on\n"));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
@@ -366,6 +367,93 @@ TEST(Grip, OfABodyWithoutInertiaIsThatOfItsOffset) {
   for (const LeastGrip& grip : solution.diagnostics->least_grip) {
     EXPECT_NEAR(grip.mu, 0.6 / 0.8, 1e-7) << grip.share_of_time;
   }
+}
+
+TEST(Grip, IsNoMoreThanALimitOnFrictionThatIsKept) {
+  // R_n comes down to 0 on the way, and |R_t| ≤ μ R_n with it: both are
+  // rounding there, of either sign. Elsewhere the limit holds.
+  Scene scene;
+  scene.L = 14.929;
+  scene.H = 1.456;
+  scene.body = Body::cylinder(0.2, 0.0, 0.0, 0.6388);
+  scene.contact = Contact::EndSlope;
+  constexpr double kMu = 0.2165;
+  scene.limits.friction = kMu;
+  scene.limits.curvature.hump = 1.819;
+  scene.limits.curvature.valley = 1.168;
+  for (const double end_slope : {0.104, 0.05}) {
+    scene.end_slope = end_slope;
+
+    const Solution solution = solve(scene);
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_LT(solution.diagnostics->min_normal_force.value, 1e-8);
+    for (const LeastGrip& grip : solution.diagnostics->least_grip) {
+      EXPECT_LE(grip.mu, kMu * (1.0 + 1e-14)) << grip.share_of_time;
+      EXPECT_NEAR(grip.mu, kMu, 1e-6) << grip.share_of_time;
+    }
+  }
+}
+
+/// A motion of which forces alone are told, as functions of t = σ.
+class MotionOfForces final : public Motion {
+ public:
+  struct Force {
+    double normal, tangential;
+  };
+
+  MotionOfForces(std::optional<double> friction, Force (*force)(double))
+      : force_(force) {
+    scene_.limits.friction = friction;
+  }
+
+  [[nodiscard]] const Scene& scene() const override { return scene_; }
+  [[nodiscard]] double transit_time() const override { return 1.0; }
+  [[nodiscard]] double centre_path_length() const override { return 1.0; }
+  [[nodiscard]] double start_angle() const override { return 0.0; }
+  [[nodiscard]] double end_angle() const override { return 0.0; }
+  [[nodiscard]] StartLimits at_start() const override { return {}; }
+  [[nodiscard]] TrajectoryPoint at(double sigma) const override {
+    TrajectoryPoint out;
+    out.sigma = out.t = out.u = sigma;
+    out.motion.R_n = force_(sigma).normal;
+    out.motion.R_t = force_(sigma).tangential;
+    return out;
+  }
+  [[nodiscard]] std::vector<TrajectoryPoint> at_nodes() const override {
+    return fine_sample(0);
+  }
+  [[nodiscard]] std::vector<TrajectoryPoint> fine_sample(int) const override {
+    std::vector<TrajectoryPoint> rows;
+    for (int i = 0; i <= 100; ++i) rows.push_back(at(i / 100.0));
+    return rows;
+  }
+
+ private:
+  Scene scene_;
+  Force (*force_)(double);
+};
+
+TEST(Grip, OfForcesThatVanishIsThatOfTheLimitAlone) {
+  constexpr double kMu = 0.25;
+  const auto mu = [](std::optional<double> friction, auto force) {
+    return std::tan(
+        MotionOfForces(friction, force).friction_angle_after(0.255));
+  };
+  // R_n touches −3e-8, and friction is within 1e-8 of kMu R_n there.
+  const auto kept = [](double t) {
+    const double R_n = (t - 0.5) * (t - 0.5) - 3e-8;
+    return MotionOfForces::Force{R_n, std::max(kMu * R_n + 9e-9, 0.0)};
+  };
+  EXPECT_LE(mu(kMu, kept), kMu * (1.0 + 1e-14));
+  EXPECT_NEAR(mu(kMu, kept), kMu, 1e-6);
+  // A limit that is not kept excuses nothing.
+  const auto lost = [](double t) {
+    const double R_n = (t - 0.5) * (t - 0.5) - 1e-4;
+    return MotionOfForces::Force{R_n, 0.1};
+  };
+  EXPECT_LT(mu(kMu, lost), 0.0) << "an angle above π/2: none would do";
+  EXPECT_LT(mu({}, lost), 0.0);
 }
 
 TEST(Grip, IsWhatTheForcesOfADenseTableAskFor) {

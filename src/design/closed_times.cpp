@@ -102,7 +102,8 @@ Solution ClosedTimes::solved(const Body& body, const Neighbour* neighbour) {
   Solution solution = follows ? solve_beside(scene, options, hooks)
                               : solve(scene, options, hooks);
   cpu_seconds_ += thread_cpu_seconds() - begin;
-  if (solution.status == Status::Interrupted || seconds_until(end_) <= 0.0) {
+  // A solve that would not fit into the time left ends before the time does.
+  if (was_stopped(solution.status) || seconds_until(end_) <= 0.0) {
     throw Stopped();
   }
   return solution;

@@ -258,8 +258,7 @@ class Searcher {
     built.body = minimum.body;
     Solution anew = solve(built, options_until(options_, times_.end()),
                           {.interrupt = interrupt_});
-    if (anew.status == Status::TimeLimit || anew.status == Status::Interrupted)
-      throw Stopped();
+    if (was_stopped(anew.status)) throw Stopped();
     if (!anew.verified()) {
       out_.message = anew.status == Status::Solved
                          ? "its track could not be verified"

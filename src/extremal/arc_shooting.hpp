@@ -35,8 +35,7 @@ struct LimitedExtremal {
 
 /// Newton's method for the equations of arcs::ArcSystem, started from a path
 /// nearby. Solved is what keeps all limits, with multipliers of the right sign.
-/// The time's error is estimated by one step more, with all steps of the
-/// integration halved.
+/// The time's error is estimated by arcs::refine_root().
 ///
 /// \param natural  the scene in natural units, with limits
 [[nodiscard]] LimitedExtremal solve_limited_extremal(const Scene& natural,

@@ -4,6 +4,7 @@
 #include "extremal/continuation.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -373,6 +374,7 @@ FollowedBranch follow_branch(const ArcSystem& system,
                              const ArcSystem::Point& start,
                              const Family& family,
                              const std::function<void(double)>& reached) {
+  assert(system.num_arcs() == 1 && family.from < family.to);
   return Branch(system, start, family).follow(reached);
 }
 

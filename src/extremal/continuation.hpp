@@ -53,6 +53,8 @@ struct FollowedBranch {
 /// \param system   of the first scene
 /// \param start    a solution of it, or nearly one
 /// \param reached  is told the parameter of every point
+/// \pre the system is one free arc, from < to, and the family has scenes next
+/// to its last one
 [[nodiscard]] FollowedBranch follow_branch(
     const ArcSystem& system, const ArcSystem::Point& start,
     const Family& family, const std::function<void(double)>& reached = {});

@@ -42,7 +42,6 @@ namespace {
 
 using arcs::ArcSystem;
 using arcs::BranchEnd;
-namespace of_arc = arcs::free_arc;
 
 /// Without limits, with the slopes of an extremal of its own at both ends: what
 /// other contacts ask for there has a place only beside limits.
@@ -279,12 +278,12 @@ void Solve::fill(const arcs::RefinedRoot& root, arcs::ArcPath path) {
   const arcs::Knot& last = path.arcs().back().knots.back();
   solution_.phi = last.control;
   // No-slip: S = r (θ_end − θ_m). For a bead θ counts arc length.
-  const double turned = last.y(of_arc::kTheta) - natural_.body.theta_m;
+  const double turned = last.y(arcs::free_arc::kTheta) - natural_.body.theta_m;
   solution_.rotation = natural_.body.rolls() ? turned : 0.0;
   solution_.centre_path_length =
       turned / arcs::rotation_per_length(natural_) * units_.length;
-  solution_.p_x = last.y(of_arc::kPX) / units_.speed();
-  solution_.p_z = last.y(of_arc::kPZ) / units_.speed();
+  solution_.p_x = last.y(arcs::free_arc::kPX) / units_.speed();
+  solution_.p_z = last.y(arcs::free_arc::kPZ) / units_.speed();
   solution_.integration_steps = root.at.steps;
   solution_.path = ExtremalPath(natural_, units_, std::move(path));
 }

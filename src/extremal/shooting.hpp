@@ -4,7 +4,8 @@
 /// \file
 /// The indirect method: Pontryagin's conditions by multiple shooting.
 ///
-/// Minimise T = ∫√A du subject to, with ' = d/du,
+/// Minimise T = ∫√A du subject to, with ' = d/du, in a uniform field without
+/// air and from rest
 ///
 ///     x' = w cos β,  z' = w sin β,  r θ' = w,  w' = g (sin β + η cos θ),
 ///
@@ -64,13 +65,13 @@ struct ExtremalOptions {
   int max_newton_steps = 50;
   /// Pieces of the multiple shooting, called arcs in messages; 0: from the
   /// number of turns of the body.
-  int arcs = 0;  ///< pieces of the one arc
+  int arcs = 0;
 
   /// Goes on through folds of the branch instead of stopping at the first; an
   /// answer beyond a fold is connected with the cycloid, but is not what the
   /// cycloid turns into as η grows.
   bool follow_folds = false;
-  StopCondition stop = StopCondition();  ///< looked at between arcs
+  StopCondition stop = StopCondition();  ///< looked at in every step
 };
 
 /// One solution on the branch, for a body with offset η.

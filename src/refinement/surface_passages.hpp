@@ -32,8 +32,9 @@ namespace brachisto {
                                                    const ExtremalCurve& curve);
 
 /// The mesh with an element end at each of these ascending σ: the nearest one
-/// is moved there where it is near, otherwise there is one more. \param as_many
-/// elements as before: ends are moved however far they are, as
+/// is moved there where it is near, otherwise there is one more.
+///
+/// \param as_many  elements as before: ends are moved however far they are, as
 ///                 long as there are ends between A and B for all places
 [[nodiscard]] Mesh with_ends_at(Mesh mesh, const std::vector<double>& places,
                                 bool as_many = false);

@@ -73,7 +73,7 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
       scene.world.air.any()
           ? "before the air takes its part; or no slope makes 𝓗 minimal all "
             "along"
-      : left < 0.0 ? "which a start speed can give"
+      : left < 0.0 ? "which a larger start speed can give"
                    : "but no slope may make 𝓗 minimal all along");
 }
 

@@ -38,6 +38,11 @@ enum class Status {
 /// How a solve ends that `stop` ended: Interrupted or TimeLimit.
 [[nodiscard]] Status stopped_by(const StopCondition& stop);
 
+/// True if a limit of time or a signal ended the solve, or would have.
+[[nodiscard]] constexpr bool was_stopped(Status status) {
+  return status == Status::TimeLimit || status == Status::Interrupted;
+}
+
 /// One sentence for the user.
 [[nodiscard]] std::string_view describe(Status status);
 

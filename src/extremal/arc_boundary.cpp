@@ -15,6 +15,16 @@ namespace brachisto::arcs {
 
 namespace {
 
+/// The place of the centre at A that a slope asks for.
+template <class Scalar>
+TurningPoint<Scalar> at_rest(const Scene& scene, const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  const double r = contact_radius(scene);
+  return {sin(beta) * r, cos(beta) * -r, Scalar(scene.body.theta_m),
+          Scalar(0.0),   beta,           Scalar(0.0)};
+}
+
 /// The slope at rest next to `near` at which a limit on forces holds.
 double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   using On = math::Jet1<double, 1>;
@@ -23,9 +33,7 @@ double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   double beta = near;
   for (int i = 0; i < kMostSteps; ++i) {
     const On value =
-        value_of(held.limit, scene.body, scene.gravity,
-                 TurningPoint<On>{On(0.0), On(0.0), On(scene.body.theta_m),
-                                  On(0.0), On::variable(beta, 0), On(0.0)});
+        value_of(held.limit, scene, at_rest(scene, On::variable(beta, 0)));
     const double change = (held.bound - value.value) / value.gradient[0];
     beta += change;
     if (!(std::abs(change) > kRounding)) break;
@@ -33,24 +41,11 @@ double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   return beta;
 }
 
-/// β₂ of β = β₀ + β₂ u² + …, with which the path leaves rest so that the limit
-/// goes on to hold. With w = W u and θ = θ_m + W u²/2r the terms in u² of its
-/// value are
-///
-///     c_θ W/2r + c_ww W²/2 + (c_β + 2 W c_wq) β₂ = 0.
-double rise_from_rest(const Scene& scene, const HeldLimit& held, double slope) {
-  using On = math::Jet2<double, 4>;
-  const Body& body = scene.body;
-  const On c =
-      value_of(held.limit, body, scene.gravity,
-               TurningPoint<On>{On(0.0), On(0.0), On::variable(body.theta_m, 0),
-                                On::variable(0.0, 1), On::variable(slope, 2),
-                                On::variable(0.0, 3)});
-  const double W = scene.gravity * energy_slope(body, body.theta_m, slope);
-  const auto second = [&](int i, int j) { return c.hessian[On::pair(i, j)]; };
-  return -(c.gradient[0] * 0.5 * W * rotation_per_length(scene) +
-           0.5 * second(1, 1) * W * W) /
-         (c.gradient[2] + 2.0 * W * second(3, 1));
+/// dw/du.
+template <class Scalar>
+Scalar gain_at(const Scene& scene, const TurningPoint<Scalar>& at) {
+  return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
+                    root_of_inertia(scene.body, at.theta, at.beta));
 }
 
 }  // namespace
@@ -61,35 +56,53 @@ Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
   if (!held) {
     if (has_optimal_ends(scene_))
       refusal_ = "it leaves an optimal contact freely";
-  } else if (held->limit.bounds_force()) {
+  } else if (held->limit.bounds_force() && natural.world.start_speed == 0.0) {
     kind_ = Kind::Forced;
     slope_ = slope_at_rest(scene_, *held, near);
-    rise_ = rise_from_rest(scene_, *held, *slope_);
+    w_1_ = gain_at(scene_, at_rest(scene_, *slope_));
+    leave_along(*held);
   } else if (held->limit.bounds_control()) {
     kind_ = Kind::Turning;
+    if (natural.world.start_speed > 0.0) return;
     const std::vector<PathInequality> limits =
         inequalities(scene_.body, scene_.limits);
     if (has_optimal_ends(scene_) || bound_valleys(limits)) return;
-    slope_ = start_angle_under(scene_.body, limits);
+    slope_ = start_angle_under(scene_, limits);
     if (!slope_) refusal_ = "no direction at rest keeps the limits";
   } else {
     refusal_ = "it starts along a boundary";
   }
 }
 
+/// β₁ and β₂ of β = β₀ + β₁ u + β₂ u² + … make the first two derivatives by u
+/// of the limit's value vanish, which are affine in them, one after the other.
+void Departure::leave_along(const HeldLimit& held) {
+  using On = math::Jet2<double, 1>;
+  const auto derivatives = [&] {
+    const On c = value_of(held.limit, scene_, after(On::variable(0.0, 0)));
+    return std::array{c.gradient[0], c.hessian[0]};
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    // w'' follows from β₁.
+    const auto value = [&](double rise) {
+      rise_[i] = rise;
+      if (i == 0)
+        w_2_ = gain_at(scene_, after(On::variable(0.0, 0))).gradient[0];
+      return derivatives()[i];
+    };
+    const double without = value(0.0), with = value(1.0);
+    value(without / (without - with));
+  }
+}
+
 State Departure::left_rest(double u) const {
-  const Body& body = scene_.body;
-  const Point centre =
-      centre_above({0.0, 0.0}, contact_radius(scene_), *slope_);
-  const double w =
-      scene_.gravity * energy_slope(body, body.theta_m, *slope_) * u;
-  const double s = 0.5 * w * u;
+  const TurningPoint<double> left = after(u);
   State y{};
-  y[kX] = centre.x + s * std::cos(*slope_);
-  y[kZ] = centre.z + s * std::sin(*slope_);
-  y[kTheta] = body.theta_m + s * rotation_per_length(scene_);
-  y[kW] = w;
-  y[kBeta] = *slope_ + rise_ * u * u;
+  y[kX] = left.x;
+  y[kZ] = left.z;
+  y[kTheta] = left.theta;
+  y[kW] = left.w;
+  y[kBeta] = left.beta;
   return y;
 }
 

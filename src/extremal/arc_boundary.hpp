@@ -36,8 +36,8 @@ class Departure {
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   /// The rest is left after so much u by its series where the start is Forced:
-  /// there the control is 0/0. With β right to the second order and w − g a u
-  /// of the third the states err by 1e-15.
+  /// there the control is 0/0. With β and w right to the second order the
+  /// states err by 1e-15.
   static constexpr double kLeftRest = 1e-5;
   /// States after that much or less, and no costates.
   [[nodiscard]] State left_rest(double u = kLeftRest) const;
@@ -48,11 +48,18 @@ class Departure {
   [[nodiscard]] std::vector<Scalar> conditions(const Values<Scalar>& v) const;
 
  private:
+  void leave_along(const HeldLimit& held);
+  /// After so much u, by the series.
+  template <class Scalar>
+  [[nodiscard]] TurningPoint<Scalar> after(const Scalar& u) const;
+
   Scene scene_;
   Kind kind_ = Kind::Free;
   /// β₀, where the contact does not leave it to the path.
   std::optional<double> slope_;
-  double rise_ = 0.0;  ///< of β over u², where it is Forced
+  // Where it is Forced, w = w₁ u + w₂ u²/2 + … and β = β₀ + β₁ u + β₂ u² + …
+  double w_1_ = 0.0, w_2_ = 0.0;
+  std::array<double, 2> rise_{};
   std::string refusal_;
 };
 
@@ -91,7 +98,21 @@ template <class Scalar>
 }
 
 template <class Scalar>
+TurningPoint<Scalar> Departure::after(const Scalar& u) const {
+  const Scalar w = u * (u * (0.5 * w_2_) + Scalar(w_1_));
+  const Scalar s = u * u * (u * (w_2_ / 6.0) + Scalar(0.5 * w_1_));
+  const double slope = *slope_, r = contact_radius(scene_);
+  return {s * std::cos(slope) + Scalar(r * std::sin(slope)),
+          s * std::sin(slope) - Scalar(r * std::cos(slope)),
+          s * rotation_per_length(scene_) + Scalar(scene_.body.theta_m),
+          w,
+          u * (u * rise_[1] + Scalar(rise_[0])) + Scalar(slope),
+          u * (2.0 * rise_[1]) + Scalar(rise_[0])};
+}
+
+template <class Scalar>
 std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
+  using std::cos;
   std::vector<Scalar> out;
   if (kind_ == Kind::Forced) {
     const State rest = left_rest();
@@ -106,8 +127,17 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   out.push_back(v[kW] - root_of_inertia(body, Scalar(body.theta_m), v[kBeta]) *
                             Scalar(scene_.world.start_speed));
   if (kind_ == Kind::Free) return out;
-  out.push_back(slope_ ? v[kBeta] - Scalar(*slope_)
-                       : transversality(scene_, v));
+  if (slope_) {
+    out.push_back(v[kBeta] - Scalar(*slope_));
+    return out;
+  }
+  out.push_back(transversality(scene_, v));
+  if (has_optimal_ends(scene_) && scene_.world.start_speed > 0.0) {
+    // w = v₀ √A turns with the contact too.
+    const Scalar root = root_of_inertia(body, v[kTheta], v[kBeta]);
+    out.back() += v[kPW] * cos(v[kTheta] - v[kBeta]) / root *
+                  Scalar(body.eta_m * scene_.world.start_speed);
+  }
   return out;
 }
 

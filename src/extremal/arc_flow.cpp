@@ -231,8 +231,7 @@ double ArcFlow::value(const PathInequality& limit, const ArcPoint& at) const {
   return std::visit(
       [&](const auto& flow) {
         const Scene& scene = flow.problem().scene();
-        return value_of(limit, scene.body, scene.gravity,
-                        turning_point(at, at.q));
+        return value_of(limit, scene, turning_point(at, at.q));
       },
       flow_);
 }
@@ -243,8 +242,7 @@ double ArcFlow::by_control(const PathInequality& limit,
   return std::visit(
       [&](const auto& flow) {
         const Scene& scene = flow.problem().scene();
-        return value_of(limit, scene.body, scene.gravity,
-                        turning_point(at, On::variable(at.q, 0)))
+        return value_of(limit, scene, turning_point(at, On::variable(at.q, 0)))
             .gradient[0];
       },
       flow_);

@@ -43,6 +43,7 @@ class ArcPath {
   }
   /// U.
   [[nodiscard]] double rolling_time() const;
+  [[nodiscard]] double slope_at_start() const { return at(0, 0.0).y[kBeta]; }
   [[nodiscard]] double slope_at_end() const {
     return at(arcs_.size() - 1, arcs_.back().knots.back().u).y[kBeta];
   }

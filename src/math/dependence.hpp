@@ -52,6 +52,12 @@ struct Dependence {
   friend Dependence sin(const Dependence& a) { return a.bent(); }
   friend Dependence cos(const Dependence& a) { return a.bent(); }
   friend Dependence sqrt(const Dependence& a) { return a.bent(); }
+  /// Of both, for the place of the bound is nobody's.
+  template <class Above, class Below>
+  friend Dependence where_above(const Dependence&, double, const Above& above,
+                                const Below& below) {
+    return above() + below();
+  }
 };
 
 }  // namespace brachisto::math

@@ -101,6 +101,18 @@ template <class Scalar>
   return {centre.x + r_m * std::cos(theta), centre.z + r_m * std::sin(theta)};
 }
 
+/// The field there.
+template <class Scalar>
+[[nodiscard]] Pull<Scalar> pull_on(const Scene& scene, const Scalar& x,
+                                   const Scalar& z, const Scalar& theta) {
+  using std::cos;
+  using std::sin;
+  if (!scene.body.off_centred()) return field_at(scene, x, z);
+  const double r_m = scene.body.radius * scene.body.eta_m;
+  return field_at(scene, Scalar(x + cos(theta) * r_m),
+                  Scalar(z + sin(theta) * r_m));
+}
+
 /// Drag on the centre per mass, c₁ v + c₂ v².
 template <class Scalar>
 [[nodiscard]] Scalar drag(const Air& air, const Scalar& v) {
@@ -123,19 +135,13 @@ template <class Scalar>
   using std::cos;
   using std::sin;
   const Body& body = scene.body;
-  Scalar gain(0.0);
+  const Pull<Scalar> G = pull_on(scene, x, z, theta);
+  Scalar along_x = cos(beta), along_z = sin(beta);
   if (body.off_centred()) {
-    const Scalar cosine = cos(theta);
-    const Scalar sine = sin(theta);
-    const double r_m = body.radius * body.eta_m;
-    const Pull<Scalar> G =
-        field_at(scene, Scalar(x + cosine * r_m), Scalar(z + sine * r_m));
-    gain = G.x * (cos(beta) - sine * body.eta_m) +
-           G.z * (sin(beta) + cosine * body.eta_m);
-  } else {
-    const Pull<Scalar> G = field_at(scene, x, z);
-    gain = G.x * cos(beta) + G.z * sin(beta);
+    along_x = along_x - sin(theta) * body.eta_m;
+    along_z = along_z + cos(theta) * body.eta_m;
   }
+  Scalar gain = G.x * along_x + G.z * along_z;
   if (scene.world.air.any()) {
     gain = gain - drag(scene.world.air, Scalar(w / root));
   }

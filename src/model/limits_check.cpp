@@ -146,7 +146,9 @@ void check_start(const Scene& scene, SceneChecker& check) {
                             "from rest on a slope, where R_n = cos β < 1",
                             *limits.normal_min));
     }
-    if (limits.friction) check_grade(scene, check);
+    // Where it begins to hold, in a field that pulls down and without a drag
+    // that helps to hold the body.
+    if (limits.friction && scene.world.ordinary()) check_grade(scene, check);
     return;
   }
   const auto starts = [&](bool under_friction, bool under_force) {
@@ -156,7 +158,7 @@ void check_start(const Scene& scene, SceneChecker& check) {
       some.normal_min = limits.normal_min;
       some.normal_max = limits.normal_max;
     }
-    return start_angle_under(body, inequalities(body, some)).has_value();
+    return start_angle_under(scene, inequalities(body, some)).has_value();
   };
   constexpr const char* kNoDirection =
       "{} is not allowed{}: whatever the slope of the track at A, the body "
@@ -235,12 +237,13 @@ void check_floor(const Scene& scene, SceneChecker& check) {
   // With a valley bound, or optimal, the slope at A is a matter of the whole
   // track; otherwise of the start alone.
   const bool of_the_start =
+      scene.world.start_speed == 0.0 &&
       (scene.contact == Contact::Smooth ||
        scene.contact == Contact::EndSlope) &&
       valley_of_centre(scene.body, scene.limits) == kUnbounded;
   if (!of_the_start || r == 0.0) return;
   const auto slope =
-      start_angle_under(scene.body, inequalities(scene.body, scene.limits));
+      start_angle_under(scene, inequalities(scene.body, scene.limits));
   if (!slope) return;
   const double lowest = r * (1.0 - std::cos(*slope));
   if (floor > lowest) return;
@@ -313,7 +316,10 @@ void check_limits(const Scene& scene, SceneChecker& check) {
                           *limits.normal_min, *limits.normal_max));
   }
   check_contact(scene, check);
-  if (check.sound()) check_start(scene, check);
+  // A body that is pushed is bound by no law of rest.
+  if (check.sound() && scene.world.start_speed == 0.0) {
+    check_start(scene, check);
+  }
   if (limits.floor && check.sound()) check_floor(scene, check);
   check_clearance(scene, check);
 }

@@ -111,15 +111,6 @@ PathLimits in_units_of(const Units& units, PathLimits limits) {
   return limits;
 }
 
-math::Dependence<6> dependence_of(const PathInequality& limit,
-                                  const Body& body) {
-  using On = math::Dependence<6>;
-  return value_of(
-      limit, body, 1.0,
-      TurningPoint<On>{On::variable(0), On::variable(1), On::variable(2),
-                       On::variable(3), On::variable(4), On::variable(5)});
-}
-
 double next_to(Point a, Point b, Point c) {
   const Point along{b.x - a.x, b.z - a.z};
   const double length2 = along.x * along.x + along.z * along.z;
@@ -128,11 +119,11 @@ double next_to(Point a, Point b, Point c) {
                     0.0, 1.0);
 }
 
-Excess worst_excess(const std::vector<PathInequality>& limits, const Body& body,
-                    double gravity, const TurningPoint<double>& place) {
+Excess worst_excess(const std::vector<PathInequality>& limits,
+                    const Scene& scene, const TurningPoint<double>& place) {
   Excess worst;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double value = value_of(limits[i], body, gravity, place);
+    const double value = value_of(limits[i], scene, place);
     const double below = limits[i].lower - value;
     const double above = value - limits[i].upper;
     if (std::isnan(value)) {

@@ -14,8 +14,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/model/path_limits.hpp"
-#include "math/dependence.hpp"
-#include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 #include "model/units.hpp"
 
@@ -38,40 +37,52 @@ struct ContactForce {
 };
 
 /// Newton's law for the centre of mass, along the track and across it. With
-/// δ = θ − β and q̂ = 1 − η sin δ,
+/// δ = θ − β, q̂ = 1 − η sin δ, the field G at the centre of mass, the drag D on
+/// the centre and w' by speed_gain(),
 ///
-///     v̇ = g a/A + w η cos δ (w/r − q)/A²,
-///     R_t = (q̂ v̇ − η v_c ω cos δ)/g − sin β,
-///     R_n = cos β − (w q/A + η v̇ cos δ − η v_c ω sin δ)/g,
+///     v̇ = w'/A + w η cos δ (w/r − q)/A²,
+///     R_t = (q̂ v̇ − η v_c ω cos δ − G·(cos β, sin β) + D)/g,
+///     R_n = (G·(−sin β, cos β) − w q/A − η v̇ cos δ + η v_c ω sin δ)/g,
 ///
 /// v_c ω = w²/(A r): affine in q, and regular at rest.
 template <class Scalar>
 [[nodiscard]] ContactForce<Scalar> contact_force(
-    const Body& body, double gravity, const TurningPoint<Scalar>& at) {
+    const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::cos;
   using std::sin;
-  const double g = gravity;
+  using std::sqrt;
+  const Body& body = scene.body;
+  const double per_g = 1.0 / scene.gravity;
+  const Pull<Scalar> G = pull_on(scene, at.x, at.z, at.theta);
+  const Scalar cos_beta = cos(at.beta), sin_beta = sin(at.beta);
+  const Scalar pressing = G.z * cos_beta - G.x * sin_beta;
   if (!body.off_centred()) {
     const double A = axisymmetric_inertia_factor(body);
-    return {cos(at.beta) - at.w * at.q * (1.0 / (A * g)),
-            sin(at.beta) * (1.0 / A - 1.0)};
+    const Scalar gain = speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
+                                   Scalar(std::sqrt(A)));
+    return {(pressing - at.w * at.q * (1.0 / A)) * per_g,
+            gain * ((1.0 / A - 1.0) * per_g)};
   }
+  const bool air = scene.world.air.any();
   const double eta = body.eta_m;
   const Scalar delta = at.theta - at.beta;
   const Scalar eta_sin = sin(delta) * eta;
   const Scalar eta_cos = cos(delta) * eta;
   const Scalar A = inertia_factor(body, at.theta, at.beta);
-  const Scalar a = energy_slope(body, at.theta, at.beta);
+  const Scalar root = air ? sqrt(A) : Scalar(1.0);  // of matter in air alone
+  const Scalar gain =
+      speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
+  Scalar pulling = G.x * cos_beta + G.z * sin_beta;
+  if (air) pulling = pulling - drag(scene.world.air, Scalar(at.w / root));
   const Scalar per_A = Scalar(1.0) / A;
   const Scalar spin = at.w * (1.0 / body.radius);
-  const Scalar v_dot = (a * g + at.w * eta_cos * (spin - at.q) * per_A) * per_A;
+  const Scalar v_dot = (gain + at.w * eta_cos * (spin - at.q) * per_A) * per_A;
   const Scalar centripetal = at.w * spin * per_A;
-  return {
-      cos(at.beta) -
-          (at.w * at.q * per_A + eta_cos * v_dot - eta_sin * centripetal) *
-              (1.0 / g),
-      ((Scalar(1.0) - eta_sin) * v_dot - eta_cos * centripetal) * (1.0 / g) -
-          sin(at.beta)};
+  return {(pressing -
+           (at.w * at.q * per_A + eta_cos * v_dot - eta_sin * centripetal)) *
+              per_g,
+          ((Scalar(1.0) - eta_sin) * v_dot - eta_cos * centripetal - pulling) *
+              per_g};
 }
 
 /// One inequality lower ≤ value ≤ upper along the path.
@@ -152,18 +163,13 @@ template <class Scalar>
 }
 
 template <class Scalar>
-[[nodiscard]] Scalar value_of(const PathInequality& limit, const Body& body,
-                              double gravity, const TurningPoint<Scalar>& at) {
-  return value_of(limit,
-                  limit.bounds_force() ? contact_force(body, gravity, at)
-                                       : ContactForce<Scalar>{},
-                  at);
+[[nodiscard]] Scalar value_of(const PathInequality& limit, const Scene& scene,
+                              const TurningPoint<Scalar>& at) {
+  return value_of(
+      limit,
+      limit.bounds_force() ? contact_force(scene, at) : ContactForce<Scalar>{},
+      at);
 }
-
-/// On which of x, z, θ, w, β, q, in this order, a limit depends: read from its
-/// formula.
-[[nodiscard]] math::Dependence<6> dependence_of(const PathInequality& limit,
-                                                const Body& body);
 
 /// Where on the segment from a to b, from 0 to 1, it is next to c.
 [[nodiscard]] double next_to(Point a, Point b, Point c);
@@ -176,7 +182,7 @@ struct Excess {
   bool above = false;  ///< the upper bound
 };
 [[nodiscard]] Excess worst_excess(const std::vector<PathInequality>& limits,
-                                  const Body& body, double gravity,
+                                  const Scene& scene,
                                   const TurningPoint<double>& place);
 
 }  // namespace brachisto

@@ -76,11 +76,11 @@ StartLimits start_limits(const Scene& scene, const PathState& start) {
   return out;
 }
 
-StartLimits start_limits_of_curvature(const Body& body, double beta_0,
-                                      double kappa_c) {
+StartLimits start_limits_of_curvature(const Scene& scene,
+                                      const PathState& start, double kappa_c) {
   StartLimits out;
-  out.normal_force = force_at_rest(body, beta_0);
-  out.fold_margin = 1.0 - body.radius * kappa_c;
+  out.normal_force = start_limits(scene, start).normal_force;
+  out.fold_margin = 1.0 - scene.body.radius * kappa_c;
   out.curvature = kappa_c / out.fold_margin;
   return out;
 }

@@ -7,25 +7,38 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/contact.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
 
 std::optional<double> start_angle_under(
-    const Body& body, const std::vector<PathInequality>& limits) {
+    const Scene& scene, const std::vector<PathInequality>& limits) {
+  const Body& body = scene.body;
+  const auto rest = [&](double beta) {
+    const Point centre = scene.contact == Contact::Centre
+                             ? Point{}
+                             : centre_above({0.0, 0.0}, body.radius, beta);
+    return TurningPoint<double>{centre.x, centre.z, body.theta_m,
+                                0.0,      beta,     0.0};
+  };
+  const auto gain = [&](const TurningPoint<double>& at) {
+    return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, 1.0) /
+           scene.gravity;
+  };
   const auto allowed = [&](double beta) {
-    const TurningPoint<double> rest{0.0, 0.0, body.theta_m, 0.0, beta, 0.0};
-    double least = energy_slope(body, body.theta_m, beta);
+    const TurningPoint<double> at = rest(beta);
+    double least = gain(at);
     for (const PathInequality& limit : limits) {
       if (!limit.bounds_force()) continue;
-      const double value = value_of(limit, body, 1.0, rest);
+      const double value = value_of(limit, scene, at);
       least = std::min({least, value - limit.lower, limit.upper - value});
     }
     return least;
   };
-  const double free = start_angle(body);
+  const double free = start_angle(scene);
   const auto growth = [&](double beta) {
-    const double a = energy_slope(body, body.theta_m, beta);
+    const double a = gain(rest(beta));
     return a * a / inertia_factor(body, body.theta_m, beta);
   };
   constexpr double kRounding = 1e-12;

@@ -18,6 +18,6 @@ namespace brachisto {
 /// both are independent of the curvature, and the directions that are left are
 /// the static cone. Nothing if it is empty.
 [[nodiscard]] std::optional<double> start_angle_under(
-    const Body& body, const std::vector<PathInequality>& limits);
+    const Scene& scene, const std::vector<PathInequality>& limits);
 
 }  // namespace brachisto

@@ -127,16 +127,6 @@ void check_company(const Scene& scene, SceneChecker& check) {
                                "scene.start.speed or scene.air: {}",
                                reason));
   };
-  if (scene.limits.any()) {
-    refuse("scene.limits",
-           "the static cone and the conditions where limits begin to hold are "
-           "those of a body at rest in a uniform field without air");
-  } else if (scene.contact == Contact::Optimal ||
-             scene.contact == Contact::EndSlope) {
-    refuse("scene.contact",
-           "slopes that are free or given are well posed only with limits, "
-           "which are those of a uniform field without air");
-  }
   if (scene.path) {
     refuse("scene.path",
            "a given path is evaluated by the energy height alone, which knows "

@@ -240,8 +240,7 @@ class Correction {
     for (std::size_t i = 0; i < arc.held.size(); ++i) {
       if (arc.held[i] != Held::No) continue;
       const PathInequality& limit = problem.limits()[i];
-      const double value = value_of(limit, problem.scene().body,
-                                    problem.scene().gravity, place.state);
+      const double value = value_of(limit, problem.scene(), place.state);
       const double below = limit.lower - value;
       const double above = value - limit.upper;
       if (std::max(below, above) <= worst.by) continue;

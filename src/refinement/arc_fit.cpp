@@ -122,7 +122,8 @@ class Fit {
     constexpr double kLeft = 0.4, kLongest = 0.1;
     const auto m = static_cast<Eigen::Index>(num_junctions());
     const Eigen::Index end = m + (end_is_sought(scene_) ? 1 : 0);
-    const Eigen::Index slopes = end + (start_is_sought(setting.ends) ? 1 : 0);
+    const Eigen::Index slopes =
+        end + (start_is_sought(scene_, setting.ends) ? 1 : 0);
     double all = 1.0;
     for (Eigen::Index i = m; i < slopes; ++i) {
       all = std::min(all, kLongest / (std::abs(step[i]) + 1e-300));

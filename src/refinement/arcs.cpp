@@ -27,7 +27,7 @@ double angle_to(const PathInequality& limit, const TurningPoint<double>& at) {
     TurningPoint<double> there = at;
     there.x += dx;
     there.z += dz;
-    return value_of(limit, {}, 1.0, there);
+    return value_of(limit, ContactForce<double>{}, there);
   };
   const double by_x = (value(h, 0.0) - value(-h, 0.0)) / (2.0 * h);
   const double by_z = (value(0.0, h) - value(0.0, -h)) / (2.0 * h);
@@ -125,7 +125,7 @@ bool kinks_at_rest(const LimitedCurve& curve, const std::vector<Arc>& arcs) {
   return scene.contact == Contact::Optimal &&
          !bound_valleys(curve.problem().limits()) &&
          is_free(arcs.front().held) &&
-         curve.at(0.0).state.beta - start_angle(scene.body) > kKink;
+         curve.at(0.0).state.beta - start_angle(scene) > kKink;
 }
 
 double junction_residual(const LimitedCurve& curve,
@@ -142,8 +142,8 @@ double junction_residual(const LimitedCurve& curve,
     // order two leave 1e-5.
     constexpr double kStep = 1e-2;
     const auto value = [&](double t) {
-      return value_of(problem.limits()[before.touch->limit], scene.body,
-                      scene.gravity, curve.at(element, t).state);
+      return value_of(problem.limits()[before.touch->limit], scene,
+                      curve.at(element, t).state);
     };
     const auto across = [&](double by) {
       return value(1.0 + by) - value(1.0 - by);
@@ -152,9 +152,8 @@ double junction_residual(const LimitedCurve& curve,
   }
   const int r = held_of_control(after.held, problem.limits());
   const auto off_singular = [&](const Costates& p) {
-    return left.state.beta - minimising_slope(scene.body, scene.gravity,
-                                              {left.state.theta, left.state.w},
-                                              p, left.state.beta);
+    return left.state.beta -
+           minimising_slope(scene, moving(left.state), p, left.state.beta);
   };
   for (std::size_t i = 0; i < before.held.size(); ++i) {
     if (problem.limits()[i].bounds_control()) continue;
@@ -172,7 +171,7 @@ double junction_residual(const LimitedCurve& curve,
     return left.p_beta;
   }
   const PathInequality& limit = problem.limits()[at(r)];
-  return value_of(limit, scene.body, scene.gravity, left.state) -
+  return value_of(limit, scene, left.state) -
          (after.held[at(r)] == Held::AtUpper ? limit.upper : limit.lower);
 }
 

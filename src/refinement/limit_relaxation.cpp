@@ -32,8 +32,7 @@ struct FreePath {
       const auto at = turning_point(curve, static_cast<double>(i) / kPlaces);
       places.push_back(at);
       if (i < kPlaces / 20) continue;
-      const double normal =
-          contact_force(curve.scene().body, curve.scene().gravity, at).normal;
+      const double normal = contact_force(curve.scene(), at).normal;
       min_normal = std::min(min_normal, normal);
       max_normal = std::max(max_normal, normal);
       max_hump = std::max(max_hump, at.q / at.w);
@@ -47,13 +46,9 @@ struct FreePath {
 TurningPoint<double> turning_point(const ExtremalCurve& curve, double sigma) {
   const ExtremalPoint at = curve.at(sigma);
   const Scene& scene = curve.scene();
-  return {
-      at.centre.x,
-      at.centre.z,
-      at.theta,
-      at.w,
-      at.beta,
-      slope_rate(scene.body, scene.gravity, {at.theta, at.w}, at.p, at.beta)};
+  return {at.centre.x, at.centre.z,
+          at.theta,    at.w,
+          at.beta,     slope_rate(scene, at.state(), at.p, at.beta)};
 }
 
 LimitRelaxation::LimitRelaxation(const Scene& scene,
@@ -105,9 +100,8 @@ LimitRelaxation::LimitRelaxation(const Scene& scene,
             place.z = before.z + share * (here.z - before.z);
           }
           before = here;
-          nearest = std::min(
-              nearest, value_of(wanted, scene.body, scene.gravity, place) +
-                           wanted.number);
+          nearest =
+              std::min(nearest, value_of(wanted, scene, place) + wanted.number);
         }
         loose.number = std::min(wanted.number, wanted.kind == Kind::Disc
                                                    ? 0.9 * nearest

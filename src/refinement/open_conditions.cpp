@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "math/index.hpp"
+#include "model/start_angle.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -20,14 +21,20 @@ bool end_is_sought(const Scene& scene) {
   return scene.contact == Contact::Smooth;
 }
 
-bool start_is_sought(const LimitedEnds& ends) {
-  return ends.start && !ends.start_slope_fixed;
+bool start_is_sought(const Scene& scene, const LimitedEnds& ends) {
+  if (ends.free_contacts || !ends.start) return false;
+  return scene.world.start_speed > 0.0 || !ends.start_slope_fixed;
 }
 
 std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
                                       const std::vector<PathInequality>& limits,
                                       bool held_at_A) {
   if (ends.free_contacts) return ends;
+  if (scene.world.start_speed > 0.0) {
+    ends.start_slope_fixed = !held_at_A;
+    if (!ends.start) ends.start = start_angle(scene);
+    return ends;
+  }
   ends.start_slope_fixed = !(bound_valleys(limits) && held_at_A);
   if (!ends.start_slope_fixed && scene.contact == Contact::Centre) {
     // Where the centre starts does not depend on its direction there.
@@ -35,7 +42,7 @@ std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
     return ends;
   }
   if (ends.start_slope_fixed || !ends.start) {
-    ends.start = start_angle_under(scene.body, limits);
+    ends.start = start_angle_under(scene, limits);
     if (!ends.start) return std::nullopt;
   }
   return ends;
@@ -53,9 +60,8 @@ ContactMismatch mismatch_of(LimitedCurve& curve, const LimitedEnds& ends) {
   const Scene& scene = curve.problem().scene();
   ContactMismatch out;
   if (end_is_sought(scene)) out.at_B = end_slope(curve) - ends.phi;
-  if (start_is_sought(ends)) {
-    out.at_A = curve.at(0.0).state.beta - *ends.start;
-  }
+  if (start_is_sought(scene, ends))
+    out.at_A = curve.start_slope() - *ends.start;
   return out;
 }
 
@@ -64,7 +70,7 @@ Eigen::VectorXd open_conditions(LimitedCurve& curve,
                                 const LimitedEnds& ends) {
   const Scene& scene = curve.problem().scene();
   const bool end = end_is_sought(scene);
-  const bool start = start_is_sought(ends);
+  const bool start = start_is_sought(scene, ends);
   const auto m = static_cast<Eigen::Index>(arcs.size()) - 1;
   const Eigen::Index size = m + (end ? 1 : 0) + (start ? 1 : 0);
   Eigen::VectorXd out(size);

@@ -31,8 +31,8 @@ struct ContactMismatch {
 [[nodiscard]] bool end_is_sought(const Scene& scene);
 
 /// Whether the slope at A is an unknown of its own: a bounded valley takes time
-/// to turn in.
-[[nodiscard]] bool start_is_sought(const LimitedEnds& ends);
+/// to turn in, and a body that is pushed moves from the start.
+[[nodiscard]] bool start_is_sought(const Scene& scene, const LimitedEnds& ends);
 
 /// The ends with the slope at A as it is to be: one that is sought if a valley
 /// is bounded and a limit holds the control from A on, and nothing but free

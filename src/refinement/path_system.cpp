@@ -232,8 +232,17 @@ std::vector<PathRates> PathSystem::to_unknowns() {
     turn(problem_.layout().num_points(), setting_.ends.phi);
     add(kStep, [](PathSetting& moved, double by) { moved.ends.phi += by; });
   }
-  if (start_is_sought(setting_.ends)) {
-    turn(0, *setting_.ends.start);
+  if (start_is_sought(scene_, setting_.ends)) {
+    const double slope = *setting_.ends.start;
+    turn(0, slope);
+    const VariableLayout& layout = problem_.layout();
+    if (problem_.pushed()) {
+      rhs[at(layout.state(0, StateComponent::W))] =
+          problem_.push_at(slope).gradient[0];
+    }
+    if (setting_.ends.start_slope_fixed) {
+      rhs[at(layout.state(0, StateComponent::Beta))] = 1.0;
+    }
     add(kStep, [](PathSetting& moved, double by) { *moved.ends.start += by; });
   }
   for (const int row : released_) {

@@ -35,11 +35,11 @@ TimeRate Sensitivity::along(PathSetting less, PathSetting more, double width) {
   if (more.scene) change += system_.of_fixed(more) - system_.of_fixed(less);
   out.at_fixed_contacts = change / width;
   const LimitedEnds& ends = system_.setting().ends;
-  if (ends.start_slope_fixed && ends.start) {
+  if (ends.start_slope_fixed && ends.start && !system_.problem().pushed()) {
     // The static cone turns with the bound, and with the body.
     const auto start = [&](const PathSetting& changed) {
       const Scene& scene = changed.scene ? *changed.scene : scene_;
-      return start_angle_under(scene.body, changed.limits);
+      return start_angle_under(scene, changed.limits);
     };
     const auto first = start(less), second = start(more);
     if (first && second) {

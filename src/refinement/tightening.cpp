@@ -74,6 +74,7 @@ Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
       protocol_(protocol) {
   first_ends_.free_contacts = scene.contact == Contact::Optimal;
   first_ends_.phi = scene.end_slope.value_or(phi);
+  if (scene.world.start_speed > 0.0) first_ends_.start = free.at(0.0).beta;
 }
 
 SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
@@ -190,7 +191,7 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
   if (end_is_sought(scene_) && last_ && !end_held_) {
     ends.phi = end_slope(*last_);
   }
-  if (last_) ends.start = last_->at(0.0).state.beta;
+  if (last_) ends.start = last_->start_slope();
   return with_start(ends, scene_, limits, last_ && last_->holds_control(0));
 }
 
@@ -239,7 +240,7 @@ bool Tightening::tighten() {
     }
     LimitedEnds found = *first;
     found.phi = last_->at(1.0).state.beta;
-    found.start = last_->at(0.0).state.beta;
+    found.start = last_->start_slope();
     const auto ends =
         with_start(found, scene_, limits_, last_->holds_control(0));
     if (!ends || !keep_limits(*ends)) {

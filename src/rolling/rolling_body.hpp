@@ -41,6 +41,11 @@ class Moving {
     return limits_;
   }
 
+  /// As many with other bounds.
+  void change_limits(std::vector<PathInequality> limits) {
+    limits_ = std::move(limits);
+  }
+
   [[nodiscard]] std::size_t num_limits() const { return limits_.size(); }
   [[nodiscard]] ocp::Bounds bounds(std::size_t i) const {
     return {limits_[i].lower, limits_[i].upper};
@@ -166,7 +171,7 @@ class Turning : public Moving {
   [[nodiscard]] Scalar value(const PathInequality& limit,
                              const std::array<Scalar, kStates + 1>& yu) const {
     const auto& [x, z, theta, w, beta, q] = yu;
-    return value_of(limit, scene_.body, scene_.gravity,
+    return value_of(limit, scene_,
                     TurningPoint<Scalar>{x, z, theta, w, beta, q});
   }
 };

@@ -157,12 +157,15 @@ class ArcSample {
     const VariableLayout& layout = problem_.layout();
     if (problem_.free_contacts()) {
       const int last = layout.num_points();
-      nlp::make_stationary(problem_,
-                           {layout.state(0, X), layout.state(0, Z),
-                            layout.state(last, X), layout.state(last, Z)},
-                           {layout.contact_row(0), layout.contact_row(1),
-                            layout.contact_row(2), layout.contact_row(3)},
-                           point_);
+      std::vector<int> tied{layout.state(0, X), layout.state(0, Z),
+                            layout.state(last, X), layout.state(last, Z),
+                            layout.state(0, W)};
+      tied.resize(at(layout.num_contact_rows()));
+      std::vector<int> rows;
+      for (int i = 0; i < layout.num_contact_rows(); ++i) {
+        rows.push_back(layout.contact_row(i));
+      }
+      nlp::make_stationary(problem_, tied, rows, point_);
     }
     const int held = held_on(arcs_.front());
     if (held < 0 || held >= layout.num_start_rows()) return;
@@ -185,8 +188,8 @@ FittedPath sampled_path(const arcs::ArcPath& extremal, const FittedPath& nearby,
   LimitedEnds ends = nearby.ends;
   const bool sought = end_is_sought(found.scene());
   if (sought) ends.phi = extremal.slope_at_end();
-  if (start_is_sought(ends)) {
-    ends.start = extremal.at(0, 0.0).y[arcs::kBeta];
+  if (start_is_sought(found.scene(), ends)) {
+    ends.start = extremal.slope_at_start();
   }
   const LimitedTime problem(found.scene(), found.limits(), mesh_of(arcs, p),
                             ends, held_limits(arcs));

@@ -58,6 +58,14 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
                              scene.end_slope.value_or(kNotKnown)),
                     kSlope);
   }
+  if (curve.problem().pushed()) {
+    if (curve.problem().free_contacts()) return;
+    certificate.add("start_angle",
+                    std::abs(curve.start_slope() -
+                             curve.problem().ends().start.value_or(kNotKnown)),
+                    kSlope);
+    return;
+  }
   const std::vector<PathInequality> limits =
       inequalities(scene.body, scene.limits);
   if (scene.contact == Contact::Optimal ||
@@ -67,7 +75,7 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add(
       "start_angle",
       std::abs(curve.at(0.0).state.beta -
-               start_angle_under(scene.body, limits).value_or(kNotKnown)),
+               start_angle_under(scene, limits).value_or(kNotKnown)),
       kSlope);
 }
 

@@ -44,17 +44,19 @@ LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
 
 StartLimits LimitedMotion::at_start() const {
   const LimitedTime& problem = curve_.problem();
+  const Scene& natural = problem.scene();
   const TurningPoint<double> first =
       curve_.at(0, problem.scheme().rule.points.front()).state;
-  const auto& limits = problem.limits();
-  for (int i = 0; i < static_cast<int>(limits.size()); ++i) {
-    if (limits[brachisto::at(i)].bounds_control() && curve_.active(0, i)) {
-      return start_limits_of_curvature(scene_.body, start_angle(),
-                                       first.q / first.w / units_.length);
-    }
-  }
-  return start_limits(scene_.body, start_angle(),
-                      curve_.at(0, 0.0).state.q / units_.time);
+  const TurningPoint<double> rest = curve_.at(0, 0.0).state;
+  const PathState start{
+      {rest.x, rest.z}, natural.body.theta_m, rest.beta, rest.w, rest.q};
+  StartLimits out =
+      curve_.holds_control(0) && !problem.pushed()
+          ? start_limits_of_curvature(natural, start, first.q / first.w)
+          : start_limits(natural, start);
+  out.normal_force_rate /= units_.time;
+  out.curvature /= units_.length;
+  return out;
 }
 
 TrajectoryPoint LimitedMotion::convert(int element, double t) const {
@@ -69,10 +71,9 @@ TrajectoryPoint LimitedMotion::convert(int element, double t) const {
   const double theta = natural.body.off_centred() || !natural.body.rolls()
                            ? state.theta
                            : natural.body.theta_m + s / natural.body.radius;
-  out.motion =
-      kinematics(natural.body, natural.gravity,
-                 {{state.x, state.z}, theta, state.beta, state.w, state.q});
-  if (out.sigma == 0.0) {
+  out.motion = kinematics(
+      natural, {{state.x, state.z}, theta, state.beta, state.w, state.q});
+  if (out.sigma == 0.0 && natural.world.start_speed == 0.0) {
     // There κ_c = q/w is a limit.
     const StartLimits start = at_start();
     out.motion.kappa_b = start.curvature * units_.length;

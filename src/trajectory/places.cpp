@@ -72,8 +72,8 @@ std::array<double, 2> rates_at(const LimitedCurve& curve, const Place& touch) {
   constexpr double kStep = 0.05;
   const Scene& scene = curve.problem().scene();
   const auto value = [&](double t) {
-    return value_of(curve.problem().limits()[at(touch.limit)], scene.body,
-                    scene.gravity, curve.at(touch.element, t).state);
+    return value_of(curve.problem().limits()[at(touch.limit)], scene,
+                    curve.at(touch.element, t).state);
   };
   const double near = value(1.0 + kStep), far = value(1.0 + 2.0 * kStep);
   const double back = value(1.0 - kStep), rear = value(1.0 - 2.0 * kStep);

@@ -225,7 +225,7 @@ StartLimits PrescribedMotion::at_start() const {
     return start_limits(scene_.body, start_.beta, start_slope_rate());
   }
   const CurvePlace next = curve_->at(kNextToStart);
-  return start_limits_of_curvature(scene_.body, start_.beta,
+  return start_limits_of_curvature(scene_, {{}, 0.0, start_.beta, 0.0, 0.0},
                                    next.turning / next.speed);
 }
 

@@ -376,13 +376,14 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
   const RadauScheme& scheme = problem.scheme();
-  const double begin = scheme.rule.points.front();
+  const bool pushed = problem.pushed();
+  const double begin = pushed ? 0.0 : scheme.rule.points.front();
   const TurningPoint<double> rest = curve.at(0, 0.0).state;
   // Up to there along the same slopes as behind, for so little has been fallen
   // that a place's own error would be a great part of it.
   const math::QuadratureRule rule = math::gauss_legendre(scheme.degree + 1);
   double h = problem.mesh().length(0) * curve.rolling_time();
-  double fallen = 0.0;
+  double fallen = 0.0, work = 0.0;
   Along y{0.0, 0.0, 0.0, rest.x, rest.z};
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
     const auto at = curve.at(0, begin * rule.points[i]).state;
@@ -391,12 +392,19 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
     y[2] += du * at.w;
     y[3] += du * at.w * std::cos(at.beta);
     fallen += du * at.w * std::sin(at.beta);
+    work += du * at.w *
+            speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
+                       root_of_inertia(scene.body, at.theta, at.beta));
   }
   y[4] += fallen;
   const TurningPoint<double> first = curve.at(0, begin).state;
-  y[1] = fall_speed(scene.gravity,
-                    energy_height(scene.body, fallen, first.theta)) /
-         std::sqrt(inertia_factor(scene.body, first.theta, first.beta));
+  const double w =
+      pushed ? first.w
+      : scene.world.changes_rates()
+          ? std::sqrt(2.0 * work)
+          : fall_speed(scene.gravity,
+                       energy_height(scene.body, fallen, first.theta));
+  y[1] = w / std::sqrt(inertia_factor(scene.body, first.theta, first.beta));
   LimitedReintegration out;
   for (int e = 0; e < problem.mesh().num_elements(); ++e) {
     check_stop(e);
@@ -407,8 +415,7 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
           y[1] * std::sqrt(inertia_factor(scene.body, place.theta, place.beta));
       place.x = y[3];
       place.z = y[4];
-      const Excess excess =
-          worst_excess(problem.limits(), scene.body, scene.gravity, place);
+      const Excess excess = worst_excess(problem.limits(), scene, place);
       if (std::isnan(out.excess) || excess.value <= out.excess) return;
       out.excess = excess.value;
       out.excess_at = problem.mesh().sigma(e, t);
@@ -418,8 +425,12 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
       const double v = at[1];
       const double ds = h * path.w;
       const Direction along = direction_of(path.beta);
+      const double v_kappa = v * path.q / path.w;
       const double s_ddot =
-          acceleration(scene, at[2], v, along, v * path.q / path.w);
+          scene.world.changes_rates()
+              ? acceleration_in_world(scene, at[2], v, {at[3], at[4]}, along,
+                                      v_kappa)
+              : acceleration(scene, at[2], v, along, v_kappa);
       rate = {ds / v, s_ddot * ds / v, ds, ds * along.cosine, ds * along.sine};
     };
     double t = e == 0 ? begin : 0.0;

@@ -30,8 +30,7 @@ bool holds_from_above(const LimitedTime& problem, int limit, Held where,
                       TurningPoint<double> place) {
   const auto value = [&](double q) {
     place.q = q;
-    return value_of(problem.limits()[at(limit)], problem.scene().body,
-                    problem.scene().gravity, place);
+    return value_of(problem.limits()[at(limit)], problem.scene(), place);
   };
   const bool grows = value(1.0) > value(0.0);
   return grows == (where == Held::AtUpper);

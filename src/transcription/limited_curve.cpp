@@ -150,9 +150,9 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   }
   Excess worst;
   const auto look = [&](double t) {
-    const Excess here = worst_excess(
-        t > 0.0 || at_rest.empty() ? problem_.limits() : at_rest,
-        problem_.scene().body, problem_.scene().gravity, at(element, t).state);
+    const Excess here =
+        worst_excess(t > 0.0 || at_rest.empty() ? problem_.limits() : at_rest,
+                     problem_.scene(), at(element, t).state);
     // Written so that a NaN stays.
     if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
       worst = here;
@@ -168,6 +168,13 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   // Between the places too.
   static_cast<void>(math::minima_below(-kLooked, slack, look));
   return worst;
+}
+
+double LimitedCurve::start_slope() const {
+  const TurningPoint<double> start = at(0, 0.0).state;
+  if (!problem_.pushed() || holds_control(0)) return start.beta;
+  return minimising_slope(problem_.scene(), moving(start),
+                          problem_.start_costates(point_.lambda), start.beta);
 }
 
 LimitedPoint LimitedCurve::at(int element, double t) const {

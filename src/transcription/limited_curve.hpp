@@ -11,7 +11,7 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "math/index.hpp"
-#include "model/hamiltonian.hpp"
+#include "model/world_hamiltonian.hpp"
 #include "transcription/limited_time.hpp"
 
 namespace brachisto {
@@ -25,6 +25,11 @@ struct LimitedPoint {
   /// at its upper bound, ≤ 0 at its lower one.
   std::vector<double> multipliers;
 };
+
+/// The state without slope and control.
+[[nodiscard]] inline MovingState moving(const TurningPoint<double>& at) {
+  return {{at.x, at.z}, at.theta, at.w};
+}
 
 /// The collocation polynomials of a solution: states of degree p through the
 /// left end and the Radau points of an element, control, costates and
@@ -57,6 +62,10 @@ class LimitedCurve {
   [[nodiscard]] double transverse_slope() {
     return problem_.end_slope(point_.x, point_.lambda);
   }
+  /// Slope at A: where a body is pushed and no limit holds the control the one
+  /// that the costates there ask for, NaN if there is none; otherwise the one
+  /// the path begins with [rad].
+  [[nodiscard]] double start_slope() const;
   /// At the place t ∈ [0, 1] of an element.
   [[nodiscard]] LimitedPoint at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(double sigma) const;

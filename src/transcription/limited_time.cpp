@@ -21,25 +21,32 @@ namespace {
 
 using enum StateComponent;
 
-constexpr std::array kStates{X, Z, Theta, W, Beta};
-
-std::vector<math::Dependence<6>> dependences(
-    const std::vector<PathInequality>& limits, const Body& body) {
-  std::vector<math::Dependence<6>> all;
-  for (const PathInequality& limit : limits) {
-    all.push_back(dependence_of(limit, body));
-  }
-  return all;
+int num_contact_rows(const Scene& scene, const LimitedEnds& ends) {
+  if (!ends.free_contacts) return 0;
+  return scene.world.start_speed > 0.0 ? 5 : 4;
 }
 
-/// Of limits on forces, which come first.
-int num_of_forces(const std::vector<PathInequality>& limits) {
-  return static_cast<int>(std::count_if(
-      limits.begin(), limits.end(),
-      [](const PathInequality& limit) { return limit.bounds_force(); }));
+/// Of forces where they are known without the control: at rest.
+int num_start_rows(const Scene& scene,
+                   const std::vector<PathInequality>& limits,
+                   const LimitedEnds& ends) {
+  if (ends.start_slope_fixed || scene.world.start_speed > 0.0) return 0;
+  return static_cast<int>(
+      std::ranges::count_if(limits, &PathInequality::bounds_force));
 }
 
-/// Whether a limit depends on x and z alone.
+/// x, z, θ, w, β, h q, as a formula sees which of them it depends on.
+const std::array<math::Dependence<6>, 6> kVariables = [] {
+  std::array<math::Dependence<6>, 6> out;
+  for (int i = 0; i < 6; ++i) out[at(i)] = math::Dependence<6>::variable(i);
+  return out;
+}();
+
+/// Of the rows of free contacts: x and z at A and at B, and the push.
+bool is_at_A(int contact_row) {
+  return contact_row < 2 || contact_row == 4;
+}
+
 bool is_of_place(const math::Dependence<6>& on) {
   return (on.any >> 2U).none();
 }
@@ -49,27 +56,32 @@ bool is_of_place(const math::Dependence<6>& on) {
 LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
                          Mesh mesh, const LimitedEnds& ends,
                          std::optional<HeldLimits> held)
-    : Transcription(scene, mesh,
-                    VariableLayout::with_limits(
-                        mesh.num_points(), scene.body.off_centred(),
-                        static_cast<int>(limits.size()), ends.free_contacts,
-                        ends.start_slope_fixed ? 0 : num_of_forces(limits)),
-                    {}, "collocation point"),
+    : Transcription(
+          scene, mesh,
+          VariableLayout::with_limits(
+              mesh.num_points(), scene.body.off_centred(),
+              static_cast<int>(limits.size()), num_contact_rows(scene, ends),
+              num_start_rows(scene, limits, ends)),
+          {}, "collocation point"),
       scheme_(&radau_scheme(mesh.degree)),
-      limits_(std::move(limits)),
+      body_(scene, std::move(limits),
+            scene.body.rolls() ? 1.0 / scene.body.radius : 1.0),
       ends_(ends),
       held_(std::move(held)),
-      depends_(dependences(limits_, scene.body)),
-      places_matter_(std::any_of(
-          depends_.begin(), depends_.end(),
-          [](const auto& on) { return on.curved[0] || on.curved[1]; })),
+      rates_on_(body_.rates(kVariables)),
       row_lower_(at(num_constraints())),
       row_upper_(at(num_constraints())),
       points_(at(layout().num_points())),
-      limit_values_(points_.size() * limits_.size()) {
-  if (layout().has_theta()) fix(layout().state(0, Theta), scene.body.theta_m);
-  fix(layout().state(0, W), 0.0);
-  if (!free_contacts()) fix_ends();
+      limit_values_(points_.size() * body_.num_limits()) {
+  for (std::size_t i = 0; i < body_.num_limits(); ++i) {
+    limits_on_.push_back(body_.limit(i, kVariables));
+  }
+  const auto bends_places = [](const Dependence& on) {
+    return on.curved[0] || on.curved[1];
+  };
+  curved_places_ =
+      scene.world.sphere || std::ranges::any_of(limits_on_, bends_places);
+  fix_start();
   weigh();
   bound_limits();
   build_patterns();
@@ -94,10 +106,10 @@ void LimitedTime::weigh() {
 
 void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
                          const LimitedEnds& ends) {
-  limits_ = std::move(limits);
+  body_.change_limits(std::move(limits));
   ends_ = ends;
   change_lengths(std::move(mesh));
-  if (!free_contacts()) fix_ends();
+  fix_start();
   weigh();
   bound_limits();
 }
@@ -125,18 +137,18 @@ void LimitedTime::bound_limits() {
   };
   for (int i = 0; i < layout().num_limits(); ++i) {
     for (int c = 0; c < layout().num_points(); ++c) {
-      bound(layout().limit(c, i), limits_[at(i)],
+      bound(layout().limit(c, i), limits()[at(i)],
             held_ ? held_at(c, i) : nlp::Held::No);
     }
     // The place of the last point is given: its limit would say so again.
-    if (!free_contacts() && is_of_place(depends_[at(i)])) {
+    if (!free_contacts() && is_of_place(limits_on_[at(i)])) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       const auto row = at(layout().limit(layout().num_points() - 1, i));
       row_lower_[row] = -kInfinity;
       row_upper_[row] = kInfinity;
     }
     if (i < layout().num_start_rows()) {
-      bound(layout().start_row(i), limits_[at(i)],
+      bound(layout().start_row(i), limits()[at(i)],
             held_ ? held_->at_rest[at(i)] : nlp::Held::No);
     }
   }
@@ -144,20 +156,39 @@ void LimitedTime::bound_limits() {
 
 math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
   using Start = math::Jet2<double, 1>;
-  return value_of(
-      limits_[at(limit)], scene().body, scene().gravity,
-      TurningPoint<Start>{Start(0.0), Start(0.0), Start(scene().body.theta_m),
-                          Start(0.0), Start::variable(beta, 0), Start(0.0)});
+  const Start slope = Start::variable(beta, 0);
+  Start x_c(x(layout().state(0, X))), z_c(x(layout().state(0, Z)));
+  if (free_contacts()) {  // which says where that is
+    x_c = sin(slope) * scene().body.radius;
+    z_c = cos(slope) * -scene().body.radius;
+  }
+  return value_of(limits()[at(limit)], scene(),
+                  TurningPoint<Start>{x_c, z_c, Start(scene().body.theta_m),
+                                      Start(0.0), slope, Start(0.0)});
 }
 
-void LimitedTime::fix_ends() {
-  const double start = ends_.start.value_or(start_angle(scene().body));
+math::Jet2<double, 1> LimitedTime::push_at(double beta) const {
+  using Start = math::Jet2<double, 1>;
+  return root_of_inertia(scene().body, Start(scene().body.theta_m),
+                         Start::variable(beta, 0)) *
+         scene().world.start_speed;
+}
+
+void LimitedTime::fix_start() {
+  const Body& body = scene().body;
+  if (layout().has_theta()) fix(layout().state(0, Theta), body.theta_m);
+  if (free_contacts()) {
+    if (!pushed()) fix(layout().state(0, W), 0.0);
+    return;
+  }
+  const double start = ends_.start.value_or(start_angle(scene()));
   const brachisto::Point centre =
       scene().contact == Contact::Centre
-          ? start_of_centre(scene())
-          : centre_above({0.0, 0.0}, scene().body.radius, start);
+          ? brachisto::Point{}
+          : centre_above({0.0, 0.0}, body.radius, start);
   fix(layout().state(0, X), centre.x);
   fix(layout().state(0, Z), centre.z);
+  fix(layout().state(0, W), pushed() ? push_at(start).value : 0.0);
   if (ends_.start_slope_fixed) {
     fix(layout().state(0, Beta), start);
   } else {
@@ -179,7 +210,7 @@ nlp::Held LimitedTime::held_at(int point, int limit) const {
     const nlp::Held touched = held_->at_end[at(element)][at(limit)];
     if (touched != nlp::Held::No) return touched;
   }
-  if (here != nlp::Held::No || !last || limits_[at(limit)].bounds_control() ||
+  if (here != nlp::Held::No || !last || limits()[at(limit)].bounds_control() ||
       element + 1 == mesh().num_elements()) {
     return here;
   }
@@ -192,7 +223,7 @@ int LimitedTime::local(int point, int number) const {
 }
 
 const LimitedTime::Jet& LimitedTime::limit_at(int point, int number) const {
-  return limit_values_[at(point) * limits_.size() + at(number)];
+  return limit_values_[at(point) * body_.num_limits() + at(number)];
 }
 
 nlp::ChainStructure LimitedTime::chain_structure() const {
@@ -209,7 +240,7 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
   }
   for (int i = 0; i < layout().num_contact_rows(); ++i) {
     chain.block[at(num_variables() + layout().contact_row(i))] =
-        i < 2 ? 0 : 2 * mesh().num_elements();
+        is_at_A(i) ? 0 : 2 * mesh().num_elements();
   }
   for (int i = 0; i < layout().num_start_rows(); ++i) {
     chain.block[at(num_variables() + layout().start_row(i))] = 0;
@@ -231,12 +262,12 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
     for (int i = 0; i < layout().num_limits(); ++i) {
       // By the unknown h q of the control a limit has a derivative like 1/h.
       chain.scale[at(num_variables() + layout().limit(c, i))] =
-          limits_[at(i)].bounds_control() ? root * root * root : root;
+          limits()[at(i)].bounds_control() ? root * root * root : root;
     }
   }
   for (int i = 0; i < layout().num_contact_rows(); ++i) {
     chain.scale[at(num_variables() + layout().contact_row(i))] =
-        root_of(i < 2 ? 0 : mesh().num_elements() - 1);
+        root_of(is_at_A(i) ? 0 : mesh().num_elements() - 1);
   }
   for (int i = 0; i < layout().num_start_rows(); ++i) {
     chain.scale[at(num_variables() + layout().start_row(i))] = root_of(0);
@@ -268,65 +299,63 @@ std::optional<Transcription::End> LimitedTime::end(
 }
 
 Costates LimitedTime::end_costates(std::span<const double> lambda) const {
-  const int last = layout().num_points();
   const int p = mesh().degree;
+  const int first = layout().num_points() - p;
   Costates out;
   for (int j = 0; j < p; ++j) {
     const double D = scheme_->derivative(j, p);
-    out.p_x -= D * lambda[at(layout().defect(last - p + j, X))];
-    out.p_z -= D * lambda[at(layout().defect(last - p + j, Z))];
+    out.p_x -= D * lambda[at(layout().defect(first + j, X))];
+    out.p_z -= D * lambda[at(layout().defect(first + j, Z))];
+  }
+  return out;
+}
+
+Costates LimitedTime::start_costates(std::span<const double> lambda) const {
+  Costates out;
+  for (int j = 0; j < mesh().degree; ++j) {
+    const double D = scheme_->derivative(j, 0);
+    out.p_x += D * lambda[at(layout().defect(j, X))];
+    out.p_z += D * lambda[at(layout().defect(j, Z))];
+    out.p_w += D * lambda[at(layout().defect(j, W))];
   }
   return out;
 }
 
 bool LimitedTime::evaluate() {
-  const Body& body = scene().body;
   if (!(x(layout().rolling_time()) > 0.0)) {
     return refuse(-1, "the rolling time U is not positive");
   }
   for (int c = 0; c < layout().num_points(); ++c) {
     check_stop(c);
-    TurningPoint<Jet> local_jets;
-    const std::array<Jet*, kLocals> jets{&local_jets.x,     &local_jets.z,
-                                         &local_jets.theta, &local_jets.w,
-                                         &local_jets.beta,  &local_jets.q};
+    std::array<Jet, kLocals> yu;
     for (int i = 0; i < kLocals; ++i) {
-      *jets[at(i)] = has_local(i) ? Jet::variable(x(local(c, i)), i) : Jet(0.0);
+      yu[at(i)] = has_local(i) ? Jet::variable(x(local(c, i)), i) : Jet(0.0);
     }
-    local_jets.q = local_jets.q * Jet(1.0 / mesh().length(c / mesh().degree));
-    Point& point = points_[at(c)];
-    point.w = local_jets.w.value;
-    point.cos_beta = std::cos(local_jets.beta.value);
-    point.sin_beta = std::sin(local_jets.beta.value);
-    point.cos_theta = std::cos(local_jets.theta.value);
-    point.sin_theta = std::sin(local_jets.theta.value);
-    if (!(point.w > 0.0)) return refuse(c, "the speed w is not positive");
-    if (!std::isfinite(point.cos_beta)) {
+    yu[kControl] = yu[kControl] * Jet(1.0 / mesh().length(c / mesh().degree));
+    if (!(yu[rolling::kW].value > 0.0)) {
+      return refuse(c, "the speed w is not positive");
+    }
+    if (!std::isfinite(std::cos(yu[rolling::kBeta].value))) {
       return refuse(c, "the slope angle is not finite");
     }
-    if (layout().has_theta()) {
-      const Jet A = inertia_factor(body, local_jets.theta, local_jets.beta);
-      if (!(A.value > 0.0)) {
-        return refuse(c, "the inertia factor A is not positive");
-      }
-      point.root = sqrt(A);
-    } else {
-      point.root = Jet(std::sqrt(axisymmetric_inertia_factor(body)));
+    points_[at(c)] = body_.rates(yu);
+    if (!(points_[at(c)].cost.value > 0.0)) {
+      return refuse(c, "the inertia factor A is not positive");
     }
-    // What is neither held nor an inequality is not asked for.
-    const auto asked = [&](int limit) {
-      return !held_ || held_at(c, limit) != nlp::Held::No;
-    };
-    ContactForce<Jet> force;  // once for all limits that bound it
+    // What is neither held nor an inequality is not asked for. Forces once for
+    // all limits that bound them.
+    const auto [x_c, z_c, theta, w, beta, q] = yu;
+    const TurningPoint<Jet> place{x_c, z_c, theta, w, beta, q};
+    ContactForce<Jet> force;
     bool known = false;
     for (int i = 0; i < layout().num_limits(); ++i) {
-      const PathInequality& limit = limits_[at(i)];
-      if (asked(i) && limit.bounds_force() && !known) {
-        force = contact_force(body, scene().gravity, local_jets);
+      const bool asked = !held_ || held_at(c, i) != nlp::Held::No;
+      if (asked && limits()[at(i)].bounds_force() && !known) {
+        force = contact_force(scene(), place);
         known = true;
       }
-      limit_values_[at(c) * limits_.size() + at(i)] =
-          asked(i) ? value_of(limit, force, local_jets) : Jet(0.0);
+      limit_values_[at(c) * body_.num_limits() + at(i)] =
+          asked ? value_of(limits()[at(i)], force, place) : Jet(0.0);
     }
   }
   return true;
@@ -338,7 +367,7 @@ double LimitedTime::do_eval_f() const {
     double element = 0.0;
     for (int j = 0; j < mesh().degree; ++j) {
       element += scheme_->rule.weights[at(j)] *
-                 points_[at(e * mesh().degree + j)].root.value;
+                 points_[at(e * mesh().degree + j)].cost.value;
     }
     sum += mesh().length(e) * element;
   }
@@ -347,26 +376,21 @@ double LimitedTime::do_eval_f() const {
 
 void LimitedTime::do_eval_g(std::span<double> g) const {
   const int p = mesh().degree;
-  const Body& body = scene().body;
   for (int e = 0; e < mesh().num_elements(); ++e) {
     const double hU = mesh().length(e) * x(layout().rolling_time());
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;
-      const Point& at_c = points_[at(c)];
-      const auto put = [&](StateComponent component, double rate) {
+      for (int s = 0; s < kControl; ++s) {
+        if (!has_local(s)) continue;
+        const StateComponent component = kStates[at(s)];
         double sum = 0.0;
         for (int n = 0; n <= p; ++n) {
           sum += scheme_->derivative(j, n) *
                  x(layout().state(e * p + n, component));
         }
-        g[at(layout().defect(c, component))] = sum - hU * rate;
-      };
-      put(X, place_rate(at_c.w, at_c.cos_beta));
-      put(Z, place_rate(at_c.w, at_c.sin_beta));
-      if (layout().has_theta()) put(Theta, turning_rate(at_c.w, body.radius));
-      const double eta = layout().has_theta() ? body.eta_m : 0.0;
-      put(W, speed_rate(scene().gravity, eta, at_c.sin_beta, at_c.cos_theta));
-      put(Beta, x(layout().control(c)) / mesh().length(e));
+        g[at(layout().defect(c, component))] =
+            sum - hU * points_[at(c)].states[at(s)].value;
+      }
       for (int i = 0; i < layout().num_limits(); ++i) {
         g[at(layout().limit(c, i))] = limit_at(c, i).value;
       }
@@ -377,14 +401,19 @@ void LimitedTime::do_eval_g(std::span<double> g) const {
   }
   if (!free_contacts()) return;
   const auto put_contact = [&](int row, int node, brachisto::Point contact) {
-    const OffContact<double> off = off_contact(
-        x(layout().state(node, X)), x(layout().state(node, Z)), body.radius,
-        contact.x, contact.z, x(layout().state(node, Beta)));
+    const OffContact<double> off =
+        off_contact(x(layout().state(node, X)), x(layout().state(node, Z)),
+                    scene().body.radius, contact.x, contact.z,
+                    x(layout().state(node, Beta)));
     g[at(layout().contact_row(row))] = off.x;
     g[at(layout().contact_row(row + 1))] = off.z;
   };
   put_contact(0, 0, {0.0, 0.0});
   put_contact(2, layout().num_points(), {scene().L, scene().H});
+  if (pushed()) {
+    g[at(layout().contact_row(4))] =
+        x(layout().state(0, W)) - push_at(x(layout().state(0, Beta))).value;
+  }
 }
 
 }  // namespace brachisto

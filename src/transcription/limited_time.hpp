@@ -14,8 +14,8 @@
 
 #include "math/dependence.hpp"
 #include "math/jet2.hpp"
-#include "model/path_inequality.hpp"
 #include "nlp/active_set.hpp"
+#include "rolling/rolling_body.hpp"
 #include "transcription/collocation.hpp"
 #include "transcription/transcription.hpp"
 
@@ -43,11 +43,11 @@ struct HeldLimits {
 /// Radau IIA collocation of
 ///
 ///     minimise T = U ∫₀¹ √A dσ  subject to
-///     x' = U w cos β    z' = U w sin β    r θ' = U w
-///     w' = U g (sin β + η cos θ)    β' = U q,      ' = d/dσ,
-///     lower ≤ c(x, z, θ, w, β, q) ≤ upper for each limit,
+///     y' = U f(y, q),  y = (x, z, θ, w, β),  ' = d/dσ,
+///     lower ≤ c(y, q) ≤ upper for each limit,
 ///
-/// the control being q = dβ/du = w κ_c: the force of the track and its
+/// cost, rates and limits being those of rolling::Turning in any world, and the
+/// control q = dβ/du = w κ_c: the force of the track and its
 /// curvature are affine in it. With Gauss's points β as a state would have a
 /// null mode; here β(0) enters nothing but the first element's defects.
 ///
@@ -55,7 +55,8 @@ struct HeldLimits {
 /// matrix do not fall with h.
 ///
 /// Nodes and collocation points are the same but for the start, so that all
-/// second derivatives are those of one point function of (x, z, θ, w, β, q).
+/// derivatives are those of that one function of a point. Of the rates β' alone
+/// depends on the control: it is q.
 class LimitedTime final : public Transcription {
  public:
   /// \param scene   valid, in units of the caller's choice
@@ -67,18 +68,22 @@ class LimitedTime final : public Transcription {
 
   [[nodiscard]] const RadauScheme& scheme() const { return *scheme_; }
   [[nodiscard]] const std::vector<PathInequality>& limits() const {
-    return limits_;
+    return body_.limits();
   }
   [[nodiscard]] const LimitedEnds& ends() const { return ends_; }
   [[nodiscard]] bool free_contacts() const { return ends_.free_contacts; }
+  /// Whether the body starts with a speed.
+  [[nodiscard]] bool pushed() const { return scene().world.start_speed > 0.0; }
   /// The same with all limits as inequalities.
   [[nodiscard]] LimitedTime as_inequalities() const {
-    return {scene(), limits_, mesh(), ends_};
+    return {scene(), limits(), mesh(), ends_};
   }
   /// The same program with other bounds of its limits, lengths of its elements
   /// and ends of the same kind.
   void change(std::vector<PathInequality> limits, Mesh mesh,
               const LimitedEnds& ends);
+  /// w(0) of a push in the direction β.
+  [[nodiscard]] math::Jet2<double, 1> push_at(double beta) const;
   /// Keeps |β| below a bound [rad] wherever it is not fixed.
   void bound_slopes(double steepest);
   /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the
@@ -112,19 +117,19 @@ class LimitedTime final : public Transcription {
                                        std::span<const double> lambda) override;
   [[nodiscard]] Costates end_costates(
       std::span<const double> lambda) const override;
+  /// At the start, likewise p = ∂L/∂(x, z, w)_0.
+  [[nodiscard]] Costates start_costates(std::span<const double> lambda) const;
 
  private:
   /// x, z, θ, w, β, h q.
   static constexpr int kLocals = 6;
   static constexpr int kControl = 5;
+  static constexpr std::array kStates{StateComponent::X, StateComponent::Z,
+                                      StateComponent::Theta, StateComponent::W,
+                                      StateComponent::Beta};
   using Jet = math::Jet2<double, kLocals>;
 
-  struct Point {
-    Jet root;  ///< √A
-    double w, cos_beta, sin_beta, sin_theta, cos_theta;
-  };
-
-  void fix_ends();
+  void fix_start();
   void bound_limits();
   void weigh();
   /// Of a limit on forces at rest, by β(0).
@@ -133,15 +138,13 @@ class LimitedTime final : public Transcription {
   [[nodiscard]] bool has_local(int number) const {
     return number != 2 || layout().has_theta();
   }
+  /// Whether the program has a second derivative by two of them.
+  [[nodiscard]] bool has_pair(int a, int b) const;
   [[nodiscard]] const Jet& limit_at(int point, int number) const;
-  /// weight √A − λ·f of a point, f being the rates of its states by U σ, and
-  /// its derivatives by its states.
-  struct Density {
-    double value;
-    std::array<double, kLocals> gradient{};
-  };
-  [[nodiscard]] Density density_at(int point, double weight,
-                                   std::span<const double> lambda) const;
+  /// weight √A − λ·f of a point, without β', of which what depends on h or U
+  /// stands beside it.
+  [[nodiscard]] Jet density_at(int point, double weight,
+                               std::span<const double> lambda) const;
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
@@ -152,13 +155,15 @@ class LimitedTime final : public Transcription {
                     Entries& put) const override;
 
   const RadauScheme* scheme_;
-  std::vector<PathInequality> limits_;
+  rolling::Turning body_;
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
-  std::vector<math::Dependence<kLocals>> depends_;  ///< of each limit
-  bool places_matter_;  ///< second derivatives by x and z
+  using Dependence = math::Dependence<kLocals>;
+  ocp::Rates<Dependence, rolling::Turning::kStates> rates_on_;
+  std::vector<Dependence> limits_on_;
+  bool curved_places_;  ///< second derivatives by x and z
   std::vector<double> row_lower_, row_upper_, weights_;
-  std::vector<Point> points_;
+  std::vector<ocp::Rates<Jet, rolling::Turning::kStates>> points_;
   std::vector<Jet> limit_values_;  ///< of a point, one after the other
 };
 

@@ -42,7 +42,8 @@ enum class StateComponent { X, Z, Theta, W, Beta };
 /// limited_time: like rolling_time with β among the states and the control
 /// h q = h dβ/du in its place; after the defects of a point stand its limits,
 /// and after all of them four rows for the two contacts where their slopes are
-/// free, and the limits on forces at rest where β(0) is.
+/// free, a fifth for the push there, and the limits on forces at rest where
+/// β(0) is free.
 class VariableLayout {
  public:
   /// Of rolling_time.
@@ -59,12 +60,12 @@ class VariableLayout {
   [[nodiscard]] static VariableLayout with_limits(int num_points,
                                                   bool has_theta,
                                                   int num_limits,
-                                                  bool free_contacts,
+                                                  int num_contact_rows,
                                                   int num_start_rows) {
     const int states = has_theta ? 5 : 4;
     VariableLayout layout(num_points, has_theta, states, 1,
                           states + num_limits);
-    layout.num_contact_rows_ = free_contacts ? 4 : 0;
+    layout.num_contact_rows_ = num_contact_rows;
     layout.num_start_rows_ = num_start_rows;
     return layout;
   }
@@ -106,7 +107,7 @@ class VariableLayout {
   [[nodiscard]] int num_limits() const { return num_rows_ - num_states_; }
   /// h dβ/du at collocation point 0 … N p − 1, of limited_time.
   [[nodiscard]] int control(int point) const { return beta(point); }
-  /// x, z of the contact at A, then at B.
+  /// x, z of the contact at A, then at B, then w of a push at A.
   [[nodiscard]] int contact_row(int number) const {
     return num_rows_ * num_points_ + number;
   }

@@ -515,7 +515,7 @@ TEST(Departure, KeepsTheLimitNextToRest) {
       const double q =
           (start.left_rest(u + h)[kBeta] - start.left_rest(u - h)[kBeta]) /
           (2.0 * h);
-      return std::abs(value_of(held.limit, scene.body, scene.gravity,
+      return std::abs(value_of(held.limit, scene,
                                TurningPoint<double>{y[kX], y[kZ], y[kTheta],
                                                     y[kW], y[kBeta], q}) -
                       held.bound);

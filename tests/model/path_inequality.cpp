@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "brachisto/model/kinematics.hpp"
+#include "math/dependence.hpp"
 #include "math/jet2.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
@@ -39,6 +40,13 @@ Kinematics motion_at(const Body& body, double gravity,
       {{place.x, place.z}, place.theta, place.beta, place.w, place.q});
 }
 
+Scene scene_of(const Body& body, double gravity) {
+  Scene scene;
+  scene.body = body;
+  scene.gravity = gravity;
+  return scene;
+}
+
 /// Terms of the forces: some dozen of the size of w²/(A r g), divided by A once
 /// more.
 double rounding(const Body& body, double gravity,
@@ -55,7 +63,7 @@ TEST(ContactForceOfATurningPoint, IsThatOfTheKinematics) {
     const double g = random.uniform(0.5, 10.0);
     const TurningPoint<double> place = random_place(random);
 
-    const auto force = contact_force(body, g, place);
+    const auto force = contact_force(scene_of(body, g), place);
     const Kinematics expected = motion_at(body, g, place);
 
     const double allowed = rounding(body, g, place);
@@ -71,7 +79,7 @@ TEST(ContactForceOfATurningPoint, OfABeadAndAUniformCylinderIsThatToo) {
       const double g = random.uniform(0.5, 10.0);
       const TurningPoint<double> place = random_place(random);
 
-      const auto force = contact_force(body, g, place);
+      const auto force = contact_force(scene_of(body, g), place);
       const Kinematics expected = motion_at(body, g, place);
 
       const double allowed = ulps(16.0, 1.0 + place.w * std::abs(place.q) / g);
@@ -95,10 +103,10 @@ TEST(ContactForceOfATurningPoint, IsAffineInTheControl) {
     const double A = inertia_factor(body, place.theta, place.beta);
     const double per = -place.w / (A * A * g);
 
-    const auto there = contact_force(body, g, place);
+    const auto there = contact_force(scene_of(body, g), place);
     const double allowed = 2.0 * rounding(body, g, place);
     place.q = 0.0;
-    const auto here = contact_force(body, g, place);
+    const auto here = contact_force(scene_of(body, g), place);
 
     EXPECT_NEAR(there.normal - here.normal, q * per * (q_hat * q_hat + body.k),
                 allowed);
@@ -140,7 +148,8 @@ TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
 
   ASSERT_EQ(all.size(), std::size(expected));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_NEAR(value_of(all[i], body, g, place), expected[i], ulps(64.0, 8.0))
+    EXPECT_NEAR(value_of(all[i], scene_of(body, g), place), expected[i],
+                ulps(64.0, 8.0))
         << name(all[i].kind) << " " << i;
   }
 }
@@ -170,12 +179,12 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
       const std::array<double, 6> x = random_values(random);
       const std::vector<double> d = random.vector(6, -1.0, 1.0);
       const auto at_distance = [&](double h) {
-        return value_of(limit, body, g,
+        return value_of(limit, scene_of(body, g),
                         TurningPoint<double>{x[0] + h * d[0], x[1] + h * d[1],
                                              x[2] + h * d[2], x[3] + h * d[3],
                                              x[4] + h * d[4], x[5] + h * d[5]});
       };
-      const Jet jet = value_of(limit, body, g, variables_at(x));
+      const Jet jet = value_of(limit, scene_of(body, g), variables_at(x));
       double first = 0.0, second = 0.0;
       for (int a = 0; a < 6; ++a) {
         const auto u = static_cast<std::size_t>(a);
@@ -198,15 +207,24 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
   }
 }
 
+math::Dependence<6> on_which_depends(const PathInequality& limit,
+                                     const Body& body) {
+  using On = math::Dependence<6>;
+  return value_of(
+      limit, scene_of(body, 2.0),
+      TurningPoint<On>{On::variable(0), On::variable(1), On::variable(2),
+                       On::variable(3), On::variable(4), On::variable(5)});
+}
+
 /// A derivative that is not zero everywhere is not so at a random point.
 TEST(DependenceOfALimit, IsWhatItsJetsHaveDerivativesBy) {
   const std::vector<PathInequality> all = inequalities(body, all_limits());
   for (const Body& b : {body, Body::cylinder(0.25, 0.0, 0.0, 0.4)}) {
     for (const PathInequality& limit : all) {
       Random random(5);
-      const Jet jet =
-          value_of(limit, b, 2.0, variables_at(random_values(random)));
-      const math::Dependence<6> on = dependence_of(limit, b);
+      const Jet jet = value_of(limit, scene_of(b, 2.0),
+                               variables_at(random_values(random)));
+      const math::Dependence<6> on = on_which_depends(limit, b);
       for (int k = 0; k < 6; ++k) {
         const auto u = static_cast<std::size_t>(k);
         bool curved = false;
@@ -253,13 +271,15 @@ TEST(WorstExcess, NamesTheLimitAndItsSide) {
   light.q = 1.0;
   deep.z = 7.0;
 
-  EXPECT_LE(worst_excess(all, bead, 2.0, level).value, 0.0);
-  EXPECT_NEAR(worst_excess(all, bead, 2.0, heavy).value, 1.0, ulps(4.0, 4.0));
-  EXPECT_TRUE(worst_excess(all, bead, 2.0, heavy).above);
-  EXPECT_EQ(worst_excess(all, bead, 4.0, light).limit, 0);
-  EXPECT_FALSE(worst_excess(all, bead, 4.0, light).above);
-  EXPECT_EQ(worst_excess(all, bead, 2.0, deep).limit, 1);
-  EXPECT_NEAR(worst_excess(all, bead, 2.0, deep).value, 4.0, ulps(4.0, 4.0));
+  EXPECT_LE(worst_excess(all, scene_of(bead, 2.0), level).value, 0.0);
+  EXPECT_NEAR(worst_excess(all, scene_of(bead, 2.0), heavy).value, 1.0,
+              ulps(4.0, 4.0));
+  EXPECT_TRUE(worst_excess(all, scene_of(bead, 2.0), heavy).above);
+  EXPECT_EQ(worst_excess(all, scene_of(bead, 4.0), light).limit, 0);
+  EXPECT_FALSE(worst_excess(all, scene_of(bead, 4.0), light).above);
+  EXPECT_EQ(worst_excess(all, scene_of(bead, 2.0), deep).limit, 1);
+  EXPECT_NEAR(worst_excess(all, scene_of(bead, 2.0), deep).value, 4.0,
+              ulps(4.0, 4.0));
 }
 
 }  // namespace

@@ -17,6 +17,18 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+Scene scene_of(const Body& body) {
+  Scene scene;
+  scene.body = body;
+  return scene;
+}
+
+PathState leaving(double beta) {
+  PathState start;
+  start.beta = beta;
+  return start;
+}
+
 /// The motion a little later on a path β = β₀ + β′ u: w = g a u to the first
 /// order.
 Kinematics shortly_after(const Body& body, double beta_0, double beta_rate,
@@ -84,16 +96,19 @@ TEST(StartLimits, OnAnInclineAreThoseOfAWeightOnIt) {
   const double A = 1.0 + 0.64 + 0.1 + 1.6 * std::sin(beta);
   const double a = std::sin(beta) + 0.8;
 
-  EXPECT_NEAR(start_limits_of_curvature(uniform, beta, 0.0).normal_force,
+  EXPECT_NEAR(start_limits_of_curvature(scene_of(uniform), leaving(beta), 0.0)
+                  .normal_force,
               std::cos(beta), 1e-15);
-  EXPECT_NEAR(start_limits_of_curvature(heavy_in_front, beta, 0.0).normal_force,
-              std::cos(beta) - 0.8 * std::cos(beta) * a / A, 1e-15);
+  EXPECT_NEAR(
+      start_limits_of_curvature(scene_of(heavy_in_front), leaving(beta), 0.0)
+          .normal_force,
+      std::cos(beta) - 0.8 * std::cos(beta) * a / A, 1e-15);
 }
 
 TEST(StartLimits, WithAFiniteCurvatureTheTrackIsAParallelCurve) {
   // A path of radius 2 m about a hump, the track below of radius 1.5 m.
-  const StartLimits limits =
-      start_limits_of_curvature(Body::cylinder(0.5, 0.0, 0.0, 0.5), 0.3, 0.5);
+  const StartLimits limits = start_limits_of_curvature(
+      scene_of(Body::cylinder(0.5, 0.0, 0.0, 0.5)), leaving(0.3), 0.5);
 
   EXPECT_DOUBLE_EQ(limits.fold_margin, 0.75);
   EXPECT_DOUBLE_EQ(limits.curvature, 1.0 / 1.5);

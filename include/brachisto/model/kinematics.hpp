@@ -91,8 +91,8 @@ struct StartLimits {
                                        const PathState& start);
 
 /// The same on a path whose curvature κ_c [1/m] is finite there, β′ = 0.
-[[nodiscard]] StartLimits start_limits_of_curvature(const Body& body,
-                                                    double beta_0,
+[[nodiscard]] StartLimits start_limits_of_curvature(const Scene& scene,
+                                                    const PathState& start,
                                                     double kappa_c);
 
 }  // namespace brachisto

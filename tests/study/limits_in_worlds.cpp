@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Limits in air, with a push and in a sphere's field: by two methods, and by
+// Newton's and Euler's laws.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "brachisto/study/solve.hpp"
+#include "support/limited_scenes.hpp"
+#include "support/newton_euler.hpp"
+#include "support/world_scenes.hpp"
+
+namespace brachisto {
+namespace {
+
+using namespace testing;
+
+struct Row {
+  std::string name;
+  Scene scene;
+};
+
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+  return out << row.name;
+}
+
+/// Loads, humps and valleys bounded: what every contact is well posed with.
+PathLimits ride() {
+  PathLimits limits = bends(2.7, 4.0);
+  limits.normal_min = 0.2;
+  limits.normal_max = 5.0;
+  return limits;
+}
+
+PathLimits obstacle(double z) {
+  PathLimits limits;
+  limits.discs = {{{1.2, z}, 0.15}};
+  return limits;
+}
+
+Scene in_drag(const Scene& scene) {
+  return in_air(scene, 0.3, 0.1);
+}
+
+std::vector<Row> rows() {
+  const Scene base = off_centred_scene(), ahead = off_centred_scene(-kPi / 6.0);
+  const Scene uniform = uniform_scene(), bead = bead_scene();
+  const auto pushed = [](const Scene& scene) { return with_push(scene, 1.0); };
+  const auto planet = [](const Scene& scene) {
+    return about_sphere(scene, {{1.0, 10.0}, 8.0, 9.81});
+  };
+  const auto all = [&](const Scene& scene) {
+    return planet(pushed(in_air(scene, 0.1, 0.05)));
+  };
+  Scene level = under(in_drag(base), bends(2.5, 3.0), Contact::EndSlope);
+  level.end_slope = 0.0;
+  PathLimits loads;
+  loads.normal_min = 0.1;
+  loads.normal_max = 5.0;
+  PathLimits light;
+  light.normal_max = 2.5;
+  return {
+      {"floor_in_air", under(in_drag(base), floor_at(1.25))},
+      {"friction_in_air", under(in_drag(base), friction(1.0))},
+      {"little_friction_in_air", under(in_drag(base), friction(0.4))},
+      {"bead_on_a_floor_in_air", under(in_drag(bead), floor_at(1.1))},
+      {"incline_in_air", under(in_drag(uniform), friction(0.3))},
+      {"given_slope_in_air", level},
+      {"disc_in_air", under(in_drag(ahead), obstacle(1.1))},
+      {"floor_with_a_push", under(pushed(ahead), floor_at(1.2))},
+      {"friction_with_a_push", under(pushed(base), friction(0.6))},
+      {"valley_with_a_push", under(pushed(base), bends(2.0, 2.0))},
+      {"ride_with_a_push", under(pushed(base), ride(), Contact::Optimal)},
+      {"bead_with_a_push", under(pushed(bead), floor_at(1.1))},
+      {"load_with_a_push", under(pushed(uniform), light)},
+      {"floor_on_a_planet", under(planet(base), floor_at(1.25))},
+      {"friction_on_a_planet", under(planet(base), friction(1.0))},
+      {"loads_on_a_planet", under(planet(base), loads)},
+      {"ride_on_a_planet", under(planet(base), ride(), Contact::Optimal)},
+      {"friction_in_a_planet",
+       under(about_sphere(ahead, around()), friction(0.8))},
+      {"ride_in_all_of_it", under(all(base), ride(), Contact::Optimal)},
+      {"disc_in_all_of_it", under(all(base), obstacle(1.2))},
+  };
+}
+
+class LimitsInAWorld : public ::testing::TestWithParam<Row> {};
+
+/// Along the path the answer errs by a power of its error in T, see
+/// newton_euler.cpp.
+TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
+  const Scene& scene = GetParam().scene;
+  SolveOptions shooting;
+  shooting.method = Shooting{};
+  const Solution program = solve(scene, {});
+  const Solution shot = solve(scene, shooting);
+  ASSERT_TRUE(program.verified())
+      << program.message
+      << ::testing::PrintToString(program.not_verified_because());
+  ASSERT_TRUE(shot.verified())
+      << shot.message << ::testing::PrintToString(shot.not_verified_because());
+
+  EXPECT_NEAR(program.motion()->tau() / shot.motion()->tau(), 1.0,
+              *program.estimated_error + *shot.estimated_error);
+  EXPECT_LE(*program.estimated_error, 1e-9);
+  EXPECT_LE(*shot.estimated_error, 1e-9);
+
+  const double p = program.program()->degree.value();
+  const double along_path =
+      std::pow(*program.estimated_error, 0.5 * (p + 1.0) / p);
+  const LeftOver left = left_over(*program.motion(), rigid_body_of(scene));
+  EXPECT_LE(left.force, along_path);
+  EXPECT_LE(left.moment, along_path);
+  EXPECT_LE(left.place, along_path);
+  EXPECT_LE(left.slip, along_path);
+  EXPECT_LE(left.energy, along_path);
+  EXPECT_LE(left.start, along_path);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, LimitsInAWorld, ::testing::ValuesIn(rows()),
+                         [](const auto& row) { return row.param.name; });
+
+}  // namespace
+}  // namespace brachisto

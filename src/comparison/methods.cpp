@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 #include "math/enum_table.hpp"
 
 namespace brachisto::comparison {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto::comparison {
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/study/progress.hpp"
+#include "brachisto/work/progress.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/smooth_contact.hpp"
 

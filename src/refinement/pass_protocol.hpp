@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "brachisto/study/progress.hpp"
+#include "brachisto/work/progress.hpp"
 #include "refinement/refinement.hpp"
 
 namespace brachisto {

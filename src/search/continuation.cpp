@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 #include "math/index.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/units.hpp"

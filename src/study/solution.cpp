@@ -13,14 +13,6 @@
 
 namespace brachisto {
 
-Work& Work::operator+=(const Work& other) {
-  iterations += other.iterations;
-  passes += other.passes;
-  newton_steps += other.newton_steps;
-  log += other.log;
-  return *this;
-}
-
 const Motion* Solution::motion() const {
   if (const Trajectory* found = trajectory_of(*this)) return found;
   if (const auto* pieces = answer_as<PiecewiseAnswer>(answer)) {

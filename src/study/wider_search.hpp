@@ -9,7 +9,7 @@
 #include <string>
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

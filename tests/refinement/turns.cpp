@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "brachisto/study/solve.hpp"
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
 #include "refinement/turn_meshes.hpp"

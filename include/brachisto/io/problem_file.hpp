@@ -20,7 +20,7 @@
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/study/design_plan.hpp"
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

@@ -13,7 +13,7 @@
 #include "brachisto/model/point.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/study/solve_options.hpp"
+#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

@@ -16,12 +16,12 @@
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/discrete_answer.hpp"
-#include "brachisto/study/effort.hpp"
 #include "brachisto/study/limit_on_path.hpp"
 #include "brachisto/study/sensitivities.hpp"
-#include "brachisto/study/solve_options.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/motion.hpp"
+#include "brachisto/work/effort.hpp"
+#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "math/index.hpp"
+#include "model/field.hpp"
 #include "model/scene_coordinate.hpp"
 #include "refinement/open_conditions.hpp"
+#include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
 
 namespace brachisto {
@@ -66,8 +68,27 @@ class LimitedSolve {
         protocol_.status != Status::NoSmoothContact) {
       blocking = tightening_->blocking();
     }
+    if (protocol_.status != Status::Solved && passes_surface()) {
+      protocol_.message +=
+          ". It passes the surface of the sphere, where the field has a kink, "
+          "and under limits a path is followed on one side alone";
+    }
     return {std::move(protocol_).finished(), std::move(answer_),
             std::move(blocking)};
+  }
+
+  /// Whether the best path that was found does.
+  [[nodiscard]] bool passes_surface() const {
+    if (!scene_.world.sphere) return false;
+    const LimitedCurve* curve = answer_       ? &answer_->path.curve
+                                : tightening_ ? tightening_->any()
+                                              : nullptr;
+    if (curve == nullptr) return false;
+    const auto heavy_at = [&](double sigma) {
+      const TurningPoint<double> at = curve->at(sigma).state;
+      return mass_centre(scene_.body, {at.x, at.z}, at.theta);
+    };
+    return !surface_passages(scene_, curve->problem().mesh(), heavy_at).empty();
   }
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {

@@ -78,6 +78,10 @@ class Tightening {
   }
   /// \pre solved before
   [[nodiscard]] const LimitedCurve& last() const { return *last_; }
+  /// The same, null if nothing was solved.
+  [[nodiscard]] const LimitedCurve* any() const {
+    return last_ ? &*last_ : nullptr;
+  }
 
  private:
   using Inequalities = std::vector<PathInequality>;

@@ -22,6 +22,7 @@
 #include "derivatives/taylor_remainders.hpp"
 #include "support/limited_problems.hpp"
 #include "support/observed_order.hpp"
+#include "support/world_scenes.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -83,6 +84,27 @@ std::vector<LimitedCase> limited_cases() {
       cases.push_back({fmt::format("{}Limit{}Kind{}", name, i,
                                    static_cast<int>(limits[i].kind)),
                        scene, 3, i, false, false});
+    }
+    // So little inertia that the steps below do not show the order yet.
+    if (body.k == 0.05) continue;
+    const auto all_of_it = [&](const Sphere& sphere) {
+      return natural(with_push(
+          in_air(about_sphere(scene_of(body), sphere), 0.1, 0.05), 1.0));
+    };
+    for (const bool free : {false, true}) {
+      const char* contacts = free ? "FreeContacts" : "";
+      cases.push_back({fmt::format("{}OnAPlanet{}", name, contacts),
+                       all_of_it(below()),
+                       3,
+                       {},
+                       free,
+                       false});
+      cases.push_back({fmt::format("{}InAPlanet{}", name, contacts),
+                       all_of_it(around()),
+                       3,
+                       {},
+                       free,
+                       true});
     }
   }
   return cases;

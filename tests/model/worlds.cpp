@@ -163,9 +163,6 @@ TEST(AWorld, IsRefusedWhereItMeansNothing) {
 }
 
 TEST(AWorld, IsRefusedInCompanyItIsNotKnownIn) {
-  Scene limited = in_air(off_centred_scene(), 0.1, 0.0);
-  limited.limits.floor = 2.0;
-  EXPECT_TRUE(refused(limited, "scene.limits"));
   Scene given = in_air(off_centred_scene(), 0.1, 0.0);
   given.path = std::make_shared<GivenPath>();
   EXPECT_TRUE(refused(given, "scene.path"));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -35,6 +36,13 @@ PathLimits ride() {
   PathLimits limits = bends(2.7, 4.0);
   limits.normal_min = 0.2;
   limits.normal_max = 5.0;
+  return limits;
+}
+
+/// Without a least load, which would be touched and held for 1e-10 of U.
+PathLimits heavy_ride() {
+  PathLimits limits = ride();
+  limits.normal_min.reset();
   return limits;
 }
 
@@ -85,7 +93,7 @@ std::vector<Row> rows() {
       {"ride_on_a_planet", under(planet(base), ride(), Contact::Optimal)},
       {"friction_in_a_planet",
        under(about_sphere(ahead, around()), friction(0.8))},
-      {"ride_in_all_of_it", under(all(base), ride(), Contact::Optimal)},
+      {"ride_in_all_of_it", under(all(base), heavy_ride(), Contact::Optimal)},
       {"disc_in_all_of_it", under(all(base), obstacle(1.2))},
   };
 }
@@ -122,6 +130,63 @@ TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
   EXPECT_LE(left.energy, along_path);
   EXPECT_LE(left.start, along_path);
 }
+
+class PricesInAWorld : public ::testing::TestWithParam<Row> {};
+
+/// Of whole solves, whose T is right to some 1e-12, over steps of 1e-4: to the
+/// square of that step times a third derivative of order one and more.
+TEST_P(PricesInAWorld, AndSensitivitiesAreSlopesOfTheTime) {
+  constexpr double kStep = 1e-4, kAllowed = 1e-6;
+  const Scene& scene = GetParam().scene;
+  SolveOptions options;
+  options.method = [] {
+    Collocation program;
+    program.sensitivities = SensitivityOrder::First;
+    return program;
+  }();
+  const Solution solution = solve(scene, options);
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  ASSERT_TRUE(solution.sensitivities);
+  const auto slope = [&](const std::function<void(Scene&, double)>& move) {
+    const auto tau_at = [&](double by) {
+      Scene moved = scene;
+      move(moved, by);
+      const Solution there = solve(moved, {});
+      return there.verified() ? there.motion()->tau() : std::nan("");
+    };
+    return (tau_at(kStep) - tau_at(-kStep)) / (2.0 * kStep);
+  };
+
+  EXPECT_NEAR(solution.sensitivities->by[SceneParameter::EtaM].tau,
+              slope([](Scene& s, double by) { s.body.eta_m += by; }), kAllowed);
+  for (const LimitOnPath& limit : solution.limits) {
+    ASSERT_TRUE(limit.price);
+    if (limit.active.empty()) continue;
+    EXPECT_NEAR(*limit.price, slope([&](Scene& s, double by) {
+      if (limit.name == "floor") *s.limits.floor += by;
+      if (limit.name == "friction") *s.limits.friction += by;
+      if (limit.name == "curvature.valley") {
+        *s.limits.curvature.valley += by;
+      }
+    }),
+                kAllowed)
+        << limit.name;
+  }
+}
+
+std::vector<Row> priced() {
+  std::vector<Row> out;
+  for (const Row& row : rows()) {
+    if (row.name == "floor_in_air" || row.name == "friction_on_a_planet" ||
+        row.name == "valley_with_a_push") {
+      out.push_back(row);
+    }
+  }
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PricesInAWorld, ::testing::ValuesIn(priced()),
+                         [](const auto& row) { return row.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Scenes, LimitsInAWorld, ::testing::ValuesIn(rows()),
                          [](const auto& row) { return row.param.name; });

@@ -70,7 +70,10 @@ TEST_P(ForecastOfACommand, IsWhatItTakes) {
   // limits the first is three there.
   const double factor = result.contains("limits") ? 6.0 : 4.0;
   const double seconds = size["seconds"];
-  EXPECT_GT(seconds, solved.cpu_seconds / factor);
+  // The forecast is of the solve. To load the command takes time too, on a busy
+  // machine up to this much.
+  constexpr double kToLoad = 0.02;
+  EXPECT_GT(seconds, (solved.cpu_seconds - kToLoad) / factor);
   EXPECT_LT(seconds, solved.cpu_seconds * factor);
 }
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
 #include "app/exit_code.hpp"
@@ -20,6 +19,7 @@
 #include "io/expression.hpp"
 #include "io/mass_part_text.hpp"
 #include "io/visible_text.hpp"
+#include "math/angle.hpp"
 
 namespace brachisto::app {
 
@@ -43,7 +43,7 @@ std::string tidy(double value) {
 
 /// "-30 deg".
 std::string angle(double radians) {
-  return tidy(radians * 180.0 / std::numbers::pi) + " deg";
+  return tidy(math::in_degrees(radians)) + " deg";
 }
 
 UsageError refused(const std::string& what) {
@@ -96,16 +96,12 @@ void print_document(const BodyFlags& flags, double radius,
   nlohmann::ordered_json body = {
       {"shape", "cylinder"},      {"radius", radius}, {"eta_m", found.eta_m},
       {"theta_m", found.theta_m}, {"k", found.k},     {"mass", found.mass}};
-  const nlohmann::ordered_json document = {
-      {"schema_version", report::kSchemaVersion},
-      {"unit_of_length", flags.radius.empty() ? "radius" : "m"},
-      {"body", body},
-      {"r_m", found.r_m},
-      {"largest_k", found.largest_k()},
-      {"yaml", yaml(flags, radius, found)}};
-  print_data(
-      document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-      "\n");
+  print_json({{"schema_version", report::kSchemaVersion},
+              {"unit_of_length", flags.radius.empty() ? "radius" : "m"},
+              {"body", body},
+              {"r_m", found.r_m},
+              {"largest_k", found.largest_k()},
+              {"yaml", yaml(flags, radius, found)}});
 }
 
 void print_table(const BodyFlags& flags, double radius,
@@ -118,7 +114,7 @@ void print_table(const BodyFlags& flags, double radius,
       "{}\n",
       found.mass, metres ? " kg" : "", found.eta_m,
       metres && off ? fmt::format("  (r_m = {:.6g} m)", found.r_m) : "",
-      off ? fmt::format("{:.10g}°", found.theta_m * 180.0 / std::numbers::pi)
+      off ? fmt::format("{:.10g}°", math::in_degrees(found.theta_m))
           : "any: the centre of mass lies on the axis",
       found.k, found.largest_k(), yaml(flags, radius, found)));
   if (found.eta_m == 1.0) {

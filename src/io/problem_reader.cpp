@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/body_parts.hpp"
@@ -156,7 +155,7 @@ double ProblemReader::read_angle(const KeySpec& spec, const YamlValue& node) {
       fmt::format("{} is more than a turn; whole turns mean nothing here, and "
                   "{:.10g} rad is taken, which is {:.10g}°",
                   in_quotes(node.text), direction,
-                  direction * 180.0 / std::numbers::pi));
+                  math::in_degrees(direction)));
   return direction;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Directions, which whole turns do not change.
+/// Angles in degrees, and directions, which whole turns do not change.
 
 #pragma once
 
@@ -12,6 +12,10 @@
 namespace brachisto::math {
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
+
+[[nodiscard]] constexpr double in_degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
 
 /// The same direction within a turn: an angle [rad] up to 2π as it is, of a
 /// larger one the equivalent in [−π, π], right to an ulp however large it is,

@@ -9,11 +9,11 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "math/angle.hpp"
 #include "plot/answer_tables.hpp"
 #include "plot/block_drawing.hpp"
 #include "plot/continuation_drawing.hpp"
@@ -63,7 +63,7 @@ std::string time_text(const Json& result, std::string_view key) {
 }
 
 std::string degrees(double radians) {
-  return printed(radians * 180.0 / std::numbers::pi, 6) + "°";
+  return printed(math::in_degrees(radians), 6) + "°";
 }
 std::string slope(double radians) {
   return degrees(std::abs(radians)) + (radians < 0.0 ? " up" : " down");

@@ -11,12 +11,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "io/key_spec.hpp"
+#include "math/angle.hpp"
 #include "plot/check_texts.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
@@ -112,9 +112,8 @@ std::string with_unit(const Json& value, std::string_view unit) {
   if (unit.empty() || value.is_null()) return text;
   text += fmt::format(" {}", xml_escaped(unit));
   if (unit == "rad" && value.is_number()) {
-    text +=
-        fmt::format(" <small>({}°)</small>",
-                    printed(value.get<double>() * 180.0 / std::numbers::pi, 7));
+    text += fmt::format(" <small>({}°)</small>",
+                        printed(math::in_degrees(value.get<double>()), 7));
   }
   return text;
 }

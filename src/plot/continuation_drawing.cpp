@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "math/angle.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
 
@@ -28,8 +28,7 @@ std::string continuation_drawing(const Json& steps) {
     const Json eta = step.value("eta_m", Json()),
                phi = step.value("phi", Json());
     if (!eta.is_number() || !phi.is_number()) return {};
-    points.emplace_back(eta.get<double>(),
-                        phi.get<double>() * 180.0 / std::numbers::pi);
+    points.emplace_back(eta.get<double>(), math::in_degrees(phi.get<double>()));
     across.include(points.back().first);
     up.include(points.back().second);
   }

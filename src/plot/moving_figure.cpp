@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <numbers>
 #include <string>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/angle.hpp"
 #include "plot/motion_data.hpp"
 #include "report/obstacles.hpp"
 #include "report/rich_text.hpp"
@@ -44,7 +44,7 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
                    "{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},"
                    "{:.7g}\n",
                    part, frame, t, b.x, b.z, pose.centre.x, pose.centre.z, m.x,
-                   m.z, pose.theta * 180.0 / std::numbers::pi);
+                   m.z, math::in_degrees(pose.theta));
   };
   for (int i = 0; i <= kTrackPoints; ++i) {
     add("track", 0, T * i / kTrackPoints);

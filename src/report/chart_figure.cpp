@@ -12,6 +12,7 @@
 #include "math/enum_table.hpp"
 #include "report/chart.hpp"
 #include "report/csv.hpp"
+#include "report/gnuplot_script.hpp"
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
 
@@ -74,11 +75,10 @@ class Drawing {
     const double bottom = above + plot_height_;
     const double key = bottom + kToKey + (slanted(chart_.x) ? kSlanted : 0.0);
     height_ = key + kKeyLine * static_cast<double>(rows_) + kBelow;
-    put("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-        kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - above / height_,
-        1.0 - bottom / height_);
-    put("set border 15 lw 1 lc rgb '#333333'\n"
+    script_.frame(kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - above / height_,
+                  1.0 - bottom / height_);
+    script_.put(
+        "set border 15 lw 1 lc rgb '#333333'\n"
         "set grid lt 1 lw 1 lc rgb '#e3e3e3'\n"
         "set tics out nomirror\nset pointintervalbox 0.7\n"
         "set key at screen {:.5f}, screen {:.5f} center top vertical Left "
@@ -96,7 +96,7 @@ class Drawing {
         chart_.title + (subtitle_.empty() ? "" : ": " + chart_.subtitle);
     return {.name = chart_.name,
             .table = std::move(table_),
-            .commands = std::move(commands_),
+            .commands = std::move(script_.text),
             .width = kWidth,
             .height = height_,
             .title = plain_words(title),
@@ -104,12 +104,6 @@ class Drawing {
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(commands_), format,
-                   std::forward<Args>(args)...);
-  }
-
   [[nodiscard]] SceneCells scenes(double above, double bottom) const {
     const auto scale = [](const Extent& range, const Side& side, double from,
                           double to) {
@@ -193,18 +187,20 @@ class Drawing {
   }
 
   void side(char name, const Side& side, const Extent& range, bool reversed) {
-    put("set {}label {}\n", name, quoted_words(side.label));
-    put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
-        reversed ? range.high : range.low, reversed ? range.low : range.high);
-    put("{}", tics(name, side, range));
+    script_.put("set {}label {}\n", name, quoted_words(side.label));
+    script_.put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
+                reversed ? range.high : range.low,
+                reversed ? range.low : range.high);
+    script_.put("{}", tics(name, side, range));
   }
 
   void titles() {
     const auto line = [&](const std::string& words, double y,
                           std::string_view style) {
       if (words.empty()) return;
-      put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
-          quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_, style);
+      script_.put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
+                  quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_,
+                  style);
     };
     line(chart_.title, kTitle, "font ',15'");
     double y = chart_.title.empty() ? 0.0 : kTitle;
@@ -216,15 +212,18 @@ class Drawing {
   void rounds() {
     for (const Round& round : chart_.rounds) {
       const Datum& c = round.centre;
-      put("set object ellipse center {:.12g},{:.12g} size {:.12g},{:.12g} "
+      script_.put(
+          "set object ellipse center {:.12g},{:.12g} size {:.12g},{:.12g} "
           "units xy fc rgb '#bbbbbb' fs transparent solid 0.3 "
           "border lc rgb '#777777'\n",
           c.x, c.y, 2.0 * round.radius, 2.0 * round.radius);
       if (!round.mass_centre) continue;
-      put("set arrow from {:.12g},{:.12g} to {:.12g},{:.12g} nohead "
+      script_.put(
+          "set arrow from {:.12g},{:.12g} to {:.12g},{:.12g} nohead "
           "lc rgb '#1f5fa8'\n",
           c.x, c.y, round.mass_centre->x, round.mass_centre->y);
-      put("set label '' at {:.12g},{:.12g} point pt 7 ps 0.8 "
+      script_.put(
+          "set label '' at {:.12g},{:.12g} point pt 7 ps 0.8 "
           "lc rgb '#1f5fa8'\n",
           round.mass_centre->x, round.mass_centre->y);
     }
@@ -236,7 +235,8 @@ class Drawing {
     const double y_unit =
         (y_.high - y_.low) / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
     const auto circle = [&](Datum at, double radius, std::string_view style) {
-      put("set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",
+      script_.put(
+          "set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",
           at.x, at.y, radius / kWidth, style);
     };
     for (const Sketch& sketch : chart_.sketches) {
@@ -257,10 +257,10 @@ class Drawing {
       constexpr double kGap = 7.0, kSize = 13.0;
       const double width = width_of(letters(plain_words(sketch.name)), kSize);
       const bool ends = sketch.at.x + (r + kGap + width) * x_unit > x_.high;
-      put("set label {} at {:.12g},{:.12g} {} front\n",
-          quoted_words(sketch.name),
-          sketch.at.x + (ends ? -1.0 : 1.0) * (r + kGap) * x_unit, sketch.at.y,
-          ends ? "right" : "left");
+      script_.put("set label {} at {:.12g},{:.12g} {} front\n",
+                  quoted_words(sketch.name),
+                  sketch.at.x + (ends ? -1.0 : 1.0) * (r + kGap) * x_unit,
+                  sketch.at.y, ends ? "right" : "left");
     }
   }
 
@@ -268,15 +268,17 @@ class Drawing {
     constexpr double kHalfHeight = 4.5;  // gnuplot centres upon the height
     for (const Note& note : chart_.notes) {
       if (!shows(note.at)) continue;
-      put("set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
+      script_.put(
+          "set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
           "screen {:.5f} front",
           quoted_words(note.text), note.at.x, note.at.y,
           note.dx < 0.0 ? "right" : "left", note.dx / kWidth,
           (kHalfHeight - note.dy) / height_);
       if (note.mark != Mark::None) {
-        put(" point pt {} ps 0.8 lc rgb '#000000'", kPointTypes[note.mark]);
+        script_.put(" point pt {} ps 0.8 lc rgb '#000000'",
+                    kPointTypes[note.mark]);
       }
-      put("\n");
+      script_.put("\n");
     }
   }
 
@@ -321,7 +323,7 @@ class Drawing {
           known ? "" : curve->name);
     }
     // A frame without curves is drawn for an empty function.
-    commands_ += (items_.empty() ? "plot NaN notitle" : items_) + "\n";
+    script_.text += (items_.empty() ? "plot NaN notitle" : items_) + "\n";
   }
 
   /// Adds the points to the table. \return the expression that picks them
@@ -357,7 +359,8 @@ class Drawing {
   double plot_height_ = kHeight, height_ = 0.0;
   int rows_ = 0;  ///< of the key
   std::set<std::string> parts_{"part"};
-  std::string table_ = "part,x,y\n", commands_, items_;
+  GnuplotScript script_;
+  std::string table_ = "part,x,y\n", items_;
 };
 
 }  // namespace

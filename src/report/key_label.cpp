@@ -7,9 +7,9 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "math/angle.hpp"
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
 #include "report/sweep_scenes.hpp"
@@ -57,7 +57,7 @@ KeyLabel key_label(std::string_view key) {
 }
 
 double KeyLabel::shown(double value) const {
-  return degrees ? value * 180.0 / std::numbers::pi : value;
+  return degrees ? math::in_degrees(value) : value;
 }
 
 std::string KeyLabel::after_number() const {

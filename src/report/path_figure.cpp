@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/gnuplot_script.hpp"
 #include "report/obstacles.hpp"
 #include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
@@ -156,9 +157,9 @@ class Picture {
     add_arcs();
     style();
     title();
-    put("set key at screen {:.5f}, screen {:.5f}\n",
-        (kLeftMargin + 0.5 * kPictureWidth) / width_,
-        1.0 - (above + frame_.height() + kKey) / height_);
+    script_.put("set key at screen {:.5f}, screen {:.5f}\n",
+                (kLeftMargin + 0.5 * kPictureWidth) / width_,
+                1.0 - (above + frame_.height() + kKey) / height_);
     ends();
     if (enlarged_) window();
     place(frame_, above);
@@ -166,15 +167,16 @@ class Picture {
     if (enlarged_) {
       add_rows(table_, "piece", enlarged_->rows, enlarged_->frame.scale);
       add_row(table_, "body", enlarged_->body);
-      put("unset label\nunset object 1\nunset key\n");
-      put("set title 'the piece in the small frame, {:.0f} times as large'\n",
+      script_.put("unset label\nunset object 1\nunset key\n");
+      script_.put(
+          "set title 'the piece in the small frame, {:.0f} times as large'\n",
           enlarged_->frame.scale / frame_.scale);
       place(enlarged_->frame, bottom + kEnlargedAbove);
       draw(enlarged_->frame, "piece", "body", false);
-      put("unset multiplot\n");
+      script_.put("unset multiplot\n");
     }
     figure.table = std::move(table_);
-    figure.commands = std::move(commands_);
+    figure.commands = std::move(script_.text);
     figure.width = width_;
     figure.height = height_;
     figure.title = std::move(title_);
@@ -182,12 +184,6 @@ class Picture {
   }
 
  private:
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(commands_), format,
-                   std::forward<Args>(args)...);
-  }
-
   [[nodiscard]] Box content() const {
     Box box{rows_.front().centre, rows_.front().centre};
     for (const TrajectoryPoint& row : rows_) {
@@ -253,7 +249,8 @@ class Picture {
   }
 
   void style() {
-    put("set border 15 lw 1 lc rgb '#333333'\n"
+    script_.put(
+        "set border 15 lw 1 lc rgb '#333333'\n"
         "set grid lt 1 lw 1 lc rgb '#e3e3e3'\n"
         "set tics out nomirror format '%g'\n"
         "set xlabel 'x [m]' offset 0,0.2\n"
@@ -278,8 +275,9 @@ class Picture {
     title_ = plain_words(head + ", " + in_words(scene_));
     const auto line = [&](int index, double y, std::string_view style,
                           const std::string& text) {
-      put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n", index,
-          gnuplot_words(text), kLeftMargin / width_, 1.0 - y / height_, style);
+      script_.put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n",
+                  index, gnuplot_words(text), kLeftMargin / width_,
+                  1.0 - y / height_, style);
     };
     line(1, 22.0, "font ',16'", head);
     double y = 46.0;
@@ -305,7 +303,8 @@ class Picture {
     const Box seen =
         box.resized(std::max(box.width(), kLeastSize / frame_.scale),
                     std::max(box.height(), kLeastSize / frame_.scale));
-    put("set object 1 rectangle from {:.9g},{:.9g} to {:.9g},{:.9g} "
+    script_.put(
+        "set object 1 rectangle from {:.9g},{:.9g} to {:.9g},{:.9g} "
         "front fs empty border lc rgb '#333333'\nset multiplot\n",
         seen.low.x, seen.low.z, seen.high.x, seen.high.z);
   }
@@ -313,12 +312,11 @@ class Picture {
   /// The frame, its upper edge at `top` [px].
   void place(const Frame& frame, double top) {
     const double left = kLeftMargin + 0.5 * (kPictureWidth - frame.width());
-    put("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-        left / width_, (left + frame.width()) / width_);
-    put("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
-        1.0 - top / height_, 1.0 - (top + frame.height()) / height_);
-    put("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
-        frame.box.low.x, frame.box.high.x, frame.box.high.z, frame.box.low.z);
+    script_.frame(left / width_, (left + frame.width()) / width_,
+                  1.0 - top / height_, 1.0 - (top + frame.height()) / height_);
+    script_.put("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+                frame.box.low.x, frame.box.high.x, frame.box.high.z,
+                frame.box.low.z);
   }
 
   /// Curves of the rows of one part, bodies of those of another one.
@@ -327,7 +325,8 @@ class Picture {
     std::string_view before = "plot ";
     const auto item = [&](std::string_view rows, std::string_view at,
                           std::string_view style, std::string_view name) {
-      put("{}data using (part('{}', 'x_{}')):(column('z_{}')){} title '{}'",
+      script_.put(
+          "{}data using (part('{}', 'x_{}')):(column('z_{}')){} title '{}'",
           before, rows, at, at, style, name);
       before = ", \\\n  ";
     };
@@ -371,7 +370,7 @@ class Picture {
       item(bodies, "cm", " with points pt 7 ps 0.8 lc rgb '#1f5fa8'", "");
     }
     impossible(curves);
-    put("\n");
+    script_.put("\n");
   }
 
   /// Beneath the track, where limits hold.
@@ -395,7 +394,8 @@ class Picture {
   void impossible(std::string_view curves) {
     if (!body_.rolls()) return;
     const auto where = [&](std::string_view column, std::string_view style) {
-      put(", \\\n  data using (part('{}', 't') > 0 && column('{}') < 0 ? "
+      script_.put(
+          ", \\\n  data using (part('{}', 't') > 0 && column('{}') < 0 ? "
           "column('x_b') : NaN):(column('z_b')) with {}",
           curves, column, style);
     };
@@ -413,7 +413,8 @@ class Picture {
   void ends() {
     const auto letter = [&](int index, std::string_view name, Point at,
                             std::string_view place) {
-      put("set label {} '{{/:Italic {}}}' at {:.9g},{:.9g} {} point pt 7 "
+      script_.put(
+          "set label {} '{{/:Italic {}}}' at {:.9g},{:.9g} {} point pt 7 "
           "ps 0.7 lc rgb '#000000' front\n",
           index, name, at.x, at.z, place);
     };
@@ -431,7 +432,8 @@ class Picture {
   Frame frame_;
   std::optional<Enlarged> enlarged_;
   double width_ = 0.0, height_ = 0.0;
-  std::string table_, commands_, title_;
+  GnuplotScript script_;
+  std::string table_, title_;
 };
 
 }  // namespace

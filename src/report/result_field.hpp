@@ -101,6 +101,12 @@ template <class Source>
   return texts;
 }
 
+/// A value that is told under a condition.
+template <class Value>
+[[nodiscard]] std::optional<Value> only_if(bool there, const Value& value) {
+  return there ? std::optional(value) : std::nullopt;
+}
+
 /// Where a part of a source is: a member, perhaps optional, or what a function
 /// points at; nullptr: there is none.
 template <class Source, class Find>
@@ -184,7 +190,7 @@ template <class Source>
 /// \param open  whether there may be more
 [[nodiscard]] Json schema_of(const std::vector<FieldText>& fields, bool open);
 
-/// The keys of a result document; see report/result_json.cpp.
+/// The keys of a result document.
 [[nodiscard]] std::vector<FieldText> result_texts();
 
 /// What result_json() writes, without the keys that tell where the result comes

@@ -8,16 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "math/angle.hpp"
+#include "report/design_summary.hpp"
+#include "report/summary_lines.hpp"
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 #include "study/wider_search.hpp"
@@ -27,19 +27,12 @@ namespace brachisto::report {
 
 namespace {
 
-double degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
-}
-
-void line(std::string& out, std::string_view label, const std::string& text) {
-  fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
-}
-
 /// "90.0000° down", "6.1801° up".
 /// \param error  [rad]
 std::string slope(double radians, double error = 2e-6) {
   return fmt::format("{}° {}",
-                     within_error(std::abs(degrees(radians)), degrees(error)),
+                     within_error(std::abs(math::in_degrees(radians)),
+                                  math::in_degrees(error)),
                      radians < 0.0 ? "up" : "down");
 }
 
@@ -66,11 +59,10 @@ std::string asked(const Solution& solution) {
   }
   std::string text = "a track from A to B without a kink at either end: ";
   if (solution.options.searches()) {
-    text += fmt::format("the {} of the {} smooth contact{} found",
+    text += fmt::format("the {} of the {} found",
                         solution.feasible() ? "fastest verified and feasible"
                                             : "fastest verified",
-                        solution.branches.size(),
-                        solution.branches.size() == 1 ? "" : "s");
+                        counted(solution.branches.size(), "smooth contact"));
   } else {
     text += fmt::format("the {}", track_kind(scene));
   }
@@ -97,29 +89,32 @@ void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
   const double error = solution.estimated_error.value_or(0.0);
-  line(out, "transit time",
-       fmt::format("T = {} s, τ = T √(2g/H) = {}",
-                   with_error(path.transit_time(), error * path.transit_time()),
-                   with_error(path.tau(), error * path.tau())));
-  line(out, "track",
-       fmt::format("{:.6g} m long, the path of the centre {:.6g} m{}",
-                   path.rail_length(), path.centre_path_length(),
-                   path.rotation() ? fmt::format("; the body turns {:.2f}°",
-                                                 degrees(*path.rotation()))
-                                   : ""));
-  line(out, "slopes",
-       fmt::format("{} at A, {} at B", slope(path.start_angle()),
-                   slope(path.end_angle())));
-  line(out, "contact force", contact_force(diagnostics));
+  add_line(
+      out, "transit time",
+      fmt::format("T = {} s, τ = T √(2g/H) = {}",
+                  with_error(path.transit_time(), error * path.transit_time()),
+                  with_error(path.tau(), error * path.tau())));
+  add_line(out, "track",
+           fmt::format("{:.6g} m long, the path of the centre {:.6g} m{}",
+                       path.rail_length(), path.centre_path_length(),
+                       path.rotation()
+                           ? fmt::format("; the body turns {:.2f}°",
+                                         math::in_degrees(*path.rotation()))
+                           : ""));
+  add_line(out, "slopes",
+           fmt::format("{} at A, {} at B", slope(path.start_angle()),
+                       slope(path.end_angle())));
+  add_line(out, "contact force", contact_force(diagnostics));
   if (!solution.scene.body.rolls()) return;
-  line(out, "grip", "least μ " + grip_in_words(diagnostics.least_grip));
-  line(out, "",
-       fmt::format(
-           "friction needed, |R_t|/R_n: > 0.3 for {:.0f} % of the time, > 0.5 "
-           "for {:.0f} %, > 1 for {:.0f} %",
-           100.0 * diagnostics.friction_above_0_3,
-           100.0 * diagnostics.friction_above_0_5,
-           100.0 * diagnostics.friction_above_1));
+  add_line(out, "grip", "least μ " + grip_in_words(diagnostics.least_grip));
+  add_line(
+      out, "",
+      fmt::format(
+          "friction needed, |R_t|/R_n: > 0.3 for {:.0f} % of the time, > 0.5 "
+          "for {:.0f} %, > 1 for {:.0f} %",
+          100.0 * diagnostics.friction_above_0_3,
+          100.0 * diagnostics.friction_above_0_5,
+          100.0 * diagnostics.friction_above_1));
 }
 
 /// What each bound of the scene means for the path.
@@ -142,11 +137,7 @@ void add_limits(std::string& out, const Solution& solution) {
          number(limit.price_at_fixed_contacts),
          arcs.empty() ? "nowhere" : fmt::format("{}", fmt::join(arcs, ", "))});
   }
-  std::istringstream table(text_table(rows));
-  std::string_view label = "limits";
-  for (std::string row; std::getline(table, row); label = "") {
-    line(out, label, row);
-  }
+  add_table(out, "limits", rows);
 }
 
 /// "1 mm", of tracks some metres long; a decimal number of metres.
@@ -166,8 +157,8 @@ void add_sensitivities(std::string& out, const Solution& solution) {
   const bool asked = solution.options.or_default<Collocation>().sensitivities !=
                      SensitivityOrder::None;
   if (asked && !solution.sensitivities) {
-    line(out, "sensitivities",
-         "none: the conditions of the answer are singular");
+    add_line(out, "sensitivities",
+             "none: the conditions of the answer are singular");
   }
   if (!solution.sensitivities) return;
   const Scene& scene = solution.scene;
@@ -199,11 +190,7 @@ void add_sensitivities(std::string& out, const Solution& solution) {
          fmt::format("{:.6g}", by.tau),
          fmt::format("{:.6g}", by.tau_at_fixed_contacts)});
   }
-  std::istringstream table(text_table(rows));
-  std::string_view label = "sensitivities";
-  for (std::string row; std::getline(table, row); label = "") {
-    line(out, label, row);
-  }
+  add_table(out, "sensitivities", rows);
 }
 
 /// Whether the design is of a body that has no grip enough.
@@ -239,21 +226,21 @@ std::string verdict(const Solution& solution) {
 }
 
 void add_verdict(std::string& out, const Solution& solution) {
-  line(out, "verdict", verdict(solution));
+  add_line(out, "verdict", verdict(solution));
   if (solution.verified()) {
     for (const std::string& reason : solution.infeasible_because()) {
-      line(out, "", reason);
+      add_line(out, "", reason);
     }
     for (const std::string& reason : solution.undecided_because()) {
-      line(out, "undecided", reason);
+      add_line(out, "undecided", reason);
     }
   }
   if (solution.status != Status::Solved) {
-    line(out, "", std::string(describe(solution.status)));
-    line(out, "because", solution.message);
+    add_line(out, "", std::string(describe(solution.status)));
+    add_line(out, "because", solution.message);
   }
   for (const std::string& reason : solution.not_verified_because()) {
-    line(out, "failed check", reason);
+    add_line(out, "failed check", reason);
   }
 }
 
@@ -267,7 +254,7 @@ void add_cross_check(std::string& out, const Solution& solution) {
                 "junctions",
                 *check.of_slopes, *check.of_junctions)
           : "";
-  line(
+  add_line(
       out, "cross-check",
       check.solved
           ? fmt::format("τ = {} by multiple shooting, relative difference "
@@ -281,24 +268,25 @@ void add_cross_check(std::string& out, const Solution& solution) {
 void add_discrete_system(std::string& out, const Solution& solution) {
   if (!solution.discrete()) return;
   const DiscreteAnswer& answer = *solution.discrete();
-  line(out, "discrete system",
-       fmt::format("{} nodes, {} unknowns, ‖F‖ = {:.1e}, {} evaluations, "
-                   "{:.3f} s CPU",
-                   answer.nodes, answer.unknowns, answer.residual,
-                   answer.evaluations, answer.cpu_seconds));
+  add_line(out, "discrete system",
+           fmt::format("{} nodes, {} unknowns, ‖F‖ = {:.1e}, {} evaluations, "
+                       "{:.3f} s CPU",
+                       answer.nodes, answer.unknowns, answer.residual,
+                       answer.evaluations, answer.cpu_seconds));
   if (!answer.solved()) return;
   // What its distance from the extremal in τ leaves of its numbers.
   constexpr double kNotCompared = 1e-6;
   const double error = solution.extremal && solution.extremal->solved
                            ? std::abs(answer.tau / solution.extremal->tau - 1.0)
                            : kNotCompared;
-  line(out, "",
-       fmt::format("its τ = {}, S = {} m, {} at the first node, {} at the last",
-                   within_error(answer.tau, error * answer.tau),
-                   within_error(answer.centre_path_length,
-                                error * answer.centre_path_length),
-                   slope(answer.start_angle, error),
-                   slope(answer.end_angle, error)));
+  add_line(
+      out, "",
+      fmt::format("its τ = {}, S = {} m, {} at the first node, {} at the last",
+                  within_error(answer.tau, error * answer.tau),
+                  within_error(answer.centre_path_length,
+                               error * answer.centre_path_length),
+                  slope(answer.start_angle, error),
+                  slope(answer.end_angle, error)));
 }
 
 void add_branches(std::string& out, const Solution& solution) {
@@ -307,100 +295,21 @@ void add_branches(std::string& out, const Solution& solution) {
                             : std::numeric_limits<double>::infinity();
   std::string_view label = "smooth contacts";
   for (const Branch& branch : solution.branches) {
-    line(out, label,
-         fmt::format(
-             "τ = {}, {} at B{}{}{}{}",
-             within_error(branch.tau, branch.estimated_error * branch.tau),
-             slope(branch.end_angle), branch.principal ? ", principal" : "",
-             branch.verified ? "" : ", NOT VERIFIED",
-             branch.minimum ? "" : ", not a minimum",
-             branch.feasible ? ", feasible" : ", INFEASIBLE"));
+    add_line(out, label,
+             fmt::format(
+                 "τ = {}, {} at B{}{}{}{}",
+                 within_error(branch.tau, branch.estimated_error * branch.tau),
+                 slope(branch.end_angle), branch.principal ? ", principal" : "",
+                 branch.verified ? "" : ", NOT VERIFIED",
+                 branch.minimum ? "" : ", not a minimum",
+                 branch.feasible ? ", feasible" : ", INFEASIBLE"));
     label = "";
     if (branch.tau >= answer) continue;
-    for (const std::string& why : branch.remarks) line(out, "", "  " + why);
+    for (const std::string& why : branch.remarks) add_line(out, "", "  " + why);
   }
   if (!solution.search_remark.empty()) {
-    line(out, label, solution.search_remark);
+    add_line(out, label, solution.search_remark);
   }
-}
-
-/// "η_m = 0.77096, θ_m = −11.076°, k = 0".
-std::string body_in_words(const NamedNumbers& values) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : values) {
-    parts.push_back(name == "theta_m"
-                        ? fmt::format("θ_m = {:.6f}°", degrees(value))
-                        : fmt::format("{} = {:.8g}{}",
-                                      name == "eta_m" ? "η_m" : name, value,
-                                      name == "r" ? " m" : ""));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-/// Of one minimum, without the body: "τ = 3.9775616, feasible, from 5
-/// searches".
-std::string minimum_in_words(const DesignMinimum& minimum) {
-  return fmt::format("τ = {:.10g}{}{}{}, from {} search{}", minimum.tau,
-                     minimum.stationary ? "" : ", NO MINIMUM",
-                     minimum.verified ? "" : ", NOT VERIFIED",
-                     minimum.feasible ? ", feasible" : ", INFEASIBLE",
-                     minimum.found_from, minimum.found_from == 1 ? "" : "es");
-}
-
-/// "θ_m = −30°: dτ/d(bound) = 0.2 per rad".
-std::string bound_in_words(const BoundOfDesign& held) {
-  return held.name == "theta_m"
-             ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
-                           degrees(held.bound), held.multiplier)
-             : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
-                           held.bound, held.multiplier);
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-/// Searches that led nowhere, the first few with the reason.
-void add_lost(std::string& out, const std::vector<LostSearch>& lost) {
-  constexpr std::size_t kShown = 5;
-  std::string_view label = "lost";
-  for (const auto& [search, reason] :
-       std::span(lost).first(std::min(lost.size(), kShown))) {
-    line(out, label, fmt::format("search {}: {}", search, reason));
-    label = "";
-  }
-  if (lost.size() > kShown) {
-    line(out, "", fmt::format("and {} more", lost.size() - kShown));
-  }
-}
-
-void add_design(std::string& out, const Solution& solution) {
-  if (!solution.design) return;
-  const DesignAnswer& design = *solution.design;
-  if (design.best) {
-    line(out, design.stopped ? "quickest so far" : "quickest found",
-         fmt::format("{}, of {} searches", body_in_words(design.best->values),
-                     design.searches));
-    for (const BoundOfDesign& held : design.best->bounds_active) {
-      line(out, "", "at its bound " + bound_in_words(held));
-    }
-  } else if (!design.minima.empty()) {
-    line(out, "quickest found", "none; why, the remarks on the minima say");
-  }
-  std::string_view label = "minima";
-  for (const DesignMinimum& minimum : design.minima) {
-    line(out, label,
-         fmt::format("{}: {}", minimum_in_words(minimum),
-                     body_in_words(minimum.values)));
-    label = "";
-    for (const std::string& why : minimum.remarks) line(out, "", "  " + why);
-  }
-  line(out, "searched",
-       fmt::format("{} searches from {} bodies, of which {} led nowhere; {} "
-                   "closed solutions, {:.2f} s CPU",
-                   design.searches, design.starts, design.lost.size(),
-                   design.solves, design.cpu_seconds));
-  add_lost(out, design.lost);
 }
 
 /// From where, by whom, on how large a problem, in what time.
@@ -481,7 +390,7 @@ std::string next(const Solution& solution) {
 
 std::string summary(const Solution& solution) {
   std::string out = in_words(solution.scene) + "\n";
-  line(out, "asked", asked(solution));
+  add_line(out, "asked", asked(solution));
   if (solution.verified()) {
     add_answer(out, solution);
     add_limits(out, solution);
@@ -491,10 +400,10 @@ std::string summary(const Solution& solution) {
   add_cross_check(out, solution);
   add_discrete_system(out, solution);
   add_branches(out, solution);
-  add_design(out, solution);
-  line(out, "found", found(solution));
+  if (solution.design) add_design(out, *solution.design);
+  add_line(out, "found", found(solution));
   if (const std::string what = next(solution); !what.empty()) {
-    line(out, "to try", what);
+    add_line(out, "to try", what);
   }
   return out;
 }

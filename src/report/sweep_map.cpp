@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "report/chart.hpp"
+#include "report/gnuplot_script.hpp"
 #include "report/key_label.hpp"
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
@@ -33,6 +34,8 @@ std::string words(std::string_view rich_text) {
 /// `at(s)` is the place to the right of a scene in state s, else NaN.
 class Picture {
  public:
+  GnuplotScript before;  ///< the plot
+
   Picture(const SweepTable& table, const SweepMap& map, std::string what)
       : table_(table), map_(map), digest_(digest(table, map.scenes)) {
     x_ = map.first;
@@ -52,13 +55,6 @@ class Picture {
   }
 
   [[nodiscard]] const SweepDigest& found() const { return digest_; }
-
-  /// Commands before the plot.
-  template <class... Args>
-  void put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(commands_), format,
-                   std::forward<Args>(args)...);
-  }
 
   /// One layer of the plot.
   void layer(std::string_view item, const std::string& name = {}) {
@@ -90,13 +86,13 @@ class Picture {
     };
     for (std::size_t i = 0; i < map_.ways.size(); ++i) {
       if (map_.ways[i].empty()) continue;
-      put("$way{} << END\n", i);
+      before.put("$way{} << END\n", i);
       for (const auto& [first, second] : map_.ways[i]) {
         double x = shown(map_.first, first), y = shown(map_.second, second);
         if (x_ != map_.first) std::swap(x, y);
-        put("{:.12g},{:.12g}\n", x, y);
+        before.put("{:.12g},{:.12g}\n", x, y);
       }
-      put("END\n");
+      before.put("END\n");
       layer(
           fmt::format("$way{} using 1:2:(middle) with linespoints pt 7 ps 0.5 "
                       "lw 1.4 lc rgb '#d62728'{}",
@@ -115,7 +111,7 @@ class Picture {
       const double y = shown_number(table_.columns[y_], marked.scene);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       const char* block = marked.feasible ? "$minimum" : "$infeasible";
-      put("{} << END\n{:.12g},{:.12g}\nEND\n", block, x, y);
+      before.put("{} << END\n{:.12g},{:.12g}\nEND\n", block, x, y);
       // Black within white is seen on every colour.
       layer(
           fmt::format("{} using 1:2:(middle) with points pt 7 ps 2 "
@@ -139,38 +135,38 @@ class Picture {
         kTitle + kAbove + kSubtitle * static_cast<double>(subtitle.size());
     const double key = top + kPlotHeight + kToKey;
     const double height = key + kKeyLine * names_ + kBelow;
-    std::string head = fmt::format(
+    GnuplotScript head;
+    head.put(
         "right = '{}'\nup = '{}'\nmiddle = {:.12g}\n"
         "at(state) = strcol('state') eq state ? column(right) : NaN\n"
-        "set border 15 lw 1 lc rgb '#333333'\nset tics out nomirror front\n"
-        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-        "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
+        "set border 15 lw 1 lc rgb '#333333'\nset tics out nomirror front\n",
+        column_name(x_), column_name(y_), 0.5 * (range.low + range.high));
+    head.frame(kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - top / height,
+               1.0 - (top + kPlotHeight) / height);
+    head.put(
         "set key at screen {:.5f}, screen {:.5f} left top vertical Left "
         "reverse samplen 2 maxrows {}\n"
         "set cbrange [{:.12g}:{:.12g}]\nset cblabel '{}'\n{}",
-        column_name(x_), column_name(y_), 0.5 * (range.low + range.high),
-        kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - top / height,
-        1.0 - (top + kPlotHeight) / height, kLeft / kWidth - 0.02,
-        1.0 - key / height, std::max(1, names_), range.low, range.high,
-        kTauLabel, colour_bar ? "" : "unset colorbox\n");
+        kLeft / kWidth - 0.02, 1.0 - key / height, std::max(1, names_),
+        range.low, range.high, kTauLabel, colour_bar ? "" : "unset colorbox\n");
     double y = kTitle;
     const auto line = [&](const std::string& text, std::string_view style) {
-      head += fmt::format("set label {} at screen 0.03, screen {:.5f} {}\n",
-                          words(text), 1.0 - y / height, style);
+      head.put("set label {} at screen 0.03, screen {:.5f} {}\n", words(text),
+               1.0 - y / height, style);
       y += kSubtitle;
     };
     line(title_, "font ',15'");
     for (const std::string& text : subtitle) {
       line(text, "textcolor rgb '#444444'");
     }
-    head += side('x', x_) + side('y', y_) + commands_;
+    head.text += side('x', x_) + side('y', y_) + before.text;
     // A frame of nothing is drawn for what lies outside of it.
     if (items_.empty()) layer("data using (NaN):(NaN):(middle) with points");
     return {.name = map_.name,
             .table = fmt::format("{},{},tau,state,feasible\n", column_name(x_),
                                  column_name(y_)) +
                      rows_,
-            .commands = head + fmt::format("{} {}\n", plot, items_),
+            .commands = head.text + fmt::format("{} {}\n", plot, items_),
             .width = kWidth,
             .height = height,
             .title = plain_words(title_ + (fixed.empty() ? "" : ": ") + fixed),
@@ -257,7 +253,7 @@ class Picture {
   SweepDigest digest_;
   std::size_t x_ = 0, y_ = 0;
   Extent xs_, ys_;
-  std::string title_, rows_, commands_, items_;
+  std::string title_, rows_, items_;
   int names_ = 0;
 };
 
@@ -280,7 +276,7 @@ std::string interpolation(const SweepMap& map) {
 void edge(Picture& picture) {
   const SweepDigest& found = picture.found();
   if (found.infeasible == 0 || found.infeasible == found.verified) return;
-  picture.put(
+  picture.before.put(
       "set contour base\nset cntrparam levels discrete 0.5\nunset surface\n"
       "set table $edge\n"
       "splot data using (column(right)):(column(up)):(column('feasible'))\n"
@@ -304,8 +300,8 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
   constexpr std::string_view kTau =
       "data using (column(right)):(column(up)):(column('tau'))";
   Picture picture(table, map, "τ");
-  picture.put("{}{}set palette defined ({})\n", kView, interpolation(map),
-              palette());
+  picture.before.put("{}{}set palette defined ({})\n", kView,
+                     interpolation(map), palette());
   const bool any = picture.found().verified > 0;
   if (any) {
     picture.layer(fmt::format("{} with pm3d nocontour", kTau));
@@ -316,7 +312,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
   }
   edge(picture);
   if (any) {
-    picture.put(
+    picture.before.put(
         "set zrange [{:.12g}:{:.12g}]\nset contour base\n"
         "set cntrparam levels auto 10\n"
         "set cntrlabel onecolor start 5 interval {} format '%.6g'\n",
@@ -332,7 +328,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
 Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
   Picture picture(table, map, "Feasibility");
   const SweepDigest& found = picture.found();
-  picture.put(
+  picture.before.put(
       "{}{}set palette defined (0 '#68788a', 1 '#e3e8ee') maxcolors 2\n", kView,
       interpolation(map));
   picture.layer(
@@ -356,7 +352,7 @@ Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
 Figure scatter_figure(const SweepTable& table, const SweepMap& sample,
                       ValueRange range) {
   Picture picture(table, sample, "τ");
-  picture.put("set palette defined ({})\n", palette());
+  picture.before.put("set palette defined ({})\n", palette());
   const bool any = picture.found().verified > 0;
   if (any) {
     picture.layer(

@@ -86,6 +86,10 @@ std::string or_dash(const std::optional<int>& value) {
   return value ? fmt::format("{}", *value) : "—";
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string seconds_text(double seconds) {
   return fmt::format("{:.3g}", seconds);
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brachisto::report {
@@ -28,6 +29,9 @@ enum class TableForm { Text, Markdown };
 
 /// A number as text, "—" if there is none.
 [[nodiscard]] std::string or_dash(const std::optional<int>& value);
+
+/// "1 step", "2 steps".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view what);
 
 /// "0.0123" seconds, to three digits.
 [[nodiscard]] std::string seconds_text(double seconds);

@@ -7,19 +7,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "math/angle.hpp"
+#include "report/text_table.hpp"
 #include "trajectory/stated_limits.hpp"
 
 namespace brachisto::report {
 
 namespace {
-
-double in_degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
-}
 
 /// " at A of a sphere of 8 m about (1, 10), v_0 = 1 m/s"; "" if ordinary.
 std::string world_in_words(const World& world) {
@@ -72,7 +69,7 @@ std::string in_words(const Scene& scene) {
           ? fmt::format(
                 "cylinder r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, "
                 "k = {:.6g}",
-                body.radius, body.eta_m, in_degrees(body.theta_m), body.k)
+                body.radius, body.eta_m, math::in_degrees(body.theta_m), body.k)
           : std::string("bead");
   text += fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²", scene.L,
                       scene.H, scene.gravity);
@@ -81,7 +78,8 @@ std::string in_words(const Scene& scene) {
     text += ", between points of the centre's path";
   }
   if (scene.contact == Contact::EndSlope && scene.end_slope) {
-    text += fmt::format(", end slope {:.6g}°", in_degrees(*scene.end_slope));
+    text +=
+        fmt::format(", end slope {:.6g}°", math::in_degrees(*scene.end_slope));
   }
   return text;
 }
@@ -109,8 +107,7 @@ std::string limits_in_words(const Scene& scene) {
        {std::pair{scene.limits.discs.size(), "disc"},
         std::pair{scene.limits.half_planes.size(), "half-plane"}}) {
     if (count == 0) continue;
-    parts.push_back(
-        fmt::format("clear of {} {}{}", count, what, count == 1 ? "" : "s"));
+    parts.push_back("clear of " + counted(count, what));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

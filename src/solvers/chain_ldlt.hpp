@@ -17,6 +17,7 @@
 #include "solvers/dense_front.hpp"
 #include "solvers/inertia.hpp"
 #include "solvers/lane_arena.hpp"
+#include "solvers/lane_failures.hpp"
 #include "solvers/numeric_factorisation.hpp"
 #include "solvers/pivot_store.hpp"
 
@@ -137,6 +138,27 @@ class ChainLdlt {
     Lanes* slots = nullptr;
     unsigned failed = kAllFailed;  ///< a bit to a pair that stays two
     unsigned left_failed = kAllFailed, right_failed = kAllFailed;
+
+    /// One of the two of a pair.
+    struct Half {
+      int batch = 0, lane = 0;  ///< of those of the level below
+      int first = 0, last = 0;  ///< links
+    };
+    /// visit(half) for what did not fail of pairs that stay two, each of so
+    /// many links, the first of all being `first`.
+    template <class Visit>
+    void for_each_apart(int first, int links, Visit&& visit) const {
+      for (int b = 0; b < kLanes; ++b, first += links) {
+        if (!bit(failed, b)) continue;
+        const int batch = 2 * b / kLanes;
+        const int lane = 2 * b % kLanes;
+        const int middle = first + links / 2;
+        if (!bit(left_failed, b)) visit(Half{batch, lane, first, middle - 1});
+        if (!bit(right_failed, b)) {
+          visit(Half{batch, lane + 1, middle, first + links - 1});
+        }
+      }
+    }
   };
   /// What is left of some links, joined, or of one.
   struct Piece {
@@ -166,6 +188,8 @@ class ChainLdlt {
     const SymbolicAnalysis* analysis = nullptr;
     std::vector<Lanes> schur;  ///< in the order of analysis->schur
     unsigned failed = kAllFailed;
+    /// What a factorisation left of them in its slots.
+    void take(const SymbolicAnalysis& link, const Lanes* slots);
   };
   /// What a thread works with.
   struct Worker {
@@ -198,7 +222,7 @@ class ChainLdlt {
       const Run& run, const Plan& plan, const LinkPattern& pattern, int link);
   void begin_run(const Run& run, Plan& plan);
 
-  // The links and what joins them, section by section.
+  // The links, section by section.
   void factorise_run(std::size_t r);
   void choose_for(std::size_t r, std::span<Section* const> sections,
                   bool choosing);
@@ -213,6 +237,10 @@ class ChainLdlt {
   [[nodiscard]] unsigned fill(Section& section, Worker& worker,
                               const Sequence& sequence, int first, int count,
                               Lanes* slots) const;
+  static void keep_piece(Section& section, const Child& child, int lane,
+                         int first, int last);
+
+  // What joins them.
   void join(Section& section, Worker& worker, int level, int first,
             bool choosing);
   [[nodiscard]] unsigned with_joining(const Joining& how, Worker& worker,
@@ -221,8 +249,6 @@ class ChainLdlt {
   [[nodiscard]] std::shared_ptr<const ChosenPivots> joining_pivots(
       const Run& run, const Worker& worker, int level, const Joining& how);
   void find_targets(const Run& run, Plan& plan);
-  static void keep_piece(Section& section, const Child& child, int lane,
-                         int first, int last);
 
   // The sweep.
   void sweep();

@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// The links of the chain and their joining, section by section.
+// The links of the chain, section by section.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <exception>
-#include <optional>
+#include <span>
 #include <thread>
-#include <utility>
+#include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
+#include "solvers/lane_failures.hpp"
 #include "solvers/larger.hpp"
 
 namespace brachisto {
@@ -24,53 +25,8 @@ namespace {
 constexpr int kManyDenseLinks = 4;
 // and a dense front as long as some batches of links with their joining.
 constexpr int kBatchesOfDenseLink = 4;
-// The factorisation of a link is taken if the Frobenius norm of its multipliers
-// is at most this: rounding errors are then magnified by less than its square,
-// and one step of refinement makes up for them.
-constexpr double kLargestNorm = 1e3;
-
-bool bit(unsigned bits, int i) {
-  return ((bits >> at(i)) & 1U) != 0;
-}
-
-/// A bit to each lane whose multipliers are too large, or not finite.
-unsigned grown(const FactorisationOutcome& outcome) {
-  unsigned bits = 0;
-  for (int b = 0; b < kLanes; ++b) {
-    const bool kept = outcome.growth.lane[b] <= kLargestNorm * kLargestNorm;
-    if (!kept) bits |= 1U << at(b);
-  }
-  return bits;
-}
-
-/// The pivots in lanes that did not fail.
-int negative_in(const FactorisationOutcome& outcome, unsigned failed,
-                int count) {
-  int sum = 0;
-  for (int b = 0; b < count; ++b) {
-    if (!bit(failed, b)) sum += static_cast<int>(outcome.negative.lane[b]);
-  }
-  return sum;
-}
-
-/// Numbers of what is outside of a link, left, right and border, in two links
-/// that are joined at a separator of `size` unknowns: there, left, right,
-/// border.
-int as_left(int outside, int size) {
-  if (outside < size) return outside + size;
-  return outside < 2 * size ? outside - size : outside + size;
-}
-int as_right(int outside, int size) {
-  return outside < size ? outside : outside + size;
-}
 
 }  // namespace
-
-const ChainLdlt::Joining::Targets* ChainLdlt::Joining::from(
-    const SymbolicAnalysis* link) const {
-  const auto found = std::ranges::find(targets, link, &Targets::from);
-  return found == targets.end() ? nullptr : &*found;
-}
 
 /// Pivots are chosen for the section in the middle before others are asked for
 /// theirs: what was kept from a coarser mesh may suit no link of this one, and
@@ -181,11 +137,7 @@ void ChainLdlt::factorise_section(Section& section, Worker& worker,
     child.failed = batch.failed;
     child.analysis = nullptr;
     if (batch.sequence != nullptr) {
-      child.analysis = &batch.sequence->analysis();
-      child.schur.clear();
-      for (const auto& entry : child.analysis->schur) {
-        child.schur.push_back(batch.slots[entry.slot]);
-      }
+      child.take(batch.sequence->analysis(), batch.slots);
     }
     for (int b = 0; b < count; ++b) {
       if (bit(batch.failed, b)) {
@@ -297,182 +249,10 @@ unsigned ChainLdlt::fill(Section& section, Worker& worker,
   return misfits;
 }
 
-/// Joins the links of two batches of the level below.
-///
-/// \param first  the first link of all
-void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
-                     bool choosing) {
-  const Run& run = map_.runs()[section.run];
-  Joining& how = plans_[section.run].joinings[at(level - 1)];
-  auto& below = worker.children[at(level - 1)];
-  Joint joint;
-  joint.left_failed = joint.right_failed = 0;
-  for (int b = 0; b < kLanes; ++b) {
-    const unsigned failed = below[at(2 * b / kLanes)].failed;
-    const int left = 2 * b % kLanes;
-    if (bit(failed, left)) joint.left_failed |= 1U << at(b);
-    if (bit(failed, left + 1)) joint.right_failed |= 1U << at(b);
-  }
-  const unsigned before = joint.left_failed | joint.right_failed;
-  FactorisationOutcome outcome;
-  const auto factorise = [&] {
-    joint.pivots = how.pivots;
-    if (!how.pivots) return;
-    joint.slots = worker.arena.top(at(how.pivots->analysis.num_slots));
-    joint.failed =
-        before | with_joining(how, worker, level, joint.slots, outcome);
-  };
-  factorise();
-  if (choosing && (joint.failed & ~before) != 0) {
-    if (auto chosen = joining_pivots(run, worker, level, how)) {
-      how.pivots = std::move(chosen);
-      find_targets(run, plans_[section.run]);
-      factorise();
-    }
-  }
-  const int links = 1 << level;  // of a pair
-  for (int b = 0; b < kLanes; ++b) {
-    if (!bit(joint.failed, b)) continue;
-    const Child& child = below[at(2 * b / kLanes)];
-    const int lane = 2 * b % kLanes;
-    const int begin = first + b * links;
-    if (!bit(joint.left_failed, b)) {
-      keep_piece(section, child, lane, begin, begin + links / 2 - 1);
-    }
-    if (!bit(joint.right_failed, b)) {
-      keep_piece(section, child, lane + 1, begin + links / 2,
-                 begin + links - 1);
-    }
-  }
-  const int batch = (first - section.first) / (kLanes << level);
-  Child& joined = worker.children[at(level)][at(batch % 2)];
-  joined.failed = joint.failed;
-  joined.analysis = nullptr;
-  if (joint.pivots) {
-    joined.analysis = &joint.pivots->analysis;
-    joined.schur.clear();
-    for (const auto& entry : joined.analysis->schur) {
-      joined.schur.push_back(joint.slots[entry.slot]);
-    }
-    section.negative += negative_in(outcome, joint.failed, kLanes);
-    worker.arena.keep(at(joined.analysis->num_factor_slots));
-  }
-  section.joints.push_back(joint);
-  if (level < kLevels) return;
-  for (int b = 0; b < kLanes; ++b) {
-    if (bit(joint.failed, b)) continue;
-    const int begin = first + b * links;
-    keep_piece(section, joined, b, begin, begin + links - 1);
-  }
-}
-
-/// Assembles and factorises pairs of links. A bit to each that fails.
-unsigned ChainLdlt::with_joining(const Joining& how, Worker& worker, int level,
-                                 Lanes* slots,
-                                 FactorisationOutcome& outcome) const {
-  const SymbolicAnalysis& analysis = how.pivots->analysis;
-  std::fill_n(slots, analysis.num_slots, Lanes{});
-  constexpr int kHalf = kLanes / 2;
-  unsigned failed = 0;
-  for (int half = 0; half < 2; ++half) {
-    const Child& child = worker.children[at(level - 1)][at(half)];
-    const Joining::Targets* targets = how.from(child.analysis);
-    if (child.analysis == nullptr || targets == nullptr) {
-      failed |= ((1U << kHalf) - 1U) << at(kHalf * half);
-      continue;
-    }
-    const auto put = [&](int target, const Lanes& value, int parity) {
-      double* const lane = slots[target].lane + kHalf * half;
-      for (int b = 0; b < kHalf; ++b) lane[b] += value.lane[2 * b + parity];
-      if (target != 0) return;
-      // Assumed to be zero.
-      for (int b = 0; b < kHalf; ++b) {
-        if (lane[b] != 0.0) failed |= 1U << at(kHalf * half + b);
-        lane[b] = 0.0;
-      }
-    };
-    for (std::size_t k = 0; k < child.schur.size(); ++k) {
-      put(targets->as_left[k], child.schur[k], 0);
-      put(targets->as_right[k], child.schur[k], 1);
-    }
-  }
-  numeric_factorisation(analysis, slots, outcome);
-  return failed | grown(outcome);
-}
-
-/// Other pivots than there are: those of such a pair before, or chosen on the
-/// first pair whose links did not fail. Null if there are none.
-std::shared_ptr<const ChosenPivots> ChainLdlt::joining_pivots(
-    const Run& run, const Worker& worker, int level, const Joining& how) {
-  const auto& below = worker.children[at(level - 1)];
-  const int size = run.left;
-  LinkPattern pattern(run.size() - run.interior + size, size);
-  const Child* sample = nullptr;
-  int lane = 0;
-  for (const Child& child : below) {
-    if (child.analysis == nullptr) continue;
-    for (const auto& entry : child.analysis->schur) {
-      const int row = entry.row - child.analysis->interior;
-      const int col = entry.col - child.analysis->interior;
-      pattern.set(as_left(row, size), as_left(col, size));
-      pattern.set(as_right(row, size), as_right(col, size));
-    }
-    for (int b = kLanes - 2; b >= 0; b -= 2) {
-      if (bit(child.failed, b) || bit(child.failed, b + 1)) continue;
-      sample = &child;
-      lane = b;
-    }
-  }
-  const auto known = store_->find(pattern);
-  if (known && known != how.pivots) return known;
-  if (sample == nullptr) return nullptr;
-  const std::size_t n = at(pattern.size);
-  matrix_.assign(n * n, 0.0);
-  const auto add = [&](int i, int j, double value) {
-    matrix_[at(i) + n * at(j)] += value;
-    if (i != j) matrix_[at(j) + n * at(i)] += value;
-  };
-  for (std::size_t k = 0; k < sample->schur.size(); ++k) {
-    const auto& entry = sample->analysis->schur[k];
-    const int row = entry.row - sample->analysis->interior;
-    const int col = entry.col - sample->analysis->interior;
-    add(as_left(row, size), as_left(col, size), sample->schur[k].lane[lane]);
-    add(as_right(row, size), as_right(col, size),
-        sample->schur[k].lane[lane + 1]);
-  }
-  auto analysis = SymbolicAnalysis::make(pattern, matrix_);
-  if (!analysis) return nullptr;
-  return store_->add({pattern, std::move(*analysis)});
-}
-
-void ChainLdlt::find_targets(const Run& run, Plan& plan) {
-  if (run.num_links < kSection) return;
-  std::vector<const SymbolicAnalysis*> below;
-  for (const auto& sequence : plan.sequences) {
-    below.push_back(&sequence->analysis());
-  }
-  for (Joining& how : plan.joinings) {
-    how.targets.clear();
-    if (!how.pivots) {
-      below.clear();
-      continue;
-    }
-    const SymbolicAnalysis& to = how.pivots->analysis;
-    const int size = run.left;
-    for (const SymbolicAnalysis* from : below) {
-      Joining::Targets& targets = how.targets.emplace_back();
-      targets.from = from;
-      for (const auto& entry : from->schur) {
-        const int row = entry.row - from->interior;
-        const int col = entry.col - from->interior;
-        targets.as_left.push_back(
-            to.slot(as_left(row, size), as_left(col, size)));
-        targets.as_right.push_back(
-            to.slot(as_right(row, size), as_right(col, size)));
-      }
-    }
-    below.assign(1, &to);
-  }
+void ChainLdlt::Child::take(const SymbolicAnalysis& link, const Lanes* slots) {
+  analysis = &link;
+  schur.clear();
+  for (const auto& entry : link.schur) schur.push_back(slots[entry.slot]);
 }
 
 void ChainLdlt::keep_piece(Section& section, const Child& child, int lane,

@@ -13,6 +13,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
+#include "solvers/lane_failures.hpp"
 
 namespace brachisto {
 
@@ -84,18 +85,9 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
   const auto join = [&](const Joint& joint, int level, int first) {
     const auto& below = added[at(level - 1)];
     const int links = 1 << level;
-    for (int b = 0; b < kLanes; ++b) {
-      if (((joint.failed >> at(b)) & 1U) == 0) continue;
-      const auto& from = below[at(2 * b / kLanes)];
-      const int lane = 2 * b % kLanes;
-      const int begin = first + b * links;
-      if (((joint.left_failed >> at(b)) & 1U) == 0) {
-        add(from, lane, begin, begin + links / 2 - 1);
-      }
-      if (((joint.right_failed >> at(b)) & 1U) == 0) {
-        add(from, lane + 1, begin + links / 2, begin + links - 1);
-      }
-    }
+    joint.for_each_apart(first, links, [&](const Joint::Half& half) {
+      add(below[at(half.batch)], half.lane, half.first, half.last);
+    });
     // Those of pairs that stay two are not asked for.
     const auto left = [&](int i, int b) {
       return below[at(2 * b / kLanes)][at(i)].lane[2 * b % kLanes];
@@ -126,12 +118,12 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
     for (int i = 0; i < size; ++i) {
       for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
                     links, [&](int b, std::size_t place) {
-                      if (((joint.failed >> at(b)) & 1U) != 0) return;
+                      if (bit(joint.failed, b)) return;
                       x[place] = local[at(i)].lane[b];
                     });
     }
     for (int b = 0; b < kLanes && level == kLevels; ++b) {
-      if (((joint.failed >> at(b)) & 1U) != 0) continue;
+      if (bit(joint.failed, b)) continue;
       add(std::span(local).subspan(at(size)), b, first + b * links,
           first + (b + 1) * links - 1);
     }
@@ -157,7 +149,7 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
     auto& to = added[0][k % 2];
     to.assign(local.begin() + run.interior, local.end());
     for (int b = 0; b < count; ++b) {
-      if (((batch.failed >> at(b)) & 1U) != 0) continue;
+      if (bit(batch.failed, b)) continue;
       for (int i = 0; i < run.interior; ++i) {
         x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
       }
@@ -195,7 +187,7 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
     for (int i = 0; i < size; ++i) {
       for_each_lane(run, run.unknowns[at(run.interior + i)], first + links / 2,
                     links, [&](int b, std::size_t place) {
-                      if (((one.failed >> at(b)) & 1U) != 0) return;
+                      if (bit(one.failed, b)) return;
                       x[place] = local[at(i)].lane[b];
                     });
     }
@@ -223,7 +215,7 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
                           local.data());
     for (int i = 0; i < run.interior; ++i) {
       for (int b = 0; b < count; ++b) {
-        if (((batch.failed >> at(b)) & 1U) != 0) continue;
+        if (bit(batch.failed, b)) continue;
         x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
       }
     }

@@ -59,10 +59,17 @@ void FrontStack::clear() {
 
 /// Moves an acceptable pivot to k (and k + 1).
 bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
+  const auto take = [&](int row, int partner) {
+    exchange(front, k, row);
+    if (partner >= 0) exchange(front, k + 1, partner == k ? row : partner);
+    width = partner < 0 ? Width::Single : Width::Pair;
+    return true;
+  };
+  constexpr int kAlone = -1;
   // The largest of the ratios 1/multiplier that pivots offered.
   double best = 0.0;
   int best_row = -1;
-  int best_partner = -1;
+  int best_partner = kAlone;
   for (int j = k; j < front.candidates; ++j) {
     const ColumnMax max = column_max(front, j, k, -1);
     const double diagonal = std::abs(front.at(j, j));
@@ -71,20 +78,16 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
       for (int i = k; i < front.size(); ++i) {
         front.at(i, j) = front.at(j, i) = 0.0;
       }
-      exchange(front, k, j);
-      width = Width::Single;
-      return true;
+      return take(j, kAlone);
     }
     const double single = diagonal / max.value;
     if (diagonal > rule.zero && !(single < rule.threshold)) {
-      exchange(front, k, j);
-      width = Width::Single;
-      return true;
+      return take(j, kAlone);
     }
     if (single > best) {
       best = single;
       best_row = j;
-      best_partner = -1;
+      best_partner = kAlone;
     }
     if (max.row < 0) continue;
     const int r = max.row;
@@ -103,10 +106,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
     const double regular = det / (std::abs(a * c) + b * b);
     const double pair = std::min(1.0 / growth, regular);
     if (largest > rule.zero && !(pair < rule.threshold)) {
-      exchange(front, k, j);
-      exchange(front, k + 1, r == k ? j : r);
-      width = Width::Pair;
-      return true;
+      return take(j, r);
     }
     if (pair > best) {
       best = pair;
@@ -115,12 +115,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
     }
   }
   if (!rule.complete || best_row < 0) return false;
-  exchange(front, k, best_row);
-  width = Width::Single;
-  if (best_partner < 0) return true;
-  exchange(front, k + 1, best_partner == k ? best_row : best_partner);
-  width = Width::Pair;
-  return true;
+  return take(best_row, best_partner);
 }
 
 /// Eliminates the pivot at k (and k + 1). Its columns take the factor: the

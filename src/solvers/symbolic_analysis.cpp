@@ -4,13 +4,12 @@
 #include "solvers/symbolic_analysis.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "math/index.hpp"
+#include "solvers/bit_set.hpp"
+#include "solvers/elimination_structure.hpp"
 
 namespace brachisto {
 
@@ -22,179 +21,6 @@ using Kind = SymbolicAnalysis::Kind;
 // to it.
 constexpr double kWantedGrowth = 10.0;
 constexpr double kLargestGrowth = 1e3;
-
-/// A set of unknowns, a bit to each.
-template <int kWords>
-class BitSet {
- public:
-  void set(int i) { word(i) |= bit(i); }
-  void reset(int i) { word(i) &= ~bit(i); }
-  [[nodiscard]] bool operator[](int i) const {
-    return (words_[at(i) / kBits] & bit(i)) != 0;
-  }
-  [[nodiscard]] bool none() const {
-    return std::ranges::all_of(words_, [](auto word) { return word == 0; });
-  }
-  [[nodiscard]] int count() const {
-    int sum = 0;
-    for (const std::uint64_t word : words_) sum += std::popcount(word);
-    return sum;
-  }
-  BitSet& operator|=(const BitSet& other) {
-    for (std::size_t w = 0; w < kWords; ++w) words_[w] |= other.words_[w];
-    return *this;
-  }
-  BitSet& operator&=(const BitSet& other) {
-    for (std::size_t w = 0; w < kWords; ++w) words_[w] &= other.words_[w];
-    return *this;
-  }
-  friend BitSet operator|(BitSet a, const BitSet& b) { return a |= b; }
-  friend BitSet operator&(BitSet a, const BitSet& b) { return a &= b; }
-  [[nodiscard]] BitSet without(const BitSet& other) const {
-    BitSet out = *this;
-    for (std::size_t w = 0; w < kWords; ++w) out.words_[w] &= ~other.words_[w];
-    return out;
-  }
-  /// visit(i) in ascending order.
-  template <class Visit>
-  void for_each(Visit&& visit) const {
-    for (int w = 0; w < kWords; ++w) {
-      for (std::uint64_t left = words_[at(w)]; left != 0; left &= left - 1) {
-        visit(w * kBits + std::countr_zero(left));
-      }
-    }
-  }
-
- private:
-  static constexpr int kBits = 64;
-  static std::uint64_t bit(int i) {
-    return std::uint64_t{1} << (at(i) % kBits);
-  }
-  std::uint64_t& word(int i) { return words_[at(i) / kBits]; }
-
-  std::array<std::uint64_t, kWords> words_{};
-};
-
-struct Candidate {
-  Kind kind = Kind::Single;
-  int p = 0, q = 0;
-  double cost = 0.0;  ///< operations per eliminated unknown
-  /// Largest multiplier it would produce; negative: not asked yet.
-  double growth = -1.0;
-};
-
-struct Step {
-  Kind kind = Kind::Single;
-  int p = 0, q = 0;
-  bool has_d_pp = true;
-  std::vector<int> in_p, in_q;  ///< unknowns with an entry; Saddle: q's first
-};
-
-/// The structure of what is left of a matrix.
-template <int kWords>
-class Structure {
- public:
-  using Set = BitSet<kWords>;
-
-  explicit Structure(const LinkPattern& pattern)
-      : adjacent(at(pattern.size)), count_(at(pattern.size)) {
-    for (int i = 0; i < pattern.interior; ++i) left.set(i);
-    for (int i = 0; i < pattern.size; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        if (!pattern.has(i, j)) continue;
-        adjacent[at(i)].set(j);
-        adjacent[at(j)].set(i);
-      }
-    }
-    for (int i = 0; i < pattern.size; ++i) count(i);
-  }
-
-  [[nodiscard]] bool has_diagonal(int i) const { return adjacent[at(i)][i]; }
-  /// Neighbours of i but p and q.
-  [[nodiscard]] Set others(int i, int p, int q) const {
-    Set set = adjacent[at(i)];
-    set.reset(p);
-    set.reset(q);
-    return set;
-  }
-
-  /// \pre has_diagonal(p)
-  [[nodiscard]] Candidate single(int p) const {
-    const auto k = static_cast<double>(count_[at(p)] - 1);
-    return {Kind::Single, p, p, 0.5 * k * (k + 1.0) + k};
-  }
-  /// \pre p and q are neighbours
-  [[nodiscard]] Candidate pair(int p, int q) const {
-    if (!has_diagonal(p)) std::swap(p, q);
-    // Their neighbours but for p and q.
-    const auto in = [&](int i) {
-      return static_cast<double>(count_[at(i)] - 1 - (has_diagonal(i) ? 1 : 0));
-    };
-    if (!has_diagonal(p)) {
-      const double in_p = in(p);
-      const double in_q = in(q);
-      return {Kind::Saddle, p, q, 0.5 * (in_p * in_q + in_p + in_q)};
-    }
-    const auto both =
-        static_cast<double>((adjacent[at(p)] | adjacent[at(q)]).count() - 2);
-    if (!has_diagonal(q)) {
-      const double in_q = in(q);
-      return {Kind::Saddle, p, q, 0.5 * (both * in_q + both + in_q)};
-    }
-    return {Kind::Pair, p, q, 0.5 * (both * both + 2.0 * both)};
-  }
-
-  [[nodiscard]] Step eliminate(const Candidate& pivot) {
-    const int p = pivot.p;
-    const int q = pivot.q;
-    Step step;
-    step.kind = pivot.kind;
-    step.p = p;
-    step.q = q;
-    const auto list = [](const Set& set, std::vector<int>& out) {
-      set.for_each([&](int i) { out.push_back(i); });
-    };
-    const Set P = others(p, p, q);
-    step.in_p.reserve(adjacent.size());
-    if (pivot.kind == Kind::Single) {
-      list(P, step.in_p);
-      P.for_each([&](int i) { adjacent[at(i)] |= P; });
-      drop(p, P);
-      P.for_each([&](int i) { count(i); });
-      return step;
-    }
-    const Set Q = others(q, p, q);
-    const bool saddle = pivot.kind == Kind::Saddle;
-    step.has_d_pp = !saddle || has_diagonal(p);
-    // A product of entries in p and q each; with d_pp ≠ 0 also one of two
-    // entries in q, with d_qq ≠ 0 one of two in p.
-    const Set in_p = step.has_d_pp ? P | Q : P;
-    const Set in_q = saddle ? Q : P | Q;
-    step.in_q.reserve(adjacent.size());
-    list(in_q, step.in_q);
-    list(in_p & in_q, step.in_p);
-    list(in_p.without(in_q), step.in_p);
-    in_p.for_each([&](int i) { adjacent[at(i)] |= in_q; });
-    in_q.for_each([&](int i) { adjacent[at(i)] |= in_p; });
-    drop(p, P);
-    drop(q, Q);
-    (P | Q).for_each([&](int i) { count(i); });
-    return step;
-  }
-
-  Set left;  ///< of the interior
-  std::vector<Set> adjacent;
-
- private:
-  void drop(int i, const Set& neighbours) {
-    left.reset(i);
-    neighbours.for_each([&](int j) { adjacent[at(j)].reset(i); });
-    adjacent[at(i)] = {};
-  }
-  void count(int i) { count_[at(i)] = adjacent[at(i)].count(); }
-
-  std::vector<int> count_;  ///< of adjacent
-};
 
 /// The elimination on one matrix, structure and numbers.
 template <int kWords>
@@ -212,10 +38,10 @@ class Elimination {
   [[nodiscard]] bool done() const { return structure.left.none(); }
 
   /// The cheapest stable pivot, or nothing.
-  [[nodiscard]] std::optional<Candidate> best() {
+  [[nodiscard]] std::optional<PivotCandidate> best() {
     for (;;) {
-      Candidate* cheapest = nullptr;
-      for (Candidate& one : candidates_) {
+      PivotCandidate* cheapest = nullptr;
+      for (PivotCandidate& one : candidates_) {
         if (one.growth > kWantedGrowth) continue;
         if (cheapest == nullptr || one.cost < cheapest->cost) cheapest = &one;
       }
@@ -224,14 +50,14 @@ class Elimination {
       if (cheapest->growth <= kWantedGrowth) return *cheapest;
     }
     const auto least =
-        std::ranges::min_element(candidates_, {}, &Candidate::growth);
+        std::ranges::min_element(candidates_, {}, &PivotCandidate::growth);
     if (least == candidates_.end() || least->growth > kLargestGrowth) {
       return std::nullopt;
     }
     return *least;
   }
 
-  [[nodiscard]] Step eliminate(const Candidate& pivot) {
+  [[nodiscard]] EliminationStep eliminate(const PivotCandidate& pivot) {
     const int p = pivot.p;
     const int q = pivot.q;
     const Set rows = structure.others(p, p, q) | structure.others(q, p, q);
@@ -264,19 +90,19 @@ class Elimination {
         column[rows_[l]] -= to_p * in_p_[l] + to_q * in_q_[l];
       }
     }
-    Step step = structure.eliminate(pivot);
+    EliminationStep step = structure.eliminate(pivot);
     // What others would do is as before where no neighbour went.
     Set changed = rows;
     changed.set(p);
     changed.set(q);
-    std::erase_if(candidates_, [&](const Candidate& one) {
+    std::erase_if(candidates_, [&](const PivotCandidate& one) {
       return changed[one.p] || changed[one.q];
     });
     add_candidates(rows & structure.left);
     return step;
   }
 
-  Structure<kWords> structure;
+  EliminationStructure<kWords> structure;
 
  private:
   [[nodiscard]] double value(int i, int j) const {
@@ -294,7 +120,7 @@ class Elimination {
   }
 
   /// Largest multiplier the pivot would produce; infinite if it is singular.
-  [[nodiscard]] double growth(const Candidate& pivot) const {
+  [[nodiscard]] double growth(const PivotCandidate& pivot) const {
     const int p = pivot.p;
     const int q = pivot.q;
     double largest = 0.0;
@@ -321,7 +147,7 @@ class Elimination {
 
   int size_;
   std::vector<double> a_;
-  std::vector<Candidate> candidates_;
+  std::vector<PivotCandidate> candidates_;
   std::vector<std::size_t> rows_;  ///< scratch
   std::vector<double> in_p_, in_q_;
 };
@@ -335,7 +161,7 @@ class Numbering {
     analysis.slot_of.assign(at(pattern.size) * at(pattern.size), 0);
   }
 
-  void columns(const Step& step) {
+  void columns(const EliminationStep& step) {
     SymbolicAnalysis::Pivot pivot;
     pivot.kind = step.kind;
     pivot.p = step.p;
@@ -418,7 +244,7 @@ std::optional<SymbolicAnalysis> chosen(const LinkPattern& pattern,
   Elimination<kWords> elimination(pattern, matrix);
   Numbering numbering(pattern);
   while (!elimination.done()) {
-    const std::optional<Candidate> pivot = elimination.best();
+    const std::optional<PivotCandidate> pivot = elimination.best();
     if (!pivot) return std::nullopt;
     numbering.columns(elimination.eliminate(*pivot));
   }
@@ -431,7 +257,7 @@ template <int kWords>
 std::optional<SymbolicAnalysis> moved(
     const LinkPattern& pattern,
     std::span<const SymbolicAnalysis::Pivot> pivots) {
-  Structure<kWords> structure(pattern);
+  EliminationStructure<kWords> structure(pattern);
   Numbering numbering(pattern);
   for (const SymbolicAnalysis::Pivot& pivot : pivots) {
     const bool single = pivot.kind == Kind::Single;

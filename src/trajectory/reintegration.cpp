@@ -11,9 +11,8 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
-#include "model/energy.hpp"
-#include "model/field.hpp"
 #include "model/inertia.hpp"
+#include "trajectory/acceleration.hpp"
 #include "trajectory/path_by_place.hpp"
 
 namespace brachisto {
@@ -24,53 +23,6 @@ namespace odeint = boost::numeric::odeint;
 
 // Of the integrator, absolute and relative; ten times rounding.
 constexpr double kTolerance = 1e-14;
-
-/// dθ/ds.
-double turning(const Body& body) {
-  return body.rolls() ? 1.0 / body.radius : 0.0;
-}
-
-/// The body where its centre has come the length s along a path.
-struct Rolled {
-  const Body& body;
-  double theta, cosine, sine;  ///< of θ
-  double A;
-  double A_s_v2;  ///< A_s ṡ²
-
-  /// \param v_kappa  ṡ κ_c
-  Rolled(const Body& of, double s, double v, const Direction& along,
-         double v_kappa)
-      : body(of),
-        theta(body.theta_m + s * turning(body)),
-        cosine(std::cos(theta)),
-        sine(std::sin(theta)),
-        A(inertia_factor(body, theta, along.beta)),
-        A_s_v2(-2.0 * body.eta_m * (cosine * along.cosine + sine * along.sine) *
-               v * (v * turning(body) - v_kappa)) {}
-};
-
-/// s̈ at the arc length s, by A s̈ = g (sin β + η cos θ) − ½ A_s ṡ².
-/// \param v_kappa  ṡ κ_c
-double acceleration(const Scene& scene, double s, double v,
-                    const Direction& along, double v_kappa) {
-  const Rolled at(scene.body, s, v, along, v_kappa);
-  const double slope = along.sine + scene.body.eta_m * at.cosine;
-  return (scene.gravity * slope - 0.5 * at.A_s_v2) / at.A;
-}
-
-/// The same in any world, at a place of the centre: the force along the path of
-/// field and drag, per mass, in place of g (sin β + η cos θ).
-double acceleration_in_world(const Scene& scene, double s, double v, Point at,
-                             const Direction& along, double v_kappa) {
-  const Body& body = scene.body;
-  const Rolled rolled(body, s, v, along, v_kappa);
-  const Point heavy = mass_centre(body, at, rolled.theta);
-  const Pull<double> G = field_at(scene, heavy.x, heavy.z);
-  const double force = G.x * (along.cosine - body.eta_m * rolled.sine) +
-                       G.z * (along.sine + body.eta_m * rolled.cosine) -
-                       drag(scene.world.air, v);
-  return (force - 0.5 * rolled.A_s_v2) / rolled.A;
-}
 
 using State = std::array<double, 4>;
 using Integrator = odeint::runge_kutta_fehlberg78<State>;
@@ -118,14 +70,6 @@ class Journey {
   MotionEnd leave();
   /// By the place, from where the body is to the end of element e.
   MotionEnd cross(int e);
-  /// s̈ in element e.
-  [[nodiscard]] double s_ddot(int e, double s, double v, Point at,
-                              const Direction& along, double v_kappa) const {
-    return scene_.world.changes_rates()
-               ? acceleration_in_world(path_.scene_in(e), s, v, at, along,
-                                       v_kappa)
-               : acceleration(scene_, s, v, along, v_kappa);
-  }
   /// By the place in element e.
   [[nodiscard]] State rates(int e, const State& y, double place);
   /// Where ṡ² falls to zero, steps shrink towards that place for ever.
@@ -154,8 +98,8 @@ State Journey::rates(int e, const State& y, double place) {
   const PathByPlace::Place at = path_.at(e, place);
   const double v = y[1];
   const double time = at.pace / v;
-  const double gain =
-      s_ddot(e, at.s, v, {y[2], y[3]}, at.along, v * at.turning / at.pace);
+  const double gain = acceleration(path_.scene_in(e), at.s, v, {y[2], y[3]},
+                                   at.along, v * at.turning / at.pace);
   return {time, gain * time, at.pace * at.along.cosine,
           at.pace * at.along.sine};
 }
@@ -170,14 +114,14 @@ MotionEnd Journey::leave() {
     Direction along = direction_of(start_.beta);
     // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
     // for κ_c ~ 1/ṡ.
-    double v_kappa = v * turning(scene_.body);
+    double v_kappa = v * rotation_per_length(scene_.body);
     if (s > 0.0 || pushed) {
       const PathByPlace::Place at = path_.at(0, path_.in_first(s));
       along = at.along;
       v_kappa = v * at.turning / at.pace;
     }
-    dy = {v, s_ddot(0, s, v, {x, z}, along, v_kappa), v * along.cosine,
-          v * along.sine};
+    dy = {v, acceleration(path_.scene_in(0), s, v, {x, z}, along, v_kappa),
+          v * along.cosine, v * along.sine};
   };
   double t = 0.0;
   double dt = kFirstStep * duration_;
@@ -294,7 +238,8 @@ double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
   // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
   const double v_kappa =
       place.speed > 0.0 ? v * place.turning / place.speed : 0.0;
-  return acceleration(motion.scene(), s, v, direction_of(place.beta), v_kappa);
+  return acceleration(motion.scene(), s, v, {}, direction_of(place.beta),
+                      v_kappa);
 }
 
 /// From `from` to `to`, in steps the next of which is `step`. False if steps
@@ -366,99 +311,6 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
   const double faster = std::abs(y[2] - v) / v;
   // The larger of two may not be the one that is no number.
   return std::isnan(late + faster) ? kFailed : std::max(late, faster);
-}
-
-LimitedReintegration reintegrate(const LimitedCurve& curve) {
-  // t, ṡ, s, x, z along the place in an element.
-  using Along = std::array<double, 5>;
-  // As kFreshIntegrator.
-  static const odeint::runge_kutta_fehlberg78<Along> kFreshStepper;
-  const LimitedTime& problem = curve.problem();
-  const Scene& scene = problem.scene();
-  const RadauScheme& scheme = problem.scheme();
-  const bool pushed = problem.pushed();
-  const double begin = pushed ? 0.0 : scheme.rule.points.front();
-  const TurningPoint<double> rest = curve.at(0, 0.0).state;
-  // Up to there along the same slopes as behind, for so little has been fallen
-  // that a place's own error would be a great part of it.
-  const math::QuadratureRule rule = math::gauss_legendre(scheme.degree + 1);
-  double h = problem.mesh().length(0) * curve.rolling_time();
-  double fallen = 0.0, work = 0.0;
-  Along y{0.0, 0.0, 0.0, rest.x, rest.z};
-  for (std::size_t i = 0; i < rule.points.size(); ++i) {
-    const auto at = curve.at(0, begin * rule.points[i]).state;
-    const double du = h * begin * rule.weights[i];
-    y[0] += du * std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
-    y[2] += du * at.w;
-    y[3] += du * at.w * std::cos(at.beta);
-    fallen += du * at.w * std::sin(at.beta);
-    work += du * at.w *
-            speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                       root_of_inertia(scene.body, at.theta, at.beta));
-  }
-  y[4] += fallen;
-  const TurningPoint<double> first = curve.at(0, begin).state;
-  const double w =
-      pushed ? first.w
-      : scene.world.changes_rates()
-          ? std::sqrt(2.0 * work)
-          : fall_speed(scene.gravity,
-                       energy_height(scene.body, fallen, first.theta));
-  y[1] = w / std::sqrt(inertia_factor(scene.body, first.theta, first.beta));
-  LimitedReintegration out;
-  for (int e = 0; e < problem.mesh().num_elements(); ++e) {
-    check_stop(e);
-    h = problem.mesh().length(e) * curve.rolling_time();
-    const auto look_at_limits = [&](double t) {
-      TurningPoint<double> place = curve.at(e, t).state;
-      place.w =
-          y[1] * std::sqrt(inertia_factor(scene.body, place.theta, place.beta));
-      place.x = y[3];
-      place.z = y[4];
-      const Excess excess = worst_excess(problem.limits(), scene, place);
-      if (std::isnan(out.excess) || excess.value <= out.excess) return;
-      out.excess = excess.value;
-      out.excess_at = problem.mesh().sigma(e, t);
-    };
-    const auto rates = [&](const Along& at, Along& rate, double t) {
-      const TurningPoint<double> path = curve.at(e, t).state;
-      const double v = at[1];
-      const double ds = h * path.w;
-      const Direction along = direction_of(path.beta);
-      const double v_kappa = v * path.q / path.w;
-      const double s_ddot =
-          scene.world.changes_rates()
-              ? acceleration_in_world(scene, at[2], v, {at[3], at[4]}, along,
-                                      v_kappa)
-              : acceleration(scene, at[2], v, along, v_kappa);
-      rate = {ds / v, s_ddot * ds / v, ds, ds * along.cosine, ds * along.sine};
-    };
-    double t = e == 0 ? begin : 0.0;
-    double dt = 0.25;
-    auto stepper =
-        odeint::make_controlled(kTolerance, kTolerance, kFreshStepper);
-    constexpr int kMostSteps = 10000;
-    for (int step = 0; t < 1.0; ++step) {
-      dt = std::min(dt, 1.0 - t);
-      const bool last = dt >= 1.0 - t;
-      const bool failed = stepper.try_step(rates, y, t, dt) == odeint::fail;
-      if (!(y[1] > 0.0) || step > kMostSteps) {
-        out.error = std::numeric_limits<double>::quiet_NaN();
-        return out;
-      }
-      if (!failed) look_at_limits(std::min(t, 1.0));
-      if (!failed && last) break;
-    }
-  }
-  const TurningPoint<double> last = curve.at(1.0).state;
-  const double speed =
-      last.w / std::sqrt(inertia_factor(scene.body, last.theta, last.beta));
-  const double late = std::abs(y[0] / curve.transit_time() - 1.0);
-  const double faster = std::abs(y[1] / speed - 1.0);
-  const double off = std::hypot(y[3] - last.x, y[4] - last.z);
-  const double sum = late + faster + off;
-  out.error = std::isnan(sum) ? sum : std::max({late, faster, off});
-  return out;
 }
 
 }  // namespace brachisto

@@ -12,11 +12,12 @@ The input is every problem file, thousands of random scenes, input that is to be
 refused, and the verbs that go through families of scenes. Times, versions and
 machine do not count. What a change of the schema renamed stands in `schema.json`
 beside this file and is applied to what the reference says; keys that it added there are
-left out of what the candidate says.
+left out of what the candidate says, where the reference does not have them yet.
 """
 
 import argparse
 import concurrent.futures
+import itertools
 import json
 import pathlib
 import re
@@ -84,10 +85,11 @@ def document(text):
     return words(text)
 
 
-def without_times(value):
+def without_times(value, parent=""):
     if isinstance(value, dict):
-        return {key: without_times(v) for key, v in value.items()
-                if not VOLATILE.search(key) and not (key == "seconds" and isinstance(v, dict))}
+        return {key: without_times(v, key) for key, v in value.items()
+                if not VOLATILE.search(key) and not VOLATILE.search(f"{parent}.{key}")
+                and not (key == "seconds" and isinstance(v, dict))}
     if isinstance(value, list):
         return [without_times(v) for v in value]
     return words(value) if isinstance(value, str) and " " in value else value
@@ -123,15 +125,18 @@ def translate(value, renamed, path=""):
     return out
 
 
-def without(value, added, path=""):
-    """What the candidate says, without the keys that are new."""
+def without(value, added, reference, path=""):
+    """What the candidate says, without the keys that are new and that the reference lacks."""
     if isinstance(value, list):
-        return [without(v, added, path) for v in value]
+        old = reference if isinstance(reference, list) else []
+        pairs = itertools.zip_longest(value, old[:len(value)])
+        return [without(v, added, o, path) for v, o in pairs]
     if not isinstance(value, dict):
         return value
+    old = reference if isinstance(reference, dict) else {}
     here = {key: f"{path}.{key}" if path else key for key in value}
-    return {key: without(v, added, here[key]) for key, v in value.items()
-            if here[key] not in added}
+    return {key: without(v, added, old.get(key), here[key]) for key, v in value.items()
+            if here[key] not in added or key in old}
 
 
 def as_number(value):
@@ -194,8 +199,8 @@ def main():
         old, new = run(flags.reference, case), run(flags.candidate, case)
         old = {key: translate(value, schema["renamed"]) if isinstance(value, dict) else value
                for key, value in old.items()}
-        new = {key: without(value, schema["added"]) if isinstance(value, dict) else value
-               for key, value in new.items()}
+        new = {key: without(value, schema["added"], old.get(key)) if isinstance(value, dict)
+               else value for key, value in new.items()}
         return case, list(differences(old, new, flags.arithmetic))
 
     counts, told = {}, 0

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Keys of a result document that tell how the answer was sought: the work,
+/// the time, and what else was found.
+
+#include "report/result_parts.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace brachisto::report {
+
+namespace {
+
+/// Of Search::Global; τ is null unless verified.
+Field<Solution> branches_field() {
+  using B = Branch;
+  return list(
+      "branches", "smooth contacts that search: global found, fastest first",
+      &Solution::branches,
+      {{"tau", "", "τ",
+        [](const B& b) {
+          return b.verified ? std::optional(b.tau) : std::nullopt;
+        }},
+       {"estimated_error", "", "relative", &B::estimated_error},
+       {"end_angle", "rad", "β_end", &B::end_angle},
+       {"centre_path_length", "m", "S", &B::centre_path_length},
+       {"principal", "", "continues from the cycloid", &B::principal},
+       {"verified", "", "passed every check", &B::verified},
+       {"minimum", "", "a minimum between its fixed ends", &B::minimum},
+       {"feasible", "", "without lift-off and folds", &B::feasible},
+       {"remarks", "", "checks that failed, why infeasible", &B::remarks}});
+}
+
+/// Not under the answer's keys: these are numbers of another problem.
+Field<Solution> discrete_field() {
+  using A = DiscreteAnswer;
+  const auto if_solved = [](double A::*member) {
+    return [=](const A& a) { return only_if(a.solved(), a.*member); };
+  };
+  Fields<Solution> fields = of_part<Solution>(
+      &Solution::discrete,
+      Fields<A>{
+          {"solved", "", "its equations hold", &A::solved},
+          {"nodes", "", "n", &A::nodes},
+          {"unknowns", "", "of the system", &A::unknowns},
+          {"residual", "", "Euclidean norm, lengths in H", &A::residual},
+          {"iterations", "", "of the solver", &A::iterations},
+          {"evaluations", "", "of the residual", &A::evaluations},
+          {"jacobians", "", "computed", &A::jacobians},
+          {"refused_points", "", "without a real residual", &A::refused_points},
+          {"cpu_seconds", "s", "processor time", &A::cpu_seconds},
+          {"memory_bytes", "bytes", "of matrices and factors",
+           &A::memory_bytes},
+          {"tau", "", "its τ", if_solved(&A::tau)},
+          {"transit_time", "s", "its T", if_solved(&A::transit_time)},
+          {"centre_path_length", "m", "its S",
+           if_solved(&A::centre_path_length)},
+          {"start_angle", "rad", "slope of the first chord",
+           if_solved(&A::start_angle)},
+          {"end_angle", "rad", "slope of the last chord",
+           if_solved(&A::end_angle)}});
+  fields.push_back(
+      {"error", "", "of its τ, relative to the extremal",
+       [](const Solution& s) {
+         const bool compared =
+             s.discrete()->solved() && s.extremal && s.extremal->solved;
+         return compared
+                    ? std::optional(s.discrete()->tau / s.extremal->tau - 1.0)
+                    : std::nullopt;
+       }});
+  return object<Solution>(
+      "discrete_system", "",
+      "what the paper's discrete system came to with method: fsolve",
+      [](const Solution& s) { return s.discrete() ? &s : nullptr; },
+      std::move(fields));
+}
+
+}  // namespace
+
+Fields<Solution> effort_fields() {
+  using Step = ContinuationStep;
+  using Record = MeshRecord;
+  const Fields<Effort> fields{
+      {"iterations", "", "of Ipopt, in all passes on all meshes",
+       &Effort::iterations},
+      {"first_iterations", "", "of the first pass on the final mesh",
+       [](const Effort& e) { return e.final_mesh().first_iterations; }},
+      {"closure_passes", "",
+       "solves between fixed end points on the final mesh",
+       [](const Effort& e) { return e.final_mesh().passes; }},
+      {"passes", "", "the same on all meshes", &Effort::passes},
+      {"newton_steps", "", "of continuation, polishing and checks",
+       &Effort::newton_steps},
+      list("continuation", "from the uniform cylinder to the body",
+           &Effort::continuation,
+           {{"eta_m", "", "η_m of the step", &Step::eta_m},
+            {"phi", "rad", "slope angle at B", &Step::phi},
+            {"newton_steps", "", "to get there", &Step::newton_steps}}),
+      list("refinement", "meshes in the order in which they were tried",
+           &Effort::meshes,
+           {{"degree", "", "p", &Record::degree},
+            {"elements", "", "N", &Record::elements},
+            {"estimated_error", "", "relative, of T", &Record::estimated_error},
+            {"passes", "", "solves between fixed end points", &Record::passes},
+            {"iterations", "", "of Ipopt", &Record::iterations},
+            {"newton_steps", "", "of polishing and the check",
+             &Record::newton_steps}})};
+  return of_part<Solution>(&Solution::effort, fields);
+}
+
+Fields<Solution> search_fields() {
+  using S = const Solution&;
+  using E = CrossCheck;
+  const auto if_solved = [](double E::*member) {
+    return [=](const E& e) { return only_if(e.solved, e.*member); };
+  };
+  return {
+      {"folds", "", "η_m at which the branch from the cycloid turned",
+       &Solution::folds},
+      {"continued_from_L", "m",
+       "L at which the way left the cycloid, to come back in L; null: it is "
+       "the "
+       "scene's own",
+       &Solution::continued_from_L},
+      object<Solution>(
+          "cold_start", "", "where guess: straight or random led",
+          &Solution::cold_start,
+          {{"status", "", "how it ended",
+            [](const ColdStart& c) { return name(c.status); }},
+           {"tau_coarse", "", "τ on the coarse mesh", &ColdStart::tau},
+           {"principal", "", "it led to the principal branch",
+            &ColdStart::principal}}),
+      branches_field(),
+      {"search_remark", "", "what the search left undone",
+       [](S s) { return only_if(!s.search_remark.empty(), s.search_remark); }},
+      object<Solution>(
+          "extremal", "", "cross-check by multiple shooting",
+          &Solution::extremal,
+          {{"solved", "", "it has an answer", &E::solved},
+           {"message", "", "why not",
+            [](const E& e) { return only_if(!e.solved, e.message); }, true},
+           {"tau", "", "its τ", if_solved(&E::tau), true},
+           {"error_estimate", "", "relative, of its τ",
+            if_solved(&E::error_estimate), true},
+           {"difference", "", "relative, of both τ", if_solved(&E::difference),
+            true},
+           {"of_slopes", "rad",
+            "of a limited track, largest difference of the slopes at A and B",
+            &E::of_slopes, true},
+           {"of_junctions", "",
+            "and of the places where arcs meet, as shares of U",
+            &E::of_junctions, true}}),
+      discrete_field()};
+}
+
+Field<Solution> seconds_field() {
+  Fields<PhaseSeconds> phases;
+  for (std::size_t i = 0; i < kNumPhases; ++i) {
+    phases.push_back({name(static_cast<Phase>(i)), "s", "in this part",
+                      [=](const PhaseSeconds& p) { return p.seconds[i]; }});
+  }
+  return object<Solution>(
+      "seconds", "s", "wall clock, where nothing else is said",
+      &Solution::effort,
+      {{"total", "s", "all", &Effort::seconds},
+       {"solve", "s", "without the certificate",
+        [](const Effort& e) { return e.seconds - e.certificate_seconds; }},
+       {"certificate", "s", "of the certificate", &Effort::certificate_seconds},
+       {"cpu", "s", "processor time without certificate and cross-checks",
+        &Effort::cpu_seconds},
+       object<Effort>("phases", "s", "processor time by part", &Effort::phases,
+                      std::move(phases))});
+}
+
+}  // namespace brachisto::report

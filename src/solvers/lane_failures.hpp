@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Which lanes of a factorisation failed, a bit to each.
+
+#pragma once
+
+#include "math/index.hpp"
+#include "solvers/numeric_factorisation.hpp"
+
+namespace brachisto {
+
+/// The factorisation of a link is taken if the Frobenius norm of its
+/// multipliers is at most this: rounding errors are then magnified by less than
+/// its square, and one step of refinement makes up for them.
+inline constexpr double kLargestNorm = 1e3;
+
+/// Whether a lane has its bit.
+[[nodiscard]] inline bool bit(unsigned bits, int i) {
+  return ((bits >> at(i)) & 1U) != 0;
+}
+
+/// A bit to each lane whose multipliers are too large, or not finite.
+[[nodiscard]] inline unsigned grown(const FactorisationOutcome& outcome) {
+  unsigned bits = 0;
+  for (int b = 0; b < kLanes; ++b) {
+    const bool kept = outcome.growth.lane[b] <= kLargestNorm * kLargestNorm;
+    if (!kept) bits |= 1U << at(b);
+  }
+  return bits;
+}
+
+/// The pivots in lanes that did not fail.
+[[nodiscard]] inline int negative_in(const FactorisationOutcome& outcome,
+                                     unsigned failed, int count) {
+  int sum = 0;
+  for (int b = 0; b < count; ++b) {
+    if (!bit(failed, b)) sum += static_cast<int>(outcome.negative.lane[b]);
+  }
+  return sum;
+}
+
+}  // namespace brachisto

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/transcription.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "report/chart.hpp"
 
 namespace brachisto::benchmarks {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 
 namespace brachisto::comparison {
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "math/enum_table.hpp"
 
 namespace brachisto::comparison {

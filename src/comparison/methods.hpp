@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 
 namespace brachisto::comparison {
 

@@ -15,16 +15,6 @@ namespace brachisto::arcs {
 
 namespace {
 
-/// The place of the centre at A that a slope asks for.
-template <class Scalar>
-TurningPoint<Scalar> at_rest(const Scene& scene, const Scalar& beta) {
-  using std::cos;
-  using std::sin;
-  const double r = contact_radius(scene);
-  return {sin(beta) * r, cos(beta) * -r, Scalar(scene.body.theta_m),
-          Scalar(0.0),   beta,           Scalar(0.0)};
-}
-
 /// The slope at rest next to `near` at which a limit on forces holds.
 double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   using On = math::Jet1<double, 1>;
@@ -33,19 +23,12 @@ double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
   double beta = near;
   for (int i = 0; i < kMostSteps; ++i) {
     const On value =
-        value_of(held.limit, scene, at_rest(scene, On::variable(beta, 0)));
+        value_of(held.limit, scene, resting_at(scene, On::variable(beta, 0)));
     const double change = (held.bound - value.value) / value.gradient[0];
     beta += change;
     if (!(std::abs(change) > kRounding)) break;
   }
   return beta;
-}
-
-/// dw/du.
-template <class Scalar>
-Scalar gain_at(const Scene& scene, const TurningPoint<Scalar>& at) {
-  return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                    root_of_inertia(scene.body, at.theta, at.beta));
 }
 
 }  // namespace
@@ -59,7 +42,7 @@ Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
   } else if (held->limit.bounds_force() && natural.world.start_speed == 0.0) {
     kind_ = Kind::Forced;
     slope_ = slope_at_rest(scene_, *held, near);
-    w_1_ = gain_at(scene_, at_rest(scene_, *slope_));
+    w_1_ = speed_gain(scene_, resting_at(scene_, *slope_));
     leave_along(*held);
   } else if (held->limit.bounds_control()) {
     kind_ = Kind::Turning;
@@ -87,7 +70,7 @@ void Departure::leave_along(const HeldLimit& held) {
     const auto value = [&](double rise) {
       rise_[i] = rise;
       if (i == 0)
-        w_2_ = gain_at(scene_, after(On::variable(0.0, 0))).gradient[0];
+        w_2_ = speed_gain(scene_, after(On::variable(0.0, 0))).gradient[0];
       return derivatives()[i];
     };
     const double without = value(0.0), with = value(1.0);

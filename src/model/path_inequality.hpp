@@ -30,6 +30,14 @@ struct TurningPoint {
   Scalar q;      ///< dβ/du = w κ_c
 };
 
+/// dw/du there.
+template <class Scalar>
+[[nodiscard]] Scalar speed_gain(const Scene& scene,
+                                const TurningPoint<Scalar>& at) {
+  return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
+                    root_of_inertia(scene.body, at.theta, at.beta));
+}
+
 /// Force of the track on the body, per m g.
 template <class Scalar>
 struct ContactForce {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/contact.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -15,20 +14,9 @@ namespace brachisto {
 std::optional<double> start_angle_under(
     const Scene& scene, const std::vector<PathInequality>& limits) {
   const Body& body = scene.body;
-  const auto rest = [&](double beta) {
-    const Point centre = scene.contact == Contact::Centre
-                             ? Point{}
-                             : centre_above({0.0, 0.0}, body.radius, beta);
-    return TurningPoint<double>{centre.x, centre.z, body.theta_m,
-                                0.0,      beta,     0.0};
-  };
-  const auto gain = [&](const TurningPoint<double>& at) {
-    return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, 1.0) /
-           scene.gravity;
-  };
   const auto allowed = [&](double beta) {
-    const TurningPoint<double> at = rest(beta);
-    double least = gain(at);
+    const TurningPoint<double> at = resting_at(scene, beta);
+    double least = speed_gain(scene, at) / scene.gravity;
     for (const PathInequality& limit : limits) {
       if (!limit.bounds_force()) continue;
       const double value = value_of(limit, scene, at);
@@ -38,7 +26,7 @@ std::optional<double> start_angle_under(
   };
   const double free = start_angle(scene);
   const auto growth = [&](double beta) {
-    const double a = gain(rest(beta));
+    const double a = speed_gain(scene, resting_at(scene, beta));
     return a * a / inertia_factor(body, body.theta_m, beta);
   };
   constexpr double kRounding = 1e-12;

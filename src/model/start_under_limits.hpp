@@ -6,12 +6,24 @@
 
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "model/path_inequality.hpp"
 
 namespace brachisto {
+
+/// The body at rest at A on a slope β, which says where its centre is.
+template <class Scalar>
+[[nodiscard]] TurningPoint<Scalar> resting_at(const Scene& scene,
+                                              const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  const double r = scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
+  return {sin(beta) * r, cos(beta) * -r, Scalar(scene.body.theta_m),
+          Scalar(0.0),   beta,           Scalar(0.0)};
+}
 
 /// The slope angle at rest of the largest growth of speed, a²/A, among those
 /// with a > 0 at which friction and normal force keep their limits: at rest

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "math/index.hpp"
-#include "model/field.hpp"
 #include "model/scene_coordinate.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
@@ -79,16 +78,10 @@ class LimitedSolve {
 
   /// Whether the best path that was found does.
   [[nodiscard]] bool passes_surface() const {
-    if (!scene_.world.sphere) return false;
     const LimitedCurve* curve = answer_       ? &answer_->path.curve
                                 : tightening_ ? tightening_->any()
                                               : nullptr;
-    if (curve == nullptr) return false;
-    const auto heavy_at = [&](double sigma) {
-      const TurningPoint<double> at = curve->at(sigma).state;
-      return mass_centre(scene_.body, {at.x, at.z}, at.theta);
-    };
-    return !surface_passages(scene_, curve->problem().mesh(), heavy_at).empty();
+    return curve != nullptr && !surface_passages(*curve).empty();
   }
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {

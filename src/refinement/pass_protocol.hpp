@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "brachisto/work/progress.hpp"
+#include "brachisto/run/progress.hpp"
 #include "refinement/refinement.hpp"
 
 namespace brachisto {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/work/effort.hpp"
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/effort.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "transcription/arc_length.hpp"
 

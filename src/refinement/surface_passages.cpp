@@ -44,6 +44,14 @@ std::vector<double> surface_passages(const Scene& scene,
   });
 }
 
+std::vector<double> surface_passages(const LimitedCurve& curve) {
+  const Scene& scene = curve.problem().scene();
+  return surface_passages(scene, curve.problem().mesh(), [&](double sigma) {
+    const MovingState at = moving(curve.at(sigma).state);
+    return mass_centre(scene.body, at.centre, at.theta);
+  });
+}
+
 std::vector<SphereSide> sides_of_elements(const ExtremalCurve& curve,
                                           const Mesh& mesh) {
   std::vector<SphereSide> out;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "transcription/extremal_curve.hpp"
+#include "transcription/limited_curve.hpp"
 #include "transcription/mesh.hpp"
 
 namespace brachisto {
@@ -30,6 +31,8 @@ namespace brachisto {
 /// Of a curve, which may have been found in another field.
 [[nodiscard]] std::vector<double> surface_passages(const Scene& scene,
                                                    const ExtremalCurve& curve);
+/// Of a curve under limits.
+[[nodiscard]] std::vector<double> surface_passages(const LimitedCurve& curve);
 
 /// The mesh with an element end at each of these ascending σ: the nearest one
 /// is moved there where it is near, otherwise there is one more.

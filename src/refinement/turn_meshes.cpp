@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "math/index.hpp"
 #include "math/roots.hpp"
 

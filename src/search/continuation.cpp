@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "math/index.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/units.hpp"

@@ -14,9 +14,9 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/run/effort.hpp"
+#include "brachisto/run/progress.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/work/effort.hpp"
-#include "brachisto/work/progress.hpp"
 #include "model/cycloid.hpp"
 #include "refinement/arcs.hpp"
 #include "transcription/extremal_curve.hpp"

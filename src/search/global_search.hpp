@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "brachisto/work/progress.hpp"
+#include "brachisto/run/progress.hpp"
 #include "transcription/extremal_curve.hpp"
 
 namespace brachisto {

@@ -49,9 +49,7 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
     y[2] += du * at.w;
     y[3] += du * at.w * std::cos(at.beta);
     fallen += du * at.w * std::sin(at.beta);
-    work += du * at.w *
-            speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                       root_of_inertia(scene.body, at.theta, at.beta));
+    work += du * at.w * speed_gain(scene, at);
   }
   y[4] += fallen;
   const TurningPoint<double> first = curve.at(0, begin).state;

@@ -13,6 +13,7 @@
 #include "math/index.hpp"
 #include "model/inertia.hpp"
 #include "model/start_angle.hpp"
+#include "model/start_under_limits.hpp"
 #include "transcription/program_formulas.hpp"
 
 namespace brachisto {
@@ -156,15 +157,12 @@ void LimitedTime::bound_limits() {
 
 math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
   using Start = math::Jet2<double, 1>;
-  const Start slope = Start::variable(beta, 0);
-  Start x_c(x(layout().state(0, X))), z_c(x(layout().state(0, Z)));
-  if (free_contacts()) {  // which says where that is
-    x_c = sin(slope) * scene().body.radius;
-    z_c = cos(slope) * -scene().body.radius;
+  TurningPoint<Start> rest = resting_at(scene(), Start::variable(beta, 0));
+  if (!free_contacts()) {  // the centre is fixed, whatever β(0)
+    rest.x = Start(x(layout().state(0, X)));
+    rest.z = Start(x(layout().state(0, Z)));
   }
-  return value_of(limits()[at(limit)], scene(),
-                  TurningPoint<Start>{x_c, z_c, Start(scene().body.theta_m),
-                                      Start(0.0), slope, Start(0.0)});
+  return value_of(limits()[at(limit)], scene(), rest);
 }
 
 math::Jet2<double, 1> LimitedTime::push_at(double beta) const {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "brachisto/run/solve_options.hpp"
 #include "brachisto/study/solve.hpp"
-#include "brachisto/work/solve_options.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
 #include "refinement/turn_meshes.hpp"

@@ -100,8 +100,6 @@ std::vector<Row> rows() {
 
 class LimitsInAWorld : public ::testing::TestWithParam<Row> {};
 
-/// Along the path the answer errs by a power of its error in T, see
-/// newton_euler.cpp.
 TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
   const Scene& scene = GetParam().scene;
   SolveOptions shooting;
@@ -119,16 +117,8 @@ TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
   EXPECT_LE(*program.estimated_error, 1e-9);
   EXPECT_LE(*shot.estimated_error, 1e-9);
 
-  const double p = program.program()->degree.value();
-  const double along_path =
-      std::pow(*program.estimated_error, 0.5 * (p + 1.0) / p);
   const LeftOver left = left_over(*program.motion(), rigid_body_of(scene));
-  EXPECT_LE(left.force, along_path);
-  EXPECT_LE(left.moment, along_path);
-  EXPECT_LE(left.place, along_path);
-  EXPECT_LE(left.slip, along_path);
-  EXPECT_LE(left.energy, along_path);
-  EXPECT_LE(left.start, along_path);
+  EXPECT_LE(left.largest(), allowed_along(program)) << left;
 }
 
 class PricesInAWorld : public ::testing::TestWithParam<Row> {};
@@ -159,9 +149,11 @@ TEST_P(PricesInAWorld, AndSensitivitiesAreSlopesOfTheTime) {
 
   EXPECT_NEAR(solution.sensitivities->by[SceneParameter::EtaM].tau,
               slope([](Scene& s, double by) { s.body.eta_m += by; }), kAllowed);
+  int active = 0;
   for (const LimitOnPath& limit : solution.limits) {
     ASSERT_TRUE(limit.price);
     if (limit.active.empty()) continue;
+    ++active;
     EXPECT_NEAR(*limit.price, slope([&](Scene& s, double by) {
       if (limit.name == "floor") *s.limits.floor += by;
       if (limit.name == "friction") *s.limits.friction += by;
@@ -172,6 +164,7 @@ TEST_P(PricesInAWorld, AndSensitivitiesAreSlopesOfTheTime) {
                 kAllowed)
         << limit.name;
   }
+  EXPECT_GE(active, 1);
 }
 
 std::vector<Row> priced() {

@@ -19,8 +19,8 @@
 
 #include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "brachisto/study/design_plan.hpp"
-#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

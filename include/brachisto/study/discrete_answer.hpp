@@ -12,8 +12,8 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/model/point.hpp"
 #include "brachisto/model/scene.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

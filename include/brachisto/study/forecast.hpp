@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/work/solve_options.hpp"
+#include "brachisto/run/solve_options.hpp"
 
 namespace brachisto {
 

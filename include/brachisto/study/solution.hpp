@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
+#include "brachisto/run/effort.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "brachisto/study/design_answer.hpp"
 #include "brachisto/study/discrete_answer.hpp"
@@ -20,8 +22,6 @@
 #include "brachisto/study/sensitivities.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/motion.hpp"
-#include "brachisto/work/effort.hpp"
-#include "brachisto/work/solve_options.hpp"
 
 namespace brachisto {
 

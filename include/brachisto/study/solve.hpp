@@ -8,8 +8,8 @@
 
 #include <atomic>
 
+#include "brachisto/run/progress.hpp"
 #include "brachisto/study/solution.hpp"
-#include "brachisto/work/progress.hpp"
 
 namespace brachisto {
 

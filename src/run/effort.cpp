@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/work/effort.hpp"
+#include "brachisto/run/effort.hpp"
 
 namespace brachisto {
 

@@ -159,8 +159,8 @@ math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
   using Start = math::Jet2<double, 1>;
   TurningPoint<Start> rest = resting_at(scene(), Start::variable(beta, 0));
   if (!free_contacts()) {  // the centre is fixed, whatever β(0)
-    rest.x = Start(x(layout().state(0, X)));
-    rest.z = Start(x(layout().state(0, Z)));
+    rest.x = Start(lower()[at(layout().state(0, X))]);
+    rest.z = Start(lower()[at(layout().state(0, Z))]);
   }
   return value_of(limits()[at(limit)], scene(), rest);
 }

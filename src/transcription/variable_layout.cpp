@@ -32,7 +32,8 @@ std::string VariableLayout::constraint_name(int index) const {
     return fmt::format("limit {} at rest", index - start_row(0));
   }
   if (point >= num_points_) {
-    constexpr std::array kNames{"x at A", "z at A", "x at B", "z at B"};
+    constexpr std::array kNames{"x at A", "z at A", "x at B", "z at B",
+                                "w at A"};
     return kNames.at(static_cast<std::size_t>(index - contact_row(0)));
   }
   if (slope_is_state() && row >= num_states_) {

@@ -87,6 +87,25 @@ template <class Problem>
           }));
     }
   }
+  // At rest in a field that depends on the place, and pushed off through air.
+  const Scene body = off_centred_scene(-kPi / 6.0);
+  const std::pair<const char*, Scene> worlds[] = {
+      {"OnAPlanet", natural(about_sphere(body, below()))},
+      {"PushedInAir", natural(in_air(with_push(body, 1.0), 0.3, 0.2))}};
+  for (const auto& [name, scene] : worlds) {
+    for (const bool free : {false, true}) {
+      cases.push_back(program_case<LimitedTime>(
+          std::string("Limited") + name + (free ? "FreeContacts" : ""),
+          [scene, free] {
+            LimitedEnds ends;
+            ends.free_contacts = free;
+            ends.phi = -0.2;
+            return std::make_unique<LimitedTime>(
+                scene, limits_of_all_kinds(scene.body),
+                graded_mesh(2, kElements), ends);
+          }));
+    }
+  }
   return cases;
 }
 

@@ -13,7 +13,7 @@ struct MeanTime {
   int repetitions = 0;
 };
 
-/// The mean of the seconds that `run` returns, over so many calls that they
+/// The mean of the seconds that `work` returns, over so many calls that they
 /// add up to 0.2 s. The first call is a warm-up and does not count, unless it
 /// alone takes longer than that.
 template <class Work>

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "extremal/arc_flow.hpp"
+#include "model/contact.hpp"
 #include "model/field.hpp"
 
 namespace brachisto::arcs {
@@ -62,11 +63,6 @@ class Departure {
   std::array<double, 2> rise_{};
   std::string refusal_;
 };
-
-/// The radius by which centre and track are apart at A and B.
-[[nodiscard]] inline double contact_radius(const Scene& scene) {
-  return scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
-}
 
 /// Whether the slopes at A and B are free to turn about the contact.
 [[nodiscard]] inline bool has_optimal_ends(const Scene& scene) {

@@ -28,7 +28,7 @@ Point start_of_centre(const Scene& scene) {
 StartRates start_rates(const Scene& scene) {
   const Body& body = scene.body;
   const double alpha = start_angle(scene);
-  const double r = scene.contact == Contact::Centre ? 0.0 : body.radius;
+  const double r = contact_radius(scene);
   const double root = root_of_inertia(body, body.theta_m, alpha);
   const double d_root = body.eta_m * std::cos(body.theta_m - alpha) / root;
   return {r * std::cos(alpha), r * std::sin(alpha),

@@ -18,6 +18,12 @@ namespace brachisto {
 /// Point of the track under a centre, eqs. (11)–(12).
 [[nodiscard]] Point track_below(Point centre, double radius, double beta);
 
+/// The radius by which centre and track are apart at A and B: 0 where these
+/// are ends of the centre's path itself.
+[[nodiscard]] inline double contact_radius(const Scene& scene) {
+  return scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
+}
+
 /// C_A, where the centre starts [m]: above A with the start angle β₀, or A
 /// itself with Contact::Centre.
 [[nodiscard]] Point start_of_centre(const Scene& scene);

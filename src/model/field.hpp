@@ -159,4 +159,11 @@ template <class Scalar>
   return sqrt(inertia_factor(body, theta, beta));
 }
 
+/// w where a body is pushed off in the direction β: v₀ √A(θ_m, β).
+template <class Scalar>
+[[nodiscard]] Scalar pushed_w(const Scene& scene, const Scalar& beta) {
+  return root_of_inertia(scene.body, Scalar(scene.body.theta_m), beta) *
+         scene.world.start_speed;
+}
+
 }  // namespace brachisto

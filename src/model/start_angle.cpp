@@ -69,10 +69,8 @@ bool slope_at_A_is_open(const Scene& scene) {
 }
 
 double initial_w(const Scene& scene) {
-  const double v_0 = scene.world.start_speed;
-  if (v_0 == 0.0) return 0.0;
-  return v_0 *
-         root_of_inertia(scene.body, scene.body.theta_m, start_angle(scene));
+  if (scene.world.start_speed == 0.0) return 0.0;
+  return pushed_w(scene, start_angle(scene));
 }
 
 }  // namespace brachisto

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/contact.hpp"
 #include "model/path_inequality.hpp"
 
 namespace brachisto {
@@ -20,7 +21,7 @@ template <class Scalar>
                                               const Scalar& beta) {
   using std::cos;
   using std::sin;
-  const double r = scene.contact == Contact::Centre ? 0.0 : scene.body.radius;
+  const double r = contact_radius(scene);
   return {sin(beta) * r, cos(beta) * -r, Scalar(scene.body.theta_m),
           Scalar(0.0),   beta,           Scalar(0.0)};
 }

@@ -14,6 +14,7 @@
 
 #include "brachisto/paper/discrete_reading.hpp"
 #include "math/index.hpp"
+#include "model/contact.hpp"
 #include "paper/chord_time.hpp"
 #include "paper/discrete_variations.hpp"
 
@@ -70,11 +71,6 @@ struct EndSlope {
     dcosine_dz = -sign * c * s / l;
   }
 };
-
-/// Radius on which the centre turns about the ends of the track.
-[[nodiscard]] inline double contact_radius(const Scene& scene) {
-  return scene.contact == Contact::Smooth ? scene.body.radius : 0.0;
-}
 
 /// Calls put(row, column, value) for every entry of eqs. (13)–(15), (17) and
 /// (19), always the same ones in the same order; values of one place add up.

@@ -9,7 +9,6 @@
 
 #include "math/index.hpp"
 #include "model/field.hpp"
-#include "model/start_under_limits.hpp"
 #include "program_files/program_in_formulas.hpp"
 #include "rolling/rolling_body.hpp"
 #include "transcription/limited_time.hpp"
@@ -148,22 +147,13 @@ class CollocationFormulas final : public ProgramInFormulas {
   [[nodiscard]] Formula at_an_end(int index) const {
     const Scene& scene = problem_.scene();
     if (index >= layout().start_row(0)) {
-      TurningPoint<Formula> rest =
-          resting_at(scene, at_node(0, rolling::kBeta));
-      if (!problem_.free_contacts()) {  // the centre is where it is given
-        rest.x = problem_.lower()[at(layout().state(0, X))];
-        rest.z = problem_.lower()[at(layout().state(0, Z))];
-      }
-      return by_place_.value(
-          problem_.limits()[at(index - layout().start_row(0))],
-          Point{rest.x, rest.z, rest.theta, rest.w, rest.beta, rest.q});
+      return value_of(problem_.limits()[at(index - layout().start_row(0))],
+                      scene, problem_.resting(at_node(0, rolling::kBeta)));
     }
     const int number = index - layout().contact_row(0);
     if (number == 4) {  // the push
       return at_node(0, rolling::kW) -
-             root_of_inertia(scene.body, Formula(scene.body.theta_m),
-                             at_node(0, rolling::kBeta)) *
-                 Formula(scene.world.start_speed);
+             pushed_w(scene, at_node(0, rolling::kBeta));
     }
     const bool at_A = number < 2;
     const int node = at_A ? 0 : layout().num_points();

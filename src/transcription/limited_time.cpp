@@ -11,9 +11,8 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
-#include "model/inertia.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
-#include "model/start_under_limits.hpp"
 #include "transcription/program_formulas.hpp"
 
 namespace brachisto {
@@ -157,19 +156,12 @@ void LimitedTime::bound_limits() {
 
 math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
   using Start = math::Jet2<double, 1>;
-  TurningPoint<Start> rest = resting_at(scene(), Start::variable(beta, 0));
-  if (!free_contacts()) {  // the centre is fixed, whatever β(0)
-    rest.x = Start(lower()[at(layout().state(0, X))]);
-    rest.z = Start(lower()[at(layout().state(0, Z))]);
-  }
-  return value_of(limits()[at(limit)], scene(), rest);
+  return value_of(limits()[at(limit)], scene(),
+                  resting(Start::variable(beta, 0)));
 }
 
 math::Jet2<double, 1> LimitedTime::push_at(double beta) const {
-  using Start = math::Jet2<double, 1>;
-  return root_of_inertia(scene().body, Start(scene().body.theta_m),
-                         Start::variable(beta, 0)) *
-         scene().world.start_speed;
+  return pushed_w(scene(), math::Jet2<double, 1>::variable(beta, 0));
 }
 
 void LimitedTime::fix_start() {

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "math/dependence.hpp"
+#include "math/index.hpp"
 #include "math/jet2.hpp"
+#include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "rolling/rolling_body.hpp"
 #include "transcription/collocation.hpp"
@@ -82,6 +84,16 @@ class LimitedTime final : public Transcription {
   /// and ends of the same kind.
   void change(std::vector<PathInequality> limits, Mesh mesh,
               const LimitedEnds& ends);
+  /// The body at rest at A on a slope, where the limits on forces there hold.
+  template <class Scalar>
+  [[nodiscard]] TurningPoint<Scalar> resting(const Scalar& slope) const {
+    TurningPoint<Scalar> out = resting_at(scene(), slope);
+    if (!free_contacts()) {  // the centre is fixed, whatever β(0)
+      out.x = Scalar(lower()[at(layout().state(0, StateComponent::X))]);
+      out.z = Scalar(lower()[at(layout().state(0, StateComponent::Z))]);
+    }
+    return out;
+  }
   /// w(0) of a push in the direction β.
   [[nodiscard]] math::Jet2<double, 1> push_at(double beta) const;
   /// Keeps |β| below a bound [rad] wherever it is not fixed.

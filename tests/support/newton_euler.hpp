@@ -81,11 +81,12 @@ struct LeftOver {
   double energy = 0.0;  ///< of kinetic energy and work since A, over g H
   double start = 0.0;   ///< |v_c(0) − v₀|/V
 
+  /// NaN if one of them is.
   [[nodiscard]] double largest() const {
     double out = 0.0;
     for (const double value : {force, moment, place, slip, energy, start}) {
-      // Written so that a NaN stays.
-      if (!(value <= out)) out = value;
+      if (std::isnan(value)) return value;
+      out = std::max(out, value);
     }
     return out;
   }

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 
@@ -16,8 +17,10 @@ namespace brachisto::math {
 /// values: a derivative by any other is zero everywhere.
 template <int Size>
 struct Dependence {
-  std::bitset<Size> any;
-  std::bitset<Size> curved;  ///< those in which it need not be affine
+  using Set = std::bitset<Size>;
+  Set any;
+  /// By which second variables there may be second derivatives, of each.
+  std::array<Set, Size> second;
 
   Dependence() = default;
   Dependence(double) {}  // NOLINT: numbers depend on nothing
@@ -29,25 +32,32 @@ struct Dependence {
   }
   /// Of a function that is not affine.
   [[nodiscard]] Dependence bent() const {
-    Dependence out;
-    out.any = out.curved = any;
+    Dependence out = *this;
+    out.couple(any, any);
     return out;
   }
 
+  Dependence& operator+=(const Dependence& other) {
+    any |= other.any;
+    for (std::size_t i = 0; i < second.size(); ++i) second[i] |= other.second[i];
+    return *this;
+  }
+  Dependence& operator-=(const Dependence& other) { return *this += other; }
+
   friend Dependence operator+(Dependence a, const Dependence& b) {
-    a.any |= b.any;
-    a.curved |= b.curved;
-    return a;
+    return a += b;
   }
   friend Dependence operator-(const Dependence& a, const Dependence& b) {
     return a + b;
   }
   friend Dependence operator*(const Dependence& a, const Dependence& b) {
-    const Dependence both = a + b;
-    return a.any.none() || b.any.none() ? both : both.bent();
+    Dependence out = a + b;
+    out.couple(a.any, b.any);
+    out.couple(b.any, a.any);
+    return out;
   }
   friend Dependence operator/(const Dependence& a, const Dependence& b) {
-    return b.any.none() ? a : (a + b).bent();
+    return a * b.bent();
   }
   friend Dependence sin(const Dependence& a) { return a.bent(); }
   friend Dependence cos(const Dependence& a) { return a.bent(); }
@@ -57,6 +67,13 @@ struct Dependence {
   friend Dependence where_above(const Dependence&, double, const Above& above,
                                 const Below& below) {
     return above() + below();
+  }
+
+ private:
+  void couple(const Set& these, const Set& those) {
+    for (std::size_t i = 0; i < second.size(); ++i) {
+      if (these[i]) second[i] |= those;
+    }
   }
 };
 

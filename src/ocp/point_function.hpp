@@ -90,4 +90,18 @@ template <class Jet, class Scalar, std::size_t Size>
   return out;
 }
 
+/// Calls put(i, c) for each limit of which asked(i); a description may have an
+/// `each_limit` of its own, where limits share what they are made of.
+template <class Problem, class Scalar, class Asked, class Put>
+void each_limit(const Problem& problem, const PointOf<Problem, Scalar>& yu,
+                Asked&& asked, Put&& put) {
+  if constexpr (requires { problem.each_limit(yu, asked, put); }) {
+    problem.each_limit(yu, asked, put);
+  } else {
+    for (std::size_t i = 0; i < problem.num_limits(); ++i) {
+      put(i, asked(i) ? problem.limit(i, yu) : Scalar(0.0));
+    }
+  }
+}
+
 }  // namespace brachisto::ocp

@@ -4,6 +4,7 @@
 // Programs of collocation: what the rolling body says of one point, as formulas
 // in the unknowns of a scheme.
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,6 @@
 #include "program_files/program_in_formulas.hpp"
 #include "rolling/rolling_body.hpp"
 #include "transcription/limited_time.hpp"
-#include "transcription/program_formulas.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto::program_files {
@@ -66,7 +66,12 @@ class CollocationFormulas final : public ProgramInFormulas {
   [[nodiscard]] Formula constraint(int index) const override {
     const int point = layout().point_of(index);
     if constexpr (kPointsAreNodes) {
-      if (index >= layout().contact_row(0)) return at_an_end(index);
+      if (const int row = index - layout().contact_row(0); row >= 0) {
+        const int node = problem_.is_at_start(row) ? 0 : layout().num_points();
+        return problem_.at_end_row(
+            row, at_node(node, rolling::kX), at_node(node, rolling::kZ),
+            at_node(node, rolling::kW), at_node(node, rolling::kBeta));
+      }
       if (index >= layout().limit(point, 0)) {
         return seen_from(point).limit(at(index - layout().limit(point, 0)),
                                       states_and_control(point));
@@ -80,9 +85,7 @@ class CollocationFormulas final : public ProgramInFormulas {
 
  private:
   static constexpr int kStates = Description::kStates;
-  static constexpr bool kPointsAreNodes = !requires(const Problem& problem) {
-    problem.scheme().interpolation;
-  };
+  static constexpr bool kPointsAreNodes = std::is_same_v<Problem, LimitedTime>;
   using Point = ocp::PointOf<Description, Formula>;
 
   [[nodiscard]] const VariableLayout& layout() const {
@@ -97,13 +100,11 @@ class CollocationFormulas final : public ProgramInFormulas {
                                                                : outside_;
   }
   /// What the program does not have is 0, and nothing depends on it.
-  [[nodiscard]] bool has(int state) const {
-    return state != kTheta || layout().has_theta();
-  }
+  [[nodiscard]] bool has(int state) const { return layout().has_state(state); }
   [[nodiscard]] Formula at_node(int node, int state) const {
     if (!has(state)) return 0.0;
     return Formula::unknown(
-        layout().state(node, static_cast<StateComponent>(state)));
+        layout().state(node, state));
   }
   /// Σ_n M_jn X_n over the nodes of a point's element.
   [[nodiscard]] Formula combined(const math::SmallMatrix& M, int point,
@@ -143,27 +144,6 @@ class CollocationFormulas final : public ProgramInFormulas {
     return problem_.mesh().length(element_of(point)) *
            Formula::unknown(layout().rolling_time());
   }
-  /// A contact whose slope is free, or a limit on forces at rest.
-  [[nodiscard]] Formula at_an_end(int index) const {
-    const Scene& scene = problem_.scene();
-    if (index >= layout().start_row(0)) {
-      return value_of(problem_.limits()[at(index - layout().start_row(0))],
-                      scene, problem_.resting(at_node(0, rolling::kBeta)));
-    }
-    const int number = index - layout().contact_row(0);
-    if (number == 4) {  // the push
-      return at_node(0, rolling::kW) -
-             pushed_w(scene, at_node(0, rolling::kBeta));
-    }
-    const bool at_A = number < 2;
-    const int node = at_A ? 0 : layout().num_points();
-    const OffContact<Formula> off =
-        off_contact(at_node(node, rolling::kX), at_node(node, rolling::kZ),
-                    scene.body.radius, at_A ? 0.0 : scene.L,
-                    at_A ? 0.0 : scene.H, at_node(node, rolling::kBeta));
-    return number % 2 == 0 ? off.x : off.z;
-  }
-
   const Problem& problem_;
   Description by_place_, inside_, outside_;
   std::vector<SphereSide> sides_;

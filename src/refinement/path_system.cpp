@@ -238,7 +238,8 @@ std::vector<PathRates> PathSystem::to_unknowns() {
     const VariableLayout& layout = problem_.layout();
     if (problem_.pushed()) {
       rhs[at(layout.state(0, StateComponent::W))] =
-          problem_.push_at(slope).gradient[0];
+          pushed_w(problem_.scene(), math::Jet2<double, 1>::variable(slope, 0))
+              .gradient[0];
     }
     if (setting_.ends.start_slope_fixed) {
       rhs[at(layout.state(0, StateComponent::Beta))] = 1.0;

@@ -19,7 +19,7 @@
 #include "refinement/surface_passages.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

@@ -15,7 +15,7 @@
 
 #include "transcription/extremal_curve.hpp"
 #include "transcription/limited_curve.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 
 namespace brachisto {
 

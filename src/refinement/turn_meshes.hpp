@@ -10,7 +10,7 @@
 #include <span>
 
 #include "model/cycloid.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto {

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -74,6 +76,18 @@ class Moving {
   }
   void keep_to_side(bool above) {
     scene_.world.side = above ? SphereSide::Outside : SphereSide::Inside;
+  }
+
+  /// Why a point is none of a path; nullptr if it may be one. The body moves on,
+  /// and its kinetic energy is positive.
+  ///
+  /// \param root  √A there
+  template <std::size_t Size>
+  [[nodiscard]] const char* refusal(const std::array<double, Size>& yu,
+                                    double root) const {
+    if (!(yu[kW] > 0.0)) return "the speed w is not positive";
+    if (!std::isfinite(yu[kBeta])) return "the slope angle is not finite";
+    return root > 0.0 ? nullptr : "the inertia factor A is not positive";
   }
 
   /// p_θ is r times a costate of arc length.
@@ -165,6 +179,25 @@ class Turning : public Moving {
   [[nodiscard]] Scalar limit(std::size_t i,
                              const std::array<Scalar, kStates + 1>& yu) const {
     return value(limits_[i], yu);
+  }
+  /// Forces are found once for all limits that bound them.
+  template <class Scalar, class Asked, class Put>
+  void each_limit(const std::array<Scalar, kStates + 1>& yu, Asked&& asked,
+                  Put&& put) const {
+    const auto& [x, z, theta, w, beta, q] = yu;
+    const TurningPoint<Scalar> place{x, z, theta, w, beta, q};
+    std::optional<ContactForce<Scalar>> force;
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      if (!asked(i)) {
+        put(i, Scalar(0.0));
+        continue;
+      }
+      if (limits_[i].bounds_force() && !force) {
+        force = contact_force(scene_, place);
+      }
+      put(i, value_of(limits_[i], force.value_or(ContactForce<Scalar>{}),
+                      place));
+    }
   }
   /// Of any limit.
   template <class Scalar>

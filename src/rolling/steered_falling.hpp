@@ -19,25 +19,41 @@ class SteeredFalling : public Steered {
   static constexpr std::size_t kIgnorable = 2;
   using Steered::Steered;
 
+  /// What the rates at a point and their derivatives are made of.
+  template <class Scalar>
+  struct Kept {
+    Scalar w, c, s, pull, turn, root, first, second;
+  };
+  template <class Scalar>
+  [[nodiscard]] Kept<Scalar> kept(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    using std::cos;
+    using std::sin;
+    const auto& [x, z, theta, w, beta] = yu;
+    const Scalar gain = Scalar(scene_.gravity) * Scalar(scene_.body.eta_m);
+    const Root<Scalar> root = root_at(theta, beta);
+    return {w,          cos(beta),  sin(beta),   gain * cos(theta),
+            gain * sin(theta), root.value, root.first, root.second};
+  }
+
   /// The rates with their derivatives by (x, z, θ, w, β), of the first order or
   /// of the first two.
   template <class Jet, class Scalar>
   [[nodiscard]] ocp::Rates<Jet, kStates> jets(
       const std::array<Scalar, kStates + 1>& yu) const {
-    using std::cos;
-    using std::sin;
-    const auto& [x, z, theta, w, beta] = yu;
-    const Scalar c = cos(beta), s = sin(beta), g(scene_.gravity);
-    const Scalar gain = g * Scalar(scene_.body.eta_m);
-    const Scalar pull = gain * cos(theta), turn = gain * sin(theta);
-    const Scalar per_length(rotation_per_length_);
-    const Root<Scalar> root = root_at(theta, beta);
+    return rates_of<Jet>(kept(yu));
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> rates_of(
+      const Kept<Scalar>& at) const {
+    const auto& [w, c, s, pull, turn, root, first, second] = at;
+    const Scalar g(scene_.gravity), per_length(rotation_per_length_);
     ocp::Rates<Jet, kStates> out{
-        Jet(root.value),
+        Jet(root),
         {Jet(w * c), Jet(w * s), Jet(w * per_length), Jet(g * s + pull)}};
     auto& [by_x, by_z, by_theta, by_w] = out.states;
-    out.cost.gradient[kTheta] = root.first;
-    out.cost.gradient[kBeta] = -root.first;
+    out.cost.gradient[kTheta] = first;
+    out.cost.gradient[kBeta] = -first;
     by_x.gradient[kW] = c;
     by_x.gradient[kBeta] = -(w * s);
     by_z.gradient[kW] = s;
@@ -50,8 +66,8 @@ class SteeredFalling : public Steered {
       constexpr std::size_t kBeta2 = Jet::pair(kBeta, kBeta);
       constexpr std::size_t kThetaBeta = Jet::pair(kBeta, kTheta);
       constexpr std::size_t kWBeta = Jet::pair(kBeta, kW);
-      out.cost.hessian[kTheta2] = out.cost.hessian[kBeta2] = root.second;
-      out.cost.hessian[kThetaBeta] = -root.second;
+      out.cost.hessian[kTheta2] = out.cost.hessian[kBeta2] = second;
+      out.cost.hessian[kThetaBeta] = -second;
       by_x.hessian[kWBeta] = -s;
       by_x.hessian[kBeta2] = -(w * c);
       by_z.hessian[kWBeta] = c;

@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "brachisto/nlp/problem.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 
 namespace brachisto {
 

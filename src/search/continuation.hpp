@@ -20,7 +20,7 @@
 #include "model/cycloid.hpp"
 #include "refinement/arcs.hpp"
 #include "transcription/extremal_curve.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 
 namespace brachisto {
 

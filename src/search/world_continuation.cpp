@@ -27,7 +27,7 @@ namespace {
 double largest_turn(const ExtremalCurve& before, const ExtremalCurve& after) {
   double largest = 0.0;
   const Mesh& mesh = after.mesh();
-  const auto places = collocation_scheme(mesh.degree).points.nodes();
+  const auto places = gauss_scheme(mesh.degree).points.nodes();
   auto slope = after.continuous_slope().begin();
   for (int e = 0; e < mesh.num_elements(); ++e) {
     for (const double t : places) {

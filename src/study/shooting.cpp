@@ -14,7 +14,7 @@
 #include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

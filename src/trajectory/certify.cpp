@@ -145,7 +145,7 @@ struct Seen {
 Seen look_along(const ExtremalCurve& curve) {
   const Mesh& mesh = curve.mesh();
   const Scene& scene = curve.scene();
-  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  const CollocationScheme& scheme = gauss_scheme(mesh.degree);
   // Places that are neither nodes nor collocation points, both ends included.
   const int count = mesh.degree + 2;
   std::vector<ElementPlace> places;
@@ -193,7 +193,7 @@ void check_energy_in_world(const ExtremalCurve& curve, double threshold,
   };
   // Exact for polynomials of degree 2p + 5, of higher order than the solution.
   const math::QuadratureRule rule = math::gauss_legendre(mesh.degree + 3);
-  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  const CollocationScheme& scheme = gauss_scheme(mesh.degree);
   std::vector<ElementPlace> places;
   for (const double t : rule.points) places.emplace_back(scheme, t);
   const ElementPlace last(scheme, 1.0);
@@ -225,7 +225,7 @@ void check_energy(const ExtremalCurve& curve, double threshold,
     return check_energy_in_world(curve, threshold, certificate);
   }
   const double z_0 = curve.at(0.0).centre.z;
-  const ElementPlace last(collocation_scheme(curve.mesh().degree), 1.0);
+  const ElementPlace last(gauss_scheme(curve.mesh().degree), 1.0);
   Largest drift;
   for (int e = 0; e < curve.mesh().num_elements(); ++e) {
     const ExtremalPoint at = curve.without_slope(e, last);
@@ -251,7 +251,7 @@ void check_turning(const ExtremalCurve& curve, double threshold,
   const double distance = std::hypot(sphere->centre.x, sphere->centre.z);
   const double scale = curve.transit_time() * std::max(1.0, distance);
   const double end = costate(curve.at(1.0));
-  const ElementPlace first(collocation_scheme(curve.mesh().degree), 0.0);
+  const ElementPlace first(gauss_scheme(curve.mesh().degree), 0.0);
   Largest drift;
   for (int e = 0; e < curve.mesh().num_elements(); ++e) {
     drift.see(std::abs(costate(curve.without_slope(e, first)) - end) / scale,

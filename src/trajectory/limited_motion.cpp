@@ -105,7 +105,7 @@ TrajectoryPoint LimitedMotion::at(double sigma) const {
 
 std::vector<TrajectoryPoint> LimitedMotion::at_nodes() const {
   std::vector<TrajectoryPoint> rows{convert(0, 0.0)};
-  const RadauScheme& scheme = curve_.problem().scheme();
+  const CollocationScheme& scheme = curve_.problem().scheme();
   for (int e = 0; e < curve_.problem().mesh().num_elements(); ++e) {
     check_stop(e);
     for (const double t : scheme.rule.points) rows.push_back(convert(e, t));

@@ -32,7 +32,7 @@ LimitedReintegration reintegrate(const LimitedCurve& curve) {
   static const odeint::runge_kutta_fehlberg78<Along> kFreshStepper;
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
-  const RadauScheme& scheme = problem.scheme();
+  const CollocationScheme& scheme = problem.scheme();
   const bool pushed = problem.pushed();
   const double begin = pushed ? 0.0 : scheme.rule.points.front();
   const TurningPoint<double> rest = curve.at(0, 0.0).state;

@@ -11,7 +11,7 @@ namespace brachisto {
 PathByPlace::PathByPlace(const ExtremalCurve& curve)
     : curve_(curve),
       in_world_(curve.scene().world.changes_rates()),
-      scheme_(collocation_scheme(curve.mesh().degree)),
+      scheme_(gauss_scheme(curve.mesh().degree)),
       first_length_(curve.without_slope(0, ElementPlace(scheme_, 1.0)).s),
       stages_(kStages, Basis(scheme_, 0.0)),
       leading_s_(leading_s(0)) {}

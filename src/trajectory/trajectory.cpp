@@ -71,7 +71,7 @@ TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
 std::vector<TrajectoryPoint> Trajectory::at_places(
     std::span<const double> places) const {
   const Mesh& mesh = curve_.mesh();
-  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  const CollocationScheme& scheme = gauss_scheme(mesh.degree);
   std::vector<ElementPlace> in_element;
   for (const double t : places) in_element.emplace_back(scheme, t);
   std::vector<TrajectoryPoint> rows;
@@ -89,7 +89,7 @@ std::vector<TrajectoryPoint> Trajectory::at_places(
 
 std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
   return at_places(
-      collocation_scheme(curve_.mesh().degree).nodes.nodes().subspan(1));
+      gauss_scheme(curve_.mesh().degree).nodes.nodes().subspan(1));
 }
 
 std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {

@@ -265,7 +265,7 @@ double mean_hamiltonian(const ExtremalCurve& curve, int element,
 
 std::vector<double> element_errors(const ExtremalCurve& curve) {
   const Mesh& mesh = curve.mesh();
-  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
+  const CollocationScheme& scheme = gauss_scheme(mesh.degree);
   // Exact for polynomials of degree 2p + 5, three orders above the error.
   const RuleInElements fine(scheme, math::gauss_legendre(mesh.degree + 3));
   const RuleInElements own(scheme, scheme.rule);

@@ -67,7 +67,7 @@ bool LimitedCurve::holds_control(int point) const {
 
 double LimitedCurve::time_on(int element) const {
   const VariableLayout& layout = problem_.layout();
-  const RadauScheme& scheme = problem_.scheme();
+  const CollocationScheme& scheme = problem_.scheme();
   const Body& body = problem_.scene().body;
   double sum = 0.0;
   for (int j = 0; j < scheme.degree; ++j) {
@@ -179,7 +179,7 @@ double LimitedCurve::start_slope() const {
 
 LimitedPoint LimitedCurve::at(int element, double t) const {
   const VariableLayout& layout = problem_.layout();
-  const RadauScheme& scheme = problem_.scheme();
+  const CollocationScheme& scheme = problem_.scheme();
   const int p = scheme.degree;
   const int first = element * p;
   std::array<double, kLargestDegree + 1> of_nodes;
@@ -237,7 +237,7 @@ PrimalDual sample_at_mesh(
     const LimitedTime& problem, double rolling_time,
     const std::function<LimitedPoint(Mesh::Place)>& path) {
   const VariableLayout& layout = problem.layout();
-  const RadauScheme& scheme = problem.scheme();
+  const CollocationScheme& scheme = problem.scheme();
   PrimalDual out;
   out.x.assign(at(problem.num_variables()), 0.0);
   out.lambda.assign(at(problem.num_constraints()), 0.0);

@@ -35,22 +35,6 @@ int num_start_rows(const Scene& scene,
       std::ranges::count_if(limits, &PathInequality::bounds_force));
 }
 
-/// x, z, θ, w, β, h q, as a formula sees which of them it depends on.
-const std::array<math::Dependence<6>, 6> kVariables = [] {
-  std::array<math::Dependence<6>, 6> out;
-  for (int i = 0; i < 6; ++i) out[at(i)] = math::Dependence<6>::variable(i);
-  return out;
-}();
-
-/// Of the rows of free contacts: x and z at A and at B, and the push.
-bool is_at_A(int contact_row) {
-  return contact_row < 2 || contact_row == 4;
-}
-
-bool is_of_place(const math::Dependence<6>& on) {
-  return (on.any >> 2U).none();
-}
-
 }  // namespace
 
 LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
@@ -63,24 +47,13 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
               static_cast<int>(limits.size()), num_contact_rows(scene, ends),
               num_start_rows(scene, limits, ends)),
           {}, "collocation point"),
-      scheme_(&radau_scheme(mesh.degree)),
-      body_(scene, std::move(limits),
-            scene.body.rolls() ? 1.0 / scene.body.radius : 1.0),
       ends_(ends),
       held_(std::move(held)),
-      rates_on_(body_.rates(kVariables)),
+      collocation_({scene, std::move(limits),
+                    scene.body.rolls() ? 1.0 / scene.body.radius : 1.0},
+                   radau_scheme(mesh.degree), layout()),
       row_lower_(at(num_constraints())),
-      row_upper_(at(num_constraints())),
-      points_(at(layout().num_points())),
-      limit_values_(points_.size() * body_.num_limits()) {
-  for (std::size_t i = 0; i < body_.num_limits(); ++i) {
-    limits_on_.push_back(body_.limit(i, kVariables));
-  }
-  const auto bends_places = [](const Dependence& on) {
-    return on.curved[0] || on.curved[1];
-  };
-  curved_places_ =
-      scene.world.sphere || std::ranges::any_of(limits_on_, bends_places);
+      row_upper_(at(num_constraints())) {
   fix_start();
   weigh();
   bound_limits();
@@ -90,8 +63,8 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
 void LimitedTime::weigh() {
   weights_.assign(at(num_variables() + num_constraints()), 1.0);
   for (int c = 0; c < layout().num_points(); ++c) {
-    const double b = scheme_->rule.weights[at(c % scheme_->degree)];
-    const double share = b * mesh().length(c / scheme_->degree);
+    const double b = scheme().rule.weights[at(c % scheme().degree)];
+    const double share = b * mesh().length(c / scheme().degree);
     for (int i = 0; i < layout().num_states(); ++i) {
       weights_[at(layout().state(c + 1, X) + i)] = share;
       if (c == 0) weights_[at(i)] = share;
@@ -106,7 +79,9 @@ void LimitedTime::weigh() {
 
 void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
                          const LimitedEnds& ends) {
-  body_.change_limits(std::move(limits));
+  rolling::Turning changed = body();
+  changed.change_limits(std::move(limits));
+  collocation_.describe(std::move(changed));
   ends_ = ends;
   change_lengths(std::move(mesh));
   fix_start();
@@ -141,7 +116,7 @@ void LimitedTime::bound_limits() {
             held_ ? held_at(c, i) : nlp::Held::No);
     }
     // The place of the last point is given: its limit would say so again.
-    if (!free_contacts() && is_of_place(limits_on_[at(i)])) {
+    if (!free_contacts() && collocation_.limit_is_of(i, {rolling::kX, rolling::kZ})) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       const auto row = at(layout().limit(layout().num_points() - 1, i));
       row_lower_[row] = -kInfinity;
@@ -152,16 +127,6 @@ void LimitedTime::bound_limits() {
             held_ ? held_->at_rest[at(i)] : nlp::Held::No);
     }
   }
-}
-
-math::Jet2<double, 1> LimitedTime::at_rest(int limit, double beta) const {
-  using Start = math::Jet2<double, 1>;
-  return value_of(limits()[at(limit)], scene(),
-                  resting(Start::variable(beta, 0)));
-}
-
-math::Jet2<double, 1> LimitedTime::push_at(double beta) const {
-  return pushed_w(scene(), math::Jet2<double, 1>::variable(beta, 0));
 }
 
 void LimitedTime::fix_start() {
@@ -178,7 +143,7 @@ void LimitedTime::fix_start() {
           : centre_above({0.0, 0.0}, body.radius, start);
   fix(layout().state(0, X), centre.x);
   fix(layout().state(0, Z), centre.z);
-  fix(layout().state(0, W), pushed() ? push_at(start).value : 0.0);
+  fix(layout().state(0, W), pushed() ? pushed_w(scene(), start) : 0.0);
   if (ends_.start_slope_fixed) {
     fix(layout().state(0, Beta), start);
   } else {
@@ -207,15 +172,6 @@ nlp::Held LimitedTime::held_at(int point, int limit) const {
   return held[at(element + 1)][at(limit)];
 }
 
-int LimitedTime::local(int point, int number) const {
-  return number == kControl ? layout().control(point)
-                            : layout().state(point + 1, kStates.at(at(number)));
-}
-
-const LimitedTime::Jet& LimitedTime::limit_at(int point, int number) const {
-  return limit_values_[at(point) * body_.num_limits() + at(number)];
-}
-
 nlp::ChainStructure LimitedTime::chain_structure() const {
   nlp::ChainStructure chain = Transcription::chain_structure();
   const int p = mesh().degree;
@@ -228,12 +184,11 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
       chain.block[at(num_variables() + layout().limit(c, i))] = block;
     }
   }
-  for (int i = 0; i < layout().num_contact_rows(); ++i) {
-    chain.block[at(num_variables() + layout().contact_row(i))] =
-        is_at_A(i) ? 0 : 2 * mesh().num_elements();
-  }
-  for (int i = 0; i < layout().num_start_rows(); ++i) {
-    chain.block[at(num_variables() + layout().start_row(i))] = 0;
+  const auto end_row = [&](int i) {
+    return at(num_variables() + layout().contact_row(i));
+  };
+  for (int i = 0; i < num_end_rows(); ++i) {
+    chain.block[end_row(i)] = is_at_start(i) ? 0 : 2 * mesh().num_elements();
   }
   // The Hessian by states and controls is of the order of h, as an integral
   // over the element, the Jacobian of order one: both are with √h between them.
@@ -255,12 +210,9 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
           limits()[at(i)].bounds_control() ? root * root * root : root;
     }
   }
-  for (int i = 0; i < layout().num_contact_rows(); ++i) {
-    chain.scale[at(num_variables() + layout().contact_row(i))] =
-        root_of(is_at_A(i) ? 0 : mesh().num_elements() - 1);
-  }
-  for (int i = 0; i < layout().num_start_rows(); ++i) {
-    chain.scale[at(num_variables() + layout().start_row(i))] = root_of(0);
+  for (int i = 0; i < num_end_rows(); ++i) {
+    chain.scale[end_row(i)] =
+        root_of(is_at_start(i) ? 0 : mesh().num_elements() - 1);
   }
   return chain;
 }
@@ -278,7 +230,7 @@ std::optional<Transcription::End> LimitedTime::end(
   out.p = end_costates(lambda);
   const int p = mesh().degree;
   for (int j = 0; j < p; ++j) {
-    const double D = scheme_->derivative(j, p);
+    const double D = scheme().derivative(j, p);
     out.by_lambda.push_back(
         {layout().defect(last - p + j, X), 0.0, 0.0, -D, 0.0});
     out.by_lambda.push_back(
@@ -293,7 +245,7 @@ Costates LimitedTime::end_costates(std::span<const double> lambda) const {
   const int first = layout().num_points() - p;
   Costates out;
   for (int j = 0; j < p; ++j) {
-    const double D = scheme_->derivative(j, p);
+    const double D = scheme().derivative(j, p);
     out.p_x -= D * lambda[at(layout().defect(first + j, X))];
     out.p_z -= D * lambda[at(layout().defect(first + j, Z))];
   }
@@ -303,7 +255,7 @@ Costates LimitedTime::end_costates(std::span<const double> lambda) const {
 Costates LimitedTime::start_costates(std::span<const double> lambda) const {
   Costates out;
   for (int j = 0; j < mesh().degree; ++j) {
-    const double D = scheme_->derivative(j, 0);
+    const double D = scheme().derivative(j, 0);
     out.p_x += D * lambda[at(layout().defect(j, X))];
     out.p_z += D * lambda[at(layout().defect(j, Z))];
     out.p_w += D * lambda[at(layout().defect(j, W))];
@@ -315,95 +267,74 @@ bool LimitedTime::evaluate() {
   if (!(x(layout().rolling_time()) > 0.0)) {
     return refuse(-1, "the rolling time U is not positive");
   }
-  for (int c = 0; c < layout().num_points(); ++c) {
-    check_stop(c);
-    std::array<Jet, kLocals> yu;
-    for (int i = 0; i < kLocals; ++i) {
-      yu[at(i)] = has_local(i) ? Jet::variable(x(local(c, i)), i) : Jet(0.0);
-    }
-    yu[kControl] = yu[kControl] * Jet(1.0 / mesh().length(c / mesh().degree));
-    if (!(yu[rolling::kW].value > 0.0)) {
-      return refuse(c, "the speed w is not positive");
-    }
-    if (!std::isfinite(std::cos(yu[rolling::kBeta].value))) {
-      return refuse(c, "the slope angle is not finite");
-    }
-    points_[at(c)] = body_.rates(yu);
-    if (!(points_[at(c)].cost.value > 0.0)) {
-      return refuse(c, "the inertia factor A is not positive");
-    }
-    // What is neither held nor an inequality is not asked for. Forces once for
-    // all limits that bound them.
-    const auto [x_c, z_c, theta, w, beta, q] = yu;
-    const TurningPoint<Jet> place{x_c, z_c, theta, w, beta, q};
-    ContactForce<Jet> force;
-    bool known = false;
-    for (int i = 0; i < layout().num_limits(); ++i) {
-      const bool asked = !held_ || held_at(c, i) != nlp::Held::No;
-      if (asked && limits()[at(i)].bounds_force() && !known) {
-        force = contact_force(scene(), place);
-        known = true;
-      }
-      limit_values_[at(c) * body_.num_limits() + at(i)] =
-          asked ? value_of(limits()[at(i)], force, place) : Jet(0.0);
-    }
+  // What is neither held nor an inequality is not asked for.
+  const auto refused = collocation_.evaluate(
+      x(), mesh(), [&](int) -> const auto& { return body(); },
+      [&](int c, int limit) {
+        return !held_ || held_at(c, limit) != nlp::Held::No;
+      });
+  return !refused || refuse(refused->point, refused->because);
+}
+
+template <class With>
+void LimitedTime::each_end_row(With&& with) const {
+  using On = math::Dependence<4>;
+  const auto variable = [](int i) { return On::variable(i); };
+  for (int i = 0; i < num_end_rows(); ++i) {
+    const int node = is_at_start(i) ? 0 : layout().num_points();
+    const auto jet = [&](int k) {
+      return EndJet::variable(x(layout().state(node, kOfEnds[at(k)])), k);
+    };
+    with(layout().contact_row(i), node,
+         at_end_row(i, jet(0), jet(1), jet(2), jet(3)),
+         at_end_row(i, variable(0), variable(1), variable(2), variable(3)));
   }
-  return true;
 }
 
 double LimitedTime::do_eval_f() const {
-  double sum = 0.0;
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    double element = 0.0;
-    for (int j = 0; j < mesh().degree; ++j) {
-      element += scheme_->rule.weights[at(j)] *
-                 points_[at(e * mesh().degree + j)].cost.value;
-    }
-    sum += mesh().length(e) * element;
-  }
-  return x(layout().rolling_time()) * sum;
+  return collocation_.objective(mesh(), x(layout().rolling_time()));
+}
+
+void LimitedTime::do_eval_grad_f(std::span<double> grad_f) const {
+  collocation_.put_gradient(mesh(), x(layout().rolling_time()), grad_f);
 }
 
 void LimitedTime::do_eval_g(std::span<double> g) const {
-  const int p = mesh().degree;
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    const double hU = mesh().length(e) * x(layout().rolling_time());
-    for (int j = 0; j < p; ++j) {
-      const int c = e * p + j;
-      for (int s = 0; s < kControl; ++s) {
-        if (!has_local(s)) continue;
-        const StateComponent component = kStates[at(s)];
-        double sum = 0.0;
-        for (int n = 0; n <= p; ++n) {
-          sum += scheme_->derivative(j, n) *
-                 x(layout().state(e * p + n, component));
-        }
-        g[at(layout().defect(c, component))] =
-            sum - hU * points_[at(c)].states[at(s)].value;
-      }
-      for (int i = 0; i < layout().num_limits(); ++i) {
-        g[at(layout().limit(c, i))] = limit_at(c, i).value;
+  collocation_.put_constraints(x(), mesh(), g);
+  each_end_row([&](int row, int, const EndJet& value, const auto&) {
+    g[at(row)] = value.value;
+  });
+}
+
+void LimitedTime::put_jac_g(Entries& put) const {
+  collocation_.put_jac_g(mesh(), x(layout().rolling_time()), put);
+  each_end_row([&](int row, int node, const EndJet& value, const auto& on) {
+    for (std::size_t k = 0; k < kOfEnds.size(); ++k) {
+      if (on.any[k]) {
+        put(row, layout().state(node, kOfEnds[k]), value.gradient[k]);
       }
     }
-  }
-  for (int i = 0; i < layout().num_start_rows(); ++i) {
-    g[at(layout().start_row(i))] = at_rest(i, x(layout().state(0, Beta))).value;
-  }
-  if (!free_contacts()) return;
-  const auto put_contact = [&](int row, int node, brachisto::Point contact) {
-    const OffContact<double> off =
-        off_contact(x(layout().state(node, X)), x(layout().state(node, Z)),
-                    scene().body.radius, contact.x, contact.z,
-                    x(layout().state(node, Beta)));
-    g[at(layout().contact_row(row))] = off.x;
-    g[at(layout().contact_row(row + 1))] = off.z;
-  };
-  put_contact(0, 0, {0.0, 0.0});
-  put_contact(2, layout().num_points(), {scene().L, scene().H});
-  if (pushed()) {
-    g[at(layout().contact_row(4))] =
-        x(layout().state(0, W)) - push_at(x(layout().state(0, Beta))).value;
-  }
+  });
+}
+
+void LimitedTime::put_hess_lag(double objective_factor,
+                               std::span<const double> lambda,
+                               Entries& put) const {
+  collocation_.put_hess_lag(mesh(), x(layout().rolling_time()),
+                            objective_factor, lambda, put);
+  constexpr int kSlope = 3;  // nothing else bends them
+  each_end_row([&](int row, int node, const EndJet& value, const auto&) {
+    const int beta = layout().state(node, Beta);
+    put(beta, beta,
+        lambda[at(row)] * value.hessian[EndJet::pair(kSlope, kSlope)]);
+  });
+}
+
+void LimitedTime::add_rates_by_length(int element, double rate,
+                                      std::span<const double> lambda,
+                                      std::span<double> out) const {
+  collocation_.add_rates_by_length(element, mesh(), x(layout().rolling_time()),
+                                   rate, x(), lambda, out);
 }
 
 }  // namespace brachisto

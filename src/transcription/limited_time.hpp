@@ -12,13 +12,13 @@
 #include <span>
 #include <vector>
 
-#include "math/dependence.hpp"
 #include "math/index.hpp"
 #include "math/jet2.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "rolling/rolling_body.hpp"
-#include "transcription/collocation.hpp"
+#include "ocp/collocation.hpp"
+#include "transcription/program_formulas.hpp"
 #include "transcription/transcription.hpp"
 
 namespace brachisto {
@@ -53,12 +53,8 @@ struct HeldLimits {
 /// curvature are affine in it. With Gauss's points β as a state would have a
 /// null mode; here β(0) enters nothing but the first element's defects.
 ///
-/// The unknown of an element of length h is h q, so that entries of the KKT
-/// matrix do not fall with h.
-///
-/// Nodes and collocation points are the same but for the start, so that all
-/// derivatives are those of that one function of a point. Of the rates β' alone
-/// depends on the control: it is q.
+/// All of that is ocp::Collocation's of that body; what is added are the bounds
+/// and the rows at the ends.
 class LimitedTime final : public Transcription {
  public:
   /// \param scene   valid, in units of the caller's choice
@@ -68,9 +64,11 @@ class LimitedTime final : public Transcription {
   LimitedTime(const Scene& scene, std::vector<PathInequality> limits, Mesh mesh,
               const LimitedEnds& ends, std::optional<HeldLimits> held = {});
 
-  [[nodiscard]] const RadauScheme& scheme() const { return *scheme_; }
+  [[nodiscard]] const CollocationScheme& scheme() const {
+    return collocation_.scheme();
+  }
   [[nodiscard]] const std::vector<PathInequality>& limits() const {
-    return body_.limits();
+    return body().limits();
   }
   [[nodiscard]] const LimitedEnds& ends() const { return ends_; }
   [[nodiscard]] bool free_contacts() const { return ends_.free_contacts; }
@@ -94,8 +92,29 @@ class LimitedTime final : public Transcription {
     }
     return out;
   }
-  /// w(0) of a push in the direction β.
-  [[nodiscard]] math::Jet2<double, 1> push_at(double beta) const;
+  /// The rows behind those of the points, in their order: the contacts' and
+  /// the push's where the slopes are free, then limits at rest. Each is of the
+  /// unknowns at one node, at_end_row().
+  [[nodiscard]] int num_end_rows() const {
+    return layout().num_contact_rows() + layout().num_start_rows();
+  }
+  [[nodiscard]] bool is_at_start(int end_row) const {
+    return end_row < 2 || end_row >= 4 || !free_contacts();
+  }
+  template <class Scalar>
+  [[nodiscard]] Scalar at_end_row(int number, const Scalar& x, const Scalar& z,
+                                  const Scalar& w, const Scalar& beta) const {
+    const int contacts = layout().num_contact_rows();
+    if (number >= contacts) {
+      return value_of(limits()[at(number - contacts)], scene(), resting(beta));
+    }
+    if (number == 4) return w - pushed_w(scene(), beta);
+    const bool at_A = number < 2;
+    const OffContact<Scalar> off =
+        off_contact(x, z, scene().body.radius, at_A ? 0.0 : scene().L,
+                    at_A ? 0.0 : scene().H, beta);
+    return number % 2 == 0 ? off.x : off.z;
+  }
   /// Keeps |β| below a bound [rad] wherever it is not fixed.
   void bound_slopes(double steepest);
   /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the
@@ -133,30 +152,19 @@ class LimitedTime final : public Transcription {
   [[nodiscard]] Costates start_costates(std::span<const double> lambda) const;
 
  private:
-  /// x, z, θ, w, β, h q.
-  static constexpr int kLocals = 6;
-  static constexpr int kControl = 5;
-  static constexpr std::array kStates{StateComponent::X, StateComponent::Z,
-                                      StateComponent::Theta, StateComponent::W,
-                                      StateComponent::Beta};
-  using Jet = math::Jet2<double, kLocals>;
-
   void fix_start();
   void bound_limits();
   void weigh();
-  /// Of a limit on forces at rest, by β(0).
-  [[nodiscard]] math::Jet2<double, 1> at_rest(int limit, double beta) const;
-  [[nodiscard]] int local(int point, int number) const;
-  [[nodiscard]] bool has_local(int number) const {
-    return number != 2 || layout().has_theta();
+  [[nodiscard]] const rolling::Turning& body() const {
+    return collocation_.description();
   }
-  /// Whether the program has a second derivative by two of them.
-  [[nodiscard]] bool has_pair(int a, int b) const;
-  [[nodiscard]] const Jet& limit_at(int point, int number) const;
-  /// weight √A − λ·f of a point, without β', of which what depends on h or U
-  /// stands beside it.
-  [[nodiscard]] Jet density_at(int point, double weight,
-                               std::span<const double> lambda) const;
+  /// By x, z, w and β of their node.
+  using EndJet = math::Jet2<double, 4>;
+  static constexpr std::array kOfEnds{StateComponent::X, StateComponent::Z,
+                                      StateComponent::W, StateComponent::Beta};
+  /// Calls with(row, node, value, dependence) for each of them.
+  template <class With>
+  void each_end_row(With&& with) const;
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
@@ -166,17 +174,10 @@ class LimitedTime final : public Transcription {
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
 
-  const RadauScheme* scheme_;
-  rolling::Turning body_;
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
-  using Dependence = math::Dependence<kLocals>;
-  ocp::Rates<Dependence, rolling::Turning::kStates> rates_on_;
-  std::vector<Dependence> limits_on_;
-  bool curved_places_;  ///< second derivatives by x and z
+  ocp::Collocation<rolling::Turning> collocation_;
   std::vector<double> row_lower_, row_upper_, weights_;
-  std::vector<ocp::Rates<Jet, rolling::Turning::kStates>> points_;
-  std::vector<Jet> limit_values_;  ///< of a point, one after the other
 };
 
 }  // namespace brachisto

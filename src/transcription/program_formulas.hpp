@@ -15,43 +15,6 @@
 
 namespace brachisto {
 
-/// Defects of a collocation point, D X − h U f, each from its difference D X
-/// and h_e U: of x and z, whose direction is cos β and sin β; of θ; of w.
-template <class Scalar>
-[[nodiscard]] Scalar place_defect(const Scalar& difference, const Scalar& hU,
-                                  const Scalar& w, const Scalar& direction) {
-  return difference - hU * w * direction;
-}
-template <class Scalar>
-[[nodiscard]] Scalar turning_defect(const Scalar& difference, const Scalar& hU,
-                                    const Scalar& w, double radius) {
-  return difference - hU * w / radius;
-}
-/// \param pull, gain  whose product is w': g and sin β + η cos θ; 1 and
-///                    speed_gain() in another world
-template <class Scalar>
-[[nodiscard]] Scalar speed_defect(const Scalar& difference, const Scalar& hU,
-                                  double pull, const Scalar& gain) {
-  return difference - hU * pull * gain;
-}
-
-/// The same rates f by u for themselves.
-template <class Scalar>
-[[nodiscard]] Scalar place_rate(const Scalar& w, const Scalar& direction) {
-  return w * direction;
-}
-template <class Scalar>
-[[nodiscard]] Scalar turning_rate(const Scalar& w, double radius) {
-  return w / radius;
-}
-/// \param eta  0 of a body without θ
-template <class Scalar>
-[[nodiscard]] Scalar speed_rate(double gravity, double eta,
-                                const Scalar& sin_beta,
-                                const Scalar& cos_theta) {
-  return gravity * (sin_beta + eta * cos_theta);
-}
-
 /// (r Δθ)² A of a straight piece, with its slope's sine and cosine written out.
 ///
 /// \param length                r Δθ

@@ -3,16 +3,15 @@
 
 #include "transcription/rolling_time.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
-#include "model/inertia.hpp"
 #include "model/start_angle.hpp"
-#include "transcription/program_formulas.hpp"
 
 namespace brachisto {
 
@@ -20,30 +19,43 @@ namespace {
 
 using enum StateComponent;
 
+/// Of a body without θ nothing is asked for it.
+double rotation_per_length(const Scene& scene) {
+  return scene.body.off_centred() ? 1.0 / scene.body.radius : 0.0;
+}
+
+using Falling = ocp::Collocation<rolling::SteeredFalling>;
+using InWorld = ocp::Collocation<rolling::Steered>;
+
+std::variant<Falling, InWorld> collocated(const Scene& scene,
+                                          const CollocationScheme& scheme,
+                                          const ocp::Layout& layout) {
+  const double per_length = rotation_per_length(scene);
+  if (scene.world.changes_rates()) {
+    return InWorld(rolling::Steered(scene, {}, per_length), scheme, layout);
+  }
+  return Falling(rolling::SteeredFalling(scene, {}, per_length), scheme, layout);
+}
+
 }  // namespace
 
 RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
     : Transcription(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
                     {}, "collocation point"),
-      scheme_(&collocation_scheme(mesh.degree)) {
+      collocation_(collocated(scene, scheme(), layout())) {
   fix_start();
   set_end_angle(phi);
-
-  for (auto* array : {&points_.w, &points_.cos_beta, &points_.sin_beta,
-                      &points_.root, &points_.d_root, &points_.d2_root,
-                      &points_.eta_cos_theta, &points_.eta_sin_theta}) {
-    array->assign(at(layout().num_points()), 0.0);
-  }
-  if (scene.world.changes_rates()) {
-    world_points_.resize(at(layout().num_points()));
-  }
-
   build_patterns();
 }
 
 void RollingTime::move_to(const Scene& scene, Mesh mesh, double phi) {
   change_scene(scene);
   change_lengths(std::move(mesh));
+  std::visit(
+      [&]<class Description>(ocp::Collocation<Description>& collocation) {
+        collocation.describe(Description(scene, {}, rotation_per_length(scene)));
+      },
+      collocation_);
   fix_start();
   set_end_angle(phi);
 }
@@ -104,7 +116,7 @@ std::optional<Transcription::End> RollingTime::end(
     out.state.theta = x[at(layout().state(last, Theta))];
     out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
   }
-  const double b = scheme_->rule.weights.back();
+  const double b = scheme().rule.weights.back();
   out.p.p_x = -lambda[at(row_x)] / b;
   out.p.p_z = -lambda[at(row_z)] / b;
   out.divisor = b;
@@ -127,108 +139,140 @@ Costates RollingTime::end_costates(std::span<const double> lambda) const {
 }
 
 bool RollingTime::evaluate() {
-  const int p = mesh().degree;
-  const double eta = scene().body.eta_m;
-  const bool in_world = changes_rates();
-  const double constant_root =
-      std::sqrt(axisymmetric_inertia_factor(scene().body));
-
   if (!(x(layout().rolling_time()) > 0.0)) {
     return refuse(-1, "the rolling time U is not positive");
   }
-  std::optional<Scene> on_side;
-  if (!sides_.empty()) on_side = scene();
-  const Scene& seen = on_side ? *on_side : scene();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    check_stop(e);
-    if (on_side) on_side->world.side = sides_[at(e)];
-    for (int j = 0; j < p; ++j) {
-      const int point = e * p + j;
-      double w = 0.0;
-      double theta = 0.0;
-      for (int n = 0; n <= p; ++n) {
-        const double weight = scheme_->interpolation(j, n);
-        w += weight * x(layout().state(e * p + n, W));
-        if (layout().has_theta()) {
-          theta += weight * x(layout().state(e * p + n, Theta));
-        }
-      }
-      const double beta = x(layout().beta(point));
-      const std::size_t c = at(point);
-      points_.w[c] = w;
-      points_.cos_beta[c] = std::cos(beta);
-      points_.sin_beta[c] = std::sin(beta);
-      points_.root[c] = constant_root;
-      if (layout().has_theta()) {
-        const double A = inertia_factor(scene().body, theta, beta);
-        if (!(A > 0.0)) {
-          return refuse(point, "the inertia factor A is not positive");
-        }
-        const double root = std::sqrt(A);
-        const double d = eta * std::cos(theta - beta) / root;
-        points_.root[c] = root;
-        points_.d_root[c] = d;
-        points_.d2_root[c] = (eta * std::sin(theta - beta) - d * d) / root;
-        points_.eta_cos_theta[c] = eta * std::cos(theta);
-        points_.eta_sin_theta[c] = eta * std::sin(theta);
-      }
-      if (!(w > 0.0)) return refuse(point, "the speed w is not positive");
-      if (!std::isfinite(points_.cos_beta[c])) {
-        return refuse(point, "the slope angle is not finite");
-      }
-      if (in_world) evaluate_world(seen, point, theta, beta);
-    }
-  }
-  return true;
+  return std::visit(
+      [&](auto& collocation) {
+        const auto& by_place = collocation.description();
+        auto inside = by_place, outside = by_place;
+        inside.keep_to_side(false);
+        outside.keep_to_side(true);
+        const auto refused = collocation.evaluate(
+            x(), mesh(),
+            [&](int e) -> const auto& {
+              if (sides_.empty()) return by_place;
+              return sides_[at(e)] == SphereSide::Inside ? inside : outside;
+            },
+            [](int, int) { return false; });
+        return !refused || refuse(refused->point, refused->because);
+      },
+      collocation_);
 }
 
 double RollingTime::do_eval_f() const {
-  double sum = 0.0;
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    double element = 0.0;
-    for (int j = 0; j < mesh().degree; ++j) {
-      element += scheme_->rule.weights[at(j)] *
-                 points_.root[at(e * mesh().degree + j)];
-    }
-    sum += mesh().length(e) * element;
-  }
-  return x(layout().rolling_time()) * sum;
+  return std::visit(
+      [&](const auto& collocation) {
+        return collocation.objective(mesh(), x(layout().rolling_time()));
+      },
+      collocation_);
+}
+
+void RollingTime::do_eval_grad_f(std::span<double> grad_f) const {
+  std::visit(
+      [&](const auto& collocation) {
+        collocation.put_gradient(mesh(), x(layout().rolling_time()), grad_f);
+      },
+      collocation_);
 }
 
 void RollingTime::do_eval_g(std::span<double> g) const {
+  std::visit(
+      [&](const auto& collocation) {
+        collocation.put_constraints(x(), mesh(), g);
+      },
+      collocation_);
+}
+
+void RollingTime::put_jac_g(Entries& put) const {
+  std::visit(
+      [&](const auto& collocation) {
+        collocation.put_jac_g(mesh(), x(layout().rolling_time()), put);
+      },
+      collocation_);
+}
+
+void RollingTime::put_hess_lag(double objective_factor,
+                               std::span<const double> lambda,
+                               Entries& put) const {
+  std::visit(
+      [&](const auto& collocation) {
+        collocation.put_hess_lag(mesh(), x(layout().rolling_time()),
+                                 objective_factor, lambda, put);
+      },
+      collocation_);
+}
+
+ocp::Rates<RollingTime::Jet, 4> RollingTime::rates(std::span<const double> x,
+                                                   int point) const {
+  return std::visit(
+      [&](const auto& collocation) {
+        return collocation.jets_at(collocation.locals(x, mesh(), point));
+      },
+      collocation_);
+}
+
+// p = Σ_j b_j (p_j + c_j hU (λ_w/b)_j ∂w'/∂x), p_j = −(λ_x/b)_j, and likewise
+// for z.
+Transcription::End RollingTime::world_end(
+    std::span<const double> lambda) const {
   const int p = mesh().degree;
-  const Body& body = scene().body;
-  const bool in_world = changes_rates();
-  for (int e = 0; e < mesh().num_elements(); ++e) {
-    const double hU = mesh().length(e) * x(layout().rolling_time());
-    for (int j = 0; j < p; ++j) {
-      const int point = e * p + j;
-      const std::size_t c = at(point);
-      const auto difference = [&](StateComponent component) {
-        double sum = 0.0;
-        for (int n = 0; n <= p; ++n) {
-          sum += scheme_->derivative(j, n) *
-                 x(layout().state(e * p + n, component));
-        }
-        return sum;
+  const auto& collocation =
+      std::get<InWorld>(collocation_);
+  const int e = mesh().num_elements() - 1;
+  const int last = layout().num_points();
+  const double h = mesh().length(e);
+  const double U = x(layout().rolling_time());
+  End out;
+  out.state.w = x(layout().state(last, W));
+  if (layout().has_theta()) out.state.theta = x(layout().state(last, Theta));
+  std::map<int, End::Rate> by_x;
+  const auto by = [&](int index) -> End::Rate& {
+    return by_x.try_emplace(index, End::Rate{index, 0.0, 0.0, 0.0, 0.0})
+        .first->second;
+  };
+  by(layout().state(last, W)).w = 1.0;
+  if (layout().has_theta()) by(layout().state(last, Theta)).theta = 1.0;
+  for (int j = 0; j < p; ++j) {
+    const int point = e * p + j;
+    const int row_x = layout().defect(point, X);
+    const int row_z = layout().defect(point, Z);
+    const int row_w = layout().defect(point, W);
+    const double c = scheme().rule.points[at(j)];
+    const double lambda_w = lambda[at(row_w)];
+    const Jet& gain = collocation.second(point).states[rolling::kW];
+    const double by_x_place = gain.gradient[0];
+    const double by_z_place = gain.gradient[1];
+    out.p.p_x += h * U * c * lambda_w * by_x_place - lambda[at(row_x)];
+    out.p.p_z += h * U * c * lambda_w * by_z_place - lambda[at(row_z)];
+    out.by_lambda.push_back({row_x, 0.0, 0.0, -1.0, 0.0});
+    out.by_lambda.push_back({row_z, 0.0, 0.0, 0.0, -1.0});
+    out.by_lambda.push_back(
+        {row_w, 0.0, 0.0, h * U * c * by_x_place, h * U * c * by_z_place});
+    const auto add = [&](int index, double share, int local) {
+      End::Rate& rate = by(index);
+      const double factor = h * U * c * lambda_w * share;
+      const auto second = [&](int place) {
+        return gain
+            .hessian[Jet::pair(std::max(place, local), std::min(place, local))];
       };
-      const double w = points_.w[c];
-      g[at(layout().defect(point, X))] =
-          place_defect(difference(X), hU, w, points_.cos_beta[c]);
-      g[at(layout().defect(point, Z))] =
-          place_defect(difference(Z), hU, w, points_.sin_beta[c]);
-      if (layout().has_theta()) {
-        g[at(layout().defect(point, Theta))] =
-            turning_defect(difference(Theta), hU, w, body.radius);
-      }
-      g[at(layout().defect(point, W))] =
-          in_world
-              ? speed_defect(difference(W), hU, 1.0,
-                             world_points_[c].gain.value)
-              : speed_defect(difference(W), hU, scene().gravity,
-                             points_.sin_beta[c] + points_.eta_cos_theta[c]);
+      rate.p_x += factor * second(0);
+      rate.p_z += factor * second(1);
+    };
+    for (int a = 0; a < collocation.kLocals; ++a) {
+      if (a == 2 && !layout().has_theta()) continue;
+      collocation.spread(point, a, [&](int index, double share) {
+        add(index, share, a);
+      });
     }
+    End::Rate& by_U = by(layout().rolling_time());
+    by_U.p_x += h * c * lambda_w * by_x_place;
+    by_U.p_z += h * c * lambda_w * by_z_place;
   }
+  for (const auto& [index, rate] : by_x) out.by_x.push_back(rate);
+  out.last_slope =
+      std::remainder(x(layout().beta(last - 1)), 2.0 * std::numbers::pi);
+  return out;
 }
 
 }  // namespace brachisto

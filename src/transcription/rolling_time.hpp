@@ -8,10 +8,12 @@
 #pragma once
 
 #include <span>
+#include <variant>
 #include <vector>
 
-#include "math/jet2.hpp"
-#include "transcription/collocation.hpp"
+#include "ocp/collocation.hpp"
+#include "ocp/scheme.hpp"
+#include "rolling/steered_falling.hpp"
 #include "transcription/transcription.hpp"
 
 namespace brachisto {
@@ -32,9 +34,8 @@ namespace brachisto {
 /// same on every mesh. VariableLayout tells the order of all of them.
 ///
 /// In another world the start has w = v₀ √A, and w' is U speed_gain(), which
-/// may depend on the place. Its derivatives and those of the Lagrangian are
-/// then those of one point function of (x, z, θ, w, β); rows and unknowns are
-/// the same.
+/// may depend on the place; rows and unknowns are the same. All follows from the
+/// description of the steered body, ocp::Collocation.
 ///
 /// A point is refused unless U > 0 and, at every collocation point, w > 0 and
 /// A > 0: the body moves on and its kinetic energy is positive.
@@ -44,7 +45,14 @@ class RollingTime final : public Transcription {
   /// \param phi    end angle φ [rad]; without effect with Contact::Centre
   RollingTime(const Scene& scene, Mesh mesh, double phi);
 
-  [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
+  [[nodiscard]] const CollocationScheme& scheme() const {
+    return gauss_scheme(mesh().degree);
+  }
+  /// Cost and rates by u at a collocation point, with their first two
+  /// derivatives by x, z, θ, w and β, those of no other matter being 0.
+  using Jet = ocp::Collocation<rolling::Steered>::Jet;
+  [[nodiscard]] ocp::Rates<Jet, 4> rates(std::span<const double> x,
+                                         int point) const;
 
   /// Becomes the program of another scene, whose unknowns and kind of world are
   /// the same, on as many elements of the same degree: bounds and values
@@ -78,15 +86,6 @@ class RollingTime final : public Transcription {
       std::span<const double> lambda) const override;
 
  private:
-  /// What f, g and their derivatives share, one entry per collocation point.
-  struct Points {
-    std::vector<double> w, cos_beta, sin_beta;
-    std::vector<double> root;    ///< √A
-    std::vector<double> d_root;  ///< ∂√A/∂β = −∂√A/∂θ
-    std::vector<double> d2_root;  ///< ∂²√A/∂β² = ∂²√A/∂θ² = −∂²√A/∂θ∂β
-    std::vector<double> eta_cos_theta, eta_sin_theta;
-  };
-
   void fix_start();
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override;
@@ -96,35 +95,18 @@ class RollingTime final : public Transcription {
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override;
 
-  /// In other worlds: x, z, θ, w, β.
-  static constexpr int kLocals = 5;
-  using Jet = math::Jet2<double, kLocals>;
-  struct WorldPoint {
-    Jet root;  ///< √A
-    Jet gain;  ///< dw/du
-  };
-  [[nodiscard]] bool changes_rates() const { return !world_points_.empty(); }
   /// Whether the field depends on the place, so that p_x and p_z are not
   /// constant.
   [[nodiscard]] bool place_matters() const {
     return scene().world.sphere.has_value();
   }
-  [[nodiscard]] bool has_local(int number) const {
-    return number < 2 ? place_matters() : number > 2 || layout().has_theta();
-  }
-  [[nodiscard]] static StateComponent component_of(int local);
-  [[nodiscard]] double interpolated(int point, StateComponent component) const;
-  /// \param seen  the scene with the field of the point's element
-  void evaluate_world(const Scene& seen, int point, double theta, double beta);
-  void put_world_gain(int point, Entries& put) const;
-  void put_world_hess_lag(double objective_factor,
-                          std::span<const double> lambda, Entries& put) const;
   [[nodiscard]] End world_end(std::span<const double> lambda) const;
 
-  const CollocationScheme* scheme_;
-  Points points_;
-  std::vector<WorldPoint> world_points_;  ///< empty in an ordinary world
-  std::vector<SphereSide> sides_;         ///< held, by element, or none
+  /// A body that falls, and in another world.
+  std::variant<ocp::Collocation<rolling::SteeredFalling>,
+               ocp::Collocation<rolling::Steered>>
+      collocation_;
+  std::vector<SphereSide> sides_;  ///< held, by element, or none
 };
 
 }  // namespace brachisto

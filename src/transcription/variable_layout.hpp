@@ -8,6 +8,8 @@
 
 #include <string>
 
+#include "ocp/layout.hpp"
+
 namespace brachisto {
 
 /// Components of the state at a node, in the order in which they are stored. A
@@ -44,16 +46,16 @@ enum class StateComponent { X, Z, Theta, W, Beta };
 /// and after all of them four rows for the two contacts where their slopes are
 /// free, a fifth for the push there, and the limits on forces at rest where
 /// β(0) is free.
-class VariableLayout {
+class VariableLayout : public ocp::Layout {
  public:
   /// Of rolling_time.
   VariableLayout(int num_points, bool has_theta)
-      : VariableLayout(num_points, has_theta, has_theta ? 4 : 3, 1,
+      : VariableLayout(num_points, has_theta, has_theta ? 4 : 3, true,
                        has_theta ? 4 : 3) {}
   /// Of arc_length.
   [[nodiscard]] static VariableLayout of_pieces(int num_pieces,
                                                 bool has_theta) {
-    return {num_pieces, has_theta, has_theta ? 3 : 2, 0, has_theta ? 2 : 1};
+    return {num_pieces, has_theta, has_theta ? 3 : 2, false, has_theta ? 2 : 1};
   }
 
   /// Of limited_time.
@@ -63,77 +65,51 @@ class VariableLayout {
                                                   int num_contact_rows,
                                                   int num_start_rows) {
     const int states = has_theta ? 5 : 4;
-    VariableLayout layout(num_points, has_theta, states, 1,
+    VariableLayout layout(num_points, has_theta, states, true,
                           states + num_limits);
     layout.num_contact_rows_ = num_contact_rows;
     layout.num_start_rows_ = num_start_rows;
     return layout;
   }
 
-  [[nodiscard]] bool has_theta() const { return has_theta_; }
-  [[nodiscard]] int num_states() const { return num_states_; }
-  /// Collocation points or pieces.
-  [[nodiscard]] int num_points() const { return num_points_; }
-  /// The start included.
-  [[nodiscard]] int num_nodes() const { return num_points_ + 1; }
-  [[nodiscard]] int num_variables() const {
-    return num_points_ * stride() + (has_slopes() ? num_states_ : 0) + 1;
+  [[nodiscard]] bool has_theta() const { return has(StateComponent::Theta); }
+  [[nodiscard]] bool has(StateComponent component) const {
+    return has_state(static_cast<int>(component));
   }
   [[nodiscard]] int num_constraints() const {
     return start_row(num_start_rows_);
   }
 
+  using Layout::state;
+  using Layout::defect;
   /// Index of a state component at node 0 … N p, of pieces 1 … N.
   /// \pre has_theta() for Theta, rolling_time for W
   [[nodiscard]] int state(int node, StateComponent component) const {
-    return stride() * (node - first_node()) + offset(component);
+    return state(node, static_cast<int>(component));
   }
-  /// Index of β at collocation point 0 … N p − 1.
-  [[nodiscard]] int beta(int point) const {
-    return stride() * point + num_states_;
-  }
+  /// Index of β at collocation point 0 … N p − 1, of rolling_time.
+  [[nodiscard]] int beta(int point) const { return control(point); }
   /// Index of the global unknown, U or S.
-  [[nodiscard]] int last() const { return num_variables() - 1; }
   [[nodiscard]] int rolling_time() const { return last(); }
   [[nodiscard]] int arc_length() const { return last(); }
   /// Index of the defect of a state component at a collocation point.
   [[nodiscard]] int defect(int point, StateComponent component) const {
-    return num_rows_ * point + offset(component);
+    return defect(point, static_cast<int>(component));
   }
-  /// Index of limit 0 … at a collocation point, of limited_time.
-  [[nodiscard]] int limit(int point, int number) const {
-    return num_rows_ * point + num_states_ + number;
-  }
-  [[nodiscard]] int num_limits() const { return num_rows_ - num_states_; }
-  /// h dβ/du at collocation point 0 … N p − 1, of limited_time.
-  [[nodiscard]] int control(int point) const { return beta(point); }
   /// x, z of the contact at A, then at B, then w of a push at A.
   [[nodiscard]] int contact_row(int number) const {
-    return num_rows_ * num_points_ + number;
+    return end_of_points() + number;
   }
   [[nodiscard]] int num_contact_rows() const { return num_contact_rows_; }
   /// Of the limits on forces at rest.
   [[nodiscard]] int start_row(int number) const {
-    return num_rows_ * num_points_ + num_contact_rows_ + number;
+    return contact_row(num_contact_rows_) + number;
   }
   [[nodiscard]] int num_start_rows() const { return num_start_rows_; }
   /// Of the piece that leads to node 1 … N.
-  [[nodiscard]] int no_slip(int node) const { return num_rows_ * (node - 1); }
+  [[nodiscard]] int no_slip(int node) const { return num_rows() * (node - 1); }
   /// \pre has_theta()
   [[nodiscard]] int place(int node) const { return no_slip(node) + 1; }
-
-  /// The node in whose group an unknown stands.
-  [[nodiscard]] int node_of(int variable) const {
-    return variable / stride() + first_node();
-  }
-  /// True of unknowns but slopes; not of the global one.
-  [[nodiscard]] bool is_state(int variable) const {
-    return variable % stride() < num_states_;
-  }
-  /// The point to which a constraint belongs.
-  [[nodiscard]] int point_of(int constraint) const {
-    return constraint / num_rows_;
-  }
 
   /// "x[3]", "beta[7]", "U".
   [[nodiscard]] std::string variable_name(int index) const;
@@ -141,29 +117,17 @@ class VariableLayout {
   [[nodiscard]] std::string constraint_name(int index) const;
 
  private:
-  VariableLayout(int num_points, bool has_theta, int num_states, int num_slopes,
-                 int num_rows)
-      : num_points_(num_points),
-        has_theta_(has_theta),
-        num_states_(num_states),
-        num_slopes_(num_slopes),
-        num_rows_(num_rows) {}
+  VariableLayout(int num_points, bool has_theta, int num_states,
+                 bool has_control, int num_rows)
+      : Layout(num_points, has_theta ? 0 : 1 << kTheta, num_states, has_control,
+               num_rows) {}
 
-  [[nodiscard]] bool has_slopes() const { return num_slopes_ > 0; }
+  static constexpr int kTheta = static_cast<int>(StateComponent::Theta);
   [[nodiscard]] bool slope_is_state() const {
-    return has_slopes() && num_states_ == (has_theta_ ? 5 : 4);
-  }
-  [[nodiscard]] int first_node() const { return has_slopes() ? 0 : 1; }
-  [[nodiscard]] int stride() const { return num_states_ + num_slopes_; }
-  [[nodiscard]] int offset(StateComponent component) const {
-    const int full = static_cast<int>(component);
-    return component >= StateComponent::W && !has_theta_ ? full - 1 : full;
+    return has_controls() && num_states() == (has_theta() ? 5 : 4);
   }
   [[nodiscard]] const char* state_name(int offset) const;
 
-  int num_points_;
-  bool has_theta_;
-  int num_states_, num_slopes_, num_rows_;  ///< of a node, of a point
   int num_contact_rows_ = 0, num_start_rows_ = 0;
 };
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace brachisto::math {
 namespace {
 
@@ -17,15 +19,21 @@ TEST(Dependence, IsOnWhatAFormulaContains) {
   EXPECT_EQ((On(1.0) / y + 3.0).any, 0b010);
   EXPECT_EQ((sin(x) * cos(y) + sqrt(z)).any, 0b111);
   EXPECT_TRUE(On(4.0).any.none());
-  EXPECT_TRUE(sqrt(On(4.0)).curved.none());
 }
 
-TEST(Dependence, IsAffineUnderSumsAndMultiples) {
-  EXPECT_TRUE((2.0 * x - y / 3.0 + 1.0).curved.none());
-  EXPECT_EQ((x * y + z).curved, 0b011);
-  EXPECT_EQ((x + y / z).curved, 0b110);
-  EXPECT_EQ((sin(x + y) - z).curved, 0b011);
-  EXPECT_EQ((x * x).curved, 0b001);
+using Pairs = std::array<On::Set, 3>;
+
+TEST(Dependence, HasNoSecondDerivativesOfSumsAndMultiples) {
+  EXPECT_EQ((2.0 * x - y / 3.0 + 1.0).second, Pairs{});
+  EXPECT_EQ(sqrt(On(4.0)).second, Pairs{});
+}
+
+TEST(Dependence, KnowsByWhichPairsThereAreSecondDerivatives) {
+  EXPECT_EQ((x * y + z).second, (Pairs{0b010, 0b001, 0}));
+  EXPECT_EQ((x + y / z).second, (Pairs{0, 0b100, 0b110}));
+  EXPECT_EQ((sin(x + y) - z).second, (Pairs{0b011, 0b011, 0}));
+  EXPECT_EQ((x * x).second, (Pairs{0b001, 0, 0}));
+  EXPECT_EQ((x * cos(z)).second, (Pairs{0b100, 0, 0b101}));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "transcription/collocation.hpp"
+#include "ocp/scheme.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 class Collocation : public ::testing::TestWithParam<int> {
  protected:
   const int p = GetParam();
-  const CollocationScheme& scheme = collocation_scheme(p);
+  const CollocationScheme& scheme = gauss_scheme(p);
 
   /// p + 1 products of numbers that sum to no more than the norm of a matrix:
   /// 3 for interpolation (the Lebesgue constant), 6 p² for slopes (Markov's
@@ -127,19 +127,19 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Collocation,
                          ::testing::PrintToStringParamName());
 
 TEST(CollocationSchemes, AreBuiltOnce) {
-  EXPECT_EQ(&collocation_scheme(3), &collocation_scheme(3));
-  EXPECT_NE(&collocation_scheme(3), &collocation_scheme(4));
+  EXPECT_EQ(&gauss_scheme(3), &gauss_scheme(3));
+  EXPECT_NE(&gauss_scheme(3), &gauss_scheme(4));
 }
 
 TEST(CollocationSchemes, RefuseDegreesThatDoNotExist) {
-  EXPECT_THROW(static_cast<void>(collocation_scheme(0)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(collocation_scheme(kLargestDegree + 1)),
+  EXPECT_THROW(static_cast<void>(gauss_scheme(0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(gauss_scheme(kLargestDegree + 1)),
                std::invalid_argument);
 }
 
-TEST(RadauScheme, EndsWithItsElementAndIntegratesExactly) {
+TEST(CollocationScheme, EndsWithItsElementAndIntegratesExactly) {
   for (int p = 1; p <= 9; ++p) {
-    const RadauScheme& scheme = radau_scheme(p);
+    const CollocationScheme& scheme = radau_scheme(p);
 
     EXPECT_EQ(scheme.rule.points.back(), 1.0) << p;
     for (int power = 0; power <= 2 * p - 2; ++power) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "transcription/mesh.hpp"
+#include "ocp/mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,559 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Collocation of a description of an optimal-control problem: objective,
+/// defects, limits and their derivatives, from its one text.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "brachisto/math/stop_condition.hpp"
+#include "math/dependence.hpp"
+#include "math/index.hpp"
+#include "math/jet1.hpp"
+#include "math/jet2.hpp"
+#include "ocp/entries.hpp"
+#include "ocp/layout.hpp"
+#include "ocp/mesh.hpp"
+#include "ocp/point_function.hpp"
+#include "ocp/scheme.hpp"
+
+namespace brachisto::ocp {
+
+/// What is kept of an evaluated point: its rates as jets, unless a description
+/// has something smaller, `kept(yu)`, that its rates follow from by
+/// `rates_of<Number>(kept)`, as numbers and as jets.
+template <class Description>
+inline constexpr bool kKeepsLess =
+    requires(const Description& of, const PointOf<Description, double>& yu) {
+      of.kept(yu);
+    };
+
+/// With the global unknown U, the duration of the way in the description's
+/// variable u, on elements of the lengths h of a mesh of σ ∈ [0, 1]:
+///
+///     minimise U Σ_e h_e Σ_j b_j L,
+///     D y − h_e U f = 0 at each point, of each state,
+///     lower ≤ c ≤ upper    likewise, of each limit.
+///
+/// The defects are in integral form: a tolerance on them means the same on
+/// every mesh. Points of Gauss's scheme lie between the nodes. Those of Radau's
+/// are nodes; the control's unknown is then h u, so that no entry of the
+/// KKT matrix falls with h.
+///
+/// What a description says that nothing depends on has no entries.
+template <class Description>
+class Collocation {
+ public:
+  static constexpr int kStates = static_cast<int>(Description::kStates);
+  static constexpr int kControl = kStates;
+  static constexpr int kLocals = kStates + 1;  ///< states and the control
+  using Jet = math::Jet2<double, kLocals>;
+  using FirstJet = math::Jet1<double, kLocals>;
+  using Locals = PointOf<Description, double>;
+
+  Collocation(Description description, const CollocationScheme& scheme,
+              const Layout& layout)
+      : description_(std::move(description)),
+        scheme_(&scheme),
+        layout_(layout),
+        points_(at(layout.num_points())),
+        limits_(points_.size() * at(layout.num_limits())) {
+    find_dependences();
+  }
+
+  [[nodiscard]] const Description& description() const { return description_; }
+  /// Another one of the same kind, on which as much depends.
+  void describe(Description description) {
+    description_ = std::move(description);
+  }
+  [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
+
+  /// Of states and control at a point, those on which anything depends; the
+  /// others are 0.
+  [[nodiscard]] Locals locals(std::span<const double> x, const Mesh& mesh,
+                              int point) const {
+    Locals yu{};
+    for (int a = 0; a < kLocals; ++a) {
+      if (!matters_[at(a)]) continue;
+      double sum = 0.0;
+      spread(point, a, [&](int index, double share) {
+        sum += share * x[at(index)];
+      });
+      yu[at(a)] = a == kControl ? sum * per_length(mesh, point) : sum;
+    }
+    return yu;
+  }
+
+  /// Why a point of the path is none of the program.
+  struct Refused {
+    int point;
+    const char* because;
+  };
+  /// Evaluates all points.
+  ///
+  /// \param described  the description that holds on an element
+  /// \param asked      whether a limit is asked for at a point; else it is 0
+  template <class Described, class Asked>
+  [[nodiscard]] std::optional<Refused> evaluate(std::span<const double> x,
+                                                const Mesh& mesh,
+                                                Described&& described,
+                                                Asked&& asked) {
+    for (int c = 0; c < layout_.num_points(); ++c) {
+      check_stop(c);
+      const Description& here = described(c / scheme_->degree);
+      const Locals yu = locals(x, mesh, c);
+      points_[at(c)] = evaluated(here, yu);
+      if (const char* because = here.refusal(yu, cost_at(c))) {
+        return Refused{c, because};
+      }
+      if (layout_.num_limits() == 0) continue;
+      const auto jets = present(yu);
+      Jet* const values = &limits_[at(c) * at(layout_.num_limits())];
+      each_limit(
+          here, jets, [&](std::size_t i) { return asked(c, static_cast<int>(i)); },
+          [&](std::size_t i, const Jet& value) { values[i] = value; });
+    }
+    return std::nullopt;
+  }
+
+  /// L and f at an evaluated point with their first two derivatives by states
+  /// and control.
+  [[nodiscard]] decltype(auto) second(int point) const {
+    return as<Jet>(point);
+  }
+  /// The same at any point of the variables.
+  [[nodiscard]] Rates<Jet, kStates> jets_at(const Locals& yu) const {
+    if constexpr (kKeepsLess<Description>) {
+      return description_.template rates_of<Jet>(description_.kept(yu));
+    } else {
+      return description_.rates(present(yu));
+    }
+  }
+  [[nodiscard]] const Jet& limit_at(int point, int number) const {
+    return limits_[at(point) * at(layout_.num_limits()) + at(number)];
+  }
+
+  /// Whether a limit depends on none but these states.
+  [[nodiscard]] bool limit_is_of(int number,
+                                 std::initializer_list<int> states) const {
+    return std::ranges::all_of(limit_rows_[at(number)], [&](int local) {
+      return std::ranges::find(states, local) != states.end();
+    });
+  }
+
+  [[nodiscard]] double objective(const Mesh& mesh, double U) const {
+    double sum = 0.0;
+    for (int e = 0; e < mesh.num_elements(); ++e) {
+      double element = 0.0;
+      for (int j = 0; j < mesh.degree; ++j) {
+        element +=
+            scheme_->rule.weights[at(j)] * cost_at(e * mesh.degree + j);
+      }
+      sum += mesh.length(e) * element;
+    }
+    return U * sum;
+  }
+
+  /// \param grad  all of it is written
+  void put_gradient(const Mesh& mesh, double U, std::span<double> grad) const {
+    std::fill(grad.begin(), grad.end(), 0.0);
+    double sum = 0.0;
+    for (int c = 0; c < layout_.num_points(); ++c) {
+      const double b = scheme_->rule.weights[at(c % mesh.degree)];
+      const double h = mesh.length(c / mesh.degree);
+      const auto& cost = as<FirstJet>(c).cost;
+      sum += h * b * cost.value;
+      for (const int a : rows_.front()) {
+        const double slope = U * (length(a, h) * b) * cost.gradient[at(a)];
+        spread(c, a, [&](int index, double share) {
+          grad[at(index)] += slope * share;
+        });
+      }
+    }
+    grad[at(layout_.last())] = sum;
+  }
+
+  /// Defects and limits.
+  void put_constraints(std::span<const double> x, const Mesh& mesh,
+                       std::span<double> g) const {
+    const int p = mesh.degree;
+    const double U = x[at(layout_.last())];
+    for (int c = 0; c < layout_.num_points(); ++c) {
+      const int first = c / p * p;
+      const double hU = mesh.length(c / p) * U;
+      const auto& rates = as<FirstJet>(c);
+      for (int s = 0; s < kStates; ++s) {
+        if (!layout_.has_state(s)) continue;
+        double difference = 0.0;
+        for (int n = 0; n <= p; ++n) {
+          difference += scheme_->derivative(c % p, n) *
+                        x[at(layout_.state(first + n, s))];
+        }
+        g[at(layout_.defect(c, s))] =
+            difference - hU * rates.states[at(s)].value;
+      }
+      for (int i = 0; i < layout_.num_limits(); ++i) {
+        g[at(layout_.limit(c, i))] = limit_at(c, i).value;
+      }
+    }
+  }
+
+  void put_jac_g(const Mesh& mesh, double U, Entries& put) const {
+    const int p = mesh.degree;
+    put.each(0, mesh.num_elements(), [&](int e) {
+      const double h = mesh.length(e);
+      for (int c = e * p; c < (e + 1) * p; ++c) {
+        const auto& rates = as<FirstJet>(c);
+        for (int s = 0; s < kStates; ++s) {
+          if (!layout_.has_state(s)) continue;
+          const int row = layout_.defect(c, s);
+          const auto& rate = rates.states[at(s)];
+          for (int n = 0; n <= p; ++n) {
+            put(row, layout_.state(e * p + n, s),
+                scheme_->derivative(c - e * p, n));
+          }
+          for (const int a : rows_[at(s + 1)]) {
+            const double slope = -length(a, h) * U * rate.gradient[at(a)];
+            spread(c, a, [&](int index, double share) {
+              put(row, index, slope * share);
+            });
+          }
+          put(row, layout_.last(), -h * rate.value);
+        }
+        for (int i = 0; i < layout_.num_limits(); ++i) {
+          for (const int a : limit_rows_[at(i)]) {
+            const double slope =
+                limit_at(c, i).gradient[at(a)] * (length(a, h) / h);
+            spread(c, a, [&](int index, double share) {
+              put(layout_.limit(c, i), index, slope * share);
+            });
+          }
+        }
+      }
+    });
+  }
+
+  /// At each point the Lagrangian is h U { s b L − λ·f } + Σ_i μ_i c_i plus
+  /// terms linear in the states, s being the objective's factor.
+  void put_hess_lag(const Mesh& mesh, double U, double objective_factor,
+                    std::span<const double> lambda, Entries& put) const {
+    const int p = mesh.degree;
+    std::array<Density, kLargestDegree> of;  // NOLINT: filled below
+    put.each(0, mesh.num_elements(), [&](int e) {
+      const double h = mesh.length(e);
+      for (int j = 0; j < p; ++j) {
+        const int c = e * p + j;
+        Density& D = of[at(j)];
+        D = density(c, objective_factor * scheme_->rule.weights[at(j)], lambda);
+        for (const auto& [a, b] : pairs_) {
+          double& second = D.hessian[Jet::pair(a, b)];
+          second *= h * U;
+          for (int i = 0; i < layout_.num_limits(); ++i) {
+            second += lambda[at(layout_.limit(c, i))] *
+                      limit_at(c, i).hessian[Jet::pair(a, b)];
+          }
+          second *= (length(a, h) / h) * (length(b, h) / h);
+        }
+        for (const int a : by_U_) D.gradient[at(a)] *= length(a, h);
+      }
+      if (scheme_->points_are_nodes) {
+        for (int j = 0; j < p; ++j) put_at_node(e * p + j, of[at(j)], put);
+      } else {
+        put_between_nodes(e, of, put);
+      }
+    });
+  }
+
+  /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the length
+  /// of an element, at the evaluated point:
+  ///
+  ///     ∂L/∂h = Σ_j U (b L̃ − λ·f̃) − Σ μ ∂c/∂u u/h,  L̃ = L − u ∂L/∂u …,
+  ///
+  /// where the control's unknown is h u, and with L, f and h⁰ otherwise.
+  /// \pre points are nodes
+  void add_rates_by_length(int element, const Mesh& mesh, double U, double rate,
+                           std::span<const double> x,
+                           std::span<const double> lambda,
+                           std::span<double> out) const {
+    const double h = mesh.length(element);
+    const int n = layout_.num_variables();
+    constexpr std::size_t kU = kControl;
+    for (int j = 0; j < mesh.degree; ++j) {
+      const int c = element * mesh.degree + j;
+      const double u = x[at(layout_.control(c))] / h;
+      const auto& [cost, states] = second(c);
+      const auto index = [&](int a) {
+        return at(a == kControl ? layout_.control(c)
+                                : layout_.state(c + 1, a));
+      };
+      // f̃ and what it adds to ∇ₓL, a factor standing before it. Of a rate that is
+      // the control, f − u ∂f/∂u is 0 without rounding.
+      const auto add = [&](const Jet& f, double factor) {
+        out[at(layout_.last())] +=
+            rate * factor * (f.value - u * f.gradient[kU]);
+        for (const int a : by_U_) {
+          const double by_a = a == kControl ? 0.0 : f.gradient[at(a)];
+          out[index(a)] += rate * U * factor *
+                           (by_a - u * f.hessian[Jet::pair(kControl, a)]) *
+                           (length(a, h) / h);
+        }
+      };
+      add(cost, scheme_->rule.weights[at(j)]);
+      for (int s = 0; s < kStates; ++s) {
+        if (!layout_.has_state(s)) continue;
+        const int row = layout_.defect(c, s);
+        const Jet& f = states[at(s)];
+        add(f, -lambda[at(row)]);
+        out[at(n + row)] -= rate * U * (f.value - u * f.gradient[kU]);
+      }
+      for (int i = 0; i < layout_.num_limits(); ++i) {
+        const int row = layout_.limit(c, i);
+        const Jet& value = limit_at(c, i);
+        const double mu = rate * lambda[at(row)];
+        out[at(n + row)] -= rate * (u / h) * value.gradient[kU];
+        for (const int a : limit_rows_[at(i)]) {
+          out[index(a)] -= mu * (u / h) *
+                           value.hessian[Jet::pair(kControl, a)] *
+                           (length(a, h) / h);
+        }
+        out[index(kControl)] -= mu * value.gradient[kU] / (h * h);
+      }
+    }
+  }
+
+  /// Calls with(index, share) for each unknown that a local one of a point is
+  /// made of; of the control its unknown.
+  template <class With>
+  void spread(int point, int local, With&& with) const {
+    if (local == kControl) return with(layout_.control(point), 1.0);
+    if (scheme_->points_are_nodes) {
+      return with(layout_.state(point + 1, local), 1.0);
+    }
+    const int j = point % scheme_->degree;
+    const int stride = layout_.state(1, local) - layout_.state(0, local);
+    int index = layout_.state(point - j, local);
+    for (int n = 0; n <= scheme_->degree; ++n, index += stride) {
+      with(index, scheme_->interpolation(j, n));
+    }
+  }
+
+ private:
+  static auto kept_type() {
+    if constexpr (kKeepsLess<Description>) {
+      return decltype(std::declval<const Description&>().kept(Locals{})){};
+    } else {
+      return Rates<Jet, kStates>{};
+    }
+  }
+  using Kept = decltype(kept_type());
+
+  /// Derivatives of s b L − λ·f by states and control.
+  struct Density {
+    std::array<double, kLocals> gradient;
+    std::array<double, Jet::kPairs> hessian;
+  };
+  /// A derivative of the cost, 0, or of rate s, s + 1.
+  struct Term {
+    std::size_t of, where;
+  };
+
+  [[nodiscard]] Kept evaluated(const Description& here,
+                               const Locals& yu) const {
+    if constexpr (kKeepsLess<Description>) {
+      return here.kept(yu);
+    } else {
+      return here.rates(present(yu));
+    }
+  }
+  /// States and control as variables; what is absent is a constant.
+  [[nodiscard]] PointOf<Description, Jet> present(const Locals& yu) const {
+    PointOf<Description, Jet> jets;
+    for (int a = 0; a < kLocals; ++a) {
+      if (matters_[at(a)]) jets[at(a)] = Jet::variable(yu[at(a)], a);
+    }
+    return jets;
+  }
+  template <class Number>
+  [[nodiscard]] decltype(auto) as(int point) const {
+    if constexpr (kKeepsLess<Description>) {
+      return description_.template rates_of<Number>(points_[at(point)]);
+    } else {
+      return static_cast<const Rates<Jet, kStates>&>(points_[at(point)]);
+    }
+  }
+  [[nodiscard]] double cost_at(int point) const {
+    return as<FirstJet>(point).cost.value;
+  }
+
+  /// h of a state, 1 of a control whose unknown has h in it.
+  [[nodiscard]] double length(int local, double h) const {
+    return local == kControl && scheme_->points_are_nodes ? 1.0 : h;
+  }
+  /// By what the control's unknown is multiplied for the control.
+  [[nodiscard]] double per_length(const Mesh& mesh, int point) const {
+    return scheme_->points_are_nodes
+               ? 1.0 / mesh.length(point / scheme_->degree)
+               : 1.0;
+  }
+
+  void find_dependences() {
+    using On = math::Dependence<kLocals>;
+    PointOf<Description, On> variables;
+    for (int a = 0; a < kLocals; ++a) {
+      if (a == kControl || layout_.has_state(a)) {
+        variables[at(a)] = On::variable(a);
+      }
+    }
+    On all, of_rates;
+    const auto locals_of = [](const On& on) {
+      std::vector<int> out;
+      for (int a = 0; a < kLocals; ++a) {
+        if (on.any[at(a)]) out.push_back(a);
+      }
+      return out;
+    };
+    const auto see = [&](const On& on, std::size_t number) {
+      of_rates = of_rates + on;
+      rows_.push_back(locals_of(on));
+      for (int a = 0; a < kLocals; ++a) {
+        if (on.any[at(a)]) first_terms_.push_back({number, at(a)});
+        for (int b = 0; b <= a; ++b) {
+          if (on.second[at(a)][at(b)]) {
+            second_terms_.push_back({number, Jet::pair(a, b)});
+          }
+        }
+      }
+    };
+    const auto rates = description_.rates(variables);
+    see(rates.cost, 0);
+    for (int s = 0; s < kStates; ++s) {
+      see(layout_.has_state(s) ? rates.states[at(s)] : On(), at(s + 1));
+    }
+    by_U_ = locals_of(of_rates);
+    all = of_rates;
+    for (int i = 0; i < layout_.num_limits(); ++i) {
+      const On on = description_.limit(at(i), variables);
+      limit_rows_.push_back(locals_of(on));
+      all = all + on;
+    }
+    for (int a = 0; a < kLocals; ++a) {
+      matters_[at(a)] = all.any[at(a)];
+      for (int b = 0; b <= a; ++b) {
+        if (all.second[at(a)][at(b)]) pairs_.push_back({a, b});
+      }
+    }
+  }
+
+  [[nodiscard]] Density density(int point, double weight,
+                                std::span<const double> lambda) const {
+    const auto& rates = second(point);
+    std::array<double, kStates + 1> factor{weight};
+    std::array<const Jet*, kStates + 1> of{&rates.cost};
+    for (int s = 0; s < kStates; ++s) {
+      of[at(s + 1)] = &rates.states[at(s)];
+      if (layout_.has_state(s)) {
+        factor[at(s + 1)] = -lambda[at(layout_.defect(point, s))];
+      }
+    }
+    Density out{};
+    for (const auto& [number, where] : first_terms_) {
+      out.gradient[where] += factor[number] * of[number]->gradient[where];
+    }
+    for (const auto& [number, where] : second_terms_) {
+      out.hessian[where] += factor[number] * of[number]->hessian[where];
+    }
+    return out;
+  }
+
+  static void put_lower(Entries& put, int a, int b, double value) {
+    put(std::max(a, b), std::min(a, b), value);
+  }
+
+  void put_at_node(int point, const Density& D, Entries& put) const {
+    const auto index = [&](int a) {
+      return a == kControl ? layout_.control(point)
+                           : layout_.state(point + 1, a);
+    };
+    for (const auto& [a, b] : pairs_) {
+      put_lower(put, index(a), index(b), D.hessian[Jet::pair(a, b)]);
+    }
+    for (const int a : by_U_) put(layout_.last(), index(a), D.gradient[at(a)]);
+  }
+
+  /// Second derivatives by states at the points, spread to the nodes by the
+  /// interpolation.
+  void put_between_nodes(int element,
+                         const std::array<Density, kLargestDegree>& of,
+                         Entries& put) const {
+    const int p = scheme_->degree;
+    const int first = element * p;
+    const math::SmallMatrix& I = scheme_->interpolation;
+    for (const auto& [a, b] : pairs_) {
+      const std::size_t pair = Jet::pair(a, b);
+      if (b == kControl) {
+        for (int j = 0; j < p; ++j) {
+          const int control = layout_.control(first + j);
+          put(control, control, of[at(j)].hessian[pair]);
+        }
+        continue;
+      }
+      // A pair with the control has it for a.
+      const int one = a == kControl ? b : a;
+      for (int n = 0; n <= p; ++n) {
+        const int index = layout_.state(first + n, one);
+        if (a == kControl) {
+          for (int j = 0; j < p; ++j) {
+            put_lower(put, index, layout_.control(first + j),
+                      I(j, n) * of[at(j)].hessian[pair]);
+          }
+          continue;
+        }
+        for (int m = 0; m <= (a == b ? n : p); ++m) {
+          double sum = 0.0;
+          for (int j = 0; j < p; ++j) {
+            sum += I(j, n) * I(j, m) * of[at(j)].hessian[pair];
+          }
+          put_lower(put, index, layout_.state(first + m, b), sum);
+        }
+      }
+    }
+    for (const int a : by_U_) {
+      if (a == kControl) {
+        for (int j = 0; j < p; ++j) {
+          put(layout_.last(), layout_.control(first + j),
+              of[at(j)].gradient[kControl]);
+        }
+        continue;
+      }
+      for (int n = 0; n <= p; ++n) {
+        double sum = 0.0;
+        for (int j = 0; j < p; ++j) sum += I(j, n) * of[at(j)].gradient[at(a)];
+        put(layout_.last(), layout_.state(first + n, a), sum);
+      }
+    }
+  }
+
+  Description description_;
+  const CollocationScheme* scheme_;
+  Layout layout_;
+  std::vector<Kept> points_;
+  std::vector<Jet> limits_;  ///< of a point, one after the other
+  std::array<bool, kLocals> matters_{};
+  /// On which locals the cost depends, then each rate; and each limit.
+  std::vector<std::vector<int>> rows_, limit_rows_;
+  std::vector<int> by_U_;  ///< on which any of the rates and the cost
+  std::vector<std::pair<int, int>> pairs_;  ///< a ≥ b, of second derivatives
+  std::vector<Term> first_terms_, second_terms_;
+};
+
+}  // namespace brachisto::ocp

@@ -97,14 +97,6 @@ double slope_rate(const Scene& scene, const MovingState& state,
                           {d[4], d[5], d[6], d[7], -d[0], -d[1], -d[2], -d[3]});
 }
 
-Costates costate_rates(const Scene& scene, const MovingState& state,
-                       const Costates& p, double beta) {
-  const auto& d = hamiltonian_jet(scene, inverse_radius(scene.body),
-                                  phase_of(state, p, beta))
-                      .gradient;
-  return {-d[0], -d[1], -d[2], -d[3]};
-}
-
 double minimising_slope(const Scene& scene, const MovingState& state,
                         const Costates& p, double near) {
   return math::nearest_minimum(

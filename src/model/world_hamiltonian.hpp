@@ -77,11 +77,6 @@ namespace in_world {
                                       const Costates& p, double beta,
                                       const std::array<double, 8>& rates);
 
-/// The costates' rates −∂𝓗/∂(x, z, θ, w) along an extremal.
-[[nodiscard]] Costates costate_rates(const Scene& scene,
-                                     const MovingState& state,
-                                     const Costates& p, double beta);
-
 }  // namespace in_world
 
 // Of the same names and meanings as in model/hamiltonian.hpp.

@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
-#include "math/dependence.hpp"
 #include "math/index.hpp"
 #include "math/jet1.hpp"
 #include "math/jet2.hpp"
 #include "ocp/entries.hpp"
 #include "ocp/layout.hpp"
+#include "ocp/local_structure.hpp"
 #include "ocp/mesh.hpp"
 #include "ocp/point_function.hpp"
 #include "ocp/scheme.hpp"
@@ -67,9 +67,8 @@ class Collocation {
         scheme_(&scheme),
         layout_(layout),
         points_(at(layout.num_points())),
-        limits_(points_.size() * at(layout.num_limits())) {
-    find_dependences();
-  }
+        limits_(points_.size() * at(layout.num_limits())),
+        local_(description_, layout) {}
 
   [[nodiscard]] const Description& description() const { return description_; }
   /// Another one of the same kind, on which as much depends.
@@ -78,13 +77,16 @@ class Collocation {
   }
   [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
 
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] const LocalStructure<kLocals>& local() const { return local_; }
+
   /// Of states and control at a point, those on which anything depends; the
   /// others are 0.
   [[nodiscard]] Locals locals(std::span<const double> x, const Mesh& mesh,
                               int point) const {
     Locals yu{};
     for (int a = 0; a < kLocals; ++a) {
-      if (!matters_[at(a)]) continue;
+      if (!local_.matters[at(a)]) continue;
       double sum = 0.0;
       spread(point, a, [&](int index, double share) {
         sum += share * x[at(index)];
@@ -146,7 +148,7 @@ class Collocation {
   /// Whether a limit depends on none but these states.
   [[nodiscard]] bool limit_is_of(int number,
                                  std::initializer_list<int> states) const {
-    return std::ranges::all_of(limit_rows_[at(number)], [&](int local) {
+    return std::ranges::all_of(local_.limit_rows[at(number)], [&](int local) {
       return std::ranges::find(states, local) != states.end();
     });
   }
@@ -173,7 +175,7 @@ class Collocation {
       const double h = mesh.length(c / mesh.degree);
       const auto& cost = as<FirstJet>(c).cost;
       sum += h * b * cost.value;
-      for (const int a : rows_.front()) {
+      for (const int a : local_.rows.front()) {
         const double slope = U * (length(a, h) * b) * cost.gradient[at(a)];
         spread(c, a, [&](int index, double share) {
           grad[at(index)] += slope * share;
@@ -195,10 +197,9 @@ class Collocation {
       for (int s = 0; s < kStates; ++s) {
         if (!layout_.has_state(s)) continue;
         double difference = 0.0;
-        for (int n = 0; n <= p; ++n) {
-          difference += scheme_->derivative(c % p, n) *
-                        x[at(layout_.state(first + n, s))];
-        }
+        each_node(first, s, [&](int n, int index) {
+          difference += scheme_->derivative(c % p, n) * x[at(index)];
+        });
         g[at(layout_.defect(c, s))] =
             difference - hU * rates.states[at(s)].value;
       }
@@ -218,11 +219,10 @@ class Collocation {
           if (!layout_.has_state(s)) continue;
           const int row = layout_.defect(c, s);
           const auto& rate = rates.states[at(s)];
-          for (int n = 0; n <= p; ++n) {
-            put(row, layout_.state(e * p + n, s),
-                scheme_->derivative(c - e * p, n));
-          }
-          for (const int a : rows_[at(s + 1)]) {
+          each_node(e * p, s, [&](int n, int index) {
+            put(row, index, scheme_->derivative(c - e * p, n));
+          });
+          for (const int a : local_.rows[at(s + 1)]) {
             const double slope = -length(a, h) * U * rate.gradient[at(a)];
             spread(c, a, [&](int index, double share) {
               put(row, index, slope * share);
@@ -231,7 +231,7 @@ class Collocation {
           put(row, layout_.last(), -h * rate.value);
         }
         for (int i = 0; i < layout_.num_limits(); ++i) {
-          for (const int a : limit_rows_[at(i)]) {
+          for (const int a : local_.limit_rows[at(i)]) {
             const double slope =
                 limit_at(c, i).gradient[at(a)] * (length(a, h) / h);
             spread(c, a, [&](int index, double share) {
@@ -255,7 +255,7 @@ class Collocation {
         const int c = e * p + j;
         Density& D = of[at(j)];
         D = density(c, objective_factor * scheme_->rule.weights[at(j)], lambda);
-        for (const auto& [a, b] : pairs_) {
+        for (const auto& [a, b] : local_.pairs) {
           double& second = D.hessian[Jet::pair(a, b)];
           second *= h * U;
           for (int i = 0; i < layout_.num_limits(); ++i) {
@@ -264,7 +264,9 @@ class Collocation {
           }
           second *= (length(a, h) / h) * (length(b, h) / h);
         }
-        for (const int a : by_U_) D.gradient[at(a)] *= length(a, h);
+        for (const int a : local_.by_duration) {
+          D.gradient[at(a)] *= length(a, h);
+        }
       }
       if (scheme_->points_are_nodes) {
         for (int j = 0; j < p; ++j) put_at_node(e * p + j, of[at(j)], put);
@@ -272,63 +274,6 @@ class Collocation {
         put_between_nodes(e, of, put);
       }
     });
-  }
-
-  /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the length
-  /// of an element, at the evaluated point:
-  ///
-  ///     ∂L/∂h = Σ_j U (b L̃ − λ·f̃) − Σ μ ∂c/∂u u/h,  L̃ = L − u ∂L/∂u …,
-  ///
-  /// where the control's unknown is h u, and with L, f and h⁰ otherwise.
-  /// \pre points are nodes
-  void add_rates_by_length(int element, const Mesh& mesh, double U, double rate,
-                           std::span<const double> x,
-                           std::span<const double> lambda,
-                           std::span<double> out) const {
-    const double h = mesh.length(element);
-    const int n = layout_.num_variables();
-    constexpr std::size_t kU = kControl;
-    for (int j = 0; j < mesh.degree; ++j) {
-      const int c = element * mesh.degree + j;
-      const double u = x[at(layout_.control(c))] / h;
-      const auto& [cost, states] = second(c);
-      const auto index = [&](int a) {
-        return at(a == kControl ? layout_.control(c)
-                                : layout_.state(c + 1, a));
-      };
-      // f̃ and what it adds to ∇ₓL, a factor standing before it. Of a rate that is
-      // the control, f − u ∂f/∂u is 0 without rounding.
-      const auto add = [&](const Jet& f, double factor) {
-        out[at(layout_.last())] +=
-            rate * factor * (f.value - u * f.gradient[kU]);
-        for (const int a : by_U_) {
-          const double by_a = a == kControl ? 0.0 : f.gradient[at(a)];
-          out[index(a)] += rate * U * factor *
-                           (by_a - u * f.hessian[Jet::pair(kControl, a)]) *
-                           (length(a, h) / h);
-        }
-      };
-      add(cost, scheme_->rule.weights[at(j)]);
-      for (int s = 0; s < kStates; ++s) {
-        if (!layout_.has_state(s)) continue;
-        const int row = layout_.defect(c, s);
-        const Jet& f = states[at(s)];
-        add(f, -lambda[at(row)]);
-        out[at(n + row)] -= rate * U * (f.value - u * f.gradient[kU]);
-      }
-      for (int i = 0; i < layout_.num_limits(); ++i) {
-        const int row = layout_.limit(c, i);
-        const Jet& value = limit_at(c, i);
-        const double mu = rate * lambda[at(row)];
-        out[at(n + row)] -= rate * (u / h) * value.gradient[kU];
-        for (const int a : limit_rows_[at(i)]) {
-          out[index(a)] -= mu * (u / h) *
-                           value.hessian[Jet::pair(kControl, a)] *
-                           (length(a, h) / h);
-        }
-        out[index(kControl)] -= mu * value.gradient[kU] / (h * h);
-      }
-    }
   }
 
   /// Calls with(index, share) for each unknown that a local one of a point is
@@ -340,11 +285,9 @@ class Collocation {
       return with(layout_.state(point + 1, local), 1.0);
     }
     const int j = point % scheme_->degree;
-    const int stride = layout_.state(1, local) - layout_.state(0, local);
-    int index = layout_.state(point - j, local);
-    for (int n = 0; n <= scheme_->degree; ++n, index += stride) {
+    each_node(point - j, local, [&](int n, int index) {
       with(index, scheme_->interpolation(j, n));
-    }
+    });
   }
 
  private:
@@ -362,11 +305,6 @@ class Collocation {
     std::array<double, kLocals> gradient;
     std::array<double, Jet::kPairs> hessian;
   };
-  /// A derivative of the cost, 0, or of rate s, s + 1.
-  struct Term {
-    std::size_t of, where;
-  };
-
   [[nodiscard]] Kept evaluated(const Description& here,
                                const Locals& yu) const {
     if constexpr (kKeepsLess<Description>) {
@@ -379,9 +317,17 @@ class Collocation {
   [[nodiscard]] PointOf<Description, Jet> present(const Locals& yu) const {
     PointOf<Description, Jet> jets;
     for (int a = 0; a < kLocals; ++a) {
-      if (matters_[at(a)]) jets[at(a)] = Jet::variable(yu[at(a)], a);
+      if (local_.matters[at(a)]) jets[at(a)] = Jet::variable(yu[at(a)], a);
     }
     return jets;
+  }
+  /// Calls with(n, index) for the unknowns of a state at the nodes n of an
+  /// element.
+  template <class With>
+  void each_node(int first_node, int state, With&& with) const {
+    const int degree = scheme_->degree, stride = layout_.stride();
+    int index = layout_.state(first_node, state);
+    for (int n = 0; n <= degree; ++n, index += stride) with(n, index);
   }
   template <class Number>
   [[nodiscard]] decltype(auto) as(int point) const {
@@ -406,54 +352,6 @@ class Collocation {
                : 1.0;
   }
 
-  void find_dependences() {
-    using On = math::Dependence<kLocals>;
-    PointOf<Description, On> variables;
-    for (int a = 0; a < kLocals; ++a) {
-      if (a == kControl || layout_.has_state(a)) {
-        variables[at(a)] = On::variable(a);
-      }
-    }
-    On all, of_rates;
-    const auto locals_of = [](const On& on) {
-      std::vector<int> out;
-      for (int a = 0; a < kLocals; ++a) {
-        if (on.any[at(a)]) out.push_back(a);
-      }
-      return out;
-    };
-    const auto see = [&](const On& on, std::size_t number) {
-      of_rates = of_rates + on;
-      rows_.push_back(locals_of(on));
-      for (int a = 0; a < kLocals; ++a) {
-        if (on.any[at(a)]) first_terms_.push_back({number, at(a)});
-        for (int b = 0; b <= a; ++b) {
-          if (on.second[at(a)][at(b)]) {
-            second_terms_.push_back({number, Jet::pair(a, b)});
-          }
-        }
-      }
-    };
-    const auto rates = description_.rates(variables);
-    see(rates.cost, 0);
-    for (int s = 0; s < kStates; ++s) {
-      see(layout_.has_state(s) ? rates.states[at(s)] : On(), at(s + 1));
-    }
-    by_U_ = locals_of(of_rates);
-    all = of_rates;
-    for (int i = 0; i < layout_.num_limits(); ++i) {
-      const On on = description_.limit(at(i), variables);
-      limit_rows_.push_back(locals_of(on));
-      all = all + on;
-    }
-    for (int a = 0; a < kLocals; ++a) {
-      matters_[at(a)] = all.any[at(a)];
-      for (int b = 0; b <= a; ++b) {
-        if (all.second[at(a)][at(b)]) pairs_.push_back({a, b});
-      }
-    }
-  }
-
   [[nodiscard]] Density density(int point, double weight,
                                 std::span<const double> lambda) const {
     const auto& rates = second(point);
@@ -466,10 +364,10 @@ class Collocation {
       }
     }
     Density out{};
-    for (const auto& [number, where] : first_terms_) {
+    for (const auto& [number, where] : local_.first_terms) {
       out.gradient[where] += factor[number] * of[number]->gradient[where];
     }
-    for (const auto& [number, where] : second_terms_) {
+    for (const auto& [number, where] : local_.second_terms) {
       out.hessian[where] += factor[number] * of[number]->hessian[where];
     }
     return out;
@@ -484,10 +382,12 @@ class Collocation {
       return a == kControl ? layout_.control(point)
                            : layout_.state(point + 1, a);
     };
-    for (const auto& [a, b] : pairs_) {
+    for (const auto& [a, b] : local_.pairs) {
       put_lower(put, index(a), index(b), D.hessian[Jet::pair(a, b)]);
     }
-    for (const int a : by_U_) put(layout_.last(), index(a), D.gradient[at(a)]);
+    for (const int a : local_.by_duration) {
+      put(layout_.last(), index(a), D.gradient[at(a)]);
+    }
   }
 
   /// Second derivatives by states at the points, spread to the nodes by the
@@ -498,7 +398,7 @@ class Collocation {
     const int p = scheme_->degree;
     const int first = element * p;
     const math::SmallMatrix& I = scheme_->interpolation;
-    for (const auto& [a, b] : pairs_) {
+    for (const auto& [a, b] : local_.pairs) {
       const std::size_t pair = Jet::pair(a, b);
       if (b == kControl) {
         for (int j = 0; j < p; ++j) {
@@ -509,25 +409,25 @@ class Collocation {
       }
       // A pair with the control has it for a.
       const int one = a == kControl ? b : a;
-      for (int n = 0; n <= p; ++n) {
-        const int index = layout_.state(first + n, one);
+      each_node(first, one, [&](int n, int index) {
         if (a == kControl) {
           for (int j = 0; j < p; ++j) {
             put_lower(put, index, layout_.control(first + j),
                       I(j, n) * of[at(j)].hessian[pair]);
           }
-          continue;
+          return;
         }
-        for (int m = 0; m <= (a == b ? n : p); ++m) {
+        each_node(first, b, [&](int m, int other) {
+          if (a == b && m > n) return;
           double sum = 0.0;
           for (int j = 0; j < p; ++j) {
             sum += I(j, n) * I(j, m) * of[at(j)].hessian[pair];
           }
-          put_lower(put, index, layout_.state(first + m, b), sum);
-        }
-      }
+          put_lower(put, index, other, sum);
+        });
+      });
     }
-    for (const int a : by_U_) {
+    for (const int a : local_.by_duration) {
       if (a == kControl) {
         for (int j = 0; j < p; ++j) {
           put(layout_.last(), layout_.control(first + j),
@@ -535,11 +435,11 @@ class Collocation {
         }
         continue;
       }
-      for (int n = 0; n <= p; ++n) {
+      each_node(first, a, [&](int n, int index) {
         double sum = 0.0;
         for (int j = 0; j < p; ++j) sum += I(j, n) * of[at(j)].gradient[at(a)];
-        put(layout_.last(), layout_.state(first + n, a), sum);
-      }
+        put(layout_.last(), index, sum);
+      });
     }
   }
 
@@ -548,12 +448,7 @@ class Collocation {
   Layout layout_;
   std::vector<Kept> points_;
   std::vector<Jet> limits_;  ///< of a point, one after the other
-  std::array<bool, kLocals> matters_{};
-  /// On which locals the cost depends, then each rate; and each limit.
-  std::vector<std::vector<int>> rows_, limit_rows_;
-  std::vector<int> by_U_;  ///< on which any of the rates and the cost
-  std::vector<std::pair<int, int>> pairs_;  ///< a ≥ b, of second derivatives
-  std::vector<Term> first_terms_, second_terms_;
+  LocalStructure<kLocals> local_;
 };
 
 }  // namespace brachisto::ocp

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 
@@ -31,7 +32,11 @@ class Layout {
         absent_(absent),
         num_states_(num_states),
         num_controls_(has_control ? 1 : 0),
-        num_rows_(num_rows) {}
+        num_rows_(num_rows) {
+    for (std::size_t s = 1; s < offsets_.size(); ++s) {
+      offsets_[s] = offsets_[s - 1] + (absent[s - 1] ? 0 : 1);
+    }
+  }
 
   /// Whether a state of the description has unknowns.
   [[nodiscard]] bool has_state(int state) const {
@@ -46,9 +51,12 @@ class Layout {
   [[nodiscard]] int num_variables() const {
     return num_points_ * stride() + num_controls_ * num_states_ + 1;
   }
+  /// From a node's unknowns to the next one's.
+  [[nodiscard]] int stride() const { return num_states_ + num_controls_; }
   /// Index of a state at a node.
   [[nodiscard]] int state(int node, int state) const {
-    return stride() * (node - first_node()) + offset(state);
+    return stride() * (node - first_node()) +
+           offsets_[static_cast<std::size_t>(state)];
   }
   /// Index of the control at a collocation point.
   [[nodiscard]] int control(int point) const {
@@ -58,7 +66,7 @@ class Layout {
   [[nodiscard]] int last() const { return num_variables() - 1; }
   /// Index of the defect of a state at a collocation point.
   [[nodiscard]] int defect(int point, int state) const {
-    return num_rows_ * point + offset(state);
+    return num_rows_ * point + offsets_[static_cast<std::size_t>(state)];
   }
   /// Index of limit 0 … at a collocation point.
   [[nodiscard]] int limit(int point, int number) const {
@@ -84,18 +92,13 @@ class Layout {
  protected:
   [[nodiscard]] bool has_controls() const { return num_controls_ > 0; }
   [[nodiscard]] int first_node() const { return has_controls() ? 0 : 1; }
-  [[nodiscard]] int stride() const { return num_states_ + num_controls_; }
   [[nodiscard]] int num_rows() const { return num_rows_; }
 
  private:
-  [[nodiscard]] int offset(int state) const {
-    const States before((1UL << static_cast<unsigned>(state)) - 1UL);
-    return state - static_cast<int>((absent_ & before).count());
-  }
-
   int num_points_;
   States absent_;
   int num_states_, num_controls_, num_rows_;
+  std::array<int, 8> offsets_{};  ///< of states in their group
 };
 
 }  // namespace brachisto::ocp

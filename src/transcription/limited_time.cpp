@@ -13,6 +13,7 @@
 #include "math/index.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
+#include "ocp/rates_by_length.hpp"
 #include "transcription/program_formulas.hpp"
 
 namespace brachisto {
@@ -333,8 +334,8 @@ void LimitedTime::put_hess_lag(double objective_factor,
 void LimitedTime::add_rates_by_length(int element, double rate,
                                       std::span<const double> lambda,
                                       std::span<double> out) const {
-  collocation_.add_rates_by_length(element, mesh(), x(layout().rolling_time()),
-                                   rate, x(), lambda, out);
+  ocp::add_rates_by_length(collocation_, element, mesh().length(element),
+                           x(layout().rolling_time()), rate, x(), lambda, out);
 }
 
 }  // namespace brachisto

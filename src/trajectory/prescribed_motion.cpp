@@ -72,6 +72,9 @@ std::string Stall::message() const {
       return "the body stalls: its energy is used up where " + place;
     case Reason::DoesNotFit:
       return "the body does not fit into a valley of the given track; " + place;
+    case Reason::NotFollowed:
+      return "air brakes the body too hard for its motion to be followed; " +
+             place;
   }
   return {};
 }
@@ -84,14 +87,11 @@ struct PrescribedMotion::Points {
 
 PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
-  const Body& body = scene_.body;
   const double w = pushed_w(scene_, start_.beta);
   start_energy_ = 0.5 * w * w;
   // s = ½ s'' q² and ½ w² = w' s at the start, so that from rest w = q √(w'
   // s'').
-  const double gain = speed_gain(
-      scene_, curve_->start().x, curve_->start().z, body.theta_m, 0.0,
-      start_.beta, root_of_inertia(body, body.theta_m, start_.beta));
+  const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
@@ -131,6 +131,12 @@ double PrescribedMotion::energy(const CurvePlace& place, double s) const {
   const Point from = mass_centre(body, curve_->start(), body.theta_m);
   return start_energy_ +
          potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
+}
+
+double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {
+  const Point centre = point_of(*curve_, place);
+  return speed_gain(scene_, centre.x, centre.z, theta_after(scene_.body, s),
+                    0.0, place.beta, 1.0);
 }
 
 double PrescribedMotion::start_w() const {
@@ -306,9 +312,14 @@ void PrescribedMotion::divide(Sums& from, double to,
     return;
   }
   if (to - from.q <= kShortest) {
-    stall_ = two == nullptr ? std::get<Stall>(halves)
-                            : Stall{Stall::Reason::Stops, to,
-                                    point_of(*curve_, curve_->at(to))};
+    const CurvePlace place = curve_->at(to);
+    stall_ = Stall{Stall::Reason::Stops, to, point_of(*curve_, place)};
+    if (const Stall* found = std::get_if<Stall>(&halves)) stall_ = *found;
+    // What is drawn along moves on in any air.
+    if (stall_->reason == Stall::Reason::Stops &&
+        gain_at_rest(place, from.s) > 0.0) {
+      stall_->reason = Stall::Reason::NotFollowed;
+    }
     return;
   }
   divide(from, middle, ends);

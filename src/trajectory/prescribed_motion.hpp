@@ -22,6 +22,7 @@ struct Stall {
     DoesNotStart,  ///< at rest it is not drawn along the path
     Stops,         ///< its energy is used up on the way, by air too
     DoesNotFit,    ///< a valley of the track is narrower than the body
+    NotFollowed,   ///< air brakes it within no time
   };
   Reason reason = Reason::Stops;
   double q = 0.0;  ///< where
@@ -105,6 +106,8 @@ class PrescribedMotion final : public Motion {
   void integrate(int cells_per_piece);
   [[nodiscard]] Sums sums_at(double q) const;
   [[nodiscard]] double energy(const CurvePlace& place, double s) const;
+  /// w' of a body that stands there [m/s²].
+  [[nodiscard]] double gain_at_rest(const CurvePlace& place, double s) const;
   [[nodiscard]] double start_w() const;
   [[nodiscard]] TrajectoryPoint point_at(const Sums& sums) const;
 

@@ -220,11 +220,15 @@ TEST(PrescribedInWorlds, AStiffStartIsSolved) {
 }
 
 TEST(PrescribedInWorlds, AirThatBrakesWithinNoTimeIsNeverVerifiedWrong) {
-  for (const double c : {1e5, 1e7, 1e10}) {
+  for (const double c : {1e7, 1e12}) {
     const PrescribedMotion motion(
         with_push(in_air(from_A_to_B(Body::bead()), c, 0.0), 2.0),
         straight_line(kA, kB));
-    if (motion.stall() || !certify_path(motion, 1e-10).verified()) continue;
+    if (motion.stall()) {
+      EXPECT_EQ(motion.stall()->reason, Stall::Reason::NotFollowed);
+      continue;
+    }
+    if (!certify_path(motion, 1e-10).verified()) continue;
     EXPECT_NEAR(motion.transit_time() * slope_force() / c / kLength, 1.0, 1e-6);
   }
 }
@@ -262,7 +266,7 @@ TEST(PrescribedInWorlds, CurvesOfAnyKindAreVerified) {
     Scene scene = from_A_to_B(body);
     scene.contact = Contact::Centre;
     for (const Sphere& sphere : {around(), below(), in_the_way()}) {
-      for (const double c : {0.0, 0.4}) {
+      for (const double c : {0.0, 0.05}) {
         const PrescribedMotion motion(
             in_air(about_sphere(scene, sphere), c, 0.5 * c), curve);
         ASSERT_FALSE(motion.stall());

@@ -89,8 +89,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
   const double w = pushed_w(scene_, start_.beta);
   start_energy_ = 0.5 * w * w;
-  // s = ½ s'' q² and ½ w² = w' s at the start, so that from rest w = q √(w'
-  // s'').
+  // s = ½ s'' q² and ½ w² = w' s at the start: from rest w = q √(w' s'').
   const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
   if (!(s_bend > 0.0)) {

@@ -242,10 +242,10 @@ void PrescribedMotion::end_pieces() {
   ends_ = curve_->joints();
   ends_.push_back(1.0);
   if (scene_.world.sphere) {
-    // Between so many places of a piece a path is as good as straight.
-    constexpr int kParts = 64;
+    // Between so many places a path is as good as straight.
+    const int parts = std::max(1, 64 / static_cast<int>(ends_.size()));
     constexpr double kNoLength = 1e-6;  // A itself may lie on the surface
-    double q = 0.0, s = 0.0, before = 0.0;
+    double q = 0.0, s = 0.0;
     const auto length_to = [&](double there) {
       return s + integral(q, there,
                           [&](double p) { return curve_->pace(p).speed; });
@@ -256,13 +256,14 @@ void PrescribedMotion::end_pieces() {
           scene_, mass_centre(scene_.body, point_of(*curve_, place),
                               theta_after(scene_.body, length_to(there))));
     };
-    before = height(0.0);
+    double before = height(0.0);
     std::vector<double> ends;
     for (const double end : ends_) {
       const double from = q;
-      for (int i = 1; i <= kParts; ++i) {
+      for (int i = 1; i <= parts; ++i) {
+        check_stop();
         const double next =
-            std::lerp(from, end, static_cast<double>(i) / kParts);
+            std::lerp(from, end, static_cast<double>(i) / parts);
         const double at = height(next);
         if ((at > 0.0) != (before > 0.0)) {
           const double root = math::find_root(height, q, next, before, at);

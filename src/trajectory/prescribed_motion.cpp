@@ -338,6 +338,16 @@ void PrescribedMotion::integrate(int cells_per_piece) {
       const std::variant<Sums, Stall> next = advance(cells_.back(), q);
       if (const Stall* stall = std::get_if<Stall>(&next)) {
         stall_ = *stall;
+        if (scene_.world.ordinary()) return;
+        Sums last = cells_.back();
+        for (double half = 0.5 * (q - last.q); half > 1e-12; half *= 0.5) {
+          const std::variant<Sums, Stall> part = advance(last, last.q + half);
+          if (std::holds_alternative<Stall>(part)) {
+            stall_ = std::get<Stall>(part);
+          } else {
+            last = std::get<Sums>(part);
+          }
+        }
         return;
       }
       cells_.push_back(std::get<Sums>(next));

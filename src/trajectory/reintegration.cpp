@@ -236,9 +236,11 @@ using PathStepper =
 double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
                     double s, double v) {
   // At the start from rest v κ_c stays bounded, and A_s v² vanishes with v.
-  const double v_kappa = place.speed > 0.0 ? v * place.turning / place.speed
-                                           : v * motion.start_curvature();
-  return acceleration(motion.scene(), s, v, point_of(motion.curve(), place),
+  const Scene& scene = motion.scene();
+  const double v_kappa =
+      place.speed > 0.0 ? v * place.turning / place.speed
+                        : scene.world.start_speed * motion.start_curvature();
+  return acceleration(scene, s, v, point_of(motion.curve(), place),
                       direction_of(place.beta), v_kappa);
 }
 

@@ -248,6 +248,16 @@ TEST(PrescribedInWorlds, AHillStopsWhereAirHasTakenTheEnergy) {
   EXPECT_FALSE(PrescribedMotion(scene, straight_line(kA, up)).stall());
 }
 
+TEST(PrescribedInWorlds, AHillStopsWhereAPushIsUsedUp) {
+  // ½ v² = g z, up a straight hill: to the digits of the halves of a cell.
+  constexpr double v = 2.0;
+  const Scene scene = with_push(from_A_to_B(Body::bead()), v);
+  const PrescribedMotion motion(scene, straight_line(kA, {kB.x, -kB.z}));
+  ASSERT_TRUE(motion.stall());
+  EXPECT_EQ(motion.stall()->reason, Stall::Reason::Stops);
+  EXPECT_NEAR(motion.stall()->centre.z, -0.5 * v * v / scene.gravity, 1e-9);
+}
+
 TEST(PrescribedInWorlds, OnlyRestWantsAPullAlongThePath) {
   const PlaneCurvePtr up = straight_line(kA, {kB.x, -kB.z});
   const Scene scene = from_A_to_B(Body::bead());

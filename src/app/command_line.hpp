@@ -50,7 +50,7 @@ struct Flag {
       value;              ///< a list: given again and again
   const char* text = "";  ///< in the help
   /// Of the value, in the help. FILE, DIR and KEY=VALUE, or a word with one of
-  /// these names, tell the completions of shells what to offer.
+  /// these names, tell shells what to offer.
   const char* placeholder = "TEXT";
   TextCheck check = {};
   bool required = false;

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto documents DIR: the manual, the completions of shells and the
-// schemas, laid out below DIR as below share of an installation. For the build,
-// which runs it; not for people.
+// brachisto documents DIR: the manual and the schemas, laid out below DIR as
+// below share of an installation. For the build, which runs it; not for people.
 
 #include <filesystem>
 #include <memory>
 
-#include "app/completion.hpp"
 #include "app/exit_code.hpp"
 #include "app/installed.hpp"
 #include "app/manual.hpp"
@@ -33,11 +31,6 @@ void write_below(const fs::path& directory, const fs::path& name,
 int write_documents(const fs::path& share, const CommandLine& command) {
   report::write_files(share / "man/man1", command_pages(command), true);
   report::write_files(share / "man/man5", {problem_page()}, true);
-  write_below(share, "bash-completion/completions/brachisto",
-              bash_completion(command));
-  write_below(share, "zsh/site-functions/_brachisto", zsh_completion(command));
-  write_below(share, "fish/vendor_completions.d/brachisto.fish",
-              fish_completion(command));
   const fs::path data = share / "brachisto";
   write_below(data, kProblemSchema, io::problem_schema());
   write_below(data, kResultSchema, report::result_schema());

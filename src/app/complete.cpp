@@ -23,6 +23,18 @@ namespace brachisto::app {
 
 namespace {
 
+/// What the help of a verb shows: its words and flags, those of every verb, and
+/// --help, which has no value.
+std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
+  std::vector<Flag> shown = verb.flags;
+  std::ranges::copy(command.everywhere, std::back_inserter(shown));
+  std::erase_if(shown, &Flag::hidden);
+  // The library adds it by itself.
+  shown.push_back({"--help", static_cast<bool*>(nullptr),
+                   "Print this help message and exit"});
+  return shown;
+}
+
 std::string offer(std::string_view word, std::string_view meaning) {
   return fmt::format("{}\t{}\n", word, meaning);
 }
@@ -58,15 +70,15 @@ std::string offers(const CommandLine& command,
                    const std::vector<std::string>& words) {
   std::string found;
   if (words.size() < 2) {
-    for (const Verb* verb : shown_verbs(command)) {
-      found += offer(verb->name, verb->text);
+    for (const Verb& verb : command.verbs) {
+      if (!verb.hidden) found += offer(verb.name, verb.text);
     }
     return found + offer("--help", "Print this help message and exit") +
            offer("--version", "Print versions");
   }
-  for (const Verb* verb : shown_verbs(command)) {
-    if (verb->name != words.front()) continue;
-    const std::vector<Flag> flags = shown_flags(command, *verb);
+  for (const Verb& verb : command.verbs) {
+    if (verb.hidden || verb.name != words.front()) continue;
+    const std::vector<Flag> flags = shown_flags(command, verb);
     const auto asked = std::ranges::find_if(flags, [&](const Flag& flag) {
       return flag.has_value() && flag.name == words[words.size() - 2];
     });

@@ -4,7 +4,8 @@
 /// \file
 /// The table that describes every key of a problem file. Reading, the echo of
 /// the effective input, messages, the reference in the documentation, the
-/// manual, completions, new files and the schema for editors all come from it.
+/// completions, new files and the schema for editors all come from it, and the
+/// manual from that reference.
 
 #pragma once
 

@@ -240,7 +240,7 @@ TextCheck not_empty() {
 }
 
 TextCheck number(const std::string& kind, bool (*allowed)(double)) {
-  TextCheck check{[kind, allowed](const std::string& text) {
+  return {[kind, allowed](const std::string& text) {
     double value = 0.0;
     const bool fine = CLI::detail::lexical_cast(text, value);
     return fine && allowed(value)
@@ -248,8 +248,6 @@ TextCheck number(const std::string& kind, bool (*allowed)(double)) {
                : fmt::format("{} was read; expected a number {}",
                              io::in_quotes(text), kind);
   }};
-  check.allowed = "a number " + kind;
-  return check;
 }
 
 TextCheck seconds() {
@@ -258,9 +256,7 @@ TextCheck seconds() {
 }
 
 TextCheck integer_within(int least, int most) {
-  TextCheck check = of_library(CLI::Range(least, most));
-  check.allowed = fmt::format("an integer from {} to {}", least, most);
-  return check;
+  return of_library(CLI::Range(least, most));
 }
 
 TextCheck positive() {
@@ -277,7 +273,6 @@ TextCheck existing_directory() {
 
 TextCheck one_of(std::vector<std::string> words) {
   TextCheck check = of_library(CLI::IsMember(words));
-  check.allowed = fmt::format("{}", fmt::join(words, " or "));
   check.words = std::move(words);
   return check;
 }
@@ -347,24 +342,6 @@ int jobs_or_cores(int jobs) {
              ? jobs
              : std::max(1,
                         static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-std::vector<const Verb*> shown_verbs(const CommandLine& command) {
-  std::vector<const Verb*> shown;
-  for (const Verb& verb : command.verbs) {
-    if (!verb.hidden) shown.push_back(&verb);
-  }
-  return shown;
-}
-
-std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
-  std::vector<Flag> shown = verb.flags;
-  std::ranges::copy(command.everywhere, std::back_inserter(shown));
-  std::erase_if(shown, &Flag::hidden);
-  // The library adds it by itself.
-  shown.push_back({"--help", static_cast<bool*>(nullptr),
-                   "Print this help message and exit"});
-  return shown;
 }
 
 Asked read_command_line(const CommandLine& command, int argc, char** argv) {

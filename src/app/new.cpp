@@ -13,7 +13,6 @@
 #include "app/exit_code.hpp"
 #include "app/installed.hpp"
 #include "app/new_problem.hpp"
-#include "app/shell_word.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/report/output_files.hpp"
@@ -45,12 +44,41 @@ std::string uri_of(const fs::path& file) {
   return uri;
 }
 
+/// The schema of problem files: installed with the program, or made with it in
+/// its build tree; nothing if there is none.
+std::optional<fs::path> schema_file() {
+  constexpr const char* kProblemSchema = "schemas/problem.schema.json";
+  if (auto file = installed(kProblemSchema)) return file;
+  std::error_code error;
+  const fs::path built = fs::path(BRACHISTO_BUILT_DATA) / kProblemSchema;
+  if (!fs::exists(built, error)) return std::nullopt;
+  return built;
+}
+
 /// By this line the YAML language server finds the schema.
 std::string schema_line() {
   const auto schema = schema_file();
   return schema ? fmt::format("# yaml-language-server: $schema={}\n",
                               uri_of(*schema))
                 : "";
+}
+
+/// A text as one word of a shell, in single quotes if it needs them.
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/";
+  if (!text.empty() && text.find_first_not_of(kPlain) == text.npos) {
+    return std::string(text);
+  }
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      out += "'\\''";
+    } else {
+      out += c;
+    }
+  }
+  return out + "'";
 }
 
 int write_new(const NewFlags& flags) {

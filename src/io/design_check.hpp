@@ -6,15 +6,12 @@
 
 #pragma once
 
-#include "io/draft.hpp"
-#include "io/findings.hpp"
-#include "io/yaml_tree.hpp"
+#include "io/check.hpp"
 
 namespace brachisto::io {
 
 /// Refuses designs without a body or without a best one, and ways of solving
 /// that a design does not go.
-void check_design(const YamlValue& root, const Draft& problem,
-                  Findings& findings);
+void check_design(const Check& check);
 
 }  // namespace brachisto::io

@@ -13,11 +13,7 @@
 #include <utility>
 
 #include "io/binding.hpp"
-#include "io/body_parts.hpp"
-#include "io/clear_of_list.hpp"
-#include "io/design_lists.hpp"
-#include "io/path_points.hpp"
-#include "io/work_precision_lists.hpp"
+#include "io/lists.hpp"
 
 namespace brachisto::io {
 

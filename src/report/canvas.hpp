@@ -81,7 +81,8 @@ class Canvas {
   void layer(std::string_view item, const std::string& name = {});
   /// Plots the layers.
   /// \param nothing  layer without which gnuplot would draw no frame
-  void plot(std::string_view command, std::string_view nothing);
+  void plot(std::string_view command = "plot",
+            std::string_view nothing = "NaN");
 
   [[nodiscard]] Figure figure(std::string name, std::string table) &&;
 

@@ -253,7 +253,7 @@ class Drawing {
               style,
           known ? "" : curve->name);
     }
-    canvas_.plot("plot", "NaN");
+    canvas_.plot();
   }
 
   /// Adds the points to the table. \return the expression that picks them

@@ -314,15 +314,14 @@ class Picture {
   /// Curves of the rows of one part, bodies of those of another one.
   void draw(const Frame& frame, std::string_view curves,
             std::string_view bodies, bool marks) {
-    std::string_view before = "plot ";
     const auto item = [&](std::string_view rows, std::string_view at,
-                          std::string_view style, std::string_view name) {
-      canvas_.put(
-          "{}data using (part('{}', 'x_{}')):(column('z_{}')){} title '{}'",
-          before, rows, at, at, style, name);
-      before = ", \\\n  ";
+                          std::string_view style, const std::string& name) {
+      canvas_.layer(
+          fmt::format("data using (part('{}', 'x_{}')):(column('z_{}')){}",
+                      rows, at, at, style),
+          name);
     };
-    std::string_view forbidden = "out of bounds";
+    const char* forbidden = "out of bounds";
     for (const std::string& area : add_obstacles(frame, curves)) {
       item(
           area, "b",
@@ -362,7 +361,7 @@ class Picture {
       item(bodies, "cm", " with points pt 7 ps 0.8 lc rgb '#1f5fa8'", "");
     }
     impossible(curves);
-    canvas_.put("\n");
+    canvas_.plot();
   }
 
   /// Beneath the track, where limits hold.
@@ -370,7 +369,7 @@ class Picture {
   void bands(const Item& item) {
     const Band* band = kBands.begin();
     for (const LimitOnPath* limit : active()) {
-      std::string name = gnuplot_words(as_rich_text(limit->name)) + " active";
+      std::string name = as_rich_text(limit->name) + " active";
       for (std::size_t i = 0; i < limit->active.size(); ++i) {
         item(arc_name(*limit, i), "b",
              fmt::format(" with lines lw {} dt {} lc rgb '{}'", band->width,
@@ -385,19 +384,20 @@ class Picture {
   /// Where the track could not be run on.
   void impossible(std::string_view curves) {
     if (!body_.rolls()) return;
-    const auto where = [&](std::string_view column, std::string_view style) {
-      canvas_.put(
-          ", \\\n  data using (part('{}', 't') > 0 && column('{}') < 0 ? "
-          "column('x_b') : NaN):(column('z_b')) with {}",
-          curves, column, style);
+    const auto where = [&](std::string_view column, std::string_view style,
+                           const char* name) {
+      canvas_.layer(
+          fmt::format("data using (part('{}', 't') > 0 && column('{}') < 0 ? "
+                      "column('x_b') : NaN):(column('z_b')) with {}",
+                      curves, column, style),
+          name);
     };
     if (lifts_off_) {
-      where("R_n",
-            "lines lw 6 lc rgb '#80d00000' title 'R_{n} < 0: lifts off'");
+      where("R_n", "lines lw 6 lc rgb '#80d00000'", "R_n < 0: lifts off");
     }
     if (folds_) {
-      where("fold_margin",
-            "points pt 2 ps 0.8 lw 1.5 lc rgb '#b00000' title 'folds'");
+      where("fold_margin", "points pt 2 ps 0.8 lw 1.5 lc rgb '#b00000'",
+            "folds");
     }
   }
 

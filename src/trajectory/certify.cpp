@@ -287,12 +287,7 @@ void check_motion(const ExtremalCurve& curve, double time_error,
   certificate.add("reintegrated_time",
                   motion.arrived() ? motion.corrected_time_error : kUnknown,
                   time_error + motion.integration_error, where);
-  const double worst =
-      motion.arrived()
-          ? std::max({motion.time_error, motion.speed_error,
-                      motion.position_error, motion.rotation_error})
-          : kUnknown;
-  certificate.add("reintegration_error", worst, threshold, where);
+  certificate.add("reintegration_error", motion.worst(), threshold, where);
 }
 
 /// Slopes, and 𝓗 on the pieces, at the current point of `problem`.

@@ -100,6 +100,11 @@ struct CommandLine {
   std::vector<Flag> everywhere = {};  ///< flags of every verb
 };
 
+/// What the help of a verb shows: its words and flags, those of every verb, and
+/// --help, which has no value.
+[[nodiscard]] std::vector<Flag> shown_flags(const CommandLine& command,
+                                            const Verb& verb);
+
 /// A command line that is refused; what() begins with the verb.
 class UsageError : public std::runtime_error {
  public:

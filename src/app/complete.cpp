@@ -23,18 +23,6 @@ namespace brachisto::app {
 
 namespace {
 
-/// What the help of a verb shows: its words and flags, those of every verb, and
-/// --help, which has no value.
-std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
-  std::vector<Flag> shown = verb.flags;
-  std::ranges::copy(command.everywhere, std::back_inserter(shown));
-  std::erase_if(shown, &Flag::hidden);
-  // The library adds it by itself.
-  shown.push_back({"--help", static_cast<bool*>(nullptr),
-                   "Print this help message and exit"});
-  return shown;
-}
-
 std::string offer(std::string_view word, std::string_view meaning) {
   return fmt::format("{}\t{}\n", word, meaning);
 }

@@ -48,4 +48,8 @@ struct Check {
   }
 };
 
+/// Refuses designs without a body or without a best one, and ways of solving
+/// that a design does not go.
+void check_design(const Check& check);
+
 }  // namespace brachisto::io

@@ -14,7 +14,7 @@
 #include <span>
 
 #include "io/body_parts.hpp"
-#include "io/design_check.hpp"
+#include "io/check.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::io {

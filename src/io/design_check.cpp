@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "io/design_check.hpp"
+#include "io/check.hpp"
 
 #include <fmt/format.h>
 

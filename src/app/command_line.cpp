@@ -123,14 +123,13 @@ UsageError explained(const CommandLine& command, const CLI::App& app,
   const Verb* const verb = verb_of(command, app);
   std::string what = unexpected(command, app);
   if (what.empty()) {
-    what = verb != nullptr
-               ? io::visible(error.what())
-               : fmt::format("a verb is missing; there are {}",
-                             fmt::join(verbs_of(command), ", "));
+    what = verb != nullptr ? io::visible(error.what())
+                           : fmt::format("a verb is missing; there are {}",
+                                         fmt::join(verbs_of(command), ", "));
   }
-  return {verb != nullptr ? fmt::format("brachisto {}", verb->name)
-                          : "brachisto",
-          what};
+  return {
+      verb != nullptr ? fmt::format("brachisto {}", verb->name) : "brachisto",
+      what};
 }
 
 /// A check of the library's own.

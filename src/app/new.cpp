@@ -260,8 +260,7 @@ int write_new(const NewFlags& flags) {
   // Of a name without a directory the parent is empty.
   report::write_files(
       file.has_parent_path() ? file.parent_path() : fs::path("."),
-      {{file.filename().string(),
-        schema_line() + new_problem(kind, stem)}},
+      {{file.filename().string(), schema_line() + new_problem(kind, stem)}},
       flags.force);
   if (!flags.quiet) {
     const std::string shown = io::visible(file.string());

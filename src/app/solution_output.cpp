@@ -28,7 +28,8 @@ namespace {
 /// The picture of the path, its table and script.
 constexpr std::array kPathFiles{"path.csv", "path.gp", "path.svg"};
 
-/// The page of an answer, and the motion as a picture with its table and script.
+/// The page of an answer, and the motion as a picture with its table and
+/// script.
 constexpr std::array kPageFiles{"index.html", "motion.csv", "motion.gp",
                                 "motion.gif"};
 

@@ -42,9 +42,8 @@ template <class Lens>
 /// A part that is made where one of its keys is; the lens names the optional.
 template <class Lens>
 [[nodiscard]] constexpr auto optional_place(Lens) {
-  using Part =
-      typename std::remove_reference_t<std::invoke_result_t<Lens, Draft&>>::
-          value_type;
+  using Part = typename std::remove_reference_t<
+      std::invoke_result_t<Lens, Draft&>>::value_type;
   return Place<Part>{[](const Draft& problem) {
                        const auto& part = Lens{}(problem);
                        return part ? &*part : nullptr;

@@ -75,17 +75,16 @@ void read_item(PathLimits& limits, const ListReader& reader,
                                                     item.entries.size()));
   }
   const auto& [name, position, value] = item.entries.front();
-  const auto kind =
-      reader.word(name, position,
-                  std::array{obstacles()[0].name, obstacles()[1].name});
+  const auto kind = reader.word(
+      name, position, std::array{obstacles()[0].name, obstacles()[1].name});
   if (!kind) return;
   const Obstacle& obstacle = obstacles()[*kind];
   const std::string below = fmt::format("{}.{}", reader.key, name);
   if (value.kind != YamlValue::Kind::Map) {
-    return refuse_kind(value, below,
-                       fmt::format("a map with the keys {}",
-                                   fmt::join(obstacle.names, ", ")),
-                       reader.findings);
+    return refuse_kind(
+        value, below,
+        fmt::format("a map with the keys {}", fmt::join(obstacle.names, ", ")),
+        reader.findings);
   }
   const FieldReader fields(value, below, position, reader.findings);
   std::vector<double> read;
@@ -102,9 +101,8 @@ void read_clear_of(Draft& problem, const KeySpec& spec, const YamlValue& list,
   limits.discs.clear();
   limits.half_planes.clear();
   const ListReader reader(spec, findings);
-  reader.each(list, [&](const YamlValue& item) {
-    read_item(limits, reader, item);
-  });
+  reader.each(list,
+              [&](const YamlValue& item) { read_item(limits, reader, item); });
 }
 
 Json clear_of_json(const Draft& problem) {

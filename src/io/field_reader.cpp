@@ -34,8 +34,8 @@ std::optional<double> read_number(
   try {
     const double number =
         evaluated ? evaluated(value.text)
-                  : evaluate(value.text, type == KeyType::Angle ? Unit::Angle
-                                                                : Unit::None);
+                  : evaluate(value.text,
+                             type == KeyType::Angle ? Unit::Angle : Unit::None);
     const bool integral =
         type != KeyType::Integer || number == std::trunc(number);
     if (integral && interval.contains(number)) return number;

@@ -152,8 +152,7 @@ Json pair_schema() {
           {"maxItems", 2}};
 }
 
-Json map_schema(Json properties,
-                std::span<const std::string_view> required) {
+Json map_schema(Json properties, std::span<const std::string_view> required) {
   Json schema = {{"type", "object"}, {"properties", std::move(properties)}};
   if (!required.empty()) schema["required"] = required;
   schema["additionalProperties"] = false;
@@ -214,8 +213,8 @@ Json sweep_schema() {
   swept["zip"] = {{"description", "keys that run together"},
                   {"anyOf", {together, list_schema(together)}}};
   Json random = map_schema({{"seed", {{"type", "integer"}, {"minimum", 0}}},
-                        {"count", {{"type", "integer"}, {"minimum", 1}}},
-                        {"ranges", map_schema(sampled)}});
+                            {"count", {{"type", "integer"}, {"minimum", 1}}},
+                            {"ranges", map_schema(sampled)}});
   random["required"] = {"count", "ranges"};
   random["description"] = "keys that are drawn between two ends";
   swept["random"] = std::move(random);

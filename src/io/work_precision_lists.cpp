@@ -37,7 +37,8 @@ constexpr EnumTable<DiscreteArm, std::string_view, 4> kArms{
 /// What a name alone stands for.
 Methods methods_of(Kind kind) {
   Methods methods = WorkPrecisionPlan{}.methods;
-  std::erase_if(methods, [&](const auto& method) { return method.kind != kind; });
+  std::erase_if(methods,
+                [&](const auto& method) { return method.kind != kind; });
   return methods;
 }
 
@@ -90,32 +91,31 @@ Binding numbers_list(std::vector<Value> WorkPrecisionPlan::*member,
                      const Interval& allowed, Finer finer) {
   constexpr bool kIntegral = std::is_integral_v<Value>;
   constexpr KeyType kType = kIntegral ? KeyType::Integer : KeyType::Number;
-  return {
-      .type = KeyType::List,
-      .get = [=](const Draft& p) { return Json(p.work_precision.*member); },
-      .read_list =
-          [=](Draft& problem, const KeySpec& spec, const YamlValue& list,
-              Findings& findings) {
-            const ListReader reader(spec, findings);
-            std::vector<Value> numbers;
-            reader.each(list, [&](const YamlValue& item) {
-              if (const auto read = reader.number(item, kType, allowed)) {
-                const auto value = static_cast<Value>(*read);
-                reader.add_once(numbers, {value}, item,
-                                fmt::format("{}", value));
-              }
-            });
-            std::ranges::sort(numbers, finer);
-            problem.work_precision.*member = std::move(numbers);
-          },
-      .items =
-          [=] {
-            Json schema = number_or_text_schema();
-            if (kIntegral) schema = {{"type", "integer"}};
-            schema["minimum"] = allowed.lower;
-            schema["maximum"] = allowed.upper;
-            return schema;
-          }};
+  return {.type = KeyType::List,
+          .get = [=](const Draft& p) { return Json(p.work_precision.*member); },
+          .read_list =
+              [=](Draft& problem, const KeySpec& spec, const YamlValue& list,
+                  Findings& findings) {
+                const ListReader reader(spec, findings);
+                std::vector<Value> numbers;
+                reader.each(list, [&](const YamlValue& item) {
+                  if (const auto read = reader.number(item, kType, allowed)) {
+                    const auto value = static_cast<Value>(*read);
+                    reader.add_once(numbers, {value}, item,
+                                    fmt::format("{}", value));
+                  }
+                });
+                std::ranges::sort(numbers, finer);
+                problem.work_precision.*member = std::move(numbers);
+              },
+          .items =
+              [=] {
+                Json schema = number_or_text_schema();
+                if (kIntegral) schema = {{"type", "integer"}};
+                schema["minimum"] = allowed.lower;
+                schema["maximum"] = allowed.upper;
+                return schema;
+              }};
 }
 
 /// Neighbours of one name share its list.

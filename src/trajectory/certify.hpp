@@ -114,8 +114,9 @@ class PrescribedMotion;
 ///   contact_error        distance of the ends of the track, or of the centre's
 ///                        path, from A and B, in units of L and H
 ///   energy_drift         in other worlds than the ordinary one, what ½ w² has
-///                        gained against the field's work less the drag's, over
-///                        ½ w² or g H
+///                        gained against the work of the field's force or, in
+///                        air, the fall of the potential less the work of the
+///                        drag, over ½ w² or g H
 ///   reintegration_error  the motion integrated again
 ///
 /// \param tolerance  wanted relative error of T

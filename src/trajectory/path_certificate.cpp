@@ -29,8 +29,11 @@ double relative_contact_error(const PrescribedMotion& motion) {
                   distance(motion.at(1.0), {scene.L, scene.H}));
 }
 
-/// What ½ w² has gained against the fall of the potential at the centre of mass
-/// less the work of the drag, at worst: over itself or, if it is less, g H.
+/// What ½ w² has gained against the work done, at worst: over itself or, if it
+/// is less, g H. Each part is counted in the way that the motion did not come
+/// from: without air, where the speed is that of the potential, the work of the
+/// field's force; in air, where it is that of the force, the fall of the
+/// potential less the work of the drag.
 double energy_drift(const PrescribedMotion& motion) {
   const Scene& scene = motion.scene();
   const Air& air = scene.world.air;
@@ -41,20 +44,27 @@ double energy_drift(const PrescribedMotion& motion) {
     const double v = at.motion.v_c;
     return 0.5 * inertia_factor(scene.body, at.theta, at.beta) * v * v;
   };
+  // Along the way of the centre. Without air no speed matters to it.
+  const auto force = [&](const TrajectoryPoint& at) {
+    return air.any() ? -drag(air, at.motion.v_c)
+                     : speed_gain(scene, at.centre.x, at.centre.z, at.theta,
+                                  0.0, at.beta, 1.0);
+  };
   const TrajectoryPoint& start = cells.front();
-  double lost = 0.0, worst = 0.0;
+  double forced = 0.0, worst = 0.0;
   for (std::size_t c = 1; c < cells.size(); ++c) {
     const double from = cells[c - 1].sigma, width = cells[c].sigma - from;
-    for (std::size_t i = 0; i < rule.points.size() && air.any(); ++i) {
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const double q = from + width * rule.points[i];
-      lost += rule.weights[i] * width * motion.curve().pace(q).speed *
-              drag(air, motion.at(q).motion.v_c);
+      forced += rule.weights[i] * width * motion.curve().pace(q).speed *
+                force(motion.at(q));
     }
-    const double work = potential_fall(scene, start.motion.mass_centre,
-                                       cells[c].motion.mass_centre) -
-                        lost;
+    const double fallen = air.any()
+                              ? potential_fall(scene, start.motion.mass_centre,
+                                               cells[c].motion.mass_centre)
+                              : 0.0;
     const double gained = energy(cells[c]) - energy(start);
-    const double off = std::abs(gained - work) /
+    const double off = std::abs(gained - fallen - forced) /
                        std::max(scene.gravity * scene.H, energy(cells[c]));
     // Written so that a NaN is the worst of all.
     if (!(off <= worst) && !std::isnan(worst)) worst = off;

@@ -32,6 +32,10 @@ class SmallMatrix {
     return std::span(data_).subspan(index(i, 0),
                                     static_cast<std::size_t>(cols_));
   }
+  [[nodiscard]] std::span<const double> row(int i) const {
+    return std::span(data_).subspan(index(i, 0),
+                                    static_cast<std::size_t>(cols_));
+  }
   double& operator()(int i, int j) { return data_[index(i, j)]; }
 
  private:

@@ -35,8 +35,8 @@ namespace brachisto::ocp {
 template <class Description>
 inline constexpr bool kKeepsLess =
     requires(const Description& of, const PointOf<Description, double>& yu) {
-      of.kept(yu);
-    };
+  of.kept(yu);
+};
 
 /// With the global unknown U, the duration of the way in the description's
 /// variable u, on elements of the lengths h of a mesh of σ ∈ [0, 1]:
@@ -88,9 +88,8 @@ class Collocation {
     for (int a = 0; a < kLocals; ++a) {
       if (!local_.matters[at(a)]) continue;
       double sum = 0.0;
-      spread(point, a, [&](int index, double share) {
-        sum += share * x[at(index)];
-      });
+      spread(point, a,
+             [&](int index, double share) { sum += share * x[at(index)]; });
       yu[at(a)] = a == kControl ? sum * per_length(mesh, point) : sum;
     }
     return yu;
@@ -122,7 +121,8 @@ class Collocation {
       const auto jets = present(yu);
       Jet* const values = &limits_[at(c) * at(layout_.num_limits())];
       each_limit(
-          here, jets, [&](std::size_t i) { return asked(c, static_cast<int>(i)); },
+          here, jets,
+          [&](std::size_t i) { return asked(c, static_cast<int>(i)); },
           [&](std::size_t i, const Jet& value) { values[i] = value; });
     }
     return std::nullopt;
@@ -158,8 +158,7 @@ class Collocation {
     for (int e = 0; e < mesh.num_elements(); ++e) {
       double element = 0.0;
       for (int j = 0; j < mesh.degree; ++j) {
-        element +=
-            scheme_->rule.weights[at(j)] * cost_at(e * mesh.degree + j);
+        element += scheme_->rule.weights[at(j)] * cost_at(e * mesh.degree + j);
       }
       sum += mesh.length(e) * element;
     }
@@ -197,9 +196,11 @@ class Collocation {
       for (int s = 0; s < kStates; ++s) {
         if (!layout_.has_state(s)) continue;
         double difference = 0.0;
-        each_node(first, s, [&](int n, int index) {
-          difference += scheme_->derivative(c % p, n) * x[at(index)];
-        });
+        int index = layout_.state(first, s);
+        for (const double share : scheme_->derivative.row(c - first)) {
+          difference += share * x[at(index)];
+          index += layout_.stride();
+        }
         g[at(layout_.defect(c, s))] =
             difference - hU * rates.states[at(s)].value;
       }
@@ -219,24 +220,17 @@ class Collocation {
           if (!layout_.has_state(s)) continue;
           const int row = layout_.defect(c, s);
           const auto& rate = rates.states[at(s)];
-          each_node(e * p, s, [&](int n, int index) {
-            put(row, index, scheme_->derivative(c - e * p, n));
-          });
+          put.row(row, layout_.state(e * p, s), layout_.stride(),
+                  scheme_->derivative.row(c - e * p));
           for (const int a : local_.rows[at(s + 1)]) {
-            const double slope = -length(a, h) * U * rate.gradient[at(a)];
-            spread(c, a, [&](int index, double share) {
-              put(row, index, slope * share);
-            });
+            put_slope(put, row, c, a, -length(a, h) * U * rate.gradient[at(a)]);
           }
           put(row, layout_.last(), -h * rate.value);
         }
         for (int i = 0; i < layout_.num_limits(); ++i) {
           for (const int a : local_.limit_rows[at(i)]) {
-            const double slope =
-                limit_at(c, i).gradient[at(a)] * (length(a, h) / h);
-            spread(c, a, [&](int index, double share) {
-              put(layout_.limit(c, i), index, slope * share);
-            });
+            put_slope(put, layout_.limit(c, i), c, a,
+                      limit_at(c, i).gradient[at(a)] * (length(a, h) / h));
           }
         }
       }
@@ -285,9 +279,11 @@ class Collocation {
       return with(layout_.state(point + 1, local), 1.0);
     }
     const int j = point % scheme_->degree;
-    each_node(point - j, local, [&](int n, int index) {
-      with(index, scheme_->interpolation(j, n));
-    });
+    int index = layout_.state(point - j, local);
+    for (const double share : scheme_->interpolation.row(j)) {
+      with(index, share);
+      index += layout_.stride();
+    }
   }
 
  private:
@@ -320,14 +316,6 @@ class Collocation {
       if (local_.matters[at(a)]) jets[at(a)] = Jet::variable(yu[at(a)], a);
     }
     return jets;
-  }
-  /// Calls with(n, index) for the unknowns of a state at the nodes n of an
-  /// element.
-  template <class With>
-  void each_node(int first_node, int state, With&& with) const {
-    const int degree = scheme_->degree, stride = layout_.stride();
-    int index = layout_.state(first_node, state);
-    for (int n = 0; n <= degree; ++n, index += stride) with(n, index);
   }
   template <class Number>
   [[nodiscard]] decltype(auto) as(int point) const {
@@ -373,8 +361,16 @@ class Collocation {
     return out;
   }
 
-  static void put_lower(Entries& put, int a, int b, double value) {
-    put(std::max(a, b), std::min(a, b), value);
+  /// A slope by a local one of a point, by the unknowns that it is made of.
+  void put_slope(Entries& put, int row, int point, int local,
+                 double slope) const {
+    if (local == kControl) return put(row, layout_.control(point), slope);
+    if (scheme_->points_are_nodes) {
+      return put(row, layout_.state(point + 1, local), slope);
+    }
+    const int j = point % scheme_->degree;
+    put.row(row, layout_.state(point - j, local), layout_.stride(),
+            scheme_->interpolation.row(j), slope);
   }
 
   void put_at_node(int point, const Density& D, Entries& put) const {
@@ -383,7 +379,8 @@ class Collocation {
                            : layout_.state(point + 1, a);
     };
     for (const auto& [a, b] : local_.pairs) {
-      put_lower(put, index(a), index(b), D.hessian[Jet::pair(a, b)]);
+      const auto [low, high] = std::minmax({index(a), index(b)});
+      put(high, low, D.hessian[Jet::pair(a, b)]);
     }
     for (const int a : local_.by_duration) {
       put(layout_.last(), index(a), D.gradient[at(a)]);
@@ -398,48 +395,53 @@ class Collocation {
     const int p = scheme_->degree;
     const int first = element * p;
     const math::SmallMatrix& I = scheme_->interpolation;
-    for (const auto& [a, b] : local_.pairs) {
-      const std::size_t pair = Jet::pair(a, b);
-      if (b == kControl) {
-        for (int j = 0; j < p; ++j) {
-          const int control = layout_.control(first + j);
-          put(control, control, of[at(j)].hessian[pair]);
-        }
-        continue;
+    // What the controls have alone comes first: an entry of the element's first
+    // node alone would be counted as one of the element before.
+    for (int j = 0; j < p; ++j) {
+      const int control = layout_.control(first + j);
+      if (local_.pairs.back() == std::pair(kControl, kControl)) {
+        put(control, control, of[at(j)].hessian[Jet::pair(kControl, kControl)]);
       }
-      // A pair with the control has it for a.
-      const int one = a == kControl ? b : a;
-      each_node(first, one, [&](int n, int index) {
-        if (a == kControl) {
-          for (int j = 0; j < p; ++j) {
-            put_lower(put, index, layout_.control(first + j),
-                      I(j, n) * of[at(j)].hessian[pair]);
-          }
-          return;
-        }
-        each_node(first, b, [&](int m, int other) {
-          if (a == b && m > n) return;
-          double sum = 0.0;
-          for (int j = 0; j < p; ++j) {
-            sum += I(j, n) * I(j, m) * of[at(j)].hessian[pair];
-          }
-          put_lower(put, index, other, sum);
-        });
-      });
+      if (local_.by_duration.back() == kControl) {
+        put(layout_.last(), control, of[at(j)].gradient[kControl]);
+      }
     }
-    for (const int a : local_.by_duration) {
+    const int stride = layout_.stride();
+    std::array<double, kLargestDegree + 1> sums;  // NOLINT: filled below
+    // Σ_j factor(j) I(j, m) of the first nodes m.
+    const auto interpolated = [&](int nodes, auto&& factor) {
+      const std::span<double> out = std::span(sums).first(at(nodes));
+      std::ranges::fill(out, 0.0);
+      for (int j = 0; j < p; ++j) {
+        const std::span<const double> shares = I.row(j);
+        const double f = factor(j);
+        for (std::size_t m = 0; m < out.size(); ++m) out[m] += f * shares[m];
+      }
+      return out;
+    };
+    for (const auto& [a, b] : local_.pairs) {
+      if (b == kControl) continue;
+      const std::size_t pair = Jet::pair(a, b);
+      const int first_b = layout_.state(first, b);
       if (a == kControl) {
         for (int j = 0; j < p; ++j) {
-          put(layout_.last(), layout_.control(first + j),
-              of[at(j)].gradient[kControl]);
+          put.lower(layout_.control(first + j), first_b, stride, I.row(j),
+                    of[at(j)].hessian[pair]);
         }
         continue;
       }
-      each_node(first, a, [&](int n, int index) {
-        double sum = 0.0;
-        for (int j = 0; j < p; ++j) sum += I(j, n) * of[at(j)].gradient[at(a)];
-        put(layout_.last(), index, sum);
-      });
+      for (int n = 0; n <= p; ++n) {
+        put.lower(layout_.state(first + n, a), first_b, stride,
+                  interpolated(a == b ? n + 1 : p + 1, [&](int j) {
+                    return I(j, n) * of[at(j)].hessian[pair];
+                  }));
+      }
+    }
+    for (const int a : local_.by_duration) {
+      if (a == kControl) continue;
+      put.row(layout_.last(), layout_.state(first, a), stride,
+              interpolated(p + 1,
+                           [&](int j) { return of[at(j)].gradient[at(a)]; }));
     }
   }
 

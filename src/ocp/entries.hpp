@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -30,6 +31,24 @@ class Entries {
     }
   }
 
+  /// factor · shares[i] in a row, at columns `stride` apart.
+  void row(int row, int col, int stride, std::span<const double> shares,
+           double factor = 1.0) {
+    if (put_values(shares, factor)) return;
+    for (std::size_t i = 0; i < shares.size(); ++i, col += stride) {
+      pattern_->add(row, col);
+    }
+  }
+  /// The same of a symmetric matrix, below the diagonal, whichever of the two
+  /// the row is.
+  void lower(int one, int other, int stride, std::span<const double> shares,
+             double factor = 1.0) {
+    if (put_values(shares, factor)) return;
+    for (std::size_t i = 0; i < shares.size(); ++i, other += stride) {
+      pattern_->add(std::max(one, other), std::min(one, other));
+    }
+  }
+
   /// Calls put_one(i) for i from `begin` to before `end`, elements or pieces.
   /// Each but the first has the entries of the one before, every row and every
   /// column farther on by a constant of its own: of positions three are asked.
@@ -37,6 +56,16 @@ class Entries {
   void each(int begin, int end, PutOne&& put_one);
 
  private:
+  /// False where positions are asked for.
+  bool put_values(std::span<const double> shares, double factor) {
+    if (next_ == nullptr) return false;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      next_[i] = factor * shares[i];
+    }
+    next_ += shares.size();
+    return true;
+  }
+
   double* next_ = nullptr;
   nlp::SparsityPattern* pattern_ = nullptr;
 };

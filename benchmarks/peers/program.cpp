@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/study/solve.hpp"
-#include "math/index.hpp"
 #include "program_files/nl_file.hpp"
 #include "program_files/program_in_formulas.hpp"
 #include "study/pose.hpp"

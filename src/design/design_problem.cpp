@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

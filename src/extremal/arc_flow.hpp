@@ -13,8 +13,8 @@
 #include <optional>
 #include <variant>
 
+#include "brachisto/math/jet1.hpp"
 #include "brachisto/model/scene.hpp"
-#include "math/jet1.hpp"
 #include "model/path_inequality.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"

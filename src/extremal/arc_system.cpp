@@ -10,8 +10,8 @@
 #include <numbers>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "extremal/node_equations.hpp"
-#include "math/index.hpp"
 
 namespace brachisto::arcs {
 

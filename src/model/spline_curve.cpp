@@ -11,7 +11,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/cubic_spline.hpp"
 #include "model/plane_curve.hpp"
 

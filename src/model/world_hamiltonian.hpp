@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "math/jet2.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "model/field.hpp"
 #include "model/hamiltonian.hpp"
 

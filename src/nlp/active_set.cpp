@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "math/index.hpp"
 
 namespace brachisto::nlp {
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto::nlp {
 

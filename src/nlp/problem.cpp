@@ -9,8 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/phase_clock.hpp"
-#include "math/index.hpp"
 
 namespace brachisto::nlp {
 

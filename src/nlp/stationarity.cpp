@@ -5,8 +5,8 @@
 
 #include <Eigen/LU>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "math/index.hpp"
 
 namespace brachisto::nlp {
 

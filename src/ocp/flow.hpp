@@ -18,10 +18,10 @@
 #include <optional>
 #include <utility>
 
-#include "math/jet1.hpp"
-#include "math/jet2.hpp"
+#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet2.hpp"
+#include "brachisto/ocp/point_function.hpp"
 #include "math/nearest_minimum.hpp"
-#include "ocp/point_function.hpp"
 
 namespace brachisto::ocp {
 

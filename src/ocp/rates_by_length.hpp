@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <span>
 
-#include "math/index.hpp"
-#include "ocp/collocation.hpp"
+#include "brachisto/math/index.hpp"
+#include "brachisto/ocp/collocation.hpp"
 
 namespace brachisto::ocp {
 
@@ -40,7 +40,9 @@ void add_rates_by_length(const Collocation<Description>& collocation,
       return at(a == kControl ? layout.control(c) : layout.state(c + 1, a));
     };
     // By the unknown of a local one.
-    const auto by_unknown = [&](int a) { return a == kControl ? 1.0 / h : 1.0; };
+    const auto by_unknown = [&](int a) {
+      return a == kControl ? 1.0 / h : 1.0;
+    };
     // f̃ and its derivatives, a factor standing before it. Of a rate that is the
     // control, f − u ∂f/∂u is 0 without rounding.
     const auto add = [&](const Jet& f, double factor) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "ocp/scheme.hpp"
+#include "brachisto/ocp/scheme.hpp"
 
 #include <array>
 #include <memory>
@@ -37,8 +37,8 @@ const CollocationScheme& scheme_of(int degree) {
   const bool gauss = family == Family::Gauss;
   math::QuadratureRule rule =
       gauss ? math::gauss_legendre(degree) : math::radau_right(degree);
-  std::vector<double> nodes = gauss ? math::gauss_lobatto_points(degree + 1)
-                                    : with_start(rule.points);
+  std::vector<double> nodes =
+      gauss ? math::gauss_lobatto_points(degree + 1) : with_start(rule.points);
   scheme = std::make_unique<const CollocationScheme>(std::move(rule),
                                                      std::move(nodes));
   return *scheme;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "math/jet2.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "paper/discrete_variations.hpp"
 
 namespace brachisto::paper {

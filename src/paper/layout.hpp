@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <span>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/paper/discrete_reading.hpp"
-#include "math/index.hpp"
 #include "model/contact.hpp"
 #include "paper/chord_time.hpp"
 #include "paper/discrete_variations.hpp"

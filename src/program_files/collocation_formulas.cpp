@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/field.hpp"
 #include "program_files/program_in_formulas.hpp"
 #include "rolling/rolling_body.hpp"
@@ -103,8 +103,7 @@ class CollocationFormulas final : public ProgramInFormulas {
   [[nodiscard]] bool has(int state) const { return layout().has_state(state); }
   [[nodiscard]] Formula at_node(int node, int state) const {
     if (!has(state)) return 0.0;
-    return Formula::unknown(
-        layout().state(node, state));
+    return Formula::unknown(layout().state(node, state));
   }
   /// Σ_n M_jn X_n over the nodes of a point's element.
   [[nodiscard]] Formula combined(const math::SmallMatrix& M, int point,

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto::program_files {
 

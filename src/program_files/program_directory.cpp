@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/version.hpp"
-#include "math/index.hpp"
 #include "program_files/matrix_files.hpp"
 #include "program_files/nl_file.hpp"
 #include "report/streamed_files.hpp"

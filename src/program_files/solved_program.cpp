@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/pose.hpp"
 #include "study/start.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "refinement/sightings.hpp"
 #include "transcription/held_control.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "refinement/sightings.hpp"
 #include "transcription/held_control.hpp"
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/start_angle.hpp"
 #include "transcription/held_control.hpp"
 

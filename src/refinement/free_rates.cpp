@@ -9,9 +9,9 @@
 #include <limits>
 #include <span>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
 #include "math/central_difference.hpp"
-#include "math/index.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "refinement/start_closure.hpp"

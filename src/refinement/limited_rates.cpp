@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "math/central_difference.hpp"
-#include "math/index.hpp"
 
 namespace brachisto {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/scene_coordinate.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/start_angle.hpp"
 #include "model/start_under_limits.hpp"
 

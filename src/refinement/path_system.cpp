@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "math/index.hpp"
 #include "refinement/open_conditions.hpp"
 #include "transcription/held_control.hpp"
 

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "brachisto/ocp/mesh.hpp"
 #include "brachisto/solvers/newton_kkt.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
@@ -19,7 +20,6 @@
 #include "refinement/surface_passages.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
-#include "ocp/mesh.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/ocp/mesh.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/limited_curve.hpp"
-#include "ocp/mesh.hpp"
 
 namespace brachisto {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/run/solve_options.hpp"
-#include "math/index.hpp"
 #include "math/roots.hpp"
 
 namespace brachisto {

@@ -9,8 +9,8 @@
 
 #include <span>
 
+#include "brachisto/ocp/mesh.hpp"
 #include "model/cycloid.hpp"
-#include "ocp/mesh.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto {

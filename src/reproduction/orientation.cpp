@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "math/polynomial_basis.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "math/roots.hpp"
 #include "reproduction/cases.hpp"
 

@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "math/jet1.hpp"
+#include "brachisto/math/jet1.hpp"
+#include "brachisto/ocp/point_function.hpp"
 #include "model/field.hpp"
 #include "model/path_inequality.hpp"
-#include "ocp/point_function.hpp"
 
 namespace brachisto::rolling {
 
@@ -78,8 +78,8 @@ class Moving {
     scene_.world.side = above ? SphereSide::Outside : SphereSide::Inside;
   }
 
-  /// Why a point is none of a path; nullptr if it may be one. The body moves on,
-  /// and its kinetic energy is positive.
+  /// Why a point is none of a path; nullptr if it may be one. The body moves
+  /// on, and its kinetic energy is positive.
   ///
   /// \param root  √A there
   template <std::size_t Size>
@@ -195,8 +195,8 @@ class Turning : public Moving {
       if (limits_[i].bounds_force() && !force) {
         force = contact_force(scene_, place);
       }
-      put(i, value_of(limits_[i], force.value_or(ContactForce<Scalar>{}),
-                      place));
+      put(i,
+          value_of(limits_[i], force.value_or(ContactForce<Scalar>{}), place));
     }
   }
   /// Of any limit.

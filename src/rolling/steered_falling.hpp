@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "math/jet2.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "rolling/rolling_body.hpp"
 
 namespace brachisto::rolling {
@@ -32,8 +32,14 @@ class SteeredFalling : public Steered {
     const auto& [x, z, theta, w, beta] = yu;
     const Scalar gain = Scalar(scene_.gravity) * Scalar(scene_.body.eta_m);
     const Root<Scalar> root = root_at(theta, beta);
-    return {w,          cos(beta),  sin(beta),   gain * cos(theta),
-            gain * sin(theta), root.value, root.first, root.second};
+    return {w,
+            cos(beta),
+            sin(beta),
+            gain * cos(theta),
+            gain * sin(theta),
+            root.value,
+            root.first,
+            root.second};
   }
 
   /// The rates with their derivatives by (x, z, θ, w, β), of the first order or

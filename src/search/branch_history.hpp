@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "brachisto/nlp/problem.hpp"
-#include "ocp/mesh.hpp"
+#include "brachisto/ocp/mesh.hpp"
 
 namespace brachisto {
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/run/solve_options.hpp"
-#include "math/index.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/units.hpp"
 #include "refinement/turn_meshes.hpp"

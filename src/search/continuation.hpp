@@ -14,13 +14,13 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/ocp/mesh.hpp"
 #include "brachisto/run/effort.hpp"
 #include "brachisto/run/progress.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "model/cycloid.hpp"
 #include "refinement/arcs.hpp"
 #include "transcription/extremal_curve.hpp"
-#include "ocp/mesh.hpp"
 
 namespace brachisto {
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

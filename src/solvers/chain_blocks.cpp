@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

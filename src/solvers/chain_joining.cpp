@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/lane_failures.hpp"
 

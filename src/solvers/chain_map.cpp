@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 #include "solvers/chain_blocks.hpp"
 #include "solvers/chain_entries.hpp"
 

@@ -9,9 +9,9 @@
 #include <numeric>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/lane_failures.hpp"
 

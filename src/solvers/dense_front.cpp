@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "solvers/bit_set.hpp"
 #include "solvers/link_pattern.hpp"
 #include "solvers/symbolic_analysis.hpp"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/one_at_a_time.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 
 namespace brachisto {
 

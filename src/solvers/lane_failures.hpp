@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "solvers/numeric_factorisation.hpp"
 
 namespace brachisto {

@@ -8,7 +8,7 @@
 #include <new>
 #include <numeric>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

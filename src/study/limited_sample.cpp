@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "math/index.hpp"
 #include "nlp/stationarity.hpp"
 
 namespace brachisto {

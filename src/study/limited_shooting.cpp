@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "brachisto/ocp/mesh.hpp"
 #include "brachisto/trajectory/certificate.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
@@ -14,7 +15,6 @@
 #include "refinement/turn_meshes.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/extended_residual.hpp"
-#include "ocp/mesh.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {

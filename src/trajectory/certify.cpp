@@ -11,9 +11,9 @@
 #include <numbers>
 #include <utility>
 
+#include "brachisto/math/gauss.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "math/angle.hpp"
-#include "math/gauss.hpp"
 #include "model/contact.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"

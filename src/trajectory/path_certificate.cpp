@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/gauss.hpp"
+#include "brachisto/math/gauss.hpp"
 #include "model/field.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/reintegration.hpp"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "transcription/held_control.hpp"

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 #include "transcription/arc_length.hpp"
 
 namespace brachisto {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "brachisto/math/gauss.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/gauss.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "transcription/costates.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 
 namespace brachisto {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "math/portable_random.hpp"
 #include "model/inertia.hpp"
 #include "transcription/limited_curve.hpp"

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "math/minima.hpp"
 #include "model/inertia.hpp"
 #include "nlp/active_set.hpp"

@@ -9,8 +9,8 @@
 #include <functional>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
-#include "math/index.hpp"
 #include "model/world_hamiltonian.hpp"
 #include "transcription/limited_time.hpp"
 

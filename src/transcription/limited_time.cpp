@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "ocp/rates_by_length.hpp"
@@ -62,20 +62,8 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
 }
 
 void LimitedTime::weigh() {
-  weights_.assign(at(num_variables() + num_constraints()), 1.0);
-  for (int c = 0; c < layout().num_points(); ++c) {
-    const double b = scheme().rule.weights[at(c % scheme().degree)];
-    const double share = b * mesh().length(c / scheme().degree);
-    for (int i = 0; i < layout().num_states(); ++i) {
-      weights_[at(layout().state(c + 1, X) + i)] = share;
-      if (c == 0) weights_[at(i)] = share;
-      weights_[at(num_variables() + layout().defect(c, X) + i)] = b;
-    }
-    weights_[at(layout().control(c))] = b;
-    for (int i = 0; i < layout().num_limits(); ++i) {
-      weights_[at(num_variables() + layout().limit(c, i))] = share;
-    }
-  }
+  weights_ =
+      ocp::element_weights(layout(), scheme(), mesh(), num_constraints());
 }
 
 void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
@@ -117,7 +105,8 @@ void LimitedTime::bound_limits() {
             held_ ? held_at(c, i) : nlp::Held::No);
     }
     // The place of the last point is given: its limit would say so again.
-    if (!free_contacts() && collocation_.limit_is_of(i, {rolling::kX, rolling::kZ})) {
+    if (!free_contacts() &&
+        collocation_.limit_is_of(i, {rolling::kX, rolling::kZ})) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       const auto row = at(layout().limit(layout().num_points() - 1, i));
       row_lower_[row] = -kInfinity;
@@ -174,46 +163,13 @@ nlp::Held LimitedTime::held_at(int point, int limit) const {
 }
 
 nlp::ChainStructure LimitedTime::chain_structure() const {
-  nlp::ChainStructure chain = Transcription::chain_structure();
-  const int p = mesh().degree;
-  for (int c = 0; c < layout().num_points(); ++c) {
-    const int element = c / p;
-    const bool last = c % p == p - 1;
-    const int block = last ? 2 * (element + 1) : 2 * element + 1;
-    if (last) chain.block[at(layout().control(c))] = block;
-    for (int i = 0; i < layout().num_limits(); ++i) {
-      chain.block[at(num_variables() + layout().limit(c, i))] = block;
-    }
-  }
-  const auto end_row = [&](int i) {
-    return at(num_variables() + layout().contact_row(i));
-  };
+  nlp::ChainStructure chain = ocp::element_chain(
+      layout(), mesh(), num_constraints(), collocation_.limits_of_control());
+  const int last = mesh().num_elements() - 1;
   for (int i = 0; i < num_end_rows(); ++i) {
-    chain.block[end_row(i)] = is_at_start(i) ? 0 : 2 * mesh().num_elements();
-  }
-  // The Hessian by states and controls is of the order of h, as an integral
-  // over the element, the Jacobian of order one: both are with √h between them.
-  chain.scale.assign(chain.block.size(), 1.0);
-  const auto root_of = [&](int element) {
-    return std::exp2(std::round(0.5 * std::log2(mesh().length(element))));
-  };
-  for (int c = 0; c < layout().num_points(); ++c) {
-    const double root = root_of(c / p);
-    for (int i = 0; i < layout().num_states(); ++i) {
-      chain.scale[at(layout().state(c + 1, X) + i)] = 1.0 / root;
-      if (c == 0) chain.scale[at(i)] = 1.0 / root;
-      chain.scale[at(num_variables() + layout().defect(c, X) + i)] = root;
-    }
-    chain.scale[at(layout().control(c))] = 1.0 / root;
-    for (int i = 0; i < layout().num_limits(); ++i) {
-      // By the unknown h q of the control a limit has a derivative like 1/h.
-      chain.scale[at(num_variables() + layout().limit(c, i))] =
-          limits()[at(i)].bounds_control() ? root * root * root : root;
-    }
-  }
-  for (int i = 0; i < num_end_rows(); ++i) {
-    chain.scale[end_row(i)] =
-        root_of(is_at_start(i) ? 0 : mesh().num_elements() - 1);
+    const auto row = at(num_variables() + layout().contact_row(i));
+    chain.block[row] = is_at_start(i) ? 0 : 2 * (last + 1);
+    chain.scale[row] = ocp::root_of_length(mesh(), is_at_start(i) ? 0 : last);
   }
   return chain;
 }

@@ -12,12 +12,12 @@
 #include <span>
 #include <vector>
 
-#include "math/index.hpp"
-#include "math/jet2.hpp"
+#include "brachisto/math/index.hpp"
+#include "brachisto/math/jet2.hpp"
+#include "brachisto/ocp/collocation.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "rolling/rolling_body.hpp"
-#include "ocp/collocation.hpp"
 #include "transcription/program_formulas.hpp"
 #include "transcription/transcription.hpp"
 
@@ -138,9 +138,7 @@ class LimitedTime final : public Transcription {
   [[nodiscard]] std::span<const double> constraint_upper() const override {
     return row_upper_;
   }
-  /// Control and limits of the last point of an element stand with its right
-  /// end, contacts and limits at rest with their node: equations about the
-  /// state of a separator would leave the interior singular.
+  /// Contacts and limits at rest stand with their node.
   [[nodiscard]] nlp::ChainStructure chain_structure() const override;
 
   /// Costates at the end node, p = −∂L/∂(x, z)_N.

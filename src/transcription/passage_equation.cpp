@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/field.hpp"
 
 namespace brachisto {

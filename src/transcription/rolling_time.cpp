@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -34,7 +34,8 @@ std::variant<Falling, InWorld> collocated(const Scene& scene,
   if (scene.world.changes_rates()) {
     return InWorld(rolling::Steered(scene, {}, per_length), scheme, layout);
   }
-  return Falling(rolling::SteeredFalling(scene, {}, per_length), scheme, layout);
+  return Falling(rolling::SteeredFalling(scene, {}, per_length), scheme,
+                 layout);
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ void RollingTime::move_to(const Scene& scene, Mesh mesh, double phi) {
   change_lengths(std::move(mesh));
   std::visit(
       [&]<class Description>(ocp::Collocation<Description>& collocation) {
-        collocation.describe(Description(scene, {}, rotation_per_length(scene)));
+        collocation.describe(
+            Description(scene, {}, rotation_per_length(scene)));
       },
       collocation_);
   fix_start();
@@ -217,8 +219,7 @@ ocp::Rates<RollingTime::Jet, 4> RollingTime::rates(std::span<const double> x,
 Transcription::End RollingTime::world_end(
     std::span<const double> lambda) const {
   const int p = mesh().degree;
-  const auto& collocation =
-      std::get<InWorld>(collocation_);
+  const auto& collocation = std::get<InWorld>(collocation_);
   const int e = mesh().num_elements() - 1;
   const int last = layout().num_points();
   const double h = mesh().length(e);
@@ -261,9 +262,8 @@ Transcription::End RollingTime::world_end(
     };
     for (int a = 0; a < collocation.kLocals; ++a) {
       if (a == 2 && !layout().has_theta()) continue;
-      collocation.spread(point, a, [&](int index, double share) {
-        add(index, share, a);
-      });
+      collocation.spread(
+          point, a, [&](int index, double share) { add(index, share, a); });
     }
     End::Rate& by_U = by(layout().rolling_time());
     by_U.p_x += h * c * lambda_w * by_x_place;

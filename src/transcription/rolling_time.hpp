@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "ocp/collocation.hpp"
-#include "ocp/scheme.hpp"
+#include "brachisto/ocp/collocation.hpp"
+#include "brachisto/ocp/scheme.hpp"
 #include "rolling/steered_falling.hpp"
 #include "transcription/transcription.hpp"
 
@@ -34,8 +34,8 @@ namespace brachisto {
 /// same on every mesh. VariableLayout tells the order of all of them.
 ///
 /// In another world the start has w = v₀ √A, and w' is U speed_gain(), which
-/// may depend on the place; rows and unknowns are the same. All follows from the
-/// description of the steered body, ocp::Collocation.
+/// may depend on the place; rows and unknowns are the same. All follows from
+/// the description of the steered body, ocp::Collocation.
 ///
 /// A point is refused unless U > 0 and, at every collocation point, w > 0 and
 /// A > 0: the body moves on and its kinetic energy is positive.

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "model/world_hamiltonian.hpp"
 
 namespace brachisto {

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "ocp/layout.hpp"
+#include "brachisto/ocp/layout.hpp"
 
 namespace brachisto {
 
@@ -80,8 +80,8 @@ class VariableLayout : public ocp::Layout {
     return start_row(num_start_rows_);
   }
 
-  using Layout::state;
   using Layout::defect;
+  using Layout::state;
   /// Index of a state component at node 0 … N p, of pieces 1 … N.
   /// \pre has_theta() for Theta, rolling_time for W
   [[nodiscard]] int state(int node, StateComponent component) const {

@@ -12,9 +12,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "brachisto/math/jet2.hpp"
 #include "derivatives/arc_length_problems.hpp"
 #include "derivatives/counting_new.hpp"
-#include "math/jet2.hpp"
 #include "support/rounding.hpp"
 
 namespace brachisto::testing {

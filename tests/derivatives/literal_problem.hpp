@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
+#include "brachisto/math/gauss.hpp"
 #include "derivatives/problems.hpp"
-#include "math/gauss.hpp"
 
 namespace brachisto::testing {
 

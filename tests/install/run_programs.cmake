@@ -33,3 +33,6 @@ expect(130 "^eta_m = 0\\.00: [^\n]*\n$" follow_offset 0)
 # links err by about 1e-6.
 expect(0 "^chain, .*yes\nmean depth 0\\.30269, at the middle 0\\.50263\n" hanging_rope)
 expect(0 "^chain, .*yes\nmean depth 0\\.28520, at the middle 0\\.40000\n" hanging_rope 0.4)
+# By hand: 2 = 2 √1 with p_s = −1; ∫ (6 − 12 t)²/2 = 6 with p_s = −12.
+expect(0 "^time 2\\.000000, .*yes\n.*p_s -1\\.000.*\neffort 6\\.000000, .*yes\n.*p_s -12\\.000"
+  double_integrator)

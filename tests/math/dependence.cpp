@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "math/dependence.hpp"
+#include "brachisto/math/dependence.hpp"
 
 #include <gtest/gtest.h>
 

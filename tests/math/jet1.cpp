@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "math/jet1.hpp"
+#include "brachisto/math/jet1.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "math/jet2.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "support/rounding.hpp"
 
 namespace brachisto::math {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "math/polynomial_basis.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "math/gauss.hpp"
+#include "brachisto/math/gauss.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/jet2.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "model/cycloid.hpp"
 #include "support/observed_order.hpp"
 #include "support/random_points.hpp"

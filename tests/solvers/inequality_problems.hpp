@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/jet2.hpp"
 #include "brachisto/nlp/problem.hpp"
-#include "math/jet2.hpp"
 
 namespace brachisto::testing {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "math/index.hpp"
+#include "brachisto/math/index.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/chain_matrix.hpp"
 #include "solvers/pivot_store.hpp"

@@ -12,8 +12,8 @@
 #include <functional>
 #include <string>
 
+#include "brachisto/math/gauss.hpp"
 #include "brachisto/study/solve.hpp"
-#include "math/gauss.hpp"
 #include "math/roots.hpp"
 #include "model/field.hpp"
 #include "study/answer_kinds.hpp"

@@ -15,10 +15,10 @@
 #include <ostream>
 #include <vector>
 
+#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/study/solution.hpp"
 #include "brachisto/trajectory/motion.hpp"
-#include "math/gauss.hpp"
-#include "math/polynomial_basis.hpp"
 
 namespace brachisto::testing {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "ocp/scheme.hpp"
+#include "brachisto/ocp/scheme.hpp"
 
 #include <gtest/gtest.h>
 

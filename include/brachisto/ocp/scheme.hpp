@@ -9,8 +9,8 @@
 
 #include <vector>
 
-#include "math/gauss.hpp"
-#include "math/polynomial_basis.hpp"
+#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 
 namespace brachisto {
 
@@ -19,8 +19,8 @@ namespace brachisto {
 /// differential equation at p points.
 ///
 /// As Runge–Kutta methods: Gauss's, of order 2p at the element ends, with the
-/// Gauss–Lobatto points for nodes; and Radau's IIA, of order 2p − 1, whose nodes
-/// are 0 and its points, the last of which is 1.
+/// Gauss–Lobatto points for nodes; and Radau's IIA, of order 2p − 1, whose
+/// nodes are 0 and its points, the last of which is 1.
 struct CollocationScheme {
   int degree;
   bool points_are_nodes;            ///< point j is node j + 1

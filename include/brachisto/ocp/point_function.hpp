@@ -42,21 +42,16 @@ struct Bounds {
 
 /// A problem is what has
 ///
-/// - `kStates`, and `state_name()` of each;
+/// - `kStates`, and `state_name(i)` of each;
 /// - `rates(yu)`: L and f;
-/// - `num_limits()`, and of each its `limit_name()`, its `bounds()` and its
-///   value `limit(i, yu)`;
-/// - `costate_weight(i)`, what the error of a costate counts beside 1;
-/// - `has_surface()`, on which rates have a kink, `height(y)` above it, and
-///   `keep_to_side(above)`, which makes the law of one side that of both.
+/// - `num_limits()`, and of each its `limit_name(i)`, its `bounds(i)` and its
+///   value `limit(i, yu)`.
 ///
-/// A problem may have closed forms of what jets of it are, where a measurement
-/// asks for them: `jets<Jet>(yu)`, the rates with their derivatives by the
-/// point, and `hamiltonian_by_control(y, u)`, L + p·f for states and costates
-/// y.
+/// It may say by `refusal(yu, cost)` why a point of numbers is none of it; null
+/// if it is one. Without it cost and rates have to be finite.
 template <class Problem>
-concept PointFunction = requires(const Problem& problem, std::size_t i,
-                                 const PointOf<Problem, double>& yu) {
+concept ControlProblem = requires(const Problem& problem, std::size_t i,
+                                  const PointOf<Problem, double>& yu) {
   { Problem::kStates } -> std::convertible_to<std::size_t>;
   { problem.rates(yu) } -> std::same_as<Rates<double, Problem::kStates>>;
   { problem.num_limits() } -> std::convertible_to<std::size_t>;
@@ -64,6 +59,21 @@ concept PointFunction = requires(const Problem& problem, std::size_t i,
   { problem.bounds(i) } -> std::same_as<Bounds>;
   { problem.state_name(i) } -> std::convertible_to<std::string_view>;
   { problem.limit_name(i) } -> std::convertible_to<std::string_view>;
+};
+
+/// What is integrated with its costates, step by step, has besides
+///
+/// - `costate_weight(i)`, what the error of a costate counts beside 1;
+/// - `has_surface()`, on which rates have a kink, `height(y)` above it, and
+///   `keep_to_side(above)`, which makes the law of one side that of both.
+///
+/// It may have closed forms of what jets of it are, where a measurement asks
+/// for them: `jets<Jet>(yu)`, the rates with their derivatives by the point,
+/// and `hamiltonian_by_control(y, u)`, L + p·f for states and costates y.
+template <class Problem>
+concept PointFunction = ControlProblem<Problem> &&
+    requires(const Problem& problem, std::size_t i,
+             const PointOf<Problem, double>& yu) {
   { problem.costate_weight(i) } -> std::same_as<double>;
   { problem.has_surface() } -> std::same_as<bool>;
   { problem.height(yu) } -> std::convertible_to<double>;

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "math/gauss.hpp"
+#include "brachisto/math/gauss.hpp"
 
 namespace brachisto::math {
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "math/dependence.hpp"
-#include "math/index.hpp"
-#include "math/jet2.hpp"
-#include "ocp/layout.hpp"
-#include "ocp/point_function.hpp"
+#include "brachisto/math/dependence.hpp"
+#include "brachisto/math/index.hpp"
+#include "brachisto/math/jet2.hpp"
+#include "brachisto/ocp/layout.hpp"
+#include "brachisto/ocp/point_function.hpp"
 
 namespace brachisto::ocp {
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -16,16 +17,16 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
+#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet2.hpp"
 #include "brachisto/math/stop_condition.hpp"
-#include "math/index.hpp"
-#include "math/jet1.hpp"
-#include "math/jet2.hpp"
-#include "ocp/entries.hpp"
-#include "ocp/layout.hpp"
-#include "ocp/local_structure.hpp"
-#include "ocp/mesh.hpp"
-#include "ocp/point_function.hpp"
-#include "ocp/scheme.hpp"
+#include "brachisto/ocp/entries.hpp"
+#include "brachisto/ocp/layout.hpp"
+#include "brachisto/ocp/local_structure.hpp"
+#include "brachisto/ocp/mesh.hpp"
+#include "brachisto/ocp/point_function.hpp"
+#include "brachisto/ocp/scheme.hpp"
 
 namespace brachisto::ocp {
 
@@ -114,7 +115,7 @@ class Collocation {
       const Description& here = described(c / scheme_->degree);
       const Locals yu = locals(x, mesh, c);
       points_[at(c)] = evaluated(here, yu);
-      if (const char* because = here.refusal(yu, cost_at(c))) {
+      if (const char* because = refusal(here, yu, c)) {
         return Refused{c, because};
       }
       if (layout_.num_limits() == 0) continue;
@@ -151,6 +152,15 @@ class Collocation {
     return std::ranges::all_of(local_.limit_rows[at(number)], [&](int local) {
       return std::ranges::find(states, local) != states.end();
     });
+  }
+
+  /// Of each limit whether it depends on the control.
+  [[nodiscard]] std::vector<bool> limits_of_control() const {
+    std::vector<bool> out;
+    for (const std::vector<int>& row : local_.limit_rows) {
+      out.push_back(!row.empty() && row.back() == kControl);
+    }
+    return out;
   }
 
   [[nodiscard]] double objective(const Mesh& mesh, double U) const {
@@ -301,6 +311,20 @@ class Collocation {
     std::array<double, kLocals> gradient;
     std::array<double, Jet::kPairs> hessian;
   };
+  [[nodiscard]] const char* refusal(const Description& here, const Locals& yu,
+                                    int point) const {
+    if constexpr (requires { here.refusal(yu, 0.0); }) {
+      return here.refusal(yu, cost_at(point));
+    } else {
+      const auto& rates = second(point);
+      const bool finite =
+          std::isfinite(rates.cost.value) &&
+          std::ranges::all_of(rates.states, [](const Jet& rate) {
+            return std::isfinite(rate.value);
+          });
+      return finite ? nullptr : "the cost or a rate is not finite";
+    }
+  }
   [[nodiscard]] Kept evaluated(const Description& here,
                                const Locals& yu) const {
     if constexpr (kKeepsLess<Description>) {

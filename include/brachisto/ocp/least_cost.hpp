@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The least cost of a described problem between given ends, as a nonlinear
+/// program.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "brachisto/math/index.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/ocp/collocation.hpp"
+#include "brachisto/ocp/element_chain.hpp"
+#include "brachisto/ocp/layout.hpp"
+#include "brachisto/ocp/mesh.hpp"
+#include "brachisto/ocp/point_function.hpp"
+#include "brachisto/ocp/program.hpp"
+#include "brachisto/ocp/scheme.hpp"
+
+namespace brachisto::ocp {
+
+/// What is given at the ends of the way; nothing: free.
+template <std::size_t States>
+struct Ends {
+  std::array<std::optional<double>, States> start, end;
+  /// U, how far s runs in y' = dy/ds.
+  std::optional<double> duration;
+};
+
+/// A place of an answer.
+template <std::size_t States>
+struct PathPlace {
+  double s;
+  std::array<double, States> states;
+  /// What the least cost to go changes by with each state.
+  std::array<double, States> costates;
+  double control;
+};
+
+/// Radau IIA collocation of
+///
+///     minimise ∫₀ᵁ L(y, u) ds  subject to
+///     y' = f(y, u),  lower ≤ c(y, u) ≤ upper,
+///
+/// states given or free at the ends, U > 0 as well. Limits are asked for at the
+/// collocation points.
+template <ControlProblem Description>
+class LeastCost final : public Program {
+ public:
+  static constexpr std::size_t kStates = Description::kStates;
+
+  /// \throws std::invalid_argument for a degree that is not 1 … kLargestDegree,
+  ///         boundaries that do not ascend from 0 to 1, a duration that is not
+  ///         positive
+  LeastCost(Description description, const Mesh& mesh,
+            const Ends<kStates>& ends);
+
+  [[nodiscard]] const Description& description() const {
+    return collocation_.description();
+  }
+  /// States straight from end to end, a free one as at the other end, the
+  /// control 0.
+  [[nodiscard]] PrimalDual straight_guess(double duration = 1.0) const;
+
+  /// The start and each collocation point. Costates are −λ/b there and follow
+  /// from the multipliers of the first element at the start, where the control
+  /// is extrapolated.
+  [[nodiscard]] std::vector<PathPlace<kStates>> path(
+      const PrimalDual& point) const;
+
+  [[nodiscard]] std::span<const double> weights() const override {
+    return weights_;
+  }
+  [[nodiscard]] std::span<const double> constraint_lower() const override {
+    return row_lower_;
+  }
+  [[nodiscard]] std::span<const double> constraint_upper() const override {
+    return row_upper_;
+  }
+  [[nodiscard]] nlp::ChainStructure chain_structure() const override {
+    return element_chain(layout(), mesh(), num_constraints(),
+                         collocation_.limits_of_control());
+  }
+  /// "v[3]", "U"; of the control "h u[3]", h being an element's share of U.
+  [[nodiscard]] std::string variable_name(int index) const override;
+  /// "defect of v[3]", "thrust[3]".
+  [[nodiscard]] std::string constraint_name(int index) const override;
+
+ private:
+  [[nodiscard]] static Layout layout_of(const Description& description,
+                                        const Mesh& mesh) {
+    const int states = static_cast<int>(kStates);
+    return {mesh.num_points(),
+            {},
+            states,
+            true,
+            states + static_cast<int>(description.num_limits())};
+  }
+  [[nodiscard]] static const Mesh& checked(const Mesh& mesh);
+  [[nodiscard]] const Layout& layout() const { return collocation_.layout(); }
+  [[nodiscard]] double duration() const { return x(layout().last()); }
+
+  bool evaluate() override;
+  [[nodiscard]] double do_eval_f() const override {
+    return collocation_.objective(mesh(), duration());
+  }
+  void do_eval_grad_f(std::span<double> grad_f) const override {
+    collocation_.put_gradient(mesh(), duration(), grad_f);
+  }
+  void do_eval_g(std::span<double> g) const override {
+    collocation_.put_constraints(x(), mesh(), g);
+  }
+  void put_jac_g(Entries& put) const override {
+    collocation_.put_jac_g(mesh(), duration(), put);
+  }
+  void put_hess_lag(double objective_factor, std::span<const double> lambda,
+                    Entries& put) const override {
+    collocation_.put_hess_lag(mesh(), duration(), objective_factor, lambda,
+                              put);
+  }
+
+  Collocation<Description> collocation_;
+  std::vector<double> weights_, row_lower_, row_upper_;
+};
+
+template <ControlProblem Description>
+LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
+                                  const Ends<kStates>& ends)
+    : Program(checked(mesh), layout_of(description, mesh).num_variables(),
+              layout_of(description, mesh).end_of_points(),
+              "collocation point"),
+      collocation_(description, radau_scheme(mesh.degree),
+                   layout_of(description, mesh)),
+      weights_(element_weights(layout(), collocation_.scheme(), mesh,
+                               num_constraints())),
+      row_lower_(at(num_constraints())),
+      row_upper_(at(num_constraints())) {
+  const int last = layout().num_points();
+  for (std::size_t s = 0; s < kStates; ++s) {
+    const int state = static_cast<int>(s);
+    if (ends.start[s]) fix(layout().state(0, state), *ends.start[s]);
+    if (ends.end[s]) fix(layout().state(last, state), *ends.end[s]);
+  }
+  if (ends.duration) {
+    if (!(*ends.duration > 0.0)) {
+      throw std::invalid_argument("the duration is not positive");
+    }
+    fix(layout().last(), *ends.duration);
+  } else {
+    bound(layout().last(), 0.0, std::numeric_limits<double>::infinity());
+  }
+  for (int i = 0; i < layout().num_limits(); ++i) {
+    const Bounds bounds = this->description().bounds(at(i));
+    for (int c = 0; c < last; ++c) {
+      row_lower_[at(layout().limit(c, i))] = bounds.lower;
+      row_upper_[at(layout().limit(c, i))] = bounds.upper;
+    }
+  }
+  build_patterns();
+}
+
+template <ControlProblem Description>
+const Mesh& LeastCost<Description>::checked(const Mesh& mesh) {
+  if (mesh.degree < 1 || mesh.degree > kLargestDegree) {
+    throw std::invalid_argument("the degree of a mesh is 1 to " +
+                                std::to_string(kLargestDegree));
+  }
+  const std::vector<double>& all = mesh.boundaries;
+  const auto descends = [](double a, double b) { return !(a < b); };
+  if (all.size() < 2 || all.front() != 0.0 || all.back() != 1.0 ||
+      std::ranges::adjacent_find(all, descends) != all.end()) {
+    throw std::invalid_argument(
+        "the boundaries of a mesh do not ascend from 0 to 1");
+  }
+  return mesh;
+}
+
+template <ControlProblem Description>
+PrimalDual LeastCost<Description>::straight_guess(double duration) const {
+  PrimalDual guess;
+  guess.x.assign(at(num_variables()), 0.0);
+  guess.x[at(layout().last())] = duration;
+  const int last = layout().num_points();
+  const CollocationScheme& scheme = collocation_.scheme();
+  for (int s = 0; s < static_cast<int>(kStates); ++s) {
+    const auto given = [&](int node) {
+      const nlp::Range range = variable_range(layout().state(node, s));
+      return range.single() ? std::optional(range.lower) : std::nullopt;
+    };
+    const double from = given(0).value_or(given(last).value_or(0.0));
+    const double to = given(last).value_or(from);
+    for (int node = 0; node <= last; ++node) {
+      const int c = node - 1;
+      const double sigma =
+          node == 0 ? 0.0
+                    : mesh().sigma(c / scheme.degree,
+                                   scheme.rule.points[at(c % scheme.degree)]);
+      guess.x[at(layout().state(node, s))] = from + sigma * (to - from);
+    }
+  }
+  return guess;
+}
+
+template <ControlProblem Description>
+std::vector<PathPlace<LeastCost<Description>::kStates>>
+LeastCost<Description>::path(const PrimalDual& point) const {
+  const CollocationScheme& scheme = collocation_.scheme();
+  const int p = scheme.degree;
+  const double U = point.x[at(layout().last())];
+  std::vector<PathPlace<kStates>> places(at(layout().num_nodes()));
+  for (int node = 0; node < layout().num_nodes(); ++node) {
+    PathPlace<kStates>& place = places[at(node)];
+    const int c = node - 1;
+    for (int s = 0; s < static_cast<int>(kStates); ++s) {
+      place.states[at(s)] = point.x[at(layout().state(node, s))];
+      if (node > 0) {
+        place.costates[at(s)] = -point.lambda[at(layout().defect(c, s))] /
+                                scheme.rule.weights[at(c % p)];
+      }
+    }
+    if (node == 0) continue;
+    const int e = c / p;
+    place.s = U * mesh().sigma(e, scheme.rule.points[at(c % p)]);
+    place.control = point.x[at(layout().control(c))] / mesh().length(e);
+  }
+  PathPlace<kStates>& start = places.front();
+  start = {.s = 0.0, .states = start.states, .costates = {}, .control = 0.0};
+  std::vector<double> at_start(at(p));
+  scheme.points.evaluate(0.0, at_start);
+  for (int j = 0; j < p; ++j) {
+    start.control += at_start[at(j)] * places[at(j + 1)].control;
+    for (int s = 0; s < static_cast<int>(kStates); ++s) {
+      start.costates[at(s)] +=
+          scheme.derivative(j, 0) * point.lambda[at(layout().defect(j, s))];
+    }
+  }
+  return places;
+}
+
+template <ControlProblem Description>
+std::string LeastCost<Description>::variable_name(int index) const {
+  if (index == layout().last()) return "U";
+  const std::string place = "[" + std::to_string(layout().node_of(index)) + "]";
+  if (!layout().is_state(index)) return "h u" + place;
+  return std::string(description().state_name(at(index % layout().stride()))) +
+         place;
+}
+
+template <ControlProblem Description>
+std::string LeastCost<Description>::constraint_name(int index) const {
+  const int point = layout().point_of(index);
+  const int row = index - layout().defect(point, 0);
+  const std::string place = "[" + std::to_string(point) + "]";
+  if (row < layout().num_states()) {
+    return "defect of " + std::string(description().state_name(at(row))) +
+           place;
+  }
+  return std::string(
+             description().limit_name(at(row - layout().num_states()))) +
+         place;
+}
+
+template <ControlProblem Description>
+bool LeastCost<Description>::evaluate() {
+  if (!(duration() > 0.0)) return refuse(-1, "the duration is not positive");
+  const auto refused = collocation_.evaluate(
+      x(), mesh(), [&](int) -> const auto& { return description(); },
+      [](int, int) { return true; });
+  return !refused || refuse(refused->point, refused->because);
+}
+
+}  // namespace brachisto::ocp

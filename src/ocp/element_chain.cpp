@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "brachisto/ocp/element_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "brachisto/math/index.hpp"
+#include "brachisto/math/stop_condition.hpp"
+
+namespace brachisto::ocp {
+
+nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
+                                  int num_constraints) {
+  nlp::ChainStructure chain;
+  chain.num_links = mesh.num_elements();
+  const int n = layout.num_variables();
+  chain.block.resize(at(n + num_constraints));
+  const auto fill = [&](int begin, int end, int block) {
+    std::fill(chain.block.begin() + begin, chain.block.begin() + end, block);
+  };
+  const int p = mesh.degree;
+  const int states = layout.num_states();
+  for (int element = 0; element < chain.num_links; ++element) {
+    check_stop(element);
+    const int left = 2 * element, interior = left + 1, right = left + 2;
+    for (int j = 0; j < p; ++j) {
+      // A point, the node with which it stands and the one to which it leads.
+      const int point = element * p + j;
+      const int node = layout.state(point, 0);
+      const bool unknown = point >= layout.node_of(0);
+      if (unknown) fill(node, node + states, j == 0 ? left : interior);
+      fill(node + states, layout.state(point + 1, 0), interior);
+      fill(n + layout.defect(point, 0), n + layout.defect(point + 1, 0),
+           j == p - 1 ? right : interior);
+    }
+  }
+  fill(layout.state(layout.num_points(), 0), layout.last(),
+       2 * chain.num_links);
+  chain.block[at(layout.last())] = nlp::ChainStructure::kBorder;
+  return chain;
+}
+
+nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
+                                  int num_constraints,
+                                  const std::vector<bool>& of_control) {
+  nlp::ChainStructure chain = element_chain(layout, mesh, num_constraints);
+  chain.scale.assign(chain.block.size(), 1.0);
+  const int n = layout.num_variables();
+  const int p = mesh.degree;
+  for (int c = 0; c < layout.num_points(); ++c) {
+    const int element = c / p;
+    const bool last = c % p == p - 1;
+    const double root = root_of_length(mesh, element);
+    for (int i = 0; i < layout.num_states(); ++i) {
+      chain.scale[at(layout.state(c + 1, 0) + i)] = 1.0 / root;
+      if (c == 0) chain.scale[at(i)] = 1.0 / root;
+      chain.scale[at(n + layout.defect(c, 0) + i)] = root;
+    }
+    chain.scale[at(layout.control(c))] = 1.0 / root;
+    const int block = last ? 2 * (element + 1) : 2 * element + 1;
+    if (last) chain.block[at(layout.control(c))] = block;
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      const std::size_t row = at(n + layout.limit(c, i));
+      chain.block[row] = block;
+      // By the unknown h u of the control a limit has a derivative like 1/h.
+      chain.scale[row] = of_control[at(i)] ? root * root * root : root;
+    }
+  }
+  return chain;
+}
+
+double root_of_length(const Mesh& mesh, int element) {
+  return std::exp2(std::round(0.5 * std::log2(mesh.length(element))));
+}
+
+std::vector<double> element_weights(const Layout& layout,
+                                    const CollocationScheme& scheme,
+                                    const Mesh& mesh, int num_constraints) {
+  const int n = layout.num_variables();
+  std::vector<double> weights(at(n + num_constraints), 1.0);
+  for (int c = 0; c < layout.num_points(); ++c) {
+    const double b = scheme.rule.weights[at(c % scheme.degree)];
+    const double share = b * mesh.length(c / scheme.degree);
+    for (int i = 0; i < layout.num_states(); ++i) {
+      weights[at(layout.state(c + 1, 0) + i)] = share;
+      if (c == 0) weights[at(i)] = share;
+      weights[at(n + layout.defect(c, 0) + i)] = b;
+    }
+    weights[at(layout.control(c))] = b;
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      weights[at(n + layout.limit(c, i))] = share;
+    }
+  }
+  return weights;
+}
+
+}  // namespace brachisto::ocp

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -396,6 +397,36 @@ ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting, int degree,
   bold.passes += first.passes;
   bold.newton_steps += first.newton_steps;
   return bold;
+}
+
+std::optional<FittedPath> path_on_arcs(const Scene& scene,
+                                       std::vector<Arc> arcs,
+                                       const LimitedEnds& ends, int degree,
+                                       PrimalDual point) {
+  const std::vector<PathInequality> limits =
+      inequalities(scene.body, scene.limits);
+  double begin = 0.0;
+  const auto fits = [&](const Arc& arc) {
+    const bool behind = arc.end > std::exchange(begin, arc.end);
+    return behind && arc.elements() >= 1 && arc.cuts.front() == 0.0 &&
+           arc.cuts.back() == 1.0 &&
+           std::ranges::is_sorted(arc.cuts, std::less_equal<>()) &&
+           arc.held.size() == limits.size() &&
+           (!arc.touch || arc.touch->limit < limits.size());
+  };
+  if (arcs.empty() || !std::ranges::all_of(arcs, fits) || begin != 1.0) {
+    return std::nullopt;
+  }
+  const PathSetting setting{limits, arcs, ends};
+  PathSystem system(scene, setting, degree);
+  if (point.x.size() != at(system.problem().num_variables()) ||
+      point.lambda.size() != at(system.problem().num_constraints()) ||
+      !system.move_to(setting, std::move(point))) {
+    return std::nullopt;
+  }
+  LimitedCurve curve = system.curve();
+  const ContactMismatch mismatch = mismatch_of(curve, ends);
+  return FittedPath{std::move(arcs), ends, std::move(curve), mismatch};
 }
 
 }  // namespace brachisto

@@ -42,4 +42,13 @@ struct ArcFit {
 [[nodiscard]] ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting,
                               int degree, const MeshOptions& options);
 
+/// The path on arcs that point and ends are of; nothing if they do not belong
+/// together.
+/// \param scene  in natural units; its limits are those of the path
+[[nodiscard]] std::optional<FittedPath> path_on_arcs(const Scene& scene,
+                                                     std::vector<Arc> arcs,
+                                                     const LimitedEnds& ends,
+                                                     int degree,
+                                                     PrimalDual point);
+
 }  // namespace brachisto

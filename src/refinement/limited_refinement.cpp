@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
+#include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
+#include "refinement/arc_elements.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
@@ -32,6 +35,8 @@ class LimitedSolve {
         limits_(inequalities(scene.body, scene.limits)),
         options_(options),
         protocol_(options.progress),
+        free_(&free),
+        phi_(phi),
         tightening_(std::in_place, scene, free, phi, options.ipopt, protocol_) {
   }
   /// Beside a path of another scene.
@@ -44,7 +49,11 @@ class LimitedSolve {
         protocol_(options.progress) {}
 
   LimitedRefinement run() {
-    refine(find_arcs());
+    std::optional<FittedPath> path = find_arcs();
+    if (!path && !stopped() && protocol_.status != Status::NoFastestTrack) {
+      path = tighten_from_looser();
+    }
+    refine(std::move(path));
     return finished();
   }
   LimitedRefinement run_beside(const FittedPath& neighbour) {
@@ -73,7 +82,7 @@ class LimitedSolve {
           "and under limits a path is followed on one side alone";
     }
     return {std::move(protocol_).finished(), std::move(answer_),
-            std::move(blocking)};
+            std::move(blocking), std::move(loosened_)};
   }
 
   /// Whether the best path that was found does.
@@ -274,6 +283,68 @@ class LimitedSolve {
         [&](double share) { return Stage{relaxation.at(share)}; }, kFirstStep);
   }
 
+  // ---- From limits that ask for less, each step an answer to them.
+
+  [[nodiscard]] Scene loosened(double by) const {
+    Scene scene = scene_;
+    scene.limits = loosened_limits(scene_, by);
+    return scene;
+  }
+
+  /// The path under the limits of the scene; nothing if it is not reached: then
+  /// the tightest is kept.
+  [[nodiscard]] std::optional<FittedPath> tighten_from_looser() {
+    for (const double by : {0.05, 0.2, 0.6}) {
+      std::optional<FittedPath> path = path_under(loosened(by));
+      if (path) return tighten(std::move(*path), by);
+      if (stopped()) break;
+    }
+    return std::nullopt;
+  }
+
+  /// With the iterations that are left.
+  [[nodiscard]] std::optional<FittedPath> path_under(const Scene& looser) {
+    MeshOptions options = options_;
+    for (const MeshRecord& mesh : protocol_.meshes) {
+      options.ipopt.max_iterations -= mesh.iterations;
+    }
+    options.ipopt.max_iterations -= protocol_.record.iterations;
+    if (options.ipopt.max_iterations <= 0) return std::nullopt;
+    LimitedSolve solve(looser, wanted_, *free_, phi_, options);
+    std::optional<FittedPath> path;
+    if (solve.tightening_->tighten()) path = solve.read_off(kDegree);
+    RefinementProtocol done = std::move(solve.protocol_).finished();
+    std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
+    protocol_.log += done.log;
+    return path;
+  }
+
+  [[nodiscard]] std::optional<FittedPath> tighten(FittedPath path, double by) {
+    constexpr double kFirst = 0.5, kFinest = 0.01;
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    const double least = kFinest * by;
+    double step = kFirst * by;
+    while (by > 0.0 && step >= least) {
+      const double next = std::max(0.0, by - step);
+      const Scene scene = loosened(next);
+      auto nearer =
+          fit_beside(path, {inequalities(scene.body, scene.limits), scene});
+      if (stopped()) break;
+      if (nearer) {
+        path = std::move(*nearer);
+        by = next;
+        step *= 1.5;
+      } else {
+        step *= 0.4;
+      }
+    }
+    if (by == 0.0) return path;
+    protocol_.fail(status, message);
+    loosened_.emplace(LoosenedPath{by, std::move(path)});
+    return std::nullopt;
+  }
+
   // ---- Accuracy.
 
   void refine(std::optional<FittedPath> path, int p) {
@@ -319,61 +390,11 @@ class LimitedSolve {
                                                         int p) {
     const int wanted =
         wanted_.elements ? *wanted_.elements : (*wanted_.nodes - 1) / p;
-    std::vector<Arc> arcs = path.arcs;
-    int left = wanted;
-    double begin = 0.0;
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const auto after = static_cast<int>(arcs.size() - i) - 1;
-      const double share = (arcs[i].end - begin) / (1.0 - begin);
-      const int count = std::clamp(static_cast<int>(std::lround(share * left)),
-                                   1, std::max(1, left - after));
-      arcs[i].cuts = equal_cuts(count);
-      left -= count;
-      begin = arcs[i].end;
-    }
-    return fit(path.curve, {limits_, std::move(arcs), path.ends}, p).path;
+    return fit(path.curve,
+               {limits_, with_elements(path.arcs, wanted), path.ends}, p)
+        .path;
   }
 
-  /// Elements are divided that err too much in T, which falls with their length
-  /// h like h^(2p) at least, or exceed a limit between their points, which
-  /// falls like h^p.
-  static void divide(const LimitedCurve& curve, const LimitedCurve& finer,
-                     double tolerance, std::vector<Arc>& arcs) {
-    constexpr int kMost = 4;
-    constexpr double kSafety = 1.1;
-    const double p = curve.problem().mesh().degree;
-    const double target = tolerance * finer.transit_time() /
-                          curve.problem().mesh().num_elements();
-    int e = 0;
-    for (Arc& arc : arcs) {
-      std::vector<double> cuts{0.0};
-      for (std::size_t i = 0; i + 1 < arc.cuts.size(); ++i, ++e) {
-        double where = 0.0;
-        const double error = std::abs(curve.time_on(e) - finer.time_on(e));
-        const double excess = std::max(0.0, curve.excess_on(e, where).value);
-        const double pieces =
-            kSafety * std::max(std::pow(error / target, 1.0 / (2.0 * p)),
-                               std::pow(excess / kExcess, 1.0 / p));
-        const int n = std::clamp(
-            static_cast<int>(std::ceil(std::min(pieces, double{kMost}))), 1,
-            kMost);
-        for (int k = 1; k <= n; ++k) {
-          cuts.push_back(arc.cuts[i] + (arc.cuts[i + 1] - arc.cuts[i]) * k / n);
-        }
-      }
-      arc.cuts = std::move(cuts);
-    }
-  }
-  [[nodiscard]] static bool keeps_limits(const LimitedCurve& curve) {
-    double where = 0.0;
-    for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
-      if (!(curve.excess_on(e, where).value <= kExcess)) return false;
-    }
-    return true;
-  }
-
-  /// Allowed between points, well below what a certificate allows.
-  static constexpr double kExcess = 1e-9;
   static constexpr double kRounding = 1e-13;
 
   const Scene& scene_;
@@ -381,8 +402,11 @@ class LimitedSolve {
   std::vector<PathInequality> limits_;
   MeshOptions options_;
   PassProtocol protocol_;
+  const ExtremalCurve* free_ = nullptr;  ///< where it starts from
+  double phi_ = 0.0;
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
+  std::optional<LoosenedPath> loosened_;
   double reached_ = 0.0;  ///< share of the way that follow() came
 };
 
@@ -412,36 +436,6 @@ std::optional<LimitedRefinement> refine_limited_beside(
     return std::nullopt;
   }
   return LimitedSolve(scene, wanted, options).run_beside(neighbour);
-}
-
-std::optional<FittedPath> path_on_arcs(const Scene& scene,
-                                       std::vector<Arc> arcs,
-                                       const LimitedEnds& ends, int degree,
-                                       PrimalDual point) {
-  const std::vector<PathInequality> limits =
-      inequalities(scene.body, scene.limits);
-  double begin = 0.0;
-  const auto fits = [&](const Arc& arc) {
-    const bool behind = arc.end > std::exchange(begin, arc.end);
-    return behind && arc.elements() >= 1 && arc.cuts.front() == 0.0 &&
-           arc.cuts.back() == 1.0 &&
-           std::ranges::is_sorted(arc.cuts, std::less_equal<>()) &&
-           arc.held.size() == limits.size() &&
-           (!arc.touch || arc.touch->limit < limits.size());
-  };
-  if (arcs.empty() || !std::ranges::all_of(arcs, fits) || begin != 1.0) {
-    return std::nullopt;
-  }
-  const PathSetting setting{limits, arcs, ends};
-  PathSystem system(scene, setting, degree);
-  if (point.x.size() != at(system.problem().num_variables()) ||
-      point.lambda.size() != at(system.problem().num_constraints()) ||
-      !system.move_to(setting, std::move(point))) {
-    return std::nullopt;
-  }
-  LimitedCurve curve = system.curve();
-  const ContactMismatch mismatch = mismatch_of(curve, ends);
-  return FittedPath{std::move(arcs), ends, std::move(curve), mismatch};
 }
 
 }  // namespace brachisto

@@ -22,10 +22,17 @@ struct LimitedAnswer {
   bool sampled = false;
 };
 
+/// A path under loosened_limits() of a scene.
+struct LoosenedPath {
+  double by;
+  FittedPath path;
+};
+
 /// Outcome of refine_limited().
 struct LimitedRefinement : RefinementProtocol {
   std::optional<LimitedAnswer> answer;
   std::optional<BlockingLimit> blocking;  ///< if limits were not kept
+  std::optional<LoosenedPath> loosened;   ///< the tightest, without an answer
 };
 
 /// In three stages.
@@ -37,7 +44,9 @@ struct LimitedRefinement : RefinementProtocol {
 ///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
 ///   are corrected; if no arcs fit, the coarse mesh is made finer and they are
-///   read off again, or followed from the loosest limits on.
+///   read off again, or followed from the loosest limits on. Where that leads
+///   nowhere the scene is solved under limits loosened more and more, and these
+///   are tightened as far as a path follows them.
 /// - Accuracy: with the arcs known the path is as smooth on each as that of a
 ///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
 ///   by which the error is estimated, changes T by no more than is wanted.
@@ -58,14 +67,5 @@ struct LimitedRefinement : RefinementProtocol {
 [[nodiscard]] std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
     const FittedPath& neighbour, MeshOptions options);
-
-/// The path on arcs that point and ends are of; nothing if they do not belong
-/// together.
-/// \param scene  in natural units; its limits are those of the path
-[[nodiscard]] std::optional<FittedPath> path_on_arcs(const Scene& scene,
-                                                     std::vector<Arc> arcs,
-                                                     const LimitedEnds& ends,
-                                                     int degree,
-                                                     PrimalDual point);
 
 }  // namespace brachisto

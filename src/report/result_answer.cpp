@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/effective_input.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -140,6 +142,28 @@ Field<Solution> limits_field() {
           true};
 }
 
+/// No key unless there is one.
+Field<Solution> relaxed_field() {
+  Fields<Solution> fields = of_part<Solution>(
+      answer_of, {{"tau", "", "T √(2 g/H)", &Motion::tau},
+                  {"transit_time", "s", "T", &Motion::transit_time}});
+  fields.push_back(
+      {"estimated_error", "", "relative, of T", &Solution::estimated_error});
+  fields.insert(fields.begin(),
+                {{"limits", "object", "", "as in input", {}, true},
+                 [](const Solution& s) {
+                   return io::effective_input(s.scene,
+                                              s.options)["scene"]["limits"];
+                 }});
+  Field<Solution> field = object<Solution>(
+      "relaxed", "",
+      "where the limits were not reached: the verified answer under limits "
+      "that ask for less, tightened as far as a path was found",
+      [](const Solution& s) { return s.relaxed.get(); }, fields);
+  field.may_lack = true;
+  return field;
+}
+
 /// No key unless they were asked for; empty if there are none.
 Field<Solution> sensitivities_field() {
   struct Row {
@@ -230,11 +254,12 @@ Fields<ProgramSize> size_fields() {
 }  // namespace
 
 Fields<Solution> answer_fields() {
-  return joined<Solution>({of_part<Solution>(answer_of, motion_fields()),
-                           diagnostics_fields(),
-                           {limits_field(), sensitivities_field()},
-                           of_part<Solution>(&Solution::program, size_fields()),
-                           {mesh_field()}});
+  return joined<Solution>(
+      {of_part<Solution>(answer_of, motion_fields()),
+       diagnostics_fields(),
+       {limits_field(), relaxed_field(), sensitivities_field()},
+       of_part<Solution>(&Solution::program, size_fields()),
+       {mesh_field()}});
 }
 
 }  // namespace brachisto::report

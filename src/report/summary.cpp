@@ -239,6 +239,23 @@ void add_verdict(std::string& out, const Solution& solution) {
     add_line(out, "", std::string(describe(solution.status)));
     add_line(out, "because", solution.message);
   }
+  if (solution.relaxed) {
+    const Solution& looser = *solution.relaxed;
+    std::vector<std::string> bounds;
+    for (const LimitOnPath& limit : looser.limits) {
+      if (limit.bound) {
+        bounds.push_back(fmt::format("{} {:.4g}", limit.name, *limit.bound));
+      }
+    }
+    const double error = looser.estimated_error.value_or(0.0);
+    add_line(out, "looser limits",
+             fmt::format("verified with {}: T = {} s, τ = {}",
+                         fmt::join(bounds, ", "),
+                         with_error(looser.motion()->transit_time(),
+                                    error * looser.motion()->transit_time()),
+                         with_error(looser.motion()->tau(),
+                                    error * looser.motion()->tau())));
+  }
   for (const std::string& reason : solution.not_verified_because()) {
     add_line(out, "failed check", reason);
   }

@@ -95,6 +95,7 @@ void Solution::discard_answer() {
   diagnostics.reset();
   estimated_error.reset();
   limits.clear();
+  relaxed.reset();
   sensitivities.reset();
   extremal.reset();
   certificate = {};

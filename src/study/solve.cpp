@@ -13,10 +13,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "model/loosened_limits.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/descent.hpp"
 #include "study/answer.hpp"
@@ -64,6 +66,10 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
               std::optional<double> transit_time = std::nullopt);
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out);
+/// The answer under looser limits; null if it is not verified.
+std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
+                                        const LoosenedPath& nearby,
+                                        const Work& done);
 /// With the limit that was not kept.
 void record_limited(const PosedProblem& posed,
                     const LimitedRefinement& refinement, Solution& out);
@@ -382,8 +388,28 @@ void record_limited(const PosedProblem& posed,
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out) {
   record_limited(posed, refinement, out);
-  if (!refinement.answer || posed.stop().met()) return;
+  if (posed.stop().met()) return;
+  if (refinement.loosened) {
+    out.relaxed = relaxed(posed, *refinement.loosened, out.effort);
+  }
+  if (!refinement.answer) return;
   conclude(posed, *refinement.answer, refinement.message, out);
+}
+
+std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
+                                        const LoosenedPath& nearby,
+                                        const Work& done) {
+  Scene looser = posed.asked;
+  looser.limits = loosened_limits(posed.asked, nearby.by);
+  const PosedProblem problem = with_scene(posed, looser);
+  auto solution = std::make_shared<const Solution>(
+      within_limits(problem, [&](Solution& out) {
+        const auto refinement = refine_limited_beside(
+            *problem.limited, problem.program.discretisation, nearby.path,
+            problem.mesh_options_after(done));
+        if (refinement) conclude(problem, *refinement, out);
+      }));
+  return solution->verified() ? solution : nullptr;
 }
 
 void conclude(const PosedProblem& posed, const LimitedAnswer& found,

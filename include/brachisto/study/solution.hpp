@@ -60,6 +60,9 @@ struct Solution {
   Certificate certificate;
   std::optional<CrossCheck> extremal;
   std::vector<LimitOnPath> limits;  ///< one for each bound of the scene
+  /// Where limits were not reached, verified: the answer under those that ask
+  /// for less, tightened as far as a path was found. Null otherwise.
+  std::shared_ptr<const Solution> relaxed;
   /// If they were asked for; see brachisto::sensitivities().
   std::optional<Sensitivities> sensitivities;
 

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Limits that ask for less.
+
+#pragma once
+
+#include "brachisto/model/path_limits.hpp"
+#include "brachisto/model/scene.hpp"
+
+namespace brachisto {
+
+/// The limits of a scene, each of them looser the greater `by` is, and of the
+/// same kinds: at 0 as they are, at 1 with twenty times the friction and the
+/// curvatures, R_n two m g beyond its bounds, discs shrunk to a tenth, floor
+/// and half-planes moved off by H. With Contact::Optimal a bound of humps has
+/// a meaning of its own and stays.
+///
+/// \param by  in [0, 1]
+[[nodiscard]] PathLimits loosened_limits(const Scene& scene, double by);
+
+}  // namespace brachisto

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// How many elements there are on each arc.
+
+#pragma once
+
+#include <vector>
+
+#include "refinement/arcs.hpp"
+#include "transcription/limited_curve.hpp"
+
+namespace brachisto {
+
+/// Elements are divided that err too much in T, which falls with their length
+/// h like h^(2p) at least, or exceed a limit between their points, which falls
+/// like h^p.
+///
+/// \param finer      on the same elements, by a higher degree
+/// \param tolerance  relative, of T
+void divide(const LimitedCurve& curve, const LimitedCurve& finer,
+            double tolerance, std::vector<Arc>& arcs);
+
+/// Whether no limit is exceeded, between the points neither.
+[[nodiscard]] bool keeps_limits(const LimitedCurve& curve);
+
+/// The same arcs on so many equal elements, or one on each.
+[[nodiscard]] std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted);
+
+}  // namespace brachisto

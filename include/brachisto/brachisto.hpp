@@ -31,6 +31,7 @@
 #include "brachisto/ocp/collocation.hpp"
 #include "brachisto/ocp/element_chain.hpp"
 #include "brachisto/ocp/entries.hpp"
+#include "brachisto/ocp/evaluated_points.hpp"
 #include "brachisto/ocp/layout.hpp"
 #include "brachisto/ocp/least_cost.hpp"
 #include "brachisto/ocp/local_structure.hpp"

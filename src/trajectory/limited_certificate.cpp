@@ -159,8 +159,11 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
   const std::vector<double> weights = weights_of(curve, problem);
   const nlp::KktResidual residual =
       nlp::kkt_residual(problem, curve.point(), weights);
-  // Over the weight of a short element rounding alone may be more.
-  const double rounding = problem.rounding(curve.point().x) /
+  // Stationarity is a sum of multipliers times matrix entries, as a defect is
+  // one of unknowns. Over the weight of a short element rounding alone may be
+  // more.
+  const double rounding = std::max(problem.rounding(curve.point().x),
+                                   problem.rounding(curve.point().lambda)) /
                           *std::min_element(weights.begin(), weights.end());
   certificate.add("kkt_residual", residual.stationarity,
                   std::max(kResidual, rounding), residual.worst_variable);

@@ -195,8 +195,7 @@ TEST_F(RefusedPoint, NamesThePoint) {
 
 TEST_F(RefusedPoint, NeedsFiniteAngles) {
   x[at(problem.layout().beta(3))] = kNaN;
-  expect_refused(
-      "the inertia factor A is not positive at collocation point 3 of 6");
+  expect_refused("the slope angle is not finite at collocation point 3 of 6");
 
   x = good();
   x[at(problem.layout().state(1, Theta))] = kNaN;

@@ -9,35 +9,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/jet1.hpp"
-#include "brachisto/math/jet2.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/ocp/entries.hpp"
+#include "brachisto/ocp/evaluated_points.hpp"
 #include "brachisto/ocp/layout.hpp"
-#include "brachisto/ocp/local_structure.hpp"
 #include "brachisto/ocp/mesh.hpp"
-#include "brachisto/ocp/point_function.hpp"
 #include "brachisto/ocp/scheme.hpp"
 
 namespace brachisto::ocp {
-
-/// What is kept of an evaluated point: its rates as jets, unless a description
-/// has something smaller, `kept(yu)`, that its rates follow from by
-/// `rates_of<Number>(kept)`, as numbers and as jets.
-template <class Description>
-inline constexpr bool kKeepsLess =
-    requires(const Description& of, const PointOf<Description, double>& yu) {
-  of.kept(yu);
-};
 
 /// With the global unknown U, the duration of the way in the description's
 /// variable u, on elements of the lengths h of a mesh of σ ∈ [0, 1]:
@@ -53,34 +39,23 @@ inline constexpr bool kKeepsLess =
 ///
 /// What a description says that nothing depends on has no entries.
 template <class Description>
-class Collocation {
+class Collocation : public EvaluatedPoints<Description> {
+  using Base = EvaluatedPoints<Description>;
+
  public:
-  static constexpr int kStates = static_cast<int>(Description::kStates);
-  static constexpr int kControl = kStates;
-  static constexpr int kLocals = kStates + 1;  ///< states and the control
-  using Jet = math::Jet2<double, kLocals>;
-  using FirstJet = math::Jet1<double, kLocals>;
-  using Locals = PointOf<Description, double>;
+  using Base::kControl, Base::kLocals, Base::kStates;
+  using Base::limit_at, Base::second;
+  using typename Base::FirstJet, typename Base::Jet, typename Base::Locals;
 
   Collocation(Description description, const CollocationScheme& scheme,
               const Layout& layout)
-      : description_(std::move(description)),
+      : Base(std::move(description), layout),
         scheme_(&scheme),
-        layout_(layout),
-        points_(at(layout.num_points())),
-        limits_(points_.size() * at(layout.num_limits())),
-        local_(description_, layout) {}
+        layout_(layout) {}
 
-  [[nodiscard]] const Description& description() const { return description_; }
-  /// Another one of the same kind, on which as much depends.
-  void describe(Description description) {
-    description_ = std::move(description);
-  }
   [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  [[nodiscard]] const LocalStructure<kLocals>& local() const { return local_; }
-
   /// Of states and control at a point, those on which anything depends; the
   /// others are 0.
   [[nodiscard]] Locals locals(std::span<const double> x, const Mesh& mesh,
@@ -112,55 +87,13 @@ class Collocation {
                                                 Asked&& asked) {
     for (int c = 0; c < layout_.num_points(); ++c) {
       check_stop(c);
-      const Description& here = described(c / scheme_->degree);
-      const Locals yu = locals(x, mesh, c);
-      points_[at(c)] = evaluated(here, yu);
-      if (const char* because = refusal(here, yu, c)) {
+      if (const char* because = this->evaluate_point(
+              c, described(c / scheme_->degree), locals(x, mesh, c),
+              [&](std::size_t i) { return asked(c, static_cast<int>(i)); })) {
         return Refused{c, because};
       }
-      if (layout_.num_limits() == 0) continue;
-      const auto jets = present(yu);
-      Jet* const values = &limits_[at(c) * at(layout_.num_limits())];
-      each_limit(
-          here, jets,
-          [&](std::size_t i) { return asked(c, static_cast<int>(i)); },
-          [&](std::size_t i, const Jet& value) { values[i] = value; });
     }
     return std::nullopt;
-  }
-
-  /// L and f at an evaluated point with their first two derivatives by states
-  /// and control.
-  [[nodiscard]] decltype(auto) second(int point) const {
-    return as<Jet>(point);
-  }
-  /// The same at any point of the variables.
-  [[nodiscard]] Rates<Jet, kStates> jets_at(const Locals& yu) const {
-    if constexpr (kKeepsLess<Description>) {
-      return description_.template rates_of<Jet>(description_.kept(yu));
-    } else {
-      return description_.rates(present(yu));
-    }
-  }
-  [[nodiscard]] const Jet& limit_at(int point, int number) const {
-    return limits_[at(point) * at(layout_.num_limits()) + at(number)];
-  }
-
-  /// Whether a limit depends on none but these states.
-  [[nodiscard]] bool limit_is_of(int number,
-                                 std::initializer_list<int> states) const {
-    return std::ranges::all_of(local_.limit_rows[at(number)], [&](int local) {
-      return std::ranges::find(states, local) != states.end();
-    });
-  }
-
-  /// Of each limit whether it depends on the control.
-  [[nodiscard]] std::vector<bool> limits_of_control() const {
-    std::vector<bool> out;
-    for (const std::vector<int>& row : local_.limit_rows) {
-      out.push_back(!row.empty() && row.back() == kControl);
-    }
-    return out;
   }
 
   [[nodiscard]] double objective(const Mesh& mesh, double U) const {
@@ -168,7 +101,8 @@ class Collocation {
     for (int e = 0; e < mesh.num_elements(); ++e) {
       double element = 0.0;
       for (int j = 0; j < mesh.degree; ++j) {
-        element += scheme_->rule.weights[at(j)] * cost_at(e * mesh.degree + j);
+        element +=
+            scheme_->rule.weights[at(j)] * this->cost_at(e * mesh.degree + j);
       }
       sum += mesh.length(e) * element;
     }
@@ -182,7 +116,7 @@ class Collocation {
     for (int c = 0; c < layout_.num_points(); ++c) {
       const double b = scheme_->rule.weights[at(c % mesh.degree)];
       const double h = mesh.length(c / mesh.degree);
-      const auto& cost = as<FirstJet>(c).cost;
+      const auto& cost = this->template as<FirstJet>(c).cost;
       sum += h * b * cost.value;
       for (const int a : local_.rows.front()) {
         const double slope = U * (length(a, h) * b) * cost.gradient[at(a)];
@@ -202,7 +136,7 @@ class Collocation {
     for (int c = 0; c < layout_.num_points(); ++c) {
       const int first = c / p * p;
       const double hU = mesh.length(c / p) * U;
-      const auto& rates = as<FirstJet>(c);
+      const auto& rates = this->template as<FirstJet>(c);
       for (int s = 0; s < kStates; ++s) {
         if (!layout_.has_state(s)) continue;
         double difference = 0.0;
@@ -225,7 +159,7 @@ class Collocation {
     put.each(0, mesh.num_elements(), [&](int e) {
       const double h = mesh.length(e);
       for (int c = e * p; c < (e + 1) * p; ++c) {
-        const auto& rates = as<FirstJet>(c);
+        const auto& rates = this->template as<FirstJet>(c);
         for (int s = 0; s < kStates; ++s) {
           if (!layout_.has_state(s)) continue;
           const int row = layout_.defect(c, s);
@@ -297,62 +231,11 @@ class Collocation {
   }
 
  private:
-  static auto kept_type() {
-    if constexpr (kKeepsLess<Description>) {
-      return decltype(std::declval<const Description&>().kept(Locals{})){};
-    } else {
-      return Rates<Jet, kStates>{};
-    }
-  }
-  using Kept = decltype(kept_type());
-
   /// Derivatives of s b L − λ·f by states and control.
   struct Density {
     std::array<double, kLocals> gradient;
     std::array<double, Jet::kPairs> hessian;
   };
-  [[nodiscard]] const char* refusal(const Description& here, const Locals& yu,
-                                    int point) const {
-    if constexpr (requires { here.refusal(yu, 0.0); }) {
-      return here.refusal(yu, cost_at(point));
-    } else {
-      const auto& rates = second(point);
-      const bool finite =
-          std::isfinite(rates.cost.value) &&
-          std::ranges::all_of(rates.states, [](const Jet& rate) {
-            return std::isfinite(rate.value);
-          });
-      return finite ? nullptr : "the cost or a rate is not finite";
-    }
-  }
-  [[nodiscard]] Kept evaluated(const Description& here,
-                               const Locals& yu) const {
-    if constexpr (kKeepsLess<Description>) {
-      return here.kept(yu);
-    } else {
-      return here.rates(present(yu));
-    }
-  }
-  /// States and control as variables; what is absent is a constant.
-  [[nodiscard]] PointOf<Description, Jet> present(const Locals& yu) const {
-    PointOf<Description, Jet> jets;
-    for (int a = 0; a < kLocals; ++a) {
-      if (local_.matters[at(a)]) jets[at(a)] = Jet::variable(yu[at(a)], a);
-    }
-    return jets;
-  }
-  template <class Number>
-  [[nodiscard]] decltype(auto) as(int point) const {
-    if constexpr (kKeepsLess<Description>) {
-      return description_.template rates_of<Number>(points_[at(point)]);
-    } else {
-      return static_cast<const Rates<Jet, kStates>&>(points_[at(point)]);
-    }
-  }
-  [[nodiscard]] double cost_at(int point) const {
-    return as<FirstJet>(point).cost.value;
-  }
-
   /// h of a state, 1 of a control whose unknown has h in it.
   [[nodiscard]] double length(int local, double h) const {
     return local == kControl && scheme_->points_are_nodes ? 1.0 : h;
@@ -469,12 +352,9 @@ class Collocation {
     }
   }
 
-  Description description_;
+  using Base::local_;
   const CollocationScheme* scheme_;
   Layout layout_;
-  std::vector<Kept> points_;
-  std::vector<Jet> limits_;  ///< of a point, one after the other
-  LocalStructure<kLocals> local_;
 };
 
 }  // namespace brachisto::ocp

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "brachisto/report/result.hpp"
-#include "comparison/documents.hpp"
+#include "comparison/comparison.hpp"
 #include "comparison/statistics.hpp"
 #include "report/letters.hpp"
 #include "report/provenance.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "brachisto/report/result.hpp"
-#include "comparison/documents.hpp"
+#include "comparison/comparison.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
 #include "report/letters.hpp"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string_view>
 
-#include "plot/page_parts.hpp"
-#include "report/obstacles.hpp"
+#include "report/page.hpp"
+#include "report/path_frame.hpp"
 
 namespace brachisto::plot {
 
@@ -61,7 +61,7 @@ std::string numbers(const std::vector<double>& values) {
 }
 
 std::string quoted(const std::string& text) {
-  return page_json(Json(text));
+  return report::page_json(Json(text));
 }
 
 std::string point(Point p) {

@@ -16,7 +16,7 @@
 #include "math/angle.hpp"
 #include "plot/motion_data.hpp"
 #include "report/canvas.hpp"
-#include "report/obstacles.hpp"
+#include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
 #include "report/track_kind.hpp"

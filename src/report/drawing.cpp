@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/drawing.hpp"
+#include "report/cutting_template.hpp"
 
 #include <fmt/format.h>
 

@@ -7,10 +7,14 @@
 
 #pragma once
 
+#include <system_error>
+
 #include <array>
 #include <csignal>
 #include <filesystem>
-#include <system_error>
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace brachisto::report {
@@ -45,5 +49,19 @@ class NewDirectories {
  private:
   std::vector<std::filesystem::path> made_;  ///< the innermost first
 };
+
+/// Takes a file's content piece by piece.
+using TextSink = std::function<void(std::string_view piece)>;
+
+/// A file to be written, and who tells its content.
+struct StreamedFile {
+  std::string name;  ///< without directory
+  std::function<void(const TextSink& put)> tell;
+};
+
+/// write_files() of content that is told.
+void write_streamed_files(const std::filesystem::path& directory,
+                          const std::vector<StreamedFile>& files, bool force,
+                          const std::vector<std::string>& obsolete = {});
 
 }  // namespace brachisto::report

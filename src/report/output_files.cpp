@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "report/in_full.hpp"
-#include "report/streamed_files.hpp"
 
 #include "brachisto/math/stop_condition.hpp"
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "brachisto/model/path_limits.hpp"
 #include "brachisto/trajectory/motion.hpp"
 
 namespace brachisto::report {
@@ -56,5 +57,13 @@ struct Enlarged {
 [[nodiscard]] std::optional<Enlarged> enlarged(
     const Motion& motion, const std::vector<TrajectoryPoint>& rows,
     double scale);
+
+/// Corners of a convex area, in order.
+using Outline = std::vector<Point>;
+
+/// What lies below the floor, in a disc and behind a half-plane, as far as it
+/// lies between two opposite corners of a frame [m]; nothing of what does not.
+[[nodiscard]] std::vector<Outline> obstacles(const PathLimits& limits,
+                                             Point low, Point high);
 
 }  // namespace brachisto::report

@@ -4,7 +4,7 @@
 /// \file
 /// Keys of a result document that are of the design of a body.
 
-#include "report/result_parts.hpp"
+#include "report/result_field.hpp"
 
 #include <string_view>
 

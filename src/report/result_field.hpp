@@ -7,9 +7,10 @@
 
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <functional>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -196,5 +197,15 @@ template <class Source>
 /// What result_json() writes, without the keys that tell where the result comes
 /// from: provenance, scene and input.
 [[nodiscard]] Json outcome_document(const Solution& solution);
+
+/// Of the answer: its motion, forces, limits and derivatives, and its mesh.
+[[nodiscard]] Fields<Solution> answer_fields();
+/// The work that a solve took.
+[[nodiscard]] Fields<Solution> effort_fields();
+/// Where the solve came by, and answers beside the answer.
+[[nodiscard]] Fields<Solution> search_fields();
+/// Of `brachisto design`; no key of another result.
+[[nodiscard]] Field<Solution> design_field();
+[[nodiscard]] Field<Solution> seconds_field();
 
 }  // namespace brachisto::report

@@ -21,7 +21,6 @@
 #include "io/effective_input.hpp"
 #include "report/provenance.hpp"
 #include "report/result_field.hpp"
-#include "report/result_parts.hpp"
 
 namespace brachisto::report {
 

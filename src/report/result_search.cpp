@@ -5,7 +5,7 @@
 /// Keys of a result document that tell how the answer was sought: the work,
 /// the time, and what else was found.
 
-#include "report/result_parts.hpp"
+#include "report/result_field.hpp"
 
 #include <optional>
 #include <utility>

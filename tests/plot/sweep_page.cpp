@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "plot/kept_track.hpp"
 #include "plot/pages.hpp"
 #include "plot/sweep_files.hpp"
 #include "plot/tables.hpp"
+#include "plot/thinning.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/xml.hpp"
 

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "brachisto/study/design_answer.hpp"
@@ -23,5 +24,8 @@ namespace brachisto::report {
 ///               the scene's body
 [[nodiscard]] Figure design_map_figure(const SweepTable& table,
                                        const std::vector<DesignPath>& paths);
+
+/// The bodies that it has found, and what it took.
+void add_design(std::string& out, const DesignAnswer& design);
 
 }  // namespace brachisto::report

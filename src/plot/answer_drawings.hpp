@@ -9,6 +9,7 @@
 #include <string>
 
 #include "brachisto/model/scene.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::plot {
 
@@ -19,5 +20,10 @@ namespace brachisto::plot {
 /// \pre scene.world.ordinary(), and no limits and no given path
 [[nodiscard]] std::string block_drawing(const Scene& scene, int degree,
                                         int elements);
+
+/// φ over η_m, step by step: a small drawing in HTML, empty of fewer than three
+/// steps.
+/// \param steps  `continuation` of a result
+[[nodiscard]] std::string continuation_drawing(const report::Json& steps);
 
 }  // namespace brachisto::plot

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "plot/answer_page.hpp"
-#include "plot/moving_figure.hpp"
+#include "plot/motion_data.hpp"
 
 namespace brachisto::app {
 

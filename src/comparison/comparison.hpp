@@ -6,8 +6,6 @@
 
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <atomic>
 #include <functional>
 #include <optional>
@@ -106,31 +104,6 @@ struct MethodComparison {
     const MethodComparison& comparison,
     report::TableForm form = report::TableForm::Text);
 [[nodiscard]] std::string to_json(const MethodComparison& comparison);
-
-/// The value, or null.
-template <class Value>
-[[nodiscard]] nlohmann::ordered_json or_null(
-    const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
-/// Outcome, cause, times and effort of a run; what there is not is null.
-[[nodiscard]] nlohmann::ordered_json to_json(const Measurement& run);
-
-[[nodiscard]] nlohmann::ordered_json to_json(
-    const std::optional<Reference>& reference);
-
-/// The keys `machine`, `provenance` and `scene`.
-void add_origin(nlohmann::ordered_json& document, const Subject& subject);
-
-/// "τ = 5.09344446661800(4) by the extremal method".
-[[nodiscard]] std::string reference_text(const Reference& reference);
-
-/// "1.6e-06", or that it is less than the reference can tell.
-[[nodiscard]] std::string error_text(double error, const Reference& reference);
-
-/// "17 + 12": iterations of the solver and Newton steps, where there are any.
-[[nodiscard]] std::string iterations_text(const Measurement& run);
 
 struct Machine {
   std::string cpu;     ///< model, by the kernel; "unknown" if it does not say

@@ -40,6 +40,13 @@ ValueRange range_of_quick(const SweepTable& table) {
   return {tau.front(), std::max(tau[last], tau.front() * (1.0 + 1e-9))};
 }
 
+/// The key of the scene that a number of a design is the value of; empty if it
+/// is none, as the place of a part.
+std::string key_of_design(const std::string& name) {
+  if (name == "r") return "scene.body.radius";
+  return name.starts_with("part_") ? "" : "scene.body." + name;
+}
+
 /// The value of a step for a column.
 std::optional<double> value_of(const DesignStep& step,
                                const SweepColumn& column) {
@@ -50,11 +57,6 @@ std::optional<double> value_of(const DesignStep& step,
 }
 
 }  // namespace
-
-std::string key_of_design(const std::string& name) {
-  if (name == "r") return "scene.body.radius";
-  return name.starts_with("part_") ? "" : "scene.body." + name;
-}
 
 Figure design_map_figure(const SweepTable& table,
                          const std::vector<DesignPath>& paths) {

@@ -15,10 +15,6 @@
 
 namespace brachisto::report {
 
-/// The key of the scene that a number of a design is the value of; empty if it
-/// is none, as the place of a part.
-[[nodiscard]] std::string key_of_design(const std::string& name);
-
 /// A map with the ways of the searches across it.
 /// \param table  a product of two axes with one numeric column each, keys of
 ///               the scene's body

@@ -14,9 +14,8 @@
 
 #include "brachisto/study/design_answer.hpp"
 #include "report/sweep_table.hpp"
-#include "reproduction/bead_boundary.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/orientation.hpp"
+#include "reproduction/faster_bodies.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::reproduction {

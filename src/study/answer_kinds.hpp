@@ -14,7 +14,6 @@
 #include "brachisto/study/solution.hpp"
 #include "refinement/arcs.hpp"
 #include "trajectory/arc_length_motion.hpp"
-#include "trajectory/limited_motion.hpp"
 #include "trajectory/prescribed_motion.hpp"
 #include "trajectory/trajectory.hpp"
 

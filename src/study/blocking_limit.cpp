@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
-#include "trajectory/limited_motion.hpp"
 #include "trajectory/stated_limits.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace brachisto {
 

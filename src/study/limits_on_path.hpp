@@ -11,7 +11,7 @@
 #include "brachisto/study/limit_on_path.hpp"
 #include "refinement/arc_fit.hpp"
 #include "study/pose.hpp"
-#include "trajectory/limited_motion.hpp"
+#include "trajectory/trajectory.hpp"
 
 namespace brachisto {
 

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -17,8 +16,8 @@
 #include "math/jet1.hpp"
 #include "math/nearby_sines.hpp"
 #include "model/energy.hpp"
-#include "model/field.hpp"
-#include "model/inertia.hpp"
+#include "rolling/rolling_body.hpp"
+#include "trajectory/acceleration.hpp"
 
 namespace brachisto {
 
@@ -26,10 +25,6 @@ namespace {
 
 using enum StateComponent;
 using Real = long double;
-// Derivatives with respect to θ, w, β and U at a collocation point, and where
-// they matter to x and z.
-using OrdinaryJet = math::Jet1<Real, 4>;
-using WorldJet = math::Jet1<Real, 6>;
 
 /// Keeps the largest absolute value and its index; a NaN stays.
 struct Worst {
@@ -110,46 +105,6 @@ class GradientAlongPath {
   int first_ = 0;
 };
 
-/// Where a collocation point is.
-struct PointState {
-  Real x, z, theta, w, beta, U;
-};
-
-/// Rates of the states and of time at a collocation point.
-template <class Jet>
-struct Rates {
-  Jet x, z, theta, w, time;
-};
-
-template <class Jet>
-Rates<Jet> rates(const Scene& scene, bool has_theta, const PointState& at) {
-  const auto& [x, z, theta, w, beta, U] = at;
-  const Body& body = scene.body;
-  const Jet jet_theta = Jet::variable(theta, 0);
-  const Jet jet_w = Jet::variable(w, 1);
-  const Jet jet_beta = Jet::variable(beta, 2);
-  const Jet jet_U = Jet::variable(U, 3);
-  Rates<Jet> out;
-  out.x = jet_U * jet_w * cos(jet_beta);
-  out.z = jet_U * jet_w * sin(jet_beta);
-  const Jet g(static_cast<Real>(scene.gravity));
-  if (has_theta) {
-    out.theta = jet_U * jet_w / Jet(static_cast<Real>(body.radius));
-    out.w = jet_U * g * energy_slope(body, jet_theta, jet_beta);
-    out.time = jet_U * sqrt(inertia_factor(body, jet_theta, jet_beta));
-  } else {
-    out.w = jet_U * g * sin(jet_beta);
-    out.time =
-        jet_U *
-        Jet(std::sqrt(static_cast<Real>(axisymmetric_inertia_factor(body))));
-  }
-  if constexpr (std::is_same_v<Jet, WorldJet>) {
-    out.w = jet_U * speed_gain(scene, Jet::variable(x, 4), Jet::variable(z, 5),
-                               jet_theta, jet_w, jet_beta, out.time / jet_U);
-  }
-  return out;
-}
-
 /// Place, rotation and √(2 g E) of a node.
 struct Node {
   Real x = 0.0L, z = 0.0L, turned = 0.0L;
@@ -192,15 +147,20 @@ class Nodes {
   math::NearbySines sines_;
 };
 
-template <class Jet>
+/// \tparam First  the first of x, z, θ, w that rates depend on
+template <std::size_t First>
 ExtendedResidual collocation_residual(const RollingTime& problem,
                                       const PrimalDual& point) {
-  constexpr bool kPlaceMatters = std::is_same_v<Jet, WorldJet>;
+  // Derivatives by the states from there on, β and U.
+  using Jet = math::Jet1<Real, 6 - First>;
+  constexpr std::array kStates{X, Z, Theta, W};
   const VariableLayout& layout = problem.layout();
   const Mesh& mesh = problem.mesh();
   const CollocationScheme& scheme = problem.scheme();
   const int p = mesh.degree;
   const bool has_theta = layout.has_theta();
+  const rolling::Steered steered(problem.scene(), {},
+                                 rotation_per_length(problem.scene().body));
   const auto x = [&](int i) { return static_cast<Real>(point.x[at(i)]); };
   Judge judge(problem, point);
   GradientAlongPath gradient(judge, layout.state(p, W) + 1);
@@ -212,55 +172,47 @@ ExtendedResidual collocation_residual(const RollingTime& problem,
                    static_cast<Real>(mesh.boundaries[at(e)]);
     for (int j = 0; j < p; ++j) {
       const int c = e * p + j;
-      PointState at_c{
-          0.0L, 0.0L, 0.0L, 0.0L, x(layout.beta(c)), x(layout.rolling_time())};
-      for (int n = 0; n <= p; ++n) {
-        const Real weight = scheme.interpolation(j, n);
-        at_c.w += weight * x(layout.state(e * p + n, W));
-        if (has_theta) at_c.theta += weight * x(layout.state(e * p + n, Theta));
-        if constexpr (kPlaceMatters) {
-          at_c.x += weight * x(layout.state(e * p + n, X));
-          at_c.z += weight * x(layout.state(e * p + n, Z));
+      std::array<Jet, 5> yu{};
+      for (std::size_t i = First; i < kStates.size(); ++i) {
+        if (kStates[i] == Theta && !has_theta) continue;
+        Real value = 0.0L;
+        for (int n = 0; n <= p; ++n) {
+          value += static_cast<Real>(scheme.interpolation(j, n)) *
+                   x(layout.state(e * p + n, kStates[i]));
         }
+        yu[i] = Jet::variable(value, static_cast<int>(i - First));
       }
-      const Rates f = rates<Jet>(problem.scene(), has_theta, at_c);
+      yu.back() = Jet::variable(x(layout.beta(c)), 4 - First);
+      const Jet U = Jet::variable(x(layout.rolling_time()), 5 - First);
+      const auto [root, f] = steered.rates(yu);
 
       // Lagrangian of the point: h (b U √A − Σ λ_i U f_i) + λᵀ D X.
-      Jet lagrangian = f.time * scheme.rule.weights[at(j)];
-      const auto constrain = [&](StateComponent component, const Jet& rate) {
-        const int row = layout.defect(c, component);
+      Jet lagrangian = U * root * scheme.rule.weights[at(j)];
+      for (std::size_t i = 0; i < kStates.size(); ++i) {
+        if (kStates[i] == Theta && !has_theta) continue;
+        const int row = layout.defect(c, kStates[i]);
         const Real lambda = point.lambda[at(row)];
+        const Jet rate = U * f[i];
         lagrangian += rate * -lambda;
         Real difference = 0.0L;
         for (int n = 0; n <= p; ++n) {
-          const int i = layout.state(e * p + n, component);
+          const int k = layout.state(e * p + n, kStates[i]);
           const Real slope = scheme.derivative(j, n);
-          difference += slope * x(i);
-          gradient[i] += lambda * slope;
+          difference += slope * x(k);
+          gradient[k] += lambda * slope;
         }
         judge.see_defect(row, difference - h * rate.value);
-      };
-      constrain(X, f.x);
-      constrain(Z, f.z);
-      if (has_theta) constrain(Theta, f.theta);
-      constrain(W, f.w);
-
+      }
       for (int n = 0; n <= p; ++n) {
         const Real weight = h * static_cast<Real>(scheme.interpolation(j, n));
-        gradient[layout.state(e * p + n, W)] += weight * lagrangian.gradient[1];
-        if (has_theta) {
-          gradient[layout.state(e * p + n, Theta)] +=
-              weight * lagrangian.gradient[0];
-        }
-        if constexpr (kPlaceMatters) {
-          gradient[layout.state(e * p + n, X)] +=
-              weight * lagrangian.gradient[4];
-          gradient[layout.state(e * p + n, Z)] +=
-              weight * lagrangian.gradient[5];
+        for (std::size_t i = First; i < kStates.size(); ++i) {
+          if (kStates[i] == Theta && !has_theta) continue;
+          gradient[layout.state(e * p + n, kStates[i])] +=
+              weight * lagrangian.gradient[i - First];
         }
       }
-      gradient[layout.beta(c)] += h * lagrangian.gradient[2];
-      by_U += h * lagrangian.gradient[3];
+      gradient[layout.beta(c)] += h * lagrangian.gradient[4 - First];
+      by_U += h * lagrangian.gradient[5 - First];
     }
     gradient.leave_for(layout.state((e + 1) * p, X));
   }
@@ -274,8 +226,8 @@ ExtendedResidual collocation_residual(const RollingTime& problem,
 ExtendedResidual extended_residual(const RollingTime& problem,
                                    const PrimalDual& point) {
   return problem.scene().world.changes_rates()
-             ? collocation_residual<WorldJet>(problem, point)
-             : collocation_residual<OrdinaryJet>(problem, point);
+             ? collocation_residual<0>(problem, point)
+             : collocation_residual<2>(problem, point);
 }
 
 ExtendedResidual extended_residual(const ArcLength& problem,

@@ -188,8 +188,8 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
   certificate.add("slope_angle", steepest, std::numbers::pi);
   constexpr double kInterior = 100.0;
   constexpr double kRounding = 1e-12;
-  const LimitedReintegration motion = reintegrate(curve);
-  certificate.add("reintegration_error", motion.error,
+  const Reintegration motion = reintegrate(curve);
+  certificate.add("reintegration_error", motion.worst(),
                   kInterior * std::max(error, kRounding));
   certificate.add("reintegrated_limits", motion.excess, kAllowed,
                   fmt::format("at u/U = {:.6g}", motion.excess_at));

@@ -11,6 +11,8 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/index.hpp"
+#include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 #include "trajectory/acceleration.hpp"
 #include "trajectory/path_by_place.hpp"
@@ -24,7 +26,9 @@ namespace odeint = boost::numeric::odeint;
 // Of the integrator, absolute and relative; ten times rounding.
 constexpr double kTolerance = 1e-14;
 
-using State = std::array<double, 4>;
+/// t, ṡ, s, x, z.
+enum : std::size_t { kT, kV, kS, kX, kZ, kSize };
+using State = std::array<double, kSize>;
 using Integrator = odeint::runge_kutta_fehlberg78<State>;
 // Copied before it has computed anything; being static it holds zeros then.
 const Integrator kFreshIntegrator;
@@ -34,126 +38,149 @@ bool finite(const State& y) {
                      [](double value) { return std::isfinite(value); });
 }
 
-/// One motion from the start, at rest or with its speed.
+/// A path under limits as PathByPlace has one without.
+class LimitedPath {
+ public:
+  /// \param curve  must outlive this
+  explicit LimitedPath(const LimitedCurve& curve) : curve_(curve) {}
+
+  [[nodiscard]] int num_elements() const {
+    return curve_.problem().mesh().num_elements();
+  }
+  [[nodiscard]] double length() const { return std::max(scene().L, scene().H); }
+  [[nodiscard]] double share(int e) const {
+    return curve_.problem().mesh().length(e);
+  }
+  [[nodiscard]] const Scene& scene() const { return curve_.problem().scene(); }
+  [[nodiscard]] const Scene& scene_in(int) const { return scene(); }
+  /// But for s.
+  [[nodiscard]] PathByPlace::Place at(int e, double t) const {
+    const TurningPoint<double> path = curve_.at(e, t).state;
+    const double hU = share(e) * curve_.rolling_time();
+    return {0.0, direction_of(path.beta), hU * path.q, hU * path.w};
+  }
+
+ private:
+  const LimitedCurve& curve_;
+};
+
+/// One motion along a path.
+template <class Path>
 class Journey {
  public:
-  explicit Journey(const ExtremalCurve& curve)
-      : scene_(curve.scene()),
-        start_(curve.at(0.0)),
-        duration_(curve.transit_time()),
-        path_(curve),
-        y_{0.0, scene_.world.start_speed, start_.centre.x, start_.centre.z} {}
+  /// \param path  must outlive this
+  Journey(Path& path, const State& start) : path_(path), y_(start) {}
 
-  MotionEnd run() {
-    MotionEnd end = leave();
-    for (int e = 0; e < path_.num_elements() && end == MotionEnd::Arrived;
-         ++e) {
-      element_ = e;
-      end = cross(e);
+  /// In time, for at rest nothing is a function of the place, through a part of
+  /// the first element.
+  /// \param start  the scene and the slope there, the time that all takes
+  MotionEnd leave(const Scene& scene, double beta, double duration);
+  /// By the place, from a place of the first element to the end.
+  /// \param look  at every step: the element and the place in it
+  template <class Look>
+  MotionEnd travel(double place, const Look& look) {
+    place_ = place;
+    for (int e = 0; e < path_.num_elements(); ++e) {
+      const MotionEnd end = cross(e, look);
+      if (end != MotionEnd::Arrived) return end;
+      place_ = 0.0;
     }
-    return end;
+    return MotionEnd::Arrived;
   }
   [[nodiscard]] int steps() const { return steps_; }
-  /// s there.
-  [[nodiscard]] double length() {
-    return element_ < 0 ? 0.0 : path_.at(element_, place_).s;
-  }
-  /// t, ṡ, x, z where the motion ended.
+  /// In the first element.
+  [[nodiscard]] double place() const { return place_; }
+  /// Where the motion ended.
   [[nodiscard]] const State& state() const { return y_; }
 
  private:
   static constexpr int kMaxSteps = 1000000;
   static constexpr double kShortest = 1e-15;  // of T or U
 
-  /// In time, for at rest nothing is a function of the place, through a part of
-  /// the first element.
-  MotionEnd leave();
-  /// By the place, from where the body is to the end of element e.
-  MotionEnd cross(int e);
+  /// From where the body is to the end of element e.
+  template <class Look>
+  MotionEnd cross(int e, const Look& look);
   /// By the place in element e.
   [[nodiscard]] State rates(int e, const State& y, double place);
   /// Where ṡ² falls to zero, steps shrink towards that place for ever.
   [[nodiscard]] bool about_to_rest(int e) {
     constexpr double kAlmostThere = 1e-9;  // of S
     const State rate = rates(e, y_, place_);
-    const double gain = rate[1] / rate[0];
+    const double gain = rate[kV] / rate[kT];
     return gain < 0.0 &&
-           y_[1] * y_[1] / (-2.0 * gain) < kAlmostThere * path_.length();
+           y_[kV] * y_[kV] / (-2.0 * gain) < kAlmostThere * path_.length();
   }
 
-  const Scene& scene_;
-  const ExtremalPoint start_;
-  const double duration_;
-  PathByPlace path_;
+  Path& path_;
   odeint::controlled_runge_kutta<Integrator> integrator_ =
       odeint::make_controlled(kTolerance, kTolerance, kFreshIntegrator);
   State y_;
-  int element_ = -1;    ///< where it is; none while it leaves
-  double place_ = 0.0;  ///< in it
-  double step_ = 0.0;   ///< to try next, as a share of U
+  double place_ = 0.0;  ///< in the element where it is
+  double step_ = 1e-3;  ///< to try next, as a share of U
   int steps_ = 0;
 };
 
-State Journey::rates(int e, const State& y, double place) {
+template <class Path>
+State Journey<Path>::rates(int e, const State& y, double place) {
   const PathByPlace::Place at = path_.at(e, place);
-  const double v = y[1];
+  const double v = y[kV];
   const double time = at.pace / v;
-  const double gain = acceleration(path_.scene_in(e), at.s, v, {y[2], y[3]},
+  const double gain = acceleration(path_.scene_in(e), y[kS], v, {y[kX], y[kZ]},
                                    at.along, v * at.turning / at.pace);
-  return {time, gain * time, at.pace * at.along.cosine,
+  return {time, gain * time, at.pace, at.pace * at.along.cosine,
           at.pace * at.along.sine};
 }
 
-MotionEnd Journey::leave() {
+template <class Path>
+MotionEnd Journey<Path>::leave(const Scene& scene, double beta,
+                               double duration) {
   constexpr double kPart = 0.1;
   constexpr double kFirstStep = 1e-3;
-  const bool pushed = scene_.world.start_speed > 0.0;
-  // Of s, ṡ, x, z.
+  const bool pushed = scene.world.start_speed > 0.0;
   const auto in_time = [&](const State& y, State& dy, double) {
-    const auto [s, v, x, z] = y;
-    Direction along = direction_of(start_.beta);
+    const double s = y[kS], v = y[kV];
+    Direction along = direction_of(beta);
     // A_s ṡ² tends to 0 at the start although κ_c grows without bound there,
     // for κ_c ~ 1/ṡ.
-    double v_kappa = v * rotation_per_length(scene_.body);
+    double v_kappa = v * rotation_per_length(scene.body);
     if (s > 0.0 || pushed) {
       const PathByPlace::Place at = path_.at(0, path_.in_first(s));
       along = at.along;
       v_kappa = v * at.turning / at.pace;
     }
-    dy = {v, acceleration(path_.scene_in(0), s, v, {x, z}, along, v_kappa),
-          v * along.cosine, v * along.sine};
+    dy = {1.0,
+          acceleration(path_.scene_in(0), s, v, {y[kX], y[kZ]}, along, v_kappa),
+          v, v * along.cosine, v * along.sine};
   };
-  double t = 0.0;
-  double dt = kFirstStep * duration_;
-  State y{0.0, y_[1], y_[2], y_[3]};
-  while (y[0] < kPart * path_.first_length()) {
+  double dt = kFirstStep * duration;
+  while (y_[kS] < kPart * path_.first_length()) {
     check_stop();
     if (++steps_ > kMaxSteps) return MotionEnd::TooManySteps;
-    const State before = y;
-    const double t_before = t;
+    const State before = y_;
     const double tried = dt;
-    const bool failed = integrator_.try_step(in_time, y, t, dt) == odeint::fail;
-    if (!finite(y)) return MotionEnd::PathUndefined;
-    if (failed && dt < kShortest * duration_) return MotionEnd::StepTooSmall;
-    if (!failed && y[0] > path_.first_length()) {
+    double t = y_[kT];
+    const bool failed =
+        integrator_.try_step(in_time, y_, t, dt) == odeint::fail;
+    if (!finite(y_)) return MotionEnd::PathUndefined;
+    if (failed && dt < kShortest * duration) return MotionEnd::StepTooSmall;
+    if (!failed && y_[kS] > path_.first_length()) {
       // Right over the kink at the element's end: once more, shorter.
-      y = before;
-      t = t_before;
+      y_ = before;
       dt = 0.25 * tried;
       continue;
     }
     // Where it does not roll forward now it never will.
-    if (!failed && !(y[1] > 0.0)) return MotionEnd::ComesToRest;
+    if (!failed && !(y_[kV] > 0.0)) return MotionEnd::ComesToRest;
   }
-  y_ = {t, y[1], y[2], y[3]};
-  place_ = path_.in_first(y[0]);
+  place_ = path_.in_first(y_[kS]);
   step_ = place_ * path_.share(0);
   return MotionEnd::Arrived;
 }
 
-MotionEnd Journey::cross(int e) {
+template <class Path>
+template <class Look>
+MotionEnd Journey<Path>::cross(int e, const Look& look) {
   const double h = path_.share(e);
-  if (e > 0) place_ = 0.0;
   const auto by_place = [&](const State& y, State& dy, double place) {
     dy = rates(e, y, place);
   };
@@ -166,7 +193,7 @@ MotionEnd Journey::cross(int e) {
     const bool failed =
         integrator_.try_step(by_place, y_, place_, step) == odeint::fail;
     if (!finite(y_)) return MotionEnd::PathUndefined;
-    if (!(y_[1] > 0.0)) return MotionEnd::ComesToRest;
+    if (!(y_[kV] > 0.0)) return MotionEnd::ComesToRest;
     if (failed && h * step < kShortest) {
       return about_to_rest(e) ? MotionEnd::ComesToRest
                               : MotionEnd::StepTooSmall;
@@ -177,8 +204,40 @@ MotionEnd Journey::cross(int e) {
       place_ = 1.0;  // but for rounding it is
       step_ = std::max(step_, h * step);
     }
+    if (!failed) look(e, place_);
   }
   return MotionEnd::Arrived;
+}
+
+/// v of w there.
+double speed_at(const Body& body, double w, double theta, double beta) {
+  return w / root_of_inertia(body, theta, beta);
+}
+
+/// Beside what the solution says of its end.
+template <class Path>
+Reintegration compared(const Journey<Path>& journey, MotionEnd end,
+                       const Scene& scene, const MovingState& last, double beta,
+                       const Costates& p, double T) {
+  Reintegration out;
+  out.end = end;
+  out.steps = journey.steps();
+  out.integration_error = kTolerance * out.steps;
+  if (!out.arrived()) return out;
+  const auto [time, speed, s, x, z] = journey.state();
+  const double v = speed_at(scene.body, last.w, last.theta, beta);
+  const Point beyond{x - last.centre.x, z - last.centre.z};
+  out.time_error = std::abs(time - T) / T;
+  // p = −∂T/∂(x, z): what arriving elsewhere costs or saves.
+  out.corrected_time_error =
+      std::abs(time + p.p_x * beyond.x + p.p_z * beyond.z - T) / T;
+  out.speed_error = std::abs(speed - v) / v;
+  out.position_error = std::hypot(beyond.x, beyond.z);
+  if (scene.body.off_centred()) {
+    out.rotation_error =
+        std::abs(scene.body.theta_m + s / scene.body.radius - last.theta);
+  }
+  return out;
 }
 
 }  // namespace
@@ -195,33 +254,91 @@ std::string_view describe(MotionEnd end) {
   return kSentences.at(static_cast<std::size_t>(end));
 }
 
-Reintegration reintegrate(const ExtremalCurve& curve) {
-  const Scene& scene = curve.scene();
-  const ExtremalPoint end = curve.at(1.0);
-  const double T = curve.transit_time();
-  const double S = curve.arc_length();
+double Reintegration::worst() const {
+  const double sum = time_error + speed_error + position_error + rotation_error;
+  return arrived() && !std::isnan(sum)
+             ? std::max(
+                   {time_error, speed_error, position_error, rotation_error})
+             : std::numeric_limits<double>::quiet_NaN();
+}
 
-  Journey journey(curve);
-  Reintegration out;
-  out.end = journey.run();
-  out.steps = journey.steps();
-  out.integration_error = kTolerance * out.steps;
-  const auto [time, speed, x, z] = journey.state();
-  out.share = journey.length() / S;
-  if (!out.arrived()) return out;
-  const double v =
-      end.w / std::sqrt(inertia_factor(scene.body, end.theta, end.beta));
-  const Point beyond{x - end.centre.x, z - end.centre.z};
-  out.time_error = std::abs(time - T) / T;
-  // p = −∂T/∂(x, z): what arriving elsewhere costs or saves.
-  out.corrected_time_error =
-      std::abs(time + curve.p_x() * beyond.x + curve.p_z() * beyond.z - T) / T;
-  out.speed_error = std::abs(speed - v) / v;
-  out.position_error = std::hypot(beyond.x, beyond.z);
-  if (scene.body.rolls()) {
-    out.rotation_error =
-        std::abs(scene.body.theta_m + S / scene.body.radius - end.theta);
+Reintegration reintegrate(const ExtremalCurve& curve) {
+  const ExtremalPoint first = curve.at(0.0), last = curve.at(1.0);
+  const Scene& scene = curve.scene();
+  PathByPlace path(curve);
+  Journey journey(path, {0.0, scene.world.start_speed, 0.0, first.centre.x,
+                         first.centre.z});
+  MotionEnd end = journey.leave(scene, first.beta, curve.transit_time());
+  if (end == MotionEnd::Arrived) {
+    end = journey.travel(journey.place(), [](int, double) {});
   }
+  Reintegration out = compared(journey, end, scene, last.state(), last.beta,
+                               last.p, curve.transit_time());
+  out.share = journey.state()[kS] / curve.arc_length();
+  return out;
+}
+
+namespace {
+
+/// At the place of the first element of a path under limits: up to there along
+/// the same slopes as behind, for so little has been fallen that a place's own
+/// error would be a great part of it.
+State started(const LimitedCurve& curve, double place) {
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  const Body& body = scene.body;
+  const TurningPoint<double> rest = curve.at(0, 0.0).state;
+  const math::QuadratureRule rule =
+      math::gauss_legendre(problem.scheme().degree + 1);
+  const double hU = problem.mesh().length(0) * curve.rolling_time();
+  double fallen = 0.0, work = 0.0;
+  State y{0.0, 0.0, 0.0, rest.x, rest.z};
+  for (std::size_t i = 0; i < rule.points.size(); ++i) {
+    const auto at = curve.at(0, place * rule.points[i]).state;
+    const double du = hU * place * rule.weights[i];
+    y[kT] += du * root_of_inertia(body, at.theta, at.beta);
+    y[kS] += du * at.w;
+    y[kX] += du * at.w * std::cos(at.beta);
+    fallen += du * at.w * std::sin(at.beta);
+    work += du * at.w * speed_gain(scene, at);
+  }
+  y[kZ] += fallen;
+  const TurningPoint<double> here = curve.at(0, place).state;
+  const double w =
+      problem.pushed() ? here.w
+      : scene.world.changes_rates()
+          ? std::sqrt(2.0 * work)
+          : fall_speed(scene.gravity, energy_height(body, fallen, here.theta));
+  y[kV] = speed_at(body, w, here.theta, here.beta);
+  return y;
+}
+
+}  // namespace
+
+Reintegration reintegrate(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  const double begin =
+      problem.pushed() ? 0.0 : problem.scheme().rule.points.front();
+  LimitedPath path(curve);
+  Journey journey(path, started(curve, begin));
+  double worst = 0.0, worst_at = 0.0;
+  const MotionEnd end = journey.travel(begin, [&](int e, double t) {
+    const State& y = journey.state();
+    TurningPoint<double> place = curve.at(e, t).state;
+    place.w = y[kV] * root_of_inertia(scene.body, place.theta, place.beta);
+    place.x = y[kX];
+    place.z = y[kZ];
+    const double excess = worst_excess(problem.limits(), scene, place).value;
+    if (std::isnan(worst) || excess <= worst) return;
+    worst = excess;
+    worst_at = problem.mesh().sigma(e, t);
+  });
+  const LimitedPoint last = curve.at(1.0);
+  Reintegration out = compared(journey, end, scene, moving(last.state),
+                               last.state.beta, last.p, curve.transit_time());
+  out.excess = worst;
+  out.excess_at = worst_at;
   return out;
 }
 
@@ -235,22 +352,26 @@ using PathStepper =
 /// s̈ at a place of the path.
 double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
                     double s, double v) {
-  // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
+  // At the start from rest v κ_c stays bounded, and A_s v² vanishes with v.
+  const Scene& scene = motion.scene();
   const double v_kappa =
-      place.speed > 0.0 ? v * place.turning / place.speed : 0.0;
-  return acceleration(motion.scene(), s, v, {}, direction_of(place.beta),
-                      v_kappa);
+      place.speed > 0.0 ? v * place.turning / place.speed
+                        : scene.world.start_speed * motion.start_curvature();
+  return acceleration(scene, s, v, point_of(motion.curve(), place),
+                      direction_of(place.beta), v_kappa);
 }
 
 /// From `from` to `to`, in steps the next of which is `step`. False if steps
-/// become too short.
+/// become too short, as where air brakes within no time, or too many.
 template <class Rates>
 bool integrate(PathStepper& stepper, const Rates& rates, OnPath& y, double from,
                double to, double& step) {
   constexpr double kShortest = 1e-15;
+  constexpr int kMostSteps = 100000;
   const double shortest = kShortest * std::abs(to);
-  while (from < to) {
+  for (int steps = 0; from < to; ++steps) {
     check_stop();
+    if (steps == kMostSteps) return false;
     const bool last = step >= to - from;
     double tried = last ? to - from : step;
     const bool failed = stepper.try_step(rates, y, from, tried) == odeint::fail;
@@ -276,7 +397,7 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
   const double T = motion.transit_time();
   const std::vector<TrajectoryPoint> cells = motion.at_nodes();
   PathStepper stepper = odeint::make_controlled(kLoose, kLoose, kFreshStepper);
-  OnPath y{0.0, 0.0, 0.0};
+  OnPath y{0.0, 0.0, motion.scene().world.start_speed};
   double q = from;
   if (from > 0.0) {
     const TrajectoryPoint start = motion.at(from);

@@ -41,8 +41,14 @@ struct Reintegration {
   int steps = 0;
   double integration_error =
       0.0;  ///< what all steps together may add, relative
+  /// Over a limit, with place and speed of that motion, the largest.
+  double excess = 0.0;
+  double excess_at = 0.0;  ///< σ
 
   [[nodiscard]] bool arrived() const { return end == MotionEnd::Arrived; }
+  /// The largest error of time, speed, place and rotation; NaN if it did not
+  /// arrive.
+  [[nodiscard]] double worst() const;
 };
 
 /// Integrates the body's equation of motion, which has one degree of freedom,
@@ -57,6 +63,9 @@ struct Reintegration {
 /// Neither w nor the rolling time, energy conservation or the objective enter,
 /// only the geometry does.
 [[nodiscard]] Reintegration reintegrate(const ExtremalCurve& curve);
+/// The same under limits, which are looked at on the way: from the first
+/// collocation point on, where the speed is that of energy, with κ_c = q/w.
+[[nodiscard]] Reintegration reintegrate(const LimitedCurve& curve);
 
 /// The equation of motion, A s̈ = g (sin β + η cos θ) − ½ A_s ṡ², integrated on
 /// the path of a motion that arrived, from rest in time, then by the place: the
@@ -68,21 +77,5 @@ struct Reintegration {
 ///              right-hand side is not smooth next to it.
 [[nodiscard]] double reintegration_error(const PrescribedMotion& motion,
                                          double from = 0.0);
-
-/// The equation of motion on a path under limits, A s̈ = g (sin β + η cos θ) −
-/// ½ A_s ṡ², from the first collocation point on, where the speed is that of
-/// energy, along the places of the path: only β and κ_c = q/w as functions of
-/// σ, and ds/dσ = U w, are taken from the solution.
-///
-/// Limits are looked at on the way, with place and speed of that motion.
-struct LimitedReintegration {
-  /// The largest of the relative errors of the time and of the speed at the
-  /// end, and of the place there in natural units; NaN if the body comes to
-  /// rest.
-  double error = 0.0;
-  double excess = 0.0;     ///< over a limit, the largest
-  double excess_at = 0.0;  ///< σ
-};
-[[nodiscard]] LimitedReintegration reintegrate(const LimitedCurve& curve);
 
 }  // namespace brachisto

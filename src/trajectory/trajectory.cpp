@@ -4,95 +4,83 @@
 #include "trajectory/trajectory.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
+#include "math/index.hpp"
+#include "model/inertia.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
 
-Trajectory::Trajectory(ExtremalCurve curve, const Scene& scene,
-                       const Units& units, std::optional<double> transit_time)
-    : curve_(std::move(curve)),
+// ---- What all have in common.
+
+MeshMotion::MeshMotion(const Scene& natural, const Mesh& mesh,
+                       std::span<const double> nodes, double rolling_time,
+                       const Scene& scene, const Units& units,
+                       double transit_time)
+    : natural_(natural),
+      mesh_(mesh),
+      nodes_(nodes.begin(), nodes.end()),
+      rolling_time_(rolling_time),
       scene_(scene),
       units_(units),
-      transit_time_(
-          transit_time.value_or(curve_.transit_time() * units_.time)) {}
+      transit_time_(transit_time) {}
 
-double Trajectory::start_angle() const {
-  const World& world = scene_.world;
-  if (world.ordinary()) return brachisto::start_angle(scene_.body);
-  return world.start_speed > 0.0 ? curve_.at(0.0).beta
-                                 : brachisto::start_angle(curve_.scene());
-}
-
-StartLimits Trajectory::at_start() const {
-  const Scene& natural = curve_.scene();
-  const ExtremalPoint start = curve_.at(0.0);
-  const double beta_rate =
-      slope_rate(natural, start.state(), start.p, start.beta);
-  if (scene_.world.ordinary()) {
-    return start_limits(scene_.body, start_angle(), beta_rate / units_.time);
-  }
-  StartLimits limits = start_limits(
-      natural, {start.centre, start.theta, start_angle(), start.w, beta_rate});
-  limits.normal_force_rate /= units_.time;
-  limits.curvature /= units_.length;
-  return limits;
-}
-
-TrajectoryPoint Trajectory::convert(const ExtremalPoint& point,
-                                    double sigma) const {
-  const Scene& natural = curve_.scene();
-  PathState state{point.centre, point.theta, point.beta, point.w, 0.0};
-  state.beta_rate = slope_rate(natural, point.state(), point.p, point.beta);
-  TrajectoryPoint out;
-  out.sigma = sigma;
-  out.motion = kinematics(natural, state);
-  const auto scale = [&](Point& p) {
-    p.x *= units_.length;
-    p.z *= units_.length;
-  };
-  scale(out.motion.mass_centre);
-  scale(out.motion.contact);
-  out.motion.v_c *= units_.speed();
-  out.motion.omega /= units_.time;
-  out.motion.kappa_b /= units_.length;
-  out.centre = point.centre;
-  scale(out.centre);
-  out.u = sigma * curve_.rolling_time() * units_.time;
-  out.t = point.t * units_.time;
-  out.s = point.s * units_.length;
-  out.theta = point.theta + (scene_.body.theta_m - natural.body.theta_m);
-  out.beta = point.beta;
+StartLimits MeshMotion::at_start() const {
+  StartLimits out = limits_at_start();
+  out.normal_force_rate /= units_.time;
+  out.curvature /= units_.length;
   return out;
 }
 
-std::vector<TrajectoryPoint> Trajectory::at_places(
+TrajectoryPoint MeshMotion::row(int element, double t, double sigma) const {
+  const auto [state, time, s] = place(element, t);
+  TrajectoryPoint out;
+  out.sigma = sigma;
+  out.motion = kinematics(natural_, state);
+  if (sigma == 0.0 && natural_.world.start_speed == 0.0) {
+    // There κ_c = β_u/w is a limit.
+    const StartLimits start = limits_at_start();
+    out.motion.kappa_b = start.curvature;
+    out.motion.fold_margin = start.fold_margin;
+  }
+  out.centre = state.centre;
+  for (Point* p : {&out.centre, &out.motion.mass_centre, &out.motion.contact}) {
+    p->x *= units_.length;
+    p->z *= units_.length;
+  }
+  out.motion.v_c *= units_.speed();
+  out.motion.omega /= units_.time;
+  out.motion.kappa_b /= units_.length;
+  out.u = sigma * rolling_time_ * units_.time;
+  out.t = time * units_.time;
+  out.s = s * units_.length;
+  out.theta = state.theta + (scene_.body.theta_m - natural_.body.theta_m);
+  out.beta = state.beta;
+  return out;
+}
+
+TrajectoryPoint MeshMotion::at(double sigma) const {
+  const auto [element, t] = mesh_.locate(sigma);
+  return row(element, t, sigma);
+}
+
+std::vector<TrajectoryPoint> MeshMotion::at_places(
     std::span<const double> places) const {
-  const Mesh& mesh = curve_.mesh();
-  const CollocationScheme& scheme = collocation_scheme(mesh.degree);
-  std::vector<ElementPlace> in_element;
-  for (const double t : places) in_element.emplace_back(scheme, t);
   std::vector<TrajectoryPoint> rows;
-  rows.reserve(1 + in_element.size() *
-                       static_cast<std::size_t>(mesh.num_elements()));
-  rows.push_back(convert(curve_.at(0, 0.0), 0.0));
-  for (int e = 0; e < mesh.num_elements(); ++e) {
+  rows.reserve(1 +
+               places.size() * static_cast<std::size_t>(mesh_.num_elements()));
+  rows.push_back(row(0, 0.0, 0.0));
+  for (int e = 0; e < mesh_.num_elements(); ++e) {
     check_stop(e);
-    for (const ElementPlace& place : in_element) {
-      rows.push_back(convert(curve_.at(e, place), mesh.sigma(e, place.t)));
-    }
+    for (const double t : places) rows.push_back(row(e, t, mesh_.sigma(e, t)));
   }
   return rows;
 }
 
-std::vector<TrajectoryPoint> Trajectory::at_nodes() const {
-  return at_places(
-      collocation_scheme(curve_.mesh().degree).nodes.nodes().subspan(1));
-}
-
-std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
+std::vector<TrajectoryPoint> MeshMotion::sample(int per_element) const {
   std::vector<double> places;
   for (int i = 1; i <= per_element; ++i) {
     places.push_back(static_cast<double>(i) / per_element);
@@ -100,9 +88,96 @@ std::vector<TrajectoryPoint> Trajectory::sample(int per_element) const {
   return at_places(places);
 }
 
-std::vector<TrajectoryPoint> Trajectory::fine_sample(int least) const {
-  const Mesh& mesh = curve_.mesh();
-  return sample(std::max(2 * mesh.degree, least / mesh.num_elements() + 1));
+std::vector<TrajectoryPoint> MeshMotion::fine_sample(int least) const {
+  return sample(std::max(2 * mesh_.degree, least / mesh_.num_elements() + 1));
+}
+
+// ---- Without limits.
+
+Trajectory::Trajectory(ExtremalCurve curve, const Scene& scene,
+                       const Units& units, std::optional<double> transit_time)
+    : MeshMotion(
+          curve.scene(), curve.mesh(),
+          collocation_scheme(curve.mesh().degree).nodes.nodes().subspan(1),
+          curve.rolling_time(), scene, units,
+          transit_time.value_or(curve.transit_time() * units.time)),
+      curve_(std::move(curve)) {}
+
+double Trajectory::start_angle() const {
+  return natural().world.start_speed > 0.0 ? MeshMotion::start_angle()
+                                           : brachisto::start_angle(natural());
+}
+
+MeshMotion::Place Trajectory::place(int element, double t) const {
+  const ExtremalPoint at = curve_.at(element, t);
+  return {{at.centre, at.theta, at.beta, at.w,
+           slope_rate(natural(), at.state(), at.p, at.beta)},
+          at.t,
+          at.s};
+}
+
+StartLimits Trajectory::limits_at_start() const {
+  PathState start = place(0, 0.0).state;
+  start.beta = start_angle();
+  return start_limits(natural(), start);
+}
+
+// ---- Under limits.
+
+LimitedMotion::LimitedMotion(LimitedCurve curve, const Scene& scene,
+                             const Units& units,
+                             std::optional<double> transit_time)
+    : MeshMotion(curve.problem().scene(), curve.problem().mesh(),
+                 curve.problem().scheme().rule.points, curve.rolling_time(),
+                 scene, units,
+                 transit_time.value_or(curve.transit_time() * units.time)),
+      curve_(std::move(curve)),
+      rule_(math::gauss_legendre(curve_.problem().mesh().degree + 1)),
+      begins_(1) {
+  for (int e = 0; e + 1 < curve_.problem().mesh().num_elements(); ++e) {
+    const Passed more = within(e, 1.0);
+    begins_.push_back({begins_.back().t + more.t, begins_.back().s + more.s});
+  }
+}
+
+LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
+  const double hU =
+      curve_.problem().mesh().length(element) * curve_.rolling_time();
+  Passed sum;
+  for (std::size_t i = 0; i < rule_.points.size(); ++i) {
+    const auto state = curve_.at(element, t * rule_.points[i]).state;
+    const double weight = hU * t * rule_.weights[i];
+    sum.t += weight *
+             std::sqrt(inertia_factor(natural().body, state.theta, state.beta));
+    sum.s += weight * state.w;
+  }
+  return sum;
+}
+
+MeshMotion::Place LimitedMotion::place(int element, double t) const {
+  const TurningPoint<double> state = curve_.at(element, t).state;
+  const Passed before = begins_[brachisto::at(element)],
+               more = within(element, t);
+  const double s = before.s + more.s;
+  // A body that the problem gives no θ turns all the same.
+  const Body& body = natural().body;
+  const double theta = body.off_centred() || !body.rolls()
+                           ? state.theta
+                           : body.theta_m + s / body.radius;
+  return {{{state.x, state.z}, theta, state.beta, state.w, state.q},
+          before.t + more.t,
+          s};
+}
+
+StartLimits LimitedMotion::limits_at_start() const {
+  const LimitedTime& problem = curve_.problem();
+  const PathState start = place(0, 0.0).state;
+  if (!curve_.holds_control(0) || problem.pushed()) {
+    return start_limits(natural(), start);
+  }
+  const TurningPoint<double> first =
+      curve_.at(0, problem.scheme().rule.points.front()).state;
+  return start_limits_of_curvature(natural(), start, first.q / first.w);
 }
 
 }  // namespace brachisto

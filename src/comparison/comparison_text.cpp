@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "brachisto/report/result.hpp"

@@ -4,11 +4,11 @@
 #include "comparison/measurement.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "brachisto/report/result.hpp"
 #include "math/enum_table.hpp"

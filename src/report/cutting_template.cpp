@@ -245,10 +245,6 @@ std::string grip_label(const Solution& solution) {
          grip_in_words(solution.diagnostics->least_grip);
 }
 
-}  // namespace
-
-namespace {
-
 /// Class in SVG, layer and colour number in DXF.
 struct Pen {
   const char* name;

@@ -7,14 +7,13 @@
 
 #pragma once
 
-#include <system_error>
-
 #include <array>
 #include <csignal>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace brachisto::report {

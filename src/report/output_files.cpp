@@ -189,8 +189,6 @@ bool HeldSignals::waiting() {
   return received.load() != 0;
 }
 
-namespace fs = std::filesystem;
-
 NewDirectories::NewDirectories(const fs::path& directory,
                                std::error_code& error) {
   std::error_code ignored;

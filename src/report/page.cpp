@@ -4,8 +4,8 @@
 #include "report/page.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 

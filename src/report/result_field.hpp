@@ -7,10 +7,9 @@
 
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

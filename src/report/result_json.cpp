@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// result_fields(): every key of a result document, once, some of them by
-/// report/result_parts.hpp. The document, its reference in docs/results.md and
-/// its schema are made from it.
+/// result_fields(): every key of a result document, once, those of the answer
+/// and of the search in files of their own. The document, its reference in
+/// docs/results.md and its schema are made from it.
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// How a body is best put down: the θ_m of the shortest transit time.
+/// How a body is best put down, and which cylinders are faster than the bead.
 
 #pragma once
 

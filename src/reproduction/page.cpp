@@ -4,12 +4,11 @@
 #include "reproduction/page.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <ranges>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -82,7 +81,7 @@ std::string csv_row(const Columns<Row>& columns, const Row* row) {
   std::string out;
   for (const auto& [name, of, digits] : columns) {
     const Json cell = row == nullptr ? Json(name) : of(*row);
-    if (!out.empty()) out += ',';
+    if (name != columns.front().name) out += ',';
     if (cell.is_string()) {
       out += report::csv_field(cell.get<std::string>());
     } else if (cell.is_number()) {
@@ -95,7 +94,7 @@ std::string csv_row(const Columns<Row>& columns, const Row* row) {
 }
 
 template <class Row>
-std::string csv(const Columns<Row>& columns, const auto& rows) {
+std::string csv(const Columns<Row>& columns, const std::vector<Row>& rows) {
   std::string out = csv_row<Row>(columns, nullptr);
   for (const Row& row : rows) out += csv_row(columns, &row);
   return out;
@@ -205,7 +204,9 @@ std::string cases_csv(const Cases& cases) {
       {"share_above_0.5", share(&D::friction_above_0_5), "{:.6g}"},
       {"share_above_1", share(&D::friction_above_1), "{:.6g}"},
       {"feasible", [](const Case& one) { return one.fine.feasible(); }}};
-  return csv(columns, std::views::values(cases.all()));
+  std::string out = csv_row<Case>(columns, nullptr);
+  for (const auto& [name, one] : cases.all()) out += csv_row(columns, &one);
+  return out;
 }
 
 std::string comparison_table(const std::vector<PrintedNumber>& numbers) {

@@ -4,7 +4,6 @@
 #include "reproduction/results.hpp"
 
 #include <fmt/format.h>
-#include <system_error>
 
 #include <algorithm>
 #include <cerrno>
@@ -12,6 +11,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "brachisto/math/stop_condition.hpp"

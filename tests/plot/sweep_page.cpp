@@ -468,10 +468,10 @@ TEST(SweepCells, SayWhatIsNotAsItShouldBe) {
 
   const auto data = testing::data_of(page(table));
 
-  EXPECT_EQ(data["infeasible"], nlohmann::json({5}));
-  EXPECT_EQ(data["folded"], nlohmann::json({6}));
-  EXPECT_EQ(data["unsolved"], nlohmann::json({7}));
-  EXPECT_EQ(data["missing"], nlohmann::json({8}));
+  EXPECT_EQ(data["infeasible"], nlohmann::ordered_json({5}));
+  EXPECT_EQ(data["folded"], nlohmann::ordered_json({6}));
+  EXPECT_EQ(data["unsolved"], nlohmann::ordered_json({7}));
+  EXPECT_EQ(data["missing"], nlohmann::ordered_json({8}));
   EXPECT_EQ(data["remarks"]["5"], "Infeasible: the track folds");
   EXPECT_EQ(data["remarks"]["6"],
             "Its branch from the cycloid turned at η_m = 0.25.");

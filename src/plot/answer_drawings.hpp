@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What the matrix that was factorised looks like.
+/// Small drawings of a page: what the matrix that was factorised looks like,
+/// and how the answer was come by.
 
 #pragma once
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What the script of a page draws from.
+/// What the script of a page draws from, and the motion as a moving picture.
 
 #pragma once
 

@@ -113,6 +113,26 @@ double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.z - b.z);
 }
 
+/// The row of a table that fewer rows of the same motion miss by the most.
+struct Miss {
+  std::size_t row = 0;
+  double distance = 0.0;  ///< of the centre or the contact [m]
+};
+
+Miss worst_miss(const TrajectoryTable& table, const TrajectoryTable& few,
+                const Body& body) {
+  Miss worst;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    check_stop();
+    const Pose pose = few.pose(table.time()[i]);
+    const double miss = std::max(
+        distance(pose.centre, {table["x_c"][i], table["z_c"][i]}),
+        distance(pose.contact(body), {table["x_b"][i], table["z_b"][i]}));
+    if (miss > worst.distance) worst = {i, miss};
+  }
+  return worst;
+}
+
 }  // namespace
 
 ShownRange shown_range(const TrajectoryTable& table,
@@ -132,20 +152,6 @@ ShownRange shown_range(const TrajectoryTable& table,
       static_cast<std::size_t>(kOutside * static_cast<double>(sorted.size()));
   const ShownRange most{sorted[outside], sorted[sorted.size() - 1 - outside]};
   return all.width() <= kAll * most.width() ? all : most;
-}
-
-Miss worst_miss(const TrajectoryTable& table, const TrajectoryTable& few,
-                const Body& body) {
-  Miss worst;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    check_stop();
-    const Pose pose = few.pose(table.time()[i]);
-    const double miss = std::max(
-        distance(pose.centre, {table["x_c"][i], table["z_c"][i]}),
-        distance(pose.contact(body), {table["x_b"][i], table["z_b"][i]}));
-    if (miss > worst.distance) worst = {i, miss};
-  }
-  return worst;
 }
 
 ThinnedTable thinned(const TrajectoryTable& table, const Body& body,

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A trajectory with so few rows that a page can hold them.
+/// A trajectory with so few rows that a page can hold them, or a sweep very
+/// many of them.
 
 #pragma once
 
@@ -47,14 +48,6 @@ struct ThinnedTable {
 
 /// Curves that are off by more, as share of their range, show no turn any more.
 inline constexpr double kCoarsest = 0.05;
-
-/// The row of a table that fewer rows of the same motion miss by the most.
-struct Miss {
-  std::size_t row = 0;
-  double distance = 0.0;  ///< of the centre or the contact [m]
-};
-[[nodiscard]] Miss worst_miss(const TrajectoryTable& table,
-                              const TrajectoryTable& few, const Body& body);
 
 /// All rows if they are `most` or fewer. Otherwise those with which the error
 /// is about the smallest, the first and the last one among them; if it would be

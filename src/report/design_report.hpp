@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// τ over two numbers of the body, and how the searches of a design went there.
+/// A design in words, and as a picture: τ over two numbers of the body, and how
+/// the searches went there.
 
 #pragma once
 

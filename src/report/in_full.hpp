@@ -3,7 +3,7 @@
 
 /// \file
 /// What is to be done in full or not at all: no signal in the middle of it, no
-/// directory that nothing came into.
+/// directory that nothing came into, no file that ends too early.
 
 #pragma once
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What pages with pictures have alike.
+/// What pages with pictures or scripts have alike.
 
 #pragma once
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What a picture of a path shows of the plane, and in what scale.
+/// What a picture of a path shows of the plane, in what scale, and where limits
+/// do not let the body be.
 
 #pragma once
 

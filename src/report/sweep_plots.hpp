@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Scenes of a sweep as curves, maps and scatter plots.
+/// Scenes of a sweep as curves, maps and scatter plots, and which of them a
+/// sweep needs.
 
 #pragma once
 

@@ -88,7 +88,8 @@ struct BentTrack {
   bool feasible = false;
 };
 
-/// Starts of each search: the reference body and random ones.
+/// Starts of each search for the quickest body: the reference body and random
+/// ones.
 inline constexpr int kDesignStarts = 5;
 
 /// Over all places of the centre of mass, the radius being given.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // Every problem of problems/limits_in_worlds by the nonlinear program, by the
-// witness over the arcs of that, and by shooting alone.
+// witness over the arcs of that, and by shooting; and Newton's and Euler's laws
+// along the answer.
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
 #include "support/csv.hpp"
+#include "support/newton_euler.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 #include "support/text.hpp"
@@ -34,6 +36,7 @@ struct Row {
   bool verified = false, witnessed = false, shot = false, feasible = false;
   double tau = 0.0, of_witness = 0.0, of_shooting = 0.0;
   double residual = 0.0, reintegration = 0.0, estimate = 0.0;
+  double laws = 0.0;  ///< what they leave over, the largest
   double seconds = 0.0, shooting_seconds = 0.0;
   int checks = 0, passed = 0, arcs = 0;
   FixedText<300> failure;   ///< of the program or of its witness
@@ -74,6 +77,9 @@ Row run(const std::string& path) {
   row.estimate = found.estimated_error.value_or(std::nan(""));
   row.residual = value_of(found, "kkt_residual");
   row.reintegration = value_of(found, "reintegration_error");
+  row.laws =
+      testing::left_over(*found.motion(), testing::rigid_body_of(problem.scene))
+          .largest();
   for (const LimitOnPath& limit : found.limits) {
     row.arcs += static_cast<int>(limit.active.size());
   }
@@ -103,6 +109,7 @@ std::vector<std::string> cells(const std::string& path, const Row& row) {
       row.shot ? fmt::format("{:.1e}", row.of_shooting) : row.shooting.str(),
       fmt::format("{:.0e}", row.residual),
       fmt::format("{:.0e}", row.reintegration),
+      fmt::format("{:.0e}", row.laws),
       fmt::format("{} of {}", row.passed, row.checks),
       row.feasible ? "yes" : row.infeasible.str()};
 }
@@ -110,10 +117,10 @@ std::vector<std::string> cells(const std::string& path, const Row& row) {
 std::string csv_line(const std::string& path, const Row& row) {
   return fmt::format(
       "{},{:d},{},{},{},{:.15g},{:.2g},{:.2g},{:d},{:.2g},{:d},{:.2g},{:.2g},"
-      "{:d},{:.3f},{:.3f},{},{},{}\n",
+      "{:.2g},{:d},{:.3f},{:.3f},{},{},{}\n",
       stem(path), row.verified, row.passed, row.checks, row.arcs, row.tau,
       row.estimate, row.residual, row.witnessed, row.of_witness, row.shot,
-      row.of_shooting, row.reintegration, row.feasible, row.seconds,
+      row.of_shooting, row.reintegration, row.laws, row.feasible, row.seconds,
       row.shooting_seconds, csv_field(row.failure.str()),
       csv_field(row.shooting.str()), csv_field(row.infeasible.str()));
 }
@@ -157,12 +164,13 @@ int main(int argc, char** argv) {
         }
       });
 
-  Rows table{{"scene", "τ", "witness", "shooting", "residual", "re-integrated",
-              "checks", "can be rolled on"}};
+  Rows table{{"scene", "τ", "witness", "shooting", "residual",
+              "integrated again", "laws", "checks", "can be rolled on"}};
   std::string csv =
       "scene,verified,checks_passed,checks,arcs,tau,estimated_error,"
       "kkt_residual,witnessed,of_witness,shot,of_shooting,reintegration_error,"
-      "feasible,seconds,shooting_seconds,failure,shooting_failure,infeasible\n";
+      "laws,feasible,seconds,shooting_seconds,failure,shooting_failure,"
+      "infeasible\n";
   for (std::size_t i = 0; i < files.size(); ++i) {
     table.push_back(cells(files[i], rows[i]));
     csv += csv_line(files[i], rows[i]);

@@ -84,6 +84,10 @@ usual() {
 
 long() {
   step limits "${program}limits" --jobs 2 --out "$results/limits.csv"
+  step limits_in_worlds "${program}limits" --worlds --witness --count 200 \
+    --jobs 2 --out "$results/random_limits_in_worlds.csv"
+  step limited_worlds "${program}limited_worlds" --jobs 2 \
+    --out "$results/limited_worlds.csv"
   step honesty_limited "${program}honesty" --limited --jobs 2 \
     --out "$results/honesty_limited.csv"
   step feasibility "${program}feasibility" --jobs 2 \

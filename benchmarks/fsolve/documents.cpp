@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "comparison/documents.hpp"
+#include "comparison/comparison.hpp"
 #include "fsolve/findings.hpp"
 #include "report/provenance.hpp"
 #include "support/csv.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Random scenes with one to three limits, bounds drawn around what the free
-// extremal does.
+// extremal does, in the ordinary world or in others.
 
 #include <fmt/format.h>
 
@@ -14,13 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
+#include "campaign/random_scene.hpp"
 #include "limits/random_limits.hpp"
 #include "support/csv.hpp"
 #include "support/processes.hpp"
 #include "support/table.hpp"
 #include "support/text.hpp"
 #include "trajectory/stated_limits.hpp"
+#include "worlds/random_world.hpp"
 
 using namespace brachisto;
 using namespace brachisto::benchmarks;
@@ -52,6 +55,7 @@ struct Record {
   double tau = 0.0, free_tau = 0.0, estimate = 0.0, seconds = 0.0;
   double excess = 0.0;
   int arcs = 0;
+  FixedText<160> world;  ///< empty: the ordinary one
   FixedText<160> limits;
   FixedText<400> reason;
   FixedText<200> no_witness;  ///< why not
@@ -93,9 +97,27 @@ void hear(const Solution& found, Record& record) {
                                            : Word::Differs;
 }
 
-Record examine(std::uint64_t seed, int index, bool with_witness) {
+/// What is drawn and how it is judged.
+struct Campaign {
+  std::uint64_t seed = 1;
+  bool worlds = false;
+  bool witness = false;
+  std::string problems;  ///< folder for files, empty: none
+};
+
+/// The one that limits are drawn round.
+Scene free_scene(const Campaign& campaign, int index) {
+  return campaign.worlds ? random_world_scene(campaign.seed, index)
+                         : random_scene(campaign.seed, index);
+}
+
+Record examine(const Campaign& campaign, int index) {
   Record record;
-  const auto limited = random_limited_scene(seed, index);
+  const Scene free = free_scene(campaign, index);
+  record.world = FixedText<160>(described_world(free));
+  const auto limited = validate(free).empty()
+                           ? under_random_limits(free, campaign.seed, index)
+                           : std::nullopt;
   if (!limited) {
     record.fate = Fate::NoFree;
     return record;
@@ -110,7 +132,11 @@ Record examine(std::uint64_t seed, int index, bool with_witness) {
     return record;
   }
   Collocation options;
-  if (with_witness) options.certify = Certify::Extremal;
+  if (campaign.witness) options.certify = Certify::Extremal;
+  if (!campaign.problems.empty()) {
+    write_file(fmt::format("{}/{}.yaml", campaign.problems, index),
+               report::input_json(scene, {.method = options}));
+  }
   const Solution found = solve(scene, {.method = options});
   record.seconds = found.effort.seconds;
   record.reason = FixedText<400>(why_not_verified(found));
@@ -146,14 +172,14 @@ Record examine(std::uint64_t seed, int index, bool with_witness) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t seed = 1;
+  Campaign campaign;
   int count = 500;
   int first = 0;
   ProcessLimits limits{.jobs = 1, .seconds = 120};
-  bool witness = false;
   std::string out = BRACHISTO_SOURCE_DIR "/benchmarks/results/limits.csv";
   CLI::App app{"Random scenes under random limits"};
-  app.add_option("--seed", seed, "Of the random scenes")->capture_default_str();
+  app.add_option("--seed", campaign.seed, "Of the random scenes")
+      ->capture_default_str();
   app.add_option("--count", count, "How many scenes")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -164,49 +190,59 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seconds", limits.seconds, "For one scene, at most")
       ->capture_default_str();
-  app.add_flag("--witness", witness,
+  app.add_flag("--worlds", campaign.worlds,
+               "Each in a random world, around what is free there");
+  app.add_flag("--witness", campaign.witness,
                "Solve once more by the indirect method what is verified");
+  app.add_option("--problems", campaign.problems,
+                 "Folder for a problem file of each scene, for the command");
   app.add_option("--out", out, "CSV file")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Record> all(static_cast<std::size_t>(count));
   run_isolated<Record>(
-      count, limits, [&](int i) { return examine(seed, first + i, witness); },
+      count, limits, [&](int i) { return examine(campaign, first + i); },
       [&](int i, const std::optional<Record>& record, const std::string& fate) {
         Record& one = all[static_cast<std::size_t>(i)];
         if (record) {
           one = *record;
         } else {
+          one.world =
+              FixedText<160>(described_world(free_scene(campaign, first + i)));
           one.reason = FixedText<400>(fate);
         }
         if (one.fate >= Fate::NoSmoothContact && one.fate != Fate::NoFree) {
-          fmt::print(stderr, "scene {}: {} ({}): {}\n", first + i,
+          fmt::print(stderr, "scene {}: {} ({}; {}): {}\n", first + i,
                      kFates.at(static_cast<std::size_t>(one.fate)),
-                     one.limits.str(), one.reason.str());
+                     one.world.str(), one.limits.str(), one.reason.str());
         }
       });
 
   std::string csv =
-      "scene,fate,limits,tau,free_tau,estimated_error,excess,arcs,seconds,"
-      "witness,apart,reason,no_witness\n";
+      "scene,fate,world,limits,tau,free_tau,estimated_error,excess,arcs,"
+      "seconds,witness,apart,reason,no_witness\n";
   std::map<Fate, int> fates;
   std::map<Word, int> words;
-  std::vector<double> seconds;
+  std::vector<double> seconds, apart;
   for (int i = 0; i < count; ++i) {
     const Record& one = all[static_cast<std::size_t>(i)];
     ++fates[one.fate];
     ++words[one.witness];
     if (one.fate == Fate::Verified) seconds.push_back(one.seconds);
+    if (one.witness == Word::Agrees || one.witness == Word::Differs) {
+      apart.push_back(one.apart);
+    }
     csv += fmt::format(
-        "{},{},{},{:.13g},{:.13g},{:.2g},{:.2g},{},{:.3f},{},{:.2g},{},{}\n",
+        "{},{},{},{},{:.13g},{:.13g},{:.2g},{:.2g},{},{:.3f},{},{:.2g},{},{}"
+        "\n",
         first + i, kFates.at(static_cast<std::size_t>(one.fate)),
-        csv_field(one.limits.str()), one.tau, one.free_tau, one.estimate,
-        one.excess, one.arcs, one.seconds,
+        csv_field(one.world.str()), csv_field(one.limits.str()), one.tau,
+        one.free_tau, one.estimate, one.excess, one.arcs, one.seconds,
         kWords.at(static_cast<std::size_t>(one.witness)), one.apart,
         csv_field(one.reason.str()), csv_field(one.no_witness.str()));
   }
   write_file(out, csv);
-  fmt::print("Seed {}, scenes {} to {}. {}.\n\n", seed, first,
+  fmt::print("Seed {}, scenes {} to {}. {}.\n\n", campaign.seed, first,
              first + count - 1, machine());
   const int counted = count - fates[Fate::NoFree];
   int good = 0;
@@ -221,9 +257,14 @@ int main(int argc, char** argv) {
                percentile(seconds, 0.5), percentile(seconds, 0.9),
                seconds.back());
   }
-  if (witness) {
+  if (campaign.witness) {
     fmt::print("the indirect method: {} agree to 1e-10, {} differ, {} none\n",
                words[Word::Agrees], words[Word::Differs], words[Word::None]);
+    std::sort(apart.begin(), apart.end());
+    if (!apart.empty()) {
+      fmt::print("τ apart: median {:.1e}, 90 % {:.1e}, most {:.1e}\n",
+                 percentile(apart, 0.5), percentile(apart, 0.9), apart.back());
+    }
   }
   constexpr double kWanted = 98.0;
   const bool passed = share >= kWanted && fates[Fate::Violating] == 0;

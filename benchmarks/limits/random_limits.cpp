@@ -43,7 +43,7 @@ double quantile(const Motion& motion, double share,
   return values.back().first;
 }
 
-/// See random_limited_scene().
+/// See under_random_limits().
 void add_limits(Scene& scene, const Motion& free, SplitMix64& random) {
   constexpr double kShare = 0.95;
   const double r = scene.body.radius;
@@ -104,15 +104,19 @@ void add_limits(Scene& scene, const Motion& free, SplitMix64& random) {
 
 }  // namespace
 
-std::optional<LimitedScene> random_limited_scene(std::uint64_t seed,
-                                                 int index) {
-  Scene scene = random_scene(seed, index);
+std::optional<LimitedScene> under_random_limits(Scene scene, std::uint64_t seed,
+                                                int index) {
   const Solution free = solve(scene);
   if (!free.verified()) return std::nullopt;
   SplitMix64 random(SplitMix64::scrambled(seed) +
                     static_cast<std::uint64_t>(index));
   add_limits(scene, *free.motion(), random);
   return LimitedScene{std::move(scene), free.motion()->tau()};
+}
+
+std::optional<LimitedScene> random_limited_scene(std::uint64_t seed,
+                                                 int index) {
+  return under_random_limits(random_scene(seed, index), seed, index);
 }
 
 std::string described(const Scene& scene) {

@@ -19,11 +19,15 @@ struct LimitedScene {
   double free_tau;  ///< without its limits
 };
 
-/// Scene number `index` of a campaign (random_scene()) with one to three of six
-/// limits, each bound from 0.7 to 1.3 of what the free extremal keeps to for
-/// 95 % of the time; the slopes at the contacts free where that is well posed,
-/// in half of the cases. It need not be valid. Nothing if the scene without
-/// limits is not verified.
+/// A scene without limits, number `index` of a campaign, with one to three of
+/// six limits, each bound from 0.7 to 1.3 of what the free extremal keeps to
+/// for 95 % of the time; the slopes at the contacts free where that is well
+/// posed, in half of the cases. It need not be valid. Nothing if the scene
+/// without limits is not verified.
+[[nodiscard]] std::optional<LimitedScene> under_random_limits(
+    Scene scene, std::uint64_t seed, int index);
+
+/// The same of random_scene().
 [[nodiscard]] std::optional<LimitedScene> random_limited_scene(
     std::uint64_t seed, int index);
 

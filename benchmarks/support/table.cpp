@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "comparison/documents.hpp"
+#include "comparison/comparison.hpp"
 #include "report/provenance.hpp"
 #include "support/table.hpp"
 

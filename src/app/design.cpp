@@ -28,7 +28,7 @@
 #include "brachisto/report/output_files.hpp"
 #include "design/gather_designs.hpp"
 #include "math/wall_clock.hpp"
-#include "report/design_map.hpp"
+#include "report/design_report.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"

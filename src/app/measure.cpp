@@ -14,7 +14,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
-#include "comparison/path_error.hpp"
+#include "comparison/measurement.hpp"
 #include "math/wall_clock.hpp"
 
 namespace brachisto::app {

@@ -29,7 +29,6 @@
 #include "brachisto/study/solve.hpp"
 #include "io/visible_text.hpp"
 #include "plot/race_page.hpp"
-#include "plot/racer_names.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::app {

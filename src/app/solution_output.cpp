@@ -18,7 +18,7 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/result.hpp"
 #include "plot/answer_page.hpp"
-#include "plot/moving_figure.hpp"
+#include "plot/motion_data.hpp"
 #include "report/path_figure.hpp"
 
 namespace brachisto::app {

@@ -105,4 +105,12 @@ struct MethodComparison {
     report::TableForm form = report::TableForm::Text);
 [[nodiscard]] std::string to_json(const MethodComparison& comparison);
 
+struct Machine {
+  std::string cpu;     ///< model, by the kernel; "unknown" if it does not say
+  std::string kernel;  ///< "Linux 6.1.0 x86_64"
+  int cores = 0;       ///< that this process may use
+};
+
+[[nodiscard]] Machine this_machine();
+
 }  // namespace brachisto::comparison

@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "brachisto/report/result.hpp"
-#include "comparison/documents.hpp"
+#include "comparison/comparison.hpp"
+#include "comparison/methods.hpp"
 #include "comparison/statistics.hpp"
+#include "comparison/work_precision.hpp"
 #include "report/letters.hpp"
 #include "report/provenance.hpp"
 #include "report/text_table.hpp"
@@ -44,13 +47,12 @@ std::string kernel() {
                      system.machine);
 }
 
-}  // namespace
-
-Machine this_machine() {
-  return {cpu_model(), kernel(),
-          static_cast<int>(std::thread::hardware_concurrency())};
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
 }
 
+/// Outcome, cause, times and effort of a run; what there is not is null.
 Json to_json(const Measurement& run) {
   Json json = {{"outcome", name(run.outcome)},
                {"cause", run.cause.empty() ? Json() : Json(run.cause)},
@@ -82,6 +84,7 @@ Json to_json(const std::optional<Reference>& reference) {
           {"error", reference->error}};
 }
 
+/// The keys `machine`, `provenance` and `scene`.
 void add_origin(Json& document, const Subject& subject) {
   const Machine machine = this_machine();
   document["machine"] = {{"cpu", machine.cpu},
@@ -93,6 +96,7 @@ void add_origin(Json& document, const Subject& subject) {
                           .at("scene");
 }
 
+/// "τ = 5.09344446661800(4) by the extremal method".
 std::string reference_text(const Reference& reference) {
   return fmt::format(
       "τ = {} by {}",
@@ -100,11 +104,13 @@ std::string reference_text(const Reference& reference) {
       reference.by);
 }
 
+/// "1.6e-06", or that it is less than the reference can tell.
 std::string error_text(double error, const Reference& reference) {
   return error < reference.error ? fmt::format("< {:.1e}", reference.error)
                                  : fmt::format("{:.1e}", error);
 }
 
+/// "17 + 12": iterations of the solver and Newton steps, where there are any.
 std::string iterations_text(const Measurement& run) {
   const int steps = run.newton_steps.value_or(0);
   if (steps == 0) return or_dash(run.iterations);
@@ -121,6 +127,94 @@ std::string tau_text(const ComparisonRow& row,
                            ? std::max(*row.error, reference->error)
                            : row.run.estimated_error.value_or(0.0);
   return report::within_error(tau, error * tau);
+}
+
+std::string remark(const PrecisionPoint& point) {
+  if (point.run.solved()) return "";
+  constexpr std::size_t kLetters = 72;  // the document has it in full
+  return report::shortened(
+      fmt::format("{}: {}", name(point.run.outcome), point.run.cause),
+      kLetters);
+}
+
+std::string order_text(const std::optional<ObservedOrder>& order) {
+  if (!order) return "—";
+  return order->uncertainty
+             ? fmt::format("{:.2f} ± {:.2f}", order->order, *order->uncertainty)
+             : fmt::format("{:.2f}", order->order);
+}
+
+Rows point_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "mesh or wanted", "unknowns", "CPU [s]",
+             "least – greatest", "iterations", "memory", "error", "remark"}};
+  for (const PrecisionLine& line : found.lines) {
+    for (const PrecisionPoint& point : line.points) {
+      const Measurement& run = point.run;
+      std::vector<std::string> times{"—", "—"};
+      if (!run.cpu.empty()) {
+        const Spread spread = spread_of(run.cpu);
+        times = {seconds_text(spread.median),
+                 fmt::format("{} – {}", seconds_text(spread.least),
+                             seconds_text(spread.greatest))};
+      }
+      rows.push_back(
+          {label(line.method),
+           text(point.fineness).empty() ? "—" : text(point.fineness),
+           or_dash(run.unknowns), times[0], times[1], iterations_text(run),
+           memory_text(run.peak_memory),
+           point.error ? error_text(*point.error, found.reference) : "—",
+           remark(point)});
+    }
+  }
+  return rows;
+}
+
+Rows order_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "promised", "observed order", "finest two", "points"}};
+  for (const PrecisionLine& line : found.lines) {
+    if (!has_meshes(line.method)) continue;
+    rows.push_back(
+        {label(line.method),
+         or_dash(promised_order(line.method, found.subject.limited())),
+         order_text(line.order),
+         line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
+         fmt::format("{} of {}", line.order ? line.order->points : 0,
+                     line.points.size())});
+  }
+  return rows;
+}
+
+Json order_json(const std::optional<ObservedOrder>& order) {
+  if (!order) return nullptr;
+  return {{"order", order->order},
+          {"uncertainty", or_null(order->uncertainty)},
+          {"finest_two", order->finest},
+          {"points", order->points}};
+}
+
+Json line_json(const PrecisionLine& line) {
+  Json points = Json::array();
+  for (const PrecisionPoint& point : line.points) {
+    const Fineness& fineness = point.fineness;
+    Json json = {{"mesh", fineness.mesh > 0 ? Json(fineness.mesh) : Json()},
+                 {"wanted_error", or_null(fineness.tolerance)},
+                 {"error", or_null(point.error)},
+                 {"path_error", or_null(point.path_error)},
+                 {"energy_drift", or_null(point.run.energy_drift)}};
+    json.update(to_json(point.run));
+    points.push_back(std::move(json));
+  }
+  return {{"method", label(line.method)},
+          {"id", identifier(line.method)},
+          {"observed_order", order_json(line.order)},
+          {"points", points}};
+}
+
+}  // namespace
+
+Machine this_machine() {
+  return {cpu_model(), kernel(),
+          static_cast<int>(std::thread::hardware_concurrency())};
 }
 
 std::string summary(const MethodComparison& comparison,
@@ -170,6 +264,44 @@ std::string to_json(const MethodComparison& comparison) {
                      {"residual", comparison.options.residual}}},
                    {"methods", rows}};
   add_origin(document, comparison.subject);
+  return document.dump(2) + "\n";
+}
+
+std::string summary(const WorkPrecision& found, report::TableForm form) {
+  return fmt::format(
+      "{}\n{}\nerror: relative, of τ, against {}\n"
+      "orders: from errors above {:.1e}, ten times what {} and the reference "
+      "leave open\n",
+      report::table(point_rows(found), form),
+      report::table(order_rows(found), form), reference_text(found.reference),
+      found.floor(),
+      found.polished()
+          ? "rounding, down to which solutions are polished,"
+          : fmt::format("the KKT tolerance {:.0e}", found.tolerance()));
+}
+
+std::string to_json(const WorkPrecision& found) {
+  Json methods = Json::array(), lines = Json::array();
+  for (const ComparedMethod& method : found.plan.methods) {
+    methods.push_back(identifier(method));
+  }
+  for (const PrecisionLine& line : found.lines) {
+    lines.push_back(line_json(line));
+  }
+  Json document = {{"schema_version", report::kSchemaVersion},
+                   {"verified", true},
+                   {"reference", to_json(std::optional(found.reference))},
+                   {"options",
+                    {{"methods", methods},
+                     {"meshes", found.plan.meshes},
+                     {"tolerances", found.plan.tolerances},
+                     {"repetitions", found.plan.repetitions},
+                     {"seconds_per_point", found.plan.seconds_per_point},
+                     {"kkt_tolerance", found.tolerance()},
+                     {"polish", found.polished()}}},
+                   {"floor", found.floor()},
+                   {"lines", lines}};
+  add_origin(document, found.subject);
   return document.dump(2) + "\n";
 }
 

@@ -15,6 +15,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/run/solve_options.hpp"
+#include "brachisto/study/solution.hpp"
 
 namespace brachisto::comparison {
 
@@ -68,5 +69,16 @@ struct Measurement {
 /// Reads what `measure` printed in one line; an outcome Crashed if it is not
 /// that.
 [[nodiscard]] Measurement parse_measurement(const std::string& line);
+
+/// Places of the centre at equal parts of its path, both ends included [m]; of
+/// the discrete system on the chords between its nodes. Empty without a
+/// solution.
+[[nodiscard]] std::vector<Point> places_along(const Solution& solution);
+
+/// The largest distance between places that belong together, relative to
+/// `length`; nothing unless both paths have the same number of them.
+[[nodiscard]] std::optional<double> path_error(
+    const std::vector<Point>& places, const std::vector<Point>& reference,
+    double length);
 
 }  // namespace brachisto::comparison

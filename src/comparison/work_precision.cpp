@@ -9,8 +9,8 @@
 #include <functional>
 #include <limits>
 
+#include "comparison/measurement.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/path_error.hpp"
 
 namespace brachisto::comparison {
 

@@ -14,11 +14,9 @@
 #include <vector>
 
 #include "math/angle.hpp"
+#include "plot/answer_drawings.hpp"
 #include "plot/answer_tables.hpp"
-#include "plot/block_drawing.hpp"
-#include "plot/continuation_drawing.hpp"
 #include "plot/motion_data.hpp"
-#include "plot/page_parts.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
@@ -205,9 +203,9 @@ std::string controls(const Scene& scene) {
         there ? "" : " hidden=\"hidden\"", id, on ? " checked=\"checked\"" : "",
         name);
   };
-  return playback_html(box("use-forces", "forces", true, true) +
-                       box("use-ghosts", "every T/10", true, true) +
-                       box("use-lens", "lens", false, rolls));
+  return report::playback_html(box("use-forces", "forces", true, true) +
+                               box("use-ghosts", "every T/10", true, true) +
+                               box("use-lens", "lens", false, rolls));
 }
 
 std::string motion_section(const Scene& scene, const Json& result,
@@ -337,10 +335,12 @@ std::string answer_page(const Json& result, const Scene& scene,
       "</main>\n<footer>Written from a result of brachisto {}. Curves by "
       "dygraphs, whose licence is in the source of this page.</footer>\n",
       xml_escaped(version));
-  out += data_html(motion_data(rows.table, scene, result,
-                               motion_box(rows.table, scene.body)));
-  out += script_html(fmt::format("/*!\n{}*/\n{}", kChartLicence, kChartScript));
-  out += script_html(kMotionScript) + script_html(kAnswerScript);
+  out += report::data_html(motion_data(rows.table, scene, result,
+                                       motion_box(rows.table, scene.body)));
+  out += report::script_html(
+      fmt::format("/*!\n{}*/\n{}", kChartLicence, kChartScript));
+  out +=
+      report::script_html(kMotionScript) + report::script_html(kAnswerScript);
   return out + "</body>\n</html>\n";
 }
 

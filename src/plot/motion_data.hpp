@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What the script of a page draws from.
+/// What the script of a page draws from, and the motion as a moving picture.
 
 #pragma once
 
@@ -10,6 +10,8 @@
 
 #include "brachisto/model/scene.hpp"
 #include "plot/thinning.hpp"
+#include "plot/trajectory_table.hpp"
+#include "report/figure.hpp"
 #include "report/path_frame.hpp"
 #include "report/result_field.hpp"
 
@@ -38,5 +40,9 @@ inline constexpr std::size_t kMostNumbers = 36'000;
                                       const Scene& scene,
                                       const report::Json& result,
                                       const report::Box& box);
+
+/// Frames at equal times, some seconds long whatever the motion takes.
+[[nodiscard]] report::Figure moving_figure(const Scene& scene,
+                                           const TrajectoryTable& table);
 
 }  // namespace brachisto::plot

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 
 #include "plot/answer_tables.hpp"
 #include "plot/motion_data.hpp"
-#include "plot/page_parts.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
@@ -213,7 +213,7 @@ std::string race_page(const std::vector<Racer>& racers) {
       "<section>\n<h2 id=\"motion-heading\">The race</h2>\n"
       "<noscript><p>The race is drawn by a script, which this browser does not "
       "run.</p></noscript>\n<div id=\"stage\"></div>\n" +
-      playback_html() +
+      report::playback_html() +
       "<p class=\"key\"><span id=\"lift-key\" hidden=\"hidden\"><i "
       "class=\"swatch lift\"></i>" +
       symbols_html("R_n ≤ 0: here the body would lift off") + "</span></p>\n" +
@@ -232,9 +232,58 @@ std::string race_page(const std::vector<Racer>& racers) {
       "verified.</footer>\n",
       xml_escaped(made != first.result.end() ? made->value("brachisto", "")
                                              : ""));
-  return out + data_html(race_data(racers, ground)) +
-         script_html(kMotionScript) + script_html(kRaceScript) +
+  return out + report::data_html(race_data(racers, ground)) +
+         report::script_html(kMotionScript) + report::script_html(kRaceScript) +
          "</body>\n</html>\n";
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path of a file without its ending, in parts, the last one first.
+std::vector<std::string> parts_of(const std::string& file) {
+  const fs::path path = fs::absolute(file).lexically_normal();
+  std::vector<std::string> parts{path.stem().string()};
+  for (fs::path folder = path.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    parts.push_back(folder.filename().string());
+  }
+  return parts;
+}
+
+/// The last ones of these parts.
+std::string joined(const std::vector<std::string>& parts, std::size_t count) {
+  std::string name = parts[0];
+  for (std::size_t i = 1; i < count; ++i) name = parts[i] + "/" + name;
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+}  // namespace
+
+std::vector<std::string> racer_names(const std::vector<std::string>& files) {
+  std::vector<std::vector<std::string>> parts;
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    parts.push_back(parts_of(file));
+    names.push_back(joined(parts.back(), 1));
+  }
+  std::vector<std::size_t> counts(files.size(), 1);
+  for (bool longer = true; longer;) {
+    longer = false;
+    const std::vector<std::string> before = names;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (std::ranges::count(before, before[i]) == 1) continue;
+      if (counts[i] < parts[i].size()) {
+        names[i] = joined(parts[i], ++counts[i]);
+        longer = true;
+      } else {
+        names[i] = files[i];
+      }
+    }
+  }
+  return names;
 }
 
 }  // namespace brachisto::plot

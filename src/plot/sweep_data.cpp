@@ -10,9 +10,9 @@
 #include <functional>
 #include <optional>
 
-#include "plot/kept_track.hpp"
 #include "plot/motion_data.hpp"
-#include "report/obstacles.hpp"
+#include "plot/thinning.hpp"
+#include "report/path_frame.hpp"
 #include "report/scale.hpp"
 
 namespace brachisto::plot {

@@ -11,13 +11,12 @@
 #include <utility>
 
 #include "brachisto/version.hpp"
-#include "plot/page_parts.hpp"
 #include "plot/web_parts.hpp"
 #include "report/csv.hpp"
 #include "report/key_label.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
-#include "report/sweep_figures.hpp"
+#include "report/sweep_plots.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::plot {
@@ -341,7 +340,8 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
   out += "</header>\n<main>\n";
   if (pointed) out += directions(tracks);
   out += drawn.html;
-  if (!tracks.empty()) out += kTrackSection + playback_html() + kTrackWords;
+  if (!tracks.empty())
+    out += kTrackSection + report::playback_html() + kTrackWords;
   if (planned.figures.empty() && !table.outcomes.empty()) {
     out += "<h2>Results</h2>\n" + digest_table(table, all_scenes(table));
   }
@@ -349,8 +349,10 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
   out += fmt::format("</main>\n<footer>Written by brachisto {}.</footer>\n",
                      BRACHISTO_VERSION);
   if (pointed) {
-    out += data_html(page_json(sweep_data(table, drawn.figures, tracks))) +
-           script_html(kMotionScript) + script_html(kSweepScript);
+    out += report::data_html(
+               report::page_json(sweep_data(table, drawn.figures, tracks))) +
+           report::script_html(kMotionScript) +
+           report::script_html(kSweepScript);
   }
   return out + "</body>\n</html>\n";
 }

@@ -14,7 +14,7 @@
 #include "brachisto/version.hpp"
 #include "program_files/matrix_files.hpp"
 #include "program_files/nl_file.hpp"
-#include "report/streamed_files.hpp"
+#include "report/in_full.hpp"
 #include "transcription/arc_length.hpp"
 #include "transcription/limited_time.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "report/streamed_files.hpp"
+#include "report/in_full.hpp"
 
 namespace brachisto::program_files {
 

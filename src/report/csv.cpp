@@ -16,13 +16,11 @@
 
 namespace brachisto::report {
 
-bool begins_as_formula(std::string_view text) {
-  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) !=
-                              std::string_view::npos;
-}
-
 std::string csv_field(std::string_view text) {
-  const char* before = begins_as_formula(text) ? "'" : "";
+  // A spreadsheet takes it for a formula, perhaps behind a tab or an end of
+  // line.
+  const bool formula = text.find_first_of("=+-@\t\r\n") == 0;
+  const char* before = formula ? "'" : "";
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
     return before + std::string(text);
   }

@@ -17,6 +17,7 @@ namespace brachisto::report {
 namespace {
 
 constexpr double kFontSize = 13.0;  // [px]
+constexpr double kDrawingSeconds = 60.0;
 
 /// With equal sizes of letters and widths of lines in all formats, and dashes
 /// in units of the width: pdfcairo sets letters in two thirds of their size and
@@ -90,19 +91,15 @@ std::string_view ending(Format format) {
   return kEndings[format];
 }
 
-std::string figure_script(const Figure& figure, Format format) {
-  return fmt::format(
-             "# gnuplot {0}.gp draws {0}.csv as {0}{1}\n"
-             "set output '{0}{1}'\n",
-             figure.name, ending(format)) +
-         script(figure, format, figure.name + ".csv");
-}
-
 DrawnFigure draw(const Figure& figure, Format format,
                  const std::atomic<int>* interrupt) {
   DrawnFigure drawn;
   drawn.files = {{figure.name + ".csv", figure.table},
-                 {figure.name + ".gp", figure_script(figure, format)}};
+                 {figure.name + ".gp",
+                  fmt::format("# gnuplot {0}.gp draws {0}.csv as {0}{1}\n"
+                              "set output '{0}{1}'\n",
+                              figure.name, ending(format)) +
+                      script(figure, format, figure.name + ".csv")}};
   const std::string picture = fmt::format("{}{}", figure.name, ending(format));
   const auto without = [&](std::string_view why) {
     drawn.missing = fmt::format("{} is not drawn: {}; gnuplot {}.gp draws it",

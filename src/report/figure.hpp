@@ -56,9 +56,6 @@ enum class Format { Svg, Pdf, Png, Gif };
 /// ".svg", …
 [[nodiscard]] std::string_view ending(Format format);
 
-/// `<name>.gp`: draws `<name>.csv` beside it.
-[[nodiscard]] std::string figure_script(const Figure& figure, Format format);
-
 /// What is to be written of a figure.
 struct DrawnFigure {
   /// `<name>.csv`, `<name>.gp` and, unless something is missing, the picture.
@@ -67,13 +64,11 @@ struct DrawnFigure {
 };
 
 /// Has gnuplot draw it, a child process that reads nothing but what it is given
-/// here, and is stopped after kDrawingSeconds.
+/// here, and is stopped after a minute; it needs 0.1 s.
 /// \param interrupt  nonzero: stop; may be null
 /// \throws Stopped
 [[nodiscard]] DrawnFigure draw(const Figure& figure, Format format,
                                const std::atomic<int>* interrupt);
-
-inline constexpr double kDrawingSeconds = 60.0;  ///< wall clock; it needs 0.1
 
 /// For a string of gnuplot within single quotes that shows the text as it is,
 /// in enhanced text as well.

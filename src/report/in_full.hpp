@@ -3,13 +3,16 @@
 
 /// \file
 /// What is to be done in full or not at all: no signal in the middle of it, no
-/// directory that nothing came into.
+/// directory that nothing came into, no file that ends too early.
 
 #pragma once
 
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -45,5 +48,19 @@ class NewDirectories {
  private:
   std::vector<std::filesystem::path> made_;  ///< the innermost first
 };
+
+/// Takes a file's content piece by piece.
+using TextSink = std::function<void(std::string_view piece)>;
+
+/// A file to be written, and who tells its content.
+struct StreamedFile {
+  std::string name;  ///< without directory
+  std::function<void(const TextSink& put)> tell;
+};
+
+/// write_files() of content that is told.
+void write_streamed_files(const std::filesystem::path& directory,
+                          const std::vector<StreamedFile>& files, bool force,
+                          const std::vector<std::string>& obsolete = {});
 
 }  // namespace brachisto::report

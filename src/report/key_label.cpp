@@ -96,22 +96,19 @@ Scale scale_of(const SweepColumn& column,
   return suitable_scale(std::move(numbers));
 }
 
-std::string shown_value(const SweepColumn& column, std::size_t scene) {
-  if (!column.numeric()) return column.words[scene];
-  const KeyLabel label = key_label(column.key);
-  return printed(label.shown(column.numbers[scene])) + label.after_number();
-}
-
 std::string place(const SweepTable& table,
                   const std::vector<std::size_t>& columns, std::size_t scene,
                   Markup markup) {
   std::string out;
   for (const std::size_t c : columns) {
     const SweepColumn& column = table.columns[c];
-    const std::string value = shown_value(column, scene);
+    const KeyLabel label = key_label(column.key);
+    const std::string value =
+        column.numeric()
+            ? printed(label.shown(column.numbers[scene])) + label.after_number()
+            : column.words[scene];
     out += fmt::format(
-        "{}{} = {}", out.empty() ? "" : ", ",
-        key_label(column.key).text(markup, false),
+        "{}{} = {}", out.empty() ? "" : ", ", label.text(markup, false),
         markup == Markup::Html ? xml_escaped(value) : as_rich_text(value));
   }
   return out;

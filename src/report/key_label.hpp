@@ -48,9 +48,6 @@ struct KeyLabel {
 /// Degrees, or what suits the numbers of these scenes.
 [[nodiscard]] Scale scale_of(const SweepColumn& column,
                              const std::vector<std::size_t>& scenes);
-/// What a column says of a scene, "−30°", "3 m" or a word, as plain text.
-[[nodiscard]] std::string shown_value(const SweepColumn& column,
-                                      std::size_t scene);
 /// "η_m = 0.3, θ_m = −30°": what these columns say of a scene.
 [[nodiscard]] std::string place(const SweepTable& table,
                                 const std::vector<std::size_t>& columns,

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace brachisto::report {
@@ -83,7 +84,9 @@ std::string shortened_key(std::string_view key, std::size_t length) {
 
 std::size_t columns_for_a_line() {
   constexpr std::size_t kUsual = 80;
-  if (::isatty(STDERR_FILENO) == 0) return kNoTerminal;
+  if (::isatty(STDERR_FILENO) == 0) {
+    return std::numeric_limits<std::size_t>::max();
+  }
   struct winsize window {};
   const bool known =
       ::ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 1;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,13 +36,10 @@ namespace brachisto::report {
 [[nodiscard]] std::string shortened_key(std::string_view key,
                                         std::size_t length);
 
-/// What is not written to a terminal may be as long as it likes.
-inline constexpr std::size_t kNoTerminal =
-    std::numeric_limits<std::size_t>::max();
-
 /// Letters that a line on stderr may have: where that is a terminal, one less
 /// than it has columns, for a full row would leave the cursor in the next.
-/// 79 if the terminal does not know.
+/// 79 if the terminal does not know; what is not written to one may be as long
+/// as it likes.
 [[nodiscard]] std::size_t columns_for_a_line();
 
 }  // namespace brachisto::report

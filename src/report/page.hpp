@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What pages with pictures have alike.
+/// What pages with pictures or scripts have alike.
 
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "report/figure.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::report {
 
@@ -36,5 +38,18 @@ inline constexpr std::size_t kMostOfPictures = 4'000'000;
                                       const std::string& name,
                                       const std::string& caption,
                                       std::size_t& room);
+
+/// A script within a page that is XML too.
+[[nodiscard]] std::string script_html(std::string_view content);
+
+/// JSON that HTML and XML leave alone.
+[[nodiscard]] std::string page_json(const Json& json);
+
+/// The JSON document from which the scripts of a page draw.
+[[nodiscard]] std::string data_html(std::string_view json);
+
+/// The controls of the time.
+/// \param more  of them, HTML
+[[nodiscard]] std::string playback_html(std::string_view more = {});
 
 }  // namespace brachisto::report

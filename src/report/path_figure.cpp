@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "report/canvas.hpp"
-#include "report/obstacles.hpp"
 #include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
 #include "report/track_kind.hpp"

@@ -4,6 +4,7 @@
 #include "report/path_frame.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace brachisto::report {
@@ -56,6 +57,66 @@ std::optional<Enlarged> enlarged(const Motion& motion,
   frame.box =
       frame.box.resized(kPictureWidth / frame.scale, frame.box.height());
   return Enlarged{std::move(piece), at, frame};
+}
+
+namespace {
+
+/// What of an area is behind a half-plane (Sutherland and Hodgman).
+Outline behind(const HalfPlane& plane, const Outline& area) {
+  const auto height = [&](Point p) {
+    return (p.x - plane.point.x) * std::cos(plane.normal) +
+           (p.z - plane.point.z) * std::sin(plane.normal);
+  };
+  Outline out;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const Point from = area[i];
+    const Point to = area[(i + 1) % area.size()];
+    const double a = height(from);
+    const double b = height(to);
+    if (a <= 0.0) out.push_back(from);
+    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
+      const double part = a / (a - b);
+      out.push_back(
+          {from.x + part * (to.x - from.x), from.z + part * (to.z - from.z)});
+    }
+  }
+  return out;
+}
+
+constexpr double kUp = -0.5 * std::numbers::pi;
+constexpr double kDown = 0.5 * std::numbers::pi;
+constexpr double kRight = 0.0;
+constexpr double kLeft = std::numbers::pi;
+
+}  // namespace
+
+std::vector<Outline> obstacles(const PathLimits& limits, Point low,
+                               Point high) {
+  const Outline frame{low, {high.x, low.z}, high, {low.x, high.z}};
+  std::vector<Outline> all;
+  const auto add = [&](Outline area) {
+    // Less is a point or a line on the frame.
+    constexpr std::size_t kFewest = 3;
+    if (area.size() >= kFewest) all.push_back(std::move(area));
+  };
+  if (limits.floor) add(behind({{0.0, *limits.floor}, kUp}, frame));
+  for (const HalfPlane& plane : limits.half_planes) add(behind(plane, frame));
+  for (const Disc& disc : limits.discs) {
+    constexpr int kCorners = 120;
+    Outline area;
+    for (int i = 0; i < kCorners; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kCorners;
+      area.push_back({disc.centre.x + disc.radius * std::cos(angle),
+                      disc.centre.z + disc.radius * std::sin(angle)});
+    }
+    for (const HalfPlane& side :
+         {HalfPlane{low, kLeft}, HalfPlane{low, kUp}, HalfPlane{high, kRight},
+          HalfPlane{high, kDown}}) {
+      area = behind(side, area);
+    }
+    add(std::move(area));
+  }
+  return all;
 }
 
 }  // namespace brachisto::report

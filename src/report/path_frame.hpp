@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What a picture of a path shows of the plane, and in what scale.
+/// What a picture of a path shows of the plane, in what scale, and where limits
+/// do not let the body be.
 
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "brachisto/model/path_limits.hpp"
 #include "brachisto/trajectory/motion.hpp"
 
 namespace brachisto::report {
@@ -56,5 +58,13 @@ struct Enlarged {
 [[nodiscard]] std::optional<Enlarged> enlarged(
     const Motion& motion, const std::vector<TrajectoryPoint>& rows,
     double scale);
+
+/// Corners of a convex area, in order.
+using Outline = std::vector<Point>;
+
+/// What lies below the floor, in a disc and behind a half-plane, as far as it
+/// lies between two opposite corners of a frame [m]; nothing of what does not.
+[[nodiscard]] std::vector<Outline> obstacles(const PathLimits& limits,
+                                             Point low, Point high);
 
 }  // namespace brachisto::report

@@ -5,7 +5,7 @@
 /// Keys of a result document that are of the answer: its motion, forces,
 /// limits and derivatives, and its mesh.
 
-#include "report/result_parts.hpp"
+#include "report/result_field.hpp"
 
 #include <array>
 #include <cmath>

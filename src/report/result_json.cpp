@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// result_fields(): every key of a result document, once, some of them by
-/// report/result_parts.hpp. The document, its reference in docs/results.md and
-/// its schema are made from it.
+/// result_fields(): every key of a result document, once, those of the answer
+/// and of the search in files of their own. The document, its reference in
+/// docs/results.md and its schema are made from it.
 
-#include "brachisto/report/result.hpp"
+#include <fmt/format.h>
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/forecast.hpp"
 #include "io/effective_input.hpp"
 #include "report/provenance.hpp"
 #include "report/result_field.hpp"
-#include "report/result_parts.hpp"
 
 namespace brachisto::report {
 
@@ -239,6 +239,40 @@ std::string result_schema() {
                  {"title", "Result of brachisto solve"}};
   schema.update(schema_of(result_texts(), false));
   return schema.dump(2) + "\n";
+}
+
+std::string markdown_rows(const std::vector<FieldText>& fields,
+                          const std::string& path) {
+  std::string text;
+  for (const FieldText& field : fields) {
+    const bool items = field.type == "array" && !field.parts.empty();
+    const std::string name =
+        fmt::format("{}{}{}", path, field.name, items ? "[]" : "");
+    text += fmt::format("| `{}` | {} | {} | {} |\n", name, field.type,
+                        field.unit, field.meaning) +
+            markdown_rows(field.parts, name + ".");
+  }
+  return text;
+}
+
+Json schema_of(const std::vector<FieldText>& fields, bool open) {
+  Json properties = Json::object();
+  for (const FieldText& field : fields) {
+    Json schema = {{"type", {field.type, "null"}}};
+    if (field.type == "object" && !field.parts.empty()) {
+      schema.update(schema_of(field.parts, field.open));
+      schema["type"] = {"object", "null"};
+    } else if (!field.parts.empty()) {
+      schema["items"] = schema_of(field.parts, field.open);
+    }
+    schema["description"] =
+        field.unit.empty() ? std::string(field.meaning)
+                           : fmt::format("{} [{}]", field.meaning, field.unit);
+    properties[field.name] = std::move(schema);
+  }
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"additionalProperties", open}};
 }
 
 }  // namespace brachisto::report

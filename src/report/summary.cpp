@@ -16,8 +16,7 @@
 #include <vector>
 
 #include "math/angle.hpp"
-#include "report/design_summary.hpp"
-#include "report/summary_lines.hpp"
+#include "report/design_report.hpp"
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 #include "study/wider_search.hpp"

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/sweep_figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

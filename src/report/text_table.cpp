@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 #include "report/letters.hpp"
 
@@ -137,6 +139,18 @@ std::string with_error(double value, double error) {
 std::string within_error(double value, double error) {
   if (!is_known(value, error)) return fmt::format("{:.12g}", value);
   return fmt::format("{:.{}f}", value, std::max(0, decimals(value, error)));
+}
+
+void add_line(std::string& out, std::string_view label,
+              const std::string& text) {
+  fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);
+}
+
+void add_table(std::string& out, std::string_view label, const Rows& rows) {
+  std::istringstream table(text_table(rows));
+  for (std::string row; std::getline(table, row); label = "") {
+    add_line(out, label, row);
+  }
 }
 
 }  // namespace brachisto::report

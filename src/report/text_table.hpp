@@ -48,4 +48,10 @@ enum class TableForm { Text, Markdown };
 /// The digits of a value that its error leaves, without the error: "5.0934".
 [[nodiscard]] std::string within_error(double value, double error);
 
+void add_line(std::string& out, std::string_view label,
+              const std::string& text);
+
+/// A table, with the label before its first row.
+void add_table(std::string& out, std::string_view label, const Rows& rows);
+
 }  // namespace brachisto::report

@@ -5,20 +5,27 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "brachisto/report/result.hpp"
 #include "design/design_search.hpp"
+#include "report/csv.hpp"
 #include "report/page.hpp"
 #include "report/provenance.hpp"
 #include "report/rich_text.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::reproduction {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
 using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
@@ -47,6 +54,159 @@ std::string html_table(const std::vector<std::string>& heads,
     rest.remove_prefix(kCell.size());
   }
   return out + "</tbody></table></div>\n";
+}
+
+/// Ours − paper with its sign and in percent, or that it agrees.
+std::string difference_text(const PrintedNumber& row) {
+  return with_minus_signs(
+      fmt::format("{:+.3g} ({:+.2f} %){}", row.difference(),
+                  100.0 * row.difference() / std::abs(number_in(row.paper)),
+                  row.agrees() ? ", within the digits printed" : ""));
+}
+
+/// A column of a table and a key of its rows in a document; words without
+/// markup.
+template <class Row>
+struct Column {
+  const char* name;
+  std::function<Json(const Row&)> of;  ///< null: there is none
+  const char* digits = "{}";           ///< in the table
+};
+template <class Row>
+using Columns = std::vector<Column<Row>>;
+
+/// Cells of a row, or the names of the columns.
+template <class Row>
+std::string csv_row(const Columns<Row>& columns, const Row* row) {
+  std::string out;
+  for (const auto& [name, of, digits] : columns) {
+    const Json cell = row == nullptr ? Json(name) : of(*row);
+    if (name != columns.front().name) out += ',';
+    if (cell.is_string()) {
+      out += report::csv_field(cell.get<std::string>());
+    } else if (cell.is_number()) {
+      out += fmt::format(fmt::runtime(digits), cell.get<double>());
+    } else if (!cell.is_null()) {
+      out += cell.dump();
+    }
+  }
+  return out + '\n';
+}
+
+template <class Row>
+std::string csv(const Columns<Row>& columns, const std::vector<Row>& rows) {
+  std::string out = csv_row<Row>(columns, nullptr);
+  for (const Row& row : rows) out += csv_row(columns, &row);
+  return out;
+}
+
+template <class Row>
+Json json(const Columns<Row>& columns, const std::vector<Row>& rows) {
+  Json list = Json::array();
+  for (const Row& row : rows) {
+    Json& one = list.emplace_back();
+    for (const auto& [name, of, digits] : columns) one[name] = of(row);
+  }
+  return list;
+}
+
+const Columns<PrintedNumber>& comparison_columns() {
+  using P = PrintedNumber;
+  static const Columns<P> kAll{
+      {"place", &P::place},
+      {"quantity", &P::quantity},
+      {"unit", &P::unit},
+      {"paper", &P::paper},
+      {"ours", [](const P& p) { return p.ours.value; }, "{:.15g}"},
+      {"error", [](const P& p) { return p.ours.error; }, "{:.1e}"},
+      {"difference", &P::difference, "{:.6g}"},
+      {"agrees", &P::agrees},
+      {"remark", &P::remark}};
+  return kAll;
+}
+
+const Columns<Claim>& claim_columns() {
+  static const Columns<Claim> kAll{
+      {"place", &Claim::place},
+      {"statement", &Claim::statement},
+      {"verdict", [](const Claim& claim) { return name(claim.verdict); }},
+      {"evidence", &Claim::evidence}};
+  return kAll;
+}
+
+const Columns<OrientationRow>& orientation_columns() {
+  using R = OrientationRow;
+  static const Columns<R> kAll{
+      {"eta_m", &R::eta_m, "{:.15g}"},
+      {"theta_m", [](const R& r) { return r.fastest.theta_m.value; },
+       "{:.12g}"},
+      {"error", [](const R& r) { return r.fastest.theta_m.error; }, "{:.1e}"},
+      {"tau", [](const R& r) { return r.fastest.tau; }, "{:.15g}"}};
+  return kAll;
+}
+
+const Columns<BoundaryBody>& boundary_columns() {
+  using B = BoundaryBody;
+  const auto known = [](double Measured::*part) {
+    return [=](const B& body) {
+      return body.has_orientation() ? Json(body.theta_m.*part) : Json();
+    };
+  };
+  static const Columns<B> kAll{
+      {"eta_m", &B::eta_m, "{:.10g}"},
+      {"k", &B::k, "{:.10g}"},
+      {"theta_m", known(&Measured::value), "{:.10g}"},
+      {"theta_m_error", known(&Measured::error), "{:.1e}"}};
+  return kAll;
+}
+
+std::string boundary_csv(const Results& found) {
+  const Columns<BoundaryBody>& columns = boundary_columns();
+  std::string out = "orientation," + csv_row<BoundaryBody>(columns, nullptr);
+  for (const auto& [orientation, bodies] :
+       {std::pair{"theta_m = -pi/6", &found.boundary},
+        {"fastest", &found.best_boundary}}) {
+    for (const BoundaryBody& body : *bodies) {
+      out += fmt::format("{},{}", orientation, csv_row(columns, &body));
+    }
+  }
+  return out;
+}
+
+std::string cases_csv(const Cases& cases) {
+  using D = PathDiagnostics;
+  const auto path = [](double (Motion::*of)() const) {
+    return [=](const Case& one) { return (one.motion().*of)(); };
+  };
+  const auto extreme = [](Extreme D::*of, double Extreme::*part) {
+    return [=](const Case& one) { return (*one.fine.diagnostics).*of.*part; };
+  };
+  const auto share = [](double D::*of) {
+    return [=](const Case& one) { return (*one.fine.diagnostics).*of; };
+  };
+  const Columns<Case> columns{
+      {"case", &Case::name},
+      {"tau", [](const Case& one) { return one.tau().value; }, "{:.15g}"},
+      {"error", [](const Case& one) { return one.tau().error; }, "{:.1e}"},
+      {"centre_path_length", path(&Motion::centre_path_length), "{:.12g}"},
+      {"rail_length", path(&Motion::rail_length), "{:.12g}"},
+      {"start_angle", path(&Motion::start_angle), "{:.12g}"},
+      {"end_angle", path(&Motion::end_angle), "{:.12g}"},
+      {"R_n_min_after_rise",
+       extreme(&D::normal_force_after_rise, &Extreme::value), "{:.9g}"},
+      {"R_n_max", extreme(&D::max_normal_force, &Extreme::value), "{:.9g}"},
+      {"x_of_R_n_max", extreme(&D::max_normal_force, &Extreme::x), "{:.9g}"},
+      {"kappa_b_min_after_rise",
+       extreme(&D::curvature_after_rise, &Extreme::value), "{:.9g}"},
+      {"kappa_b_max", extreme(&D::max_curvature, &Extreme::value), "{:.9g}"},
+      {"fold_margin", extreme(&D::min_fold_margin, &Extreme::value), "{:.9g}"},
+      {"share_above_0.3", share(&D::friction_above_0_3), "{:.6g}"},
+      {"share_above_0.5", share(&D::friction_above_0_5), "{:.6g}"},
+      {"share_above_1", share(&D::friction_above_1), "{:.6g}"},
+      {"feasible", [](const Case& one) { return one.fine.feasible(); }}};
+  std::string out = csv_row<Case>(columns, nullptr);
+  for (const auto& [name, one] : cases.all()) out += csv_row(columns, &one);
+  return out;
 }
 
 std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
@@ -235,14 +395,52 @@ PaperFiles files(const Results& found, const Reproduction& made,
     if (!drawn.missing.empty()) written.missing = drawn.missing;
     std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(out));
   }
-  out.push_back({"comparison.csv", comparison_csv(made.comparisons)});
-  out.push_back({"claims.csv", claims_csv(made.claims)});
+  out.push_back(
+      {"comparison.csv", csv(comparison_columns(), made.comparisons)});
+  out.push_back({"claims.csv", csv(claim_columns(), made.claims)});
   out.push_back({"cases.csv", cases_csv(found.cases)});
-  out.push_back({"orientations.csv", orientations_csv(found.orientations)});
+  out.push_back(
+      {"orientations.csv", csv(orientation_columns(), found.orientations)});
   out.push_back({"boundary.csv", boundary_csv(found)});
   // Last, so that whoever sees the page sees what it refers to.
   out.push_back({"index.html", page(found, made, figures)});
   return written;
+}
+
+std::string numbers_text(const Reproduction& made, report::TableForm form) {
+  report::Rows rows{{"quantity", "paper", "here", "here − paper"}};
+  for (const PrintedNumber& row : made.comparisons) {
+    const std::string unit = row.unit.empty() ? "" : " [" + row.unit + "]";
+    rows.push_back({row.quantity + unit, row.paper, with_error(row.ours),
+                    difference_text(row)});
+  }
+  std::string out = report::table(rows, form) + "\n";
+  if (form == report::TableForm::Markdown) {
+    report::Rows claims{{"claim", "statement", "evidence"}};
+    for (const Claim& claim : made.claims) {
+      claims.push_back({name(claim.verdict), claim.statement, claim.evidence});
+    }
+    return out + report::markdown_table(claims);
+  }
+  for (const Claim& claim : made.claims) {
+    out += fmt::format("{}: {}\n    {}\n", name(claim.verdict), claim.statement,
+                       claim.evidence);
+  }
+  return out;
+}
+
+std::string to_json(const Results& found, const Reproduction& made) {
+  const Json document = {
+      {"schema_version", report::kSchemaVersion},
+      {"verified", true},
+      {"comparisons", json(comparison_columns(), made.comparisons)},
+      {"claims", json(claim_columns(), made.claims)},
+      {"fastest_orientations", json(orientation_columns(), found.orientations)},
+      {"as_fast_as_the_bead",
+       {{"theta_m_minus_pi_6", json(boundary_columns(), found.boundary)},
+        {"fastest_theta_m", json(boundary_columns(), found.best_boundary)}}},
+      {"provenance", Json::parse(report::provenance_json())}};
+  return document.dump(2) + "\n";
 }
 
 }  // namespace brachisto::reproduction

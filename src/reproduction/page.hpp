@@ -49,16 +49,4 @@ struct PaperFiles {
 [[nodiscard]] std::string to_json(const Results& found,
                                   const Reproduction& made);
 
-/// Ours − paper with its sign and in percent, or that it agrees.
-[[nodiscard]] std::string difference_text(const PrintedNumber& row);
-
-// Comma-separated values with a header line; words without markup.
-[[nodiscard]] std::string comparison_csv(
-    const std::vector<PrintedNumber>& rows);
-[[nodiscard]] std::string claims_csv(const std::vector<Claim>& claims);
-[[nodiscard]] std::string cases_csv(const Cases& cases);
-[[nodiscard]] std::string orientations_csv(
-    const std::vector<OrientationRow>& rows);
-[[nodiscard]] std::string boundary_csv(const Results& found);
-
 }  // namespace brachisto::reproduction

@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/study/design_answer.hpp"
 #include "report/sweep_table.hpp"
-#include "reproduction/bead_boundary.hpp"
 #include "reproduction/cases.hpp"
-#include "reproduction/orientation.hpp"
-#include "reproduction/quickest.hpp"
+#include "reproduction/faster_bodies.hpp"
 #include "sweep/manager.hpp"
 
 namespace brachisto::reproduction {
@@ -87,6 +86,19 @@ struct BentTrack {
   double radius = 0.0;  ///< of its arc [H]; 0: a kink, which is never feasible
   double tau = 0.0;
   bool feasible = false;
+};
+
+/// Starts of each search for the quickest body: the reference body and random
+/// ones.
+inline constexpr int kDesignStarts = 5;
+
+/// Over all places of the centre of mass, the radius being given.
+struct QuickestBody {
+  double L = 0.0;      ///< [H]
+  bool any_k = false;  ///< else that of the reference case
+  /// The fastest that was found and that can run on its track, on the principal
+  /// branch; nothing if the searches ended otherwise.
+  std::optional<DesignMinimum> found;
 };
 
 struct Results {

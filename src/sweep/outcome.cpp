@@ -11,7 +11,7 @@
 
 #include "brachisto/report/result.hpp"
 #include "design/design_record.hpp"
-#include "plot/kept_track.hpp"
+#include "plot/thinning.hpp"
 #include "report/result_field.hpp"
 
 namespace brachisto::sweep {

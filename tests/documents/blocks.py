@@ -6,6 +6,7 @@ import pathlib
 import re
 
 SUPPORT = pathlib.Path(__file__).resolve().parents[1] / "support"
+LIMITS_IN_WORLDS = SUPPORT.parents[1] / "problems/limits_in_worlds"
 
 
 def minus(text):
@@ -94,8 +95,9 @@ LIMITED = [
     ("bead_floor_1.1", "bead", "–", "floor 1.1", {"floor": 1.1}, None),
     ("bead_normal_min_0.1", "bead", "–", "R_n ≥ 0.1", {"normal_force": {"min": 0.1}}, None),
 ]
-ARC_NAMES = {"friction": "μ", "normal_force.min": "R_n", "curvature.hump": "hump",
-             "curvature.valley": "valley", "floor": "floor"}
+ARC_NAMES = {"friction": "μ", "normal_force.min": "R_n", "normal_force.max": "load",
+             "curvature.hump": "hump", "curvature.valley": "valley", "fold_margin": "fold",
+             "floor": "floor", "clear_of.disc": "disc", "clear_of.half_plane": "board"}
 
 
 def limited_scene(body, contact, limits, **changes):
@@ -252,6 +254,26 @@ def worlds(program):
     return table(["scene", "τ", "difference"], rows)
 
 
+def limits_in_worlds(program):
+    """problems/limits_in_worlds by the program, with its witness."""
+    names = sorted(path.stem for path in LIMITS_IN_WORLDS.glob("*.yaml"))
+    answers = program.solve_all([f"limits_in_worlds/{name}.yaml" for name in names],
+                                "--certify", "extremal", may_fail=True)
+    rows = []
+    for name, answer in zip(names, answers):
+        checks = answer["certificate"]["checks"]
+        value = {check["name"]: check["value"] for check in checks}
+        # Of the reasons the words, not the numbers.
+        reasons = [reason.split(":")[0] for reason in answer["infeasible_because"]]
+        rows.append([f"`{name}`", arcs_in_words(answer), f"{answer['tau']:.12f}",
+                     small(value["extremal"]), small(value["kkt_residual"]),
+                     small(value["reintegration_error"]),
+                     f"{sum(check['passed'] for check in checks)} of {len(checks)}",
+                     ", ".join(reasons) or "yes"])
+    return table(["scene", "arcs", "τ", "witness", "residual", "integrated again", "checks",
+                  "can be rolled on"], rows)
+
+
 BLOCKS = {maker.__name__: maker for maker in (
     reference_values, limited_tracks, tau_over_friction, prices, sensitivities,
-    straight_pieces, worlds)}
+    straight_pieces, worlds, limits_in_worlds)}

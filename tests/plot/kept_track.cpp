@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "plot/kept_track.hpp"
+#include "plot/thinning.hpp"
 
 #include <gtest/gtest.h>
 

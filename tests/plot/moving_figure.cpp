@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "plot/moving_figure.hpp"
+#include "plot/motion_data.hpp"
 
 #include <gtest/gtest.h>
 

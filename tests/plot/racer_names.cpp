@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "plot/racer_names.hpp"
+#include "plot/race_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "plot/kept_track.hpp"
 #include "plot/pages.hpp"
 #include "plot/sweep_files.hpp"
 #include "plot/tables.hpp"
+#include "plot/thinning.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/xml.hpp"
 
@@ -468,10 +468,10 @@ TEST(SweepCells, SayWhatIsNotAsItShouldBe) {
 
   const auto data = testing::data_of(page(table));
 
-  EXPECT_EQ(data["infeasible"], nlohmann::json({5}));
-  EXPECT_EQ(data["folded"], nlohmann::json({6}));
-  EXPECT_EQ(data["unsolved"], nlohmann::json({7}));
-  EXPECT_EQ(data["missing"], nlohmann::json({8}));
+  EXPECT_EQ(data["infeasible"], nlohmann::ordered_json({5}));
+  EXPECT_EQ(data["folded"], nlohmann::ordered_json({6}));
+  EXPECT_EQ(data["unsolved"], nlohmann::ordered_json({7}));
+  EXPECT_EQ(data["missing"], nlohmann::ordered_json({8}));
   EXPECT_EQ(data["remarks"]["5"], "Infeasible: the track folds");
   EXPECT_EQ(data["remarks"]["6"],
             "Its branch from the cycloid turned at η_m = 0.25.");

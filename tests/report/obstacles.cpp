@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "report/obstacles.hpp"
+#include "report/path_frame.hpp"
 
 #include <gtest/gtest.h>
 

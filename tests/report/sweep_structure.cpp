@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "report/sweep_figures.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/sweep_tables.hpp"
 

@@ -3,7 +3,7 @@
 
 // Bodies as fast as the bead, against closed forms.
 
-#include "reproduction/bead_boundary.hpp"
+#include "reproduction/faster_bodies.hpp"
 
 #include <gtest/gtest.h>
 

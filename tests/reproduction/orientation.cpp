@@ -3,7 +3,7 @@
 
 // The fastest orientation is where τ is stationary and smallest.
 
-#include "reproduction/orientation.hpp"
+#include "reproduction/faster_bodies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -208,7 +208,7 @@ function layerOf(figure) {
 
 const stage = byId("stage");
 const section = byId("track-section");
-const kColumns = ["t", "x_c", "z_c", "beta", "v_c", "theta"];  // as plot/kept_track.cpp has them
+const kColumns = ["t", "x_c", "z_c", "beta", "v_c", "theta"];  // as plot/thinning.cpp has them
 const view = {};
 let motion = null, box = null, obstacles = [];
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/model/mass_distribution.hpp"
-#include "math/polynomial_basis.hpp"
 #include "math/roots.hpp"
 #include "reproduction/cases.hpp"
 

@@ -399,17 +399,22 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
                                         const LoosenedPath& nearby,
                                         const Work& done) {
-  Scene looser = posed.asked;
-  looser.limits = loosened_limits(posed.asked, nearby.by);
-  const PosedProblem problem = with_scene(posed, looser);
-  auto solution = std::make_shared<const Solution>(
-      within_limits(problem, [&](Solution& out) {
-        const auto refinement = refine_limited_beside(
-            *problem.limited, problem.program.discretisation, nearby.path,
-            problem.mesh_options_after(done));
-        if (refinement) conclude(problem, *refinement, out);
-      }));
-  return solution->verified() ? solution : nullptr;
+  // Where limits can hardly be kept a path may be found and its digits not.
+  for (const double more : {1.0, 1.02, 1.1, 1.5}) {
+    Scene looser = posed.asked;
+    looser.limits = loosened_limits(posed.asked, more * nearby.by);
+    const PosedProblem problem = with_scene(posed, looser);
+    auto solution = std::make_shared<const Solution>(
+        within_limits(problem, [&](Solution& out) {
+          const auto refinement = refine_limited_beside(
+              *problem.limited, problem.program.discretisation, nearby.path,
+              problem.mesh_options_after(done));
+          if (refinement) conclude(problem, *refinement, out);
+        }));
+    if (solution->verified()) return solution;
+    if (posed.stop().met()) break;
+  }
+  return nullptr;
 }
 
 void conclude(const PosedProblem& posed, const LimitedAnswer& found,

@@ -52,7 +52,9 @@ std::vector<std::string> infeasible_because(const Scene& scene,
     }
   }
   const Extreme& margin = path.min_fold_margin;
-  if (falls_short(margin.value, path.fold_margin_error)) {
+  // Under a limit the certificate says that it is kept.
+  if (!scene.limits.fold_margin &&
+      falls_short(margin.value, path.fold_margin_error)) {
     reasons.push_back(
         margin.at_start
             ? "the track folds at the start, β′ > 0"
@@ -85,6 +87,7 @@ std::vector<std::string> undecided_because(const Scene& scene,
     ask("least R_n after its first rise", path.normal_force_after_rise,
         path.normal_force_error, " m g");
   }
+  if (scene.limits.fold_margin) return reasons;
   ask("least 1 − r κ_c", path.min_fold_margin, path.fold_margin_error, "");
   return reasons;
 }

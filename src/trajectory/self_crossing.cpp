@@ -4,7 +4,7 @@
 #include "trajectory/self_crossing.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <numeric>
 
 #include "brachisto/math/stop_condition.hpp"
@@ -28,9 +28,29 @@ std::optional<Point> crossing(Point a, Point b, Point c, Point d) {
   return Point{c.x + t * (d.x - c.x), c.z + t * (d.z - c.z)};
 }
 
+/// Where a track stands still, as with 1 − r κ_c = 0, its points differ by
+/// rounding: they are one.
+std::vector<Point> without_standing(const std::vector<Point>& all) {
+  constexpr double kRounding = 1e-13;
+  double extent = 0.0;
+  for (const Point& p : all) {
+    extent = std::max({extent, std::abs(p.x), std::abs(p.z)});
+  }
+  std::vector<Point> points;
+  for (const Point& p : all) {
+    if (points.empty() ||
+        std::hypot(p.x - points.back().x, p.z - points.back().z) >
+            kRounding * extent) {
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
-std::optional<Point> self_crossing(const std::vector<Point>& points) {
+std::optional<Point> self_crossing(const std::vector<Point>& all) {
+  const std::vector<Point> points = without_standing(all);
   if (points.size() < 4) return std::nullopt;
   // Sweep in x: a segment meets only those that begin before it ends.
   struct Segment {

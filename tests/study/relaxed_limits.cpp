@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Where limits are not reached: the answer under limits that ask for less.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <vector>
+
+#include "brachisto/report/result.hpp"
+#include "brachisto/study/solve.hpp"
+#include "model/loosened_limits.hpp"
+#include "model/path_inequality.hpp"
+#include "support/limited_scenes.hpp"
+
+namespace brachisto::testing {
+namespace {
+
+/// The track has to turn a falling bead to within less than its weight, and to
+/// press it all along: no path does it.
+Scene impossible() {
+  PathLimits limits;
+  limits.normal_min = 0.2;
+  limits.normal_max = 0.9;
+  return under(bead_scene(), limits);
+}
+
+TEST(RelaxedLimits, HaveAnAnswerThatIsThatOfTheirOwnScene) {
+  const Scene scene = impossible();
+
+  const Solution solution = solve(scene);
+
+  EXPECT_EQ(solution.motion(), nullptr);
+  EXPECT_FALSE(solution.verified());
+  ASSERT_NE(solution.relaxed, nullptr) << solution.message;
+  const Solution& looser = *solution.relaxed;
+  EXPECT_TRUE(looser.verified());
+  EXPECT_LT(*looser.scene.limits.normal_min, 0.2);
+  EXPECT_GT(*looser.scene.limits.normal_max, 0.9);
+  // From the cycloid, without a path to start from.
+  const Solution alone = solve(looser.scene);
+  ASSERT_TRUE(alone.verified()) << alone.message;
+  EXPECT_NEAR(alone.motion()->tau(), looser.motion()->tau(),
+              1e-10 * alone.motion()->tau());
+}
+
+TEST(RelaxedLimits, StandInTheDocumentBesideNoNumberOfTheSceneItself) {
+  const Solution solution = solve(impossible());
+  const auto told = nlohmann::json::parse(report::result_json(solution));
+
+  EXPECT_TRUE(told.at("tau").is_null());
+  const auto& relaxed = told.at("relaxed");
+  EXPECT_EQ(relaxed.at("tau"), solution.relaxed->motion()->tau());
+  EXPECT_EQ(relaxed.at("limits").at("normal_force").at("max"),
+            *solution.relaxed->scene.limits.normal_max);
+  EXPECT_LT(relaxed.at("estimated_error"), 1e-10);
+}
+
+TEST(RelaxedLimits, AreNotSoughtWhereTheSceneHasAnAnswer) {
+  const Solution solution = solve(under(bead_scene(), least_force(0.1)));
+  EXPECT_TRUE(solution.verified());
+  EXPECT_EQ(solution.relaxed, nullptr);
+}
+
+/// All bounds of a scene at once.
+TEST(LoosenedLimits, AskForLessTheMoreTheyAreLoosened) {
+  Scene scene = off_centred_scene();
+  PathLimits& asked = scene.limits;
+  asked.friction = 0.4;
+  asked.normal_min = 0.1;
+  asked.normal_max = 3.0;
+  asked.curvature = {0.5, 2.0, CurvatureLimit::Of::Track};
+  asked.fold_margin = 0.3;
+  asked.floor = 1.5;
+  asked.discs = {{{1.5, 1.0}, 0.2}};
+  asked.half_planes = {{{1.0, 1.0}, 0.5}};
+  const TurningPoint<double> place{1.0, 0.5, 0.3, 0.8, 0.2, 0.4};
+  const auto slacks = [&](double by) {
+    std::vector<double> out;
+    for (const PathInequality& limit :
+         inequalities(scene.body, loosened_limits(scene, by))) {
+      const double value = value_of(limit, scene, place);
+      out.push_back(value - limit.lower);
+      if (std::isfinite(limit.upper)) out.push_back(limit.upper - value);
+    }
+    return out;
+  };
+
+  std::vector<double> before = slacks(0.0);
+  for (const double by : {0.01, 0.3, 1.0}) {
+    const std::vector<double> here = slacks(by);
+    ASSERT_EQ(here.size(), before.size()) << by;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      EXPECT_GT(here[i], before[i]) << by << " " << i;
+    }
+    before = here;
+  }
+  scene.contact = Contact::Optimal;
+  EXPECT_EQ(loosened_limits(scene, 0.5).fold_margin, 0.3);
+}
+
+}  // namespace
+}  // namespace brachisto::testing

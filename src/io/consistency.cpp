@@ -144,6 +144,18 @@ void check_limited(const Check& check) {
   }
 }
 
+/// What finds, searches for or compares with an extremal.
+constexpr std::string_view kEvaluated = "what is given is evaluated, not found";
+constexpr std::array<Excluded, 8> kOfExtremals{
+    {{"discretisation.formulation", "arc_length", kEvaluated},
+     {"solver.method", "extremal", kEvaluated},
+     {"solver.method", "fsolve", kEvaluated},
+     {"solver.method", "newton_kkt", kEvaluated},
+     {"solver.certify", "extremal", kEvaluated},
+     {"solver.search", "global", kEvaluated},
+     {"solver.guess", "straight", kEvaluated},
+     {"solver.guess", "random", kEvaluated}}};
+
 /// What is derived for a uniform field without air, left from rest.
 constexpr std::string_view kOrdinaryStarts =
     "starts elsewhere are made for a body that leaves rest in a uniform field";
@@ -299,6 +311,7 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_body(check);
   check_mesh(check);
   check_solver(check);
+  if (check.problem.scene.path) exclude(check, kOfExtremals, "scene.path");
   check_limited(check);
   check_world(check);
   check_scene(check);

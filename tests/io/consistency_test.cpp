@@ -185,6 +185,24 @@ TEST(Consistency, AGivenPathHasNoSensitivities) {
             "false or true or second");
 }
 
+TEST(Consistency, AGivenPathMindsWhatFindsOrSearches) {
+  const std::string scene =
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, path: {shape: "
+      "straight}}\n";
+  for (const std::string stated :
+       {"discretisation: {formulation: arc_length}",
+        "solver: {method: extremal}", "solver: {method: newton_kkt}",
+        "solver: {method: fsolve}", "solver: {search: global}",
+        "solver: {certify: extremal}", "solver: {guess: random}"}) {
+    EXPECT_NE(errors(scene + stated + "\n")
+                  .find("is not allowed with scene.path: what is given is "
+                        "evaluated, not found"),
+              std::string::npos)
+        << stated;
+  }
+  EXPECT_EQ(errors(scene + "solver: {limits: {seconds: 9}}\n"), "");
+}
+
 TEST(Consistency, ShootingMindsNoKeyThatSaysWhatHoldsAnyway) {
   EXPECT_EQ(errors(kBead +
                    "discretisation: {tolerance: 1e-8}\n"

@@ -149,15 +149,12 @@ Seen look_along(const ExtremalCurve& curve) {
   return seen;
 }
 
-/// What ½ w² has gained against the fall of the potential at the centre of mass
-/// less the work of the drag.
+/// What ½ w² has gained since the body was left at rest or pushed, against the
+/// fall of the potential at the centre of mass less the work of the drag.
 void check_energy(const ExtremalCurve& curve, double threshold,
                   Certificate& certificate) {
   const Scene& scene = curve.scene();
   const Mesh& mesh = curve.mesh();
-  const auto heavy = [&](const ExtremalPoint& at) {
-    return mass_centre(scene.body, at.centre, at.theta);
-  };
   // Exact for polynomials of degree 2p + 5, of higher order than the solution.
   const math::QuadratureRule rule = math::gauss_legendre(mesh.degree + 3);
   const CollocationScheme& scheme = collocation_scheme(mesh.degree);
@@ -165,6 +162,8 @@ void check_energy(const ExtremalCurve& curve, double threshold,
   for (const double t : rule.points) places.emplace_back(scheme, t);
   const ElementPlace last(scheme, 1.0);
   const ExtremalPoint start = curve.at(0.0);
+  const Point heavy = mass_centre(scene.body, start.centre, scene.body.theta_m);
+  const double push = pushed_w(scene, start.beta);
   double lost = 0.0;
   Largest drift;
   for (int e = 0; e < mesh.num_elements(); ++e) {
@@ -177,8 +176,9 @@ void check_energy(const ExtremalCurve& curve, double threshold,
               drag(scene.world.air, v);
     }
     const ExtremalPoint at = curve.without_slope(e, last);
-    const double gained = 0.5 * (at.w * at.w - start.w * start.w);
-    const double work = potential_fall(scene, heavy(start), heavy(at)) - lost;
+    const double gained = 0.5 * (at.w * at.w - push * push);
+    const Point there = mass_centre(scene.body, at.centre, at.theta);
+    const double work = potential_fall(scene, heavy, there) - lost;
     drift.see(std::abs(gained - work) / scene.gravity,
               mesh.boundaries[static_cast<std::size_t>(e) + 1]);
   }

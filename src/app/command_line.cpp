@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <string_view>
 #include <thread>
@@ -35,27 +34,18 @@ std::string suggestion(std::string_view word, const Words& known) {
 }
 
 /// Those that the help shows.
-Words verbs_of(const CLI::App& app) {
+Words verbs_of(const CommandLine& command) {
   Words names;
-  for (const CLI::App* verb : app.get_subcommands(
-           [](const CLI::App* one) { return !one->get_group().empty(); })) {
-    names.push_back(verb->get_name());
+  for (const Verb& verb : command.verbs) {
+    if (!verb.hidden) names.emplace_back(verb.name);
   }
   return names;
 }
 
-Words flags_of(const CLI::App& app) {
+Words flags_of(const CommandLine& command, const Verb& verb) {
   Words names;
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_group().empty()) continue;
-    for (const std::string& name : option->get_lnames()) {
-      names.push_back("--" + name);
-    }
-  }
-  // Groups of options are verbs without a name.
-  for (const CLI::App* group : app.get_subcommands(
-           [](const CLI::App* one) { return one->get_name().empty(); })) {
-    for (std::string& name : flags_of(*group)) names.push_back(std::move(name));
+  for (const Flag& flag : shown_flags(command, verb)) {
+    if (!flag.is_word()) names.emplace_back(flag.name);
   }
   return names;
 }
@@ -69,80 +59,77 @@ bool is_flag(const std::string& word) {
   return word.starts_with("-") && word != "-" && word != "--";
 }
 
-/// Verbs that have a flag, as it is written.
-Words verbs_with(const CLI::App& app, const std::string& flag) {
-  Words names = verbs_of(app);
-  std::erase_if(names, [&](const std::string& verb) {
-    return std::ranges::count(flags_of(*app.get_subcommand(verb)), flag) == 0;
-  });
-  return names;
-}
-
-std::string unknown_verb(const CLI::App& app, const std::string& word) {
-  const Words verbs = verbs_of(app);
+std::string unknown_verb(const CommandLine& command, const std::string& word) {
+  const Words verbs = verbs_of(command);
   return fmt::format("{} is not a verb{}; there are {}", io::in_quotes(word),
                      suggestion(word, verbs), fmt::join(verbs, ", "));
 }
 
-std::string unknown_flag(const CLI::App& app, const CLI::App* verb,
+/// \param verb  before it, nullptr if there is none
+std::string unknown_flag(const CommandLine& command, const Verb* verb,
                          const std::string& word) {
   const std::string name = name_of(word);
   const std::string shown = io::printable(name);
   if (verb != nullptr) {
-    return fmt::format("{} is not a flag of {}{}", shown, verb->get_name(),
-                       suggestion(name, flags_of(*verb)));
+    return fmt::format("{} is not a flag of {}{}", shown, verb->name,
+                       suggestion(name, flags_of(command, *verb)));
   }
-  const Words behind = verbs_with(app, name);
-  if (!behind.empty()) {
-    return fmt::format(
-        "{0} stands before the verb; it belongs behind it: "
-        "brachisto {1} {0}",
-        shown, behind.front());
-  }
-  Words known = flags_of(app);
-  for (const std::string& one : verbs_of(app)) {
-    const Words more = flags_of(*app.get_subcommand(one));
-    known.insert(known.end(), more.begin(), more.end());
+  Words known{"--help", "--version"};
+  for (const Verb& one : command.verbs) {
+    if (one.hidden) continue;
+    const Words flags = flags_of(command, one);
+    if (std::ranges::count(flags, name) > 0) {
+      return fmt::format(
+          "{0} stands before the verb; it belongs behind it: "
+          "brachisto {1} {0}",
+          shown, one.name);
+    }
+    known.insert(known.end(), flags.begin(), flags.end());
   }
   return fmt::format("{} is not a flag{}", shown, suggestion(name, known));
 }
 
+/// The verb that was read, nullptr if there is none.
+const Verb* verb_of(const CommandLine& command, const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty()) return nullptr;
+  return &*std::ranges::find(command.verbs, parsed.front()->get_name(),
+                             &Verb::name);
+}
+
 /// What nobody asked for: a verb or a flag that there is not comes before a
 /// word too many, which may only be the value of such a flag.
-std::string unexpected(const CLI::App& app) {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  const CLI::App* verb = parsed.empty() ? nullptr : parsed.front();
+std::string unexpected(const CommandLine& command, const CLI::App& app) {
+  const Verb* const verb = verb_of(command, app);
   // What stands before the verb, or behind "--".
   Words left = app.remaining(false);
   if (!left.empty() && is_flag(left.front())) {
-    return unknown_flag(app, nullptr, left.front());
+    return unknown_flag(command, nullptr, left.front());
   }
   if (verb == nullptr) {
-    return left.empty() ? std::string() : unknown_verb(app, left.front());
+    return left.empty() ? std::string() : unknown_verb(command, left.front());
   }
-  const Words of_verb = verb->remaining(false);
+  const Words of_verb = app.get_subcommands().front()->remaining(false);
   const auto flag = std::ranges::find_if(of_verb, is_flag);
-  if (flag != of_verb.end()) return unknown_flag(app, verb, *flag);
+  if (flag != of_verb.end()) return unknown_flag(command, verb, *flag);
   left.insert(left.begin(), of_verb.begin(), of_verb.end());
   std::erase(left, "--");
   if (left.empty()) return {};
   return fmt::format("{} is one word too many", io::in_quotes(left.front()));
 }
 
-std::string asked(const CLI::App& app) {
-  const std::vector<CLI::App*> parsed = app.get_subcommands();
-  return parsed.empty() ? app.get_name()
-                        : app.get_name() + " " + parsed.front()->get_name();
-}
-
-UsageError explained(const CLI::App& app, const CLI::ParseError& error) {
-  std::string what = unexpected(app);
-  if (what.empty() && app.get_subcommands().empty()) {
-    what = fmt::format("a verb is missing; there are {}",
-                       fmt::join(verbs_of(app), ", "));
+UsageError explained(const CommandLine& command, const CLI::App& app,
+                     const CLI::ParseError& error) {
+  const Verb* const verb = verb_of(command, app);
+  std::string what = unexpected(command, app);
+  if (what.empty()) {
+    what = verb != nullptr ? io::visible(error.what())
+                           : fmt::format("a verb is missing; there are {}",
+                                         fmt::join(verbs_of(command), ", "));
   }
-  if (what.empty()) what = io::visible(error.what());
-  return {asked(app), what};
+  return {
+      verb != nullptr ? fmt::format("brachisto {}", verb->name) : "brachisto",
+      what};
 }
 
 /// A check of the library's own.
@@ -199,38 +186,6 @@ void describe_flags(const Verb& verb, const std::vector<Flag>& everywhere,
   for (const Flag& flag : everywhere) describe(flag, *out);
 }
 
-/// What the words ask for. The flags of verbs that are not among them matter to
-/// the explanation of an error alone: without them there is none, but nothing.
-std::optional<Asked> read(const CommandLine& command, int argc, char** argv,
-                          bool every_flag) {
-  CLI::App app(command.text, "brachisto");
-  app.set_version_flag("--version", command.version,
-                       "Print versions of the program and its libraries");
-  app.require_subcommand(1);
-  app.footer(command.footer);
-  for (const Verb& verb : command.verbs) {
-    CLI::App* const out = app.add_subcommand(verb.name, verb.text);
-    out->footer(verb.footer);
-    if (verb.hidden) out->group("");
-    if (every_flag ||
-        std::count(argv, argv + argc, std::string_view(verb.name)) > 0) {
-      describe_flags(verb, command.everywhere, out);
-    }
-  }
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    std::ostringstream text;
-    app.exit(help_or_version, text);
-    return text.str();
-  } catch (const CLI::ParseError& error) {
-    if (!every_flag) return std::nullopt;
-    throw explained(app, error);
-  }
-  const std::string name = app.get_subcommands().front()->get_name();
-  return &*std::ranges::find(command.verbs, name, &Verb::name);
-}
-
 }  // namespace
 
 TextCheck not_empty() {
@@ -240,7 +195,7 @@ TextCheck not_empty() {
 }
 
 TextCheck number(const std::string& kind, bool (*allowed)(double)) {
-  TextCheck check{[kind, allowed](const std::string& text) {
+  return {[kind, allowed](const std::string& text) {
     double value = 0.0;
     const bool fine = CLI::detail::lexical_cast(text, value);
     return fine && allowed(value)
@@ -248,8 +203,6 @@ TextCheck number(const std::string& kind, bool (*allowed)(double)) {
                : fmt::format("{} was read; expected a number {}",
                              io::in_quotes(text), kind);
   }};
-  check.allowed = "a number " + kind;
-  return check;
 }
 
 TextCheck seconds() {
@@ -258,9 +211,7 @@ TextCheck seconds() {
 }
 
 TextCheck integer_within(int least, int most) {
-  TextCheck check = of_library(CLI::Range(least, most));
-  check.allowed = fmt::format("an integer from {} to {}", least, most);
-  return check;
+  return of_library(CLI::Range(least, most));
 }
 
 TextCheck positive() {
@@ -277,7 +228,6 @@ TextCheck existing_directory() {
 
 TextCheck one_of(std::vector<std::string> words) {
   TextCheck check = of_library(CLI::IsMember(words));
-  check.allowed = fmt::format("{}", fmt::join(words, " or "));
   check.words = std::move(words);
   return check;
 }
@@ -349,27 +299,41 @@ int jobs_or_cores(int jobs) {
                         static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-std::vector<const Verb*> shown_verbs(const CommandLine& command) {
-  std::vector<const Verb*> shown;
-  for (const Verb& verb : command.verbs) {
-    if (!verb.hidden) shown.push_back(&verb);
-  }
-  return shown;
-}
-
 std::vector<Flag> shown_flags(const CommandLine& command, const Verb& verb) {
-  std::vector<Flag> shown = verb.flags;
+  // The library adds the first by itself.
+  std::vector<Flag> shown{{"--help", static_cast<bool*>(nullptr),
+                           "Print this help message and exit"}};
+  std::ranges::copy(verb.flags, std::back_inserter(shown));
   std::ranges::copy(command.everywhere, std::back_inserter(shown));
   std::erase_if(shown, &Flag::hidden);
-  // The library adds it by itself.
-  shown.push_back({"--help", static_cast<bool*>(nullptr),
-                   "Print this help message and exit"});
   return shown;
 }
 
 Asked read_command_line(const CommandLine& command, int argc, char** argv) {
-  const std::optional<Asked> asked = read(command, argc, argv, false);
-  return asked ? *asked : read(command, argc, argv, true).value();
+  CLI::App app(command.text, "brachisto");
+  app.set_version_flag("--version", command.version,
+                       "Print versions of the program and its libraries");
+  app.require_subcommand(1);
+  app.footer(command.footer);
+  for (const Verb& verb : command.verbs) {
+    CLI::App* const out = app.add_subcommand(verb.name, verb.text);
+    out->footer(verb.footer);
+    if (verb.hidden) out->group("");
+    // Those of other verbs would only take time.
+    if (std::count(argv, argv + argc, std::string_view(verb.name)) > 0) {
+      describe_flags(verb, command.everywhere, out);
+    }
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    std::ostringstream text;
+    app.exit(help_or_version, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    throw explained(command, app, error);
+  }
+  return verb_of(command, app);
 }
 
 }  // namespace brachisto::app

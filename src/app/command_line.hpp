@@ -19,7 +19,6 @@ namespace brachisto::app {
 struct TextCheck {
   std::function<std::string(const std::string&)> objection;  ///< "": none
   std::string kind = {};                                     ///< for the help
-  std::string allowed = {};  ///< for the manual, "an integer from 1 to 10"
   std::vector<std::string> words = {};  ///< if it is one of a few
 };
 
@@ -50,7 +49,7 @@ struct Flag {
       value;              ///< a list: given again and again
   const char* text = "";  ///< in the help
   /// Of the value, in the help. FILE, DIR and KEY=VALUE, or a word with one of
-  /// these names, tell the completions of shells what to offer.
+  /// these names, tell shells what to offer.
   const char* placeholder = "TEXT";
   TextCheck check = {};
   bool required = false;
@@ -100,9 +99,6 @@ struct CommandLine {
   std::vector<Verb> verbs;
   std::vector<Flag> everywhere = {};  ///< flags of every verb
 };
-
-/// The verbs that the help shows.
-[[nodiscard]] std::vector<const Verb*> shown_verbs(const CommandLine& command);
 
 /// What the help of a verb shows: its words and flags, those of every verb, and
 /// --help, which has no value.

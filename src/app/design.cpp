@@ -234,9 +234,7 @@ int run(const DesignFlags& flags) {
       names.insert(names.end(), kMapFiles.begin(), kMapFiles.end());
     report::check_writable(flags.out, names, flags.force || flags.resume);
   }
-  for (const io::Diagnostic& warning : problem.warnings) {
-    warn(io::to_string(warning));
-  }
+  warn_of(problem);
   const std::atomic<int>& signal = catch_signals();
   // Searches leave a tenth of the time for the track of the best body.
   constexpr double kShareOfSearches = 0.9;

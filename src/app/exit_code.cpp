@@ -67,9 +67,7 @@ std::string failure_document(std::string_view status, std::string_view message,
                                     {"message", d.message}});
     }
   }
-  return document.dump(2, ' ', false,
-                       nlohmann::json::error_handler_t::replace) +
-         "\n";
+  return json_text(document);
 }
 
 void tell_damage(const sweep::Store& store, std::string_view remedy) {

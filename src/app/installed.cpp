@@ -19,12 +19,4 @@ std::optional<fs::path> installed(std::string_view name) {
   return file;
 }
 
-std::optional<fs::path> schema_file() {
-  if (auto file = installed(kProblemSchema)) return file;
-  std::error_code error;
-  const fs::path built = fs::path(BRACHISTO_BUILT_DATA) / kProblemSchema;
-  if (!fs::exists(built, error)) return std::nullopt;
-  return built;
-}
-
 }  // namespace brachisto::app

@@ -16,12 +16,4 @@ namespace brachisto::app {
 [[nodiscard]] std::optional<std::filesystem::path> installed(
     std::string_view name);
 
-/// The schema of problem files: installed with the program, or made with it in
-/// its build tree; nothing if there is none.
-[[nodiscard]] std::optional<std::filesystem::path> schema_file();
-
-/// The names of the schemas below share/brachisto.
-inline constexpr const char* kProblemSchema = "schemas/problem.schema.json";
-inline constexpr const char* kResultSchema = "schemas/result.schema.json";
-
 }  // namespace brachisto::app

@@ -90,7 +90,7 @@ CommandLine command_line() {
        sweep_verb(), export_verb(), merge_verb(), report_verb(), show_verb(),
        race_verb(), paper_verb(), body_verb(), compare_verb(),
        work_precision_verb(), nlp_verb(), new_verb(), worker_verb(),
-       measure_verb(), documents_verb(command_line)},
+       measure_verb(), complete_verb(command_line)},
       {{.name = "--color",
         .value = &colour,
         .text = "Colours for verdicts, warnings and errors; auto: on a "

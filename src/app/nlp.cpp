@@ -14,6 +14,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
+#include "app/solution_output.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
@@ -72,15 +73,11 @@ int run(const NlpFlags& flags) {
   refuse(problem, flags);
   const ProgramOutput output = flags.output();
   report::check_writable(output.directory(), output.names(), flags.force);
-  for (const io::Diagnostic& warning : problem.warnings) {
-    warn(io::to_string(warning));
-  }
+  warn_of(problem);
 
   const std::atomic<int>& signal = catch_signals();
-  const Solution solution = [&] {
-    const LastResort last_resort(problem.options.limits.seconds, flags.json);
-    return solve(problem.scene, problem.options, {.interrupt = &signal});
-  }();
+  const Solution solution =
+      solve_in_time(problem, flags.json, {.interrupt = &signal});
   const auto program = program_files::solved_program(solution);
   nlohmann::ordered_json described;
   if (program) {

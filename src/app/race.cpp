@@ -119,9 +119,7 @@ int run(const RaceFlags& flags) {
   std::vector<io::ProblemFile> problems;
   for (const std::string& file : flags.files) {
     problems.push_back(io::read_problem_file(file, flags.overrides));
-    for (const io::Diagnostic& warning : problems.back().warnings) {
-      warn(io::to_string(warning));
-    }
+    warn_of(problems.back());
   }
 
   const std::vector<std::string> racer_names = plot::racer_names(flags.files);
@@ -129,11 +127,8 @@ int run(const RaceFlags& flags) {
   std::vector<Racer> racers;
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::string& file = flags.files[i];
-    const Solution solution = [&] {
-      const LastResort last_resort(problems[i].options.limits.seconds, false);
-      return solve(problems[i].scene, problems[i].options,
-                   {.interrupt = &signal});
-    }();
+    const Solution solution =
+        solve_in_time(problems[i], false, {.interrupt = &signal});
     if (!solution.verified()) {
       tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
       return exit_code(solution, signal.load());

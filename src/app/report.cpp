@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "app/sweep_report.hpp"
+#include "app/sweep_run.hpp"
 #include "app/verbs.hpp"
 
 namespace brachisto::app {

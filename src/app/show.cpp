@@ -10,16 +10,14 @@
 #include <memory>
 #include <string>
 
-#include "app/answer_page_files.hpp"
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/solution_output.hpp"
-#include "app/sweep_report.hpp"
+#include "app/sweep_run.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "io/input_tree.hpp"
-#include "io/visible_text.hpp"
 #include "sweep/store.hpp"
 
 namespace brachisto::app {
@@ -84,10 +82,7 @@ int run(const ShowFlags& flags) {
         page_files(result, problem.scene, csv, flags.gif, signal);
     warn(made.missing);
     report::write_files(directory, made.files, true);
-    if (flags.quiet) return kSuccess;
-    for (const report::OutputFile& file : made.files) {
-      print(io::visible((directory / file.name).string()) + "\n");
-    }
+    if (!flags.quiet) print_paths(directory, made.files);
   } catch (const plot::NoTrajectory& error) {
     refuse(directory / kTrajectoryFile, error.what());
   } catch (const report::Json::exception& error) {

@@ -12,11 +12,13 @@
 #include <optional>
 #include <utility>
 
-#include "app/answer_page_files.hpp"
 #include "app/exit_code.hpp"
+#include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/report/result.hpp"
+#include "plot/answer_page.hpp"
+#include "plot/moving_figure.hpp"
 #include "report/path_figure.hpp"
 
 namespace brachisto::app {
@@ -25,6 +27,11 @@ namespace {
 
 /// The picture of the path, its table and script.
 constexpr std::array kPathFiles{"path.csv", "path.gp", "path.svg"};
+
+/// The page of an answer, and the motion as a picture with its table and
+/// script.
+constexpr std::array kPageFiles{"index.html", "motion.csv", "motion.gp",
+                                "motion.gif"};
 
 /// The files of --out but the result and its page; without a verified path
 /// none. A picture that is missing becomes a warning of the solution. Of a
@@ -70,10 +77,25 @@ void write_results(const SolutionOutput& output,
 
 }  // namespace
 
+PageFiles page_files(const report::Json& result, const Scene& scene,
+                     std::string_view csv, bool gif,
+                     const std::atomic<int>& signal) {
+  const auto table = plot::TrajectoryTable::read(csv);
+  PageFiles out;
+  if (gif) {
+    report::DrawnFigure drawn = report::draw(plot::moving_figure(scene, table),
+                                             report::Format::Gif, &signal);
+    out.files = std::move(drawn.files);
+    out.missing = std::move(drawn.missing);
+  }
+  out.files.push_back({"index.html", plot::answer_page(result, scene, table)});
+  return out;
+}
+
 std::vector<std::string> solution_files() {
   std::vector<std::string> names{kResultFile, kTrajectoryFile};
   names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
-  std::ranges::move(page_file_names(), std::back_inserter(names));
+  names.insert(names.end(), kPageFiles.begin(), kPageFiles.end());
   return names;
 }
 
@@ -92,6 +114,18 @@ std::string complaint(const Solution& solution) {
     return "verified, feasible within the error of its mesh: " + reason;
   }
   return {};
+}
+
+void warn_of(const io::ProblemFile& problem) {
+  for (const io::Diagnostic& warning : problem.warnings) {
+    warn(io::to_string(warning));
+  }
+}
+
+Solution solve_in_time(const io::ProblemFile& problem, bool json,
+                       const SolveHooks& hooks) {
+  const LastResort last_resort(problem.options.limits.seconds, json);
+  return solve(problem.scene, problem.options, hooks);
 }
 
 int hand_out(Solution& solution, SolutionOutput output,

@@ -7,10 +7,14 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/output_files.hpp"
 #include "brachisto/study/solve.hpp"
+#include "plot/trajectory_table.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::app {
 
@@ -26,11 +30,34 @@ struct SolutionOutput {
   bool gif = false;  ///< the motion as a picture too
 };
 
+/// The page of an answer and what goes with it.
+struct PageFiles {
+  std::vector<report::OutputFile> files;
+  std::string missing;  ///< why there is no picture that moves; or empty
+};
+
+/// index.html and, if asked for, motion.gif with its table and script.
+/// \param result  the document of a verified result
+/// \param csv     its trajectory.csv
+/// \throws plot::NoTrajectory, Stopped
+[[nodiscard]] PageFiles page_files(const report::Json& result,
+                                   const Scene& scene, std::string_view csv,
+                                   bool gif, const std::atomic<int>& signal);
+
 /// All files of a solution in --out.
 [[nodiscard]] std::vector<std::string> solution_files();
 
 /// Why the exit code is not zero, for those who see nothing else.
 [[nodiscard]] std::string complaint(const Solution& solution);
+
+/// Tells what is read in a problem file, but hardly meant.
+void warn_of(const io::ProblemFile& problem);
+
+/// Solves a problem; a solve that goes on too long after a signal or its limit
+/// of time ends the process, see LastResort.
+/// \param json  whether stdout is to get a document
+[[nodiscard]] Solution solve_in_time(const io::ProblemFile& problem, bool json,
+                                     const SolveHooks& hooks);
 
 /// Writes and prints a solution. \return the exit code
 /// \param signal  that was received, or 0

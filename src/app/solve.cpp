@@ -100,21 +100,16 @@ int run(const SolveFlags& flags) {
       progress.note(SolveProgress::Clock::now(), phase, text);
     };
   }
-  for (const io::Diagnostic& warning : problem.warnings) {
-    warn(io::to_string(warning));
-  }
+  warn_of(problem);
   if (flags.verbose) {
     if (const auto size = forecast(problem.scene, problem.options)) {
       tell(fmt::format("brachisto: to be solved: {}\n", in_words(*size)));
     }
   }
-  Solution solution = [&] {
-    const LastResort last_resort(problem.options.limits.seconds, flags.json);
-    return solve(problem.scene, problem.options,
-                 {.interrupt = &signal,
-                  .verbose = flags.verbose,
-                  .progress = std::move(hook)});
-  }();
+  Solution solution = solve_in_time(problem, flags.json,
+                                    {.interrupt = &signal,
+                                     .verbose = flags.verbose,
+                                     .progress = std::move(hook)});
 
   for (const io::Diagnostic& warning : problem.warnings) {
     solution.warnings.push_back(io::to_string(warning));

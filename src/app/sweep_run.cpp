@@ -8,9 +8,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/signals.hpp"
+#include "app/terminal.hpp"
+#include "brachisto/report/output_files.hpp"
+#include "plot/sweep_page.hpp"
+#include "sweep/table.hpp"
 
 namespace brachisto::app {
 
@@ -94,6 +100,19 @@ sweep::ManagerOptions manager_options(const SweepRun& run, const Job& job,
   options.shard = Shard::parse(run.shard);
   options.interrupt = &signal;
   return options;
+}
+
+int write_sweep_report(const std::string& directory, bool force, bool quiet) {
+  sweep::Store store =
+      sweep::Store::open(directory, sweep::Database::Access::ReadOnly);
+  const sweep::Job job = store.job();
+  const plot::SweepPage page = plot::sweep_report(
+      read_table(store, job), read_tracks(store, job), &catch_signals());
+  warn(page.missing);
+  const std::filesystem::path out = std::filesystem::path(directory) / "report";
+  report::write_files(out, page.files, force);
+  if (!quiet) print_paths(out, page.files);
+  return exit_code(store);
 }
 
 }  // namespace brachisto::app

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// How verbs that have many scenes solved set worker processes to it.
+// How verbs that have many scenes solved set worker processes to it, and the
+// page of what came of it.
 
 #pragma once
 
@@ -35,5 +36,12 @@ struct SweepRun {
 
 [[nodiscard]] sweep::ManagerOptions manager_options(
     const SweepRun& run, const sweep::Job& job, const std::atomic<int>& signal);
+
+/// Writes DIR/report.
+/// \param force  replaces an earlier one
+/// \param quiet  does not list what was written
+/// \return the exit code
+/// \throws sweep::StoreError, report::OutputError, Stopped
+int write_sweep_report(const std::string& directory, bool force, bool quiet);
 
 }  // namespace brachisto::app

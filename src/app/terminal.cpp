@@ -71,6 +71,13 @@ void print(std::string_view text) {
   write(io::visible_lines(text));
 }
 
+void print_paths(const std::filesystem::path& directory,
+                 const std::vector<report::OutputFile>& files) {
+  for (const report::OutputFile& file : files) {
+    print(io::visible((directory / file.name).string()) + "\n");
+  }
+}
+
 void print_with_verdict(std::string_view text, Colour colour) {
   const std::string shown = io::visible_lines(text);
   if (!wants_colour(STDOUT_FILENO)) return write(shown);
@@ -87,9 +94,13 @@ void print_data(std::string_view data) {
   write(data);
 }
 
-void print_json(const nlohmann::ordered_json& document) {
+std::string json_text(const nlohmann::ordered_json& document) {
   constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
-  print_data(document.dump(2, ' ', false, kReplace) + "\n");
+  return document.dump(2, ' ', false, kReplace) + "\n";
+}
+
+void print_json(const nlohmann::ordered_json& document) {
+  print_data(json_text(document));
 }
 
 void tell(std::string_view text) {

@@ -6,16 +6,24 @@
 
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "brachisto/report/output_files.hpp"
 
 namespace brachisto::app {
 
 /// Results for people, to stdout, control characters escaped.
 /// \throws std::system_error  if they cannot be written
 void print(std::string_view text);
+
+/// The paths of files in a directory, one a line.
+void print_paths(const std::filesystem::path& directory,
+                 const std::vector<report::OutputFile>& files);
 
 /// As terminals number them.
 enum class Colour { Red = 31, Green = 32, Yellow = 33 };
@@ -32,7 +40,9 @@ void print_with_verdict(std::string_view text, Colour colour);
 /// Data for programs, to stdout, byte by byte; to a terminal like print().
 /// \throws std::system_error  if they cannot be written
 void print_data(std::string_view data);
-/// The same of a document, two spaces per level.
+/// A document with two spaces per level; bytes that are no UTF-8 are replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& document);
+/// The same to stdout.
 void print_json(const nlohmann::ordered_json& document);
 
 /// Everything else, to stderr, control characters escaped. Nobody may listen.

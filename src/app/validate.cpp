@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "app/exit_code.hpp"
+#include "app/solution_output.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
@@ -45,10 +46,6 @@ Json effective_input(const io::ProblemFile& problem) {
     if (plan != io::effective_section({}, section)) json[section] = plan;
   }
   return json;
-}
-
-std::string text_of(const Json& document) {
-  return document.dump(2) + "\n";
 }
 
 /// Paths of the keys that run along an axis.
@@ -112,7 +109,7 @@ std::string sweep_json(const io::SweepFile& sweep) {
   // The first scene follows with the keys that a single problem has.
   json.update(effective_input(sweep.problem(0)));
   json["input"] = Json::parse(sweep.stated());
-  return text_of(json);
+  return json_text(json);
 }
 
 std::string text_of(const io::SweepValue& value) {
@@ -183,16 +180,14 @@ int describe(const CommonFlags& flags, const io::ProblemFile& problem) {
   const std::optional<Forecast> size = forecast(problem.scene, problem.options);
   const std::optional<Outcome> refused =
       size ? too_large(*size, problem.options.limits.seconds) : std::nullopt;
-  for (const io::Diagnostic& warning : problem.warnings) {
-    warn(io::to_string(warning));
-  }
+  warn_of(problem);
   Json input = effective_input(problem);
   if (flags.json) {
     if (size) input["forecast"] = forecast_json(*size);
-    print_data(text_of(input));
+    print_json(input);
   } else if (!flags.quiet) {
     print(fmt::format("{}: valid. Effective input, defaults filled in:\n{}",
-                      io::visible(flags.file), text_of(input)));
+                      io::visible(flags.file), json_text(input)));
     if (size) print(fmt::format("To be solved: {}.\n", in_words(*size)));
   }
   if (!refused) return kSuccess;

@@ -39,8 +39,8 @@ struct CommonFlags {
 [[nodiscard]] Verb work_precision_verb();
 [[nodiscard]] Verb nlp_verb();
 [[nodiscard]] Verb new_verb();
-/// \param whole  the command line that its documents are of
-[[nodiscard]] Verb documents_verb(CommandLine (*whole)());  ///< for the build
+/// \param whole  the command line that it speaks of
+[[nodiscard]] Verb complete_verb(CommandLine (*whole)());  ///< for shells
 [[nodiscard]] Verb worker_verb();   ///< for sweeps, not for people
 [[nodiscard]] Verb measure_verb();  ///< for comparisons, not for people
 

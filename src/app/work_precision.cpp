@@ -3,10 +3,7 @@
 
 // brachisto work-precision FILE: what accuracy costs, method by method.
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "app/exit_code.hpp"
@@ -16,7 +13,6 @@
 #include "brachisto/report/output_files.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
-#include "io/visible_text.hpp"
 
 namespace brachisto::app {
 
@@ -57,9 +53,7 @@ int run(const WorkPrecisionFlags& flags) {
   if (!flags.out.empty()) {
     const report::DrawnFigure diagram =
         comparison::drawn(found, hooks.interrupt);
-    if (!diagram.missing.empty()) {
-      warn(diagram.missing);
-    }
+    warn(diagram.missing);
     report::write_files(flags.out, diagram.files, flags.force, names);
   }
   if (flags.json) {
@@ -68,11 +62,7 @@ int run(const WorkPrecisionFlags& flags) {
     print(comparison::summary(found, flags.markdown
                                          ? report::TableForm::Markdown
                                          : report::TableForm::Text));
-    if (!flags.out.empty()) {
-      print(io::visible(
-                (std::filesystem::path(flags.out) / names.front()).string()) +
-            "\n");
-    }
+    if (!flags.out.empty()) print_paths(flags.out, {{names.front(), ""}});
   }
   return kSuccess;
 }

@@ -39,6 +39,33 @@ template <class Lens>
   return place;
 }
 
+/// A part that is made where one of its keys is; the lens names the optional.
+template <class Lens>
+[[nodiscard]] constexpr auto optional_place(Lens) {
+  using Part = typename std::remove_reference_t<
+      std::invoke_result_t<Lens, Draft&>>::value_type;
+  return Place<Part>{[](const Draft& problem) {
+                       const auto& part = Lens{}(problem);
+                       return part ? &*part : nullptr;
+                     },
+                     [](Draft& problem) -> Part& {
+                       auto& part = Lens{}(problem);
+                       return part ? *part : part.emplace();
+                     }};
+}
+
+/// A part of every draft that counts as there if something of it is stated.
+template <auto stated, class Lens>
+[[nodiscard]] constexpr auto stated_place(Lens lens) {
+  auto stated_one = place(lens);
+  using Part = std::remove_reference_t<std::invoke_result_t<Lens, Draft&>>;
+  stated_one.find = [](const Draft& problem) -> const Part* {
+    const Part& part = Lens{}(problem);
+    return stated(part) ? &part : nullptr;
+  };
+  return stated_one;
+}
+
 template <class Value>
 struct Bare {
   using type = Value;
@@ -145,6 +172,14 @@ template <class Part>
                 return place.find(problem) ? Json::object() : Json();
               },
           .used = place.used};
+}
+
+/// A map that the echo leaves out where there is nothing to say.
+template <class Part>
+[[nodiscard]] Binding silent_map(Place<Part> place) {
+  Binding binding = map(place);
+  binding.silent = true;
+  return binding;
 }
 
 }  // namespace brachisto::io

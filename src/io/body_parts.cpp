@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "brachisto/model/mass_distribution.hpp"
-#include "io/field_reader.hpp"
+#include "io/list_reader.hpp"
+#include "io/lists.hpp"
 #include "io/mass_part_text.hpp"
 
 namespace brachisto::io {
@@ -22,12 +23,10 @@ namespace {
 /// Texts, which stand for parts until the radius is known.
 void read_parts(Draft& problem, const KeySpec& spec, const YamlValue& list,
                 Findings& findings) {
-  const std::string key(spec.path), wanted = expected(spec);
   problem.design.parts.clear();
-  for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
-    if (item.kind != YamlValue::Kind::Scalar) {
-      return refuse_kind(item, key, wanted, findings);
-    }
+  const ListReader reader(spec, findings);
+  reader.each(list, [&](const YamlValue& item) {
+    if (item.kind != YamlValue::Kind::Scalar) return reader.refuse_kind(item);
     problem.design.parts.emplace_back().name = item.text;
   });
 }

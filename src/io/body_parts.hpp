@@ -14,9 +14,6 @@ namespace brachisto::io {
 
 inline constexpr const char* kPartsKey = "scene.body.parts";
 
-/// scene.body.parts: parts as `brachisto body` takes them.
-[[nodiscard]] Binding parts_list();
-
 /// Makes parts of the texts that were read, now that the radius is known, and
 /// from them the body.
 void read_body_parts(const YamlValue& root, Draft& problem, Findings& findings);

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "io/clear_of_list.hpp"
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "io/field_reader.hpp"
-#include "io/visible_text.hpp"
+#include "io/list_reader.hpp"
+#include "io/lists.hpp"
 
 namespace brachisto::io {
 
@@ -24,8 +24,9 @@ using Numbers = std::array<double, 3>;
 struct Obstacle {
   std::string_view name;
   std::array<KeySpec, 3> fields;
-  void (*store)(PathLimits&, const Numbers&);
-  std::vector<Numbers> (*stored)(const PathLimits&);
+  std::vector<std::string_view> names;
+  std::function<void(PathLimits&, const Numbers&)> store;
+  std::function<std::vector<Numbers>(const PathLimits&)> stored;
 };
 
 /// A field, with its bounds in words.
@@ -35,80 +36,63 @@ KeySpec field(std::string_view name, KeyType type, KeyRules rules) {
   return spec;
 }
 
+template <class Kind>
+Obstacle obstacle(std::string_view name, const KeySpec& last,
+                  std::vector<Kind> PathLimits::*all) {
+  return {name,
+          {field("x", KeyType::Number, {.unit = "m"}),
+           field("z", KeyType::Number, {.unit = "m"}), last},
+          {"x", "z", last.path},
+          [=](PathLimits& limits, const Numbers& n) {
+            (limits.*all).push_back({{n[0], n[1]}, n[2]});
+          },
+          [=](const PathLimits& limits) {
+            std::vector<Numbers> numbers;
+            for (const auto& [place, size] : limits.*all) {
+              numbers.push_back({place.x, place.z, size});
+            }
+            return numbers;
+          }};
+}
+
 const std::array<Obstacle, 2>& obstacles() {
-  const KeySpec x = field("x", KeyType::Number, {.unit = "m"});
-  const KeySpec z = field("z", KeyType::Number, {.unit = "m"});
   static const std::array<Obstacle, 2> kAll{
-      {{"disc",
-        {x, z,
-         field("radius", KeyType::Number,
-               {.unit = "m",
-                .interval = {.lower = 0.0, .lower_allowed = false}})},
-        [](PathLimits& limits, const Numbers& n) {
-          limits.discs.push_back({{n[0], n[1]}, n[2]});
-        },
-        [](const PathLimits& limits) {
-          std::vector<Numbers> all;
-          for (const Disc& disc : limits.discs) {
-            all.push_back({disc.centre.x, disc.centre.z, disc.radius});
-          }
-          return all;
-        }},
-       {"half_plane",
-        {x, z, field("normal", KeyType::Angle, {.unit = "rad"})},
-        [](PathLimits& limits, const Numbers& n) {
-          limits.half_planes.push_back({{n[0], n[1]}, n[2]});
-        },
-        [](const PathLimits& limits) {
-          std::vector<Numbers> all;
-          for (const HalfPlane& plane : limits.half_planes) {
-            all.push_back({plane.point.x, plane.point.z, plane.normal});
-          }
-          return all;
-        }}}};
+      obstacle("disc",
+               field("radius", KeyType::Number,
+                     {.unit = "m",
+                      .interval = {.lower = 0.0, .lower_allowed = false}}),
+               &PathLimits::discs),
+      obstacle("half_plane", field("normal", KeyType::Angle, {.unit = "rad"}),
+               &PathLimits::half_planes)};
   return kAll;
 }
 
-void read_item(PathLimits& limits, const KeySpec& spec, const YamlValue& item,
-               Findings& findings) {
-  const std::string key(spec.path);
-  if (item.kind != YamlValue::Kind::Map) {
-    return refuse_kind(item, key, expected(spec), findings);
-  }
+void read_item(PathLimits& limits, const ListReader& reader,
+               const YamlValue& item) {
+  if (item.kind != YamlValue::Kind::Map) return reader.refuse_kind(item);
   if (item.entries.size() != 1) {
-    return findings.add(item.position, key,
-                        fmt::format("a map of {} keys was read; expected {}",
-                                    item.entries.size(), expected(spec)));
+    return reader.refuse(item.position, fmt::format("a map of {} keys was read",
+                                                    item.entries.size()));
   }
-  const Entry& entry = item.entries.front();
-  std::vector<std::string_view> names;
-  for (const Obstacle& obstacle : obstacles()) {
-    names.push_back(obstacle.name);
-    if (obstacle.name != entry.key) continue;
-    const std::string below = fmt::format("{}.{}", key, entry.key);
-    if (entry.value.kind != YamlValue::Kind::Map) {
-      return refuse_kind(
-          entry.value, below,
-          fmt::format("a map with the keys {}, {}, {}",
-                      obstacle.fields[0].name(), obstacle.fields[1].name(),
-                      obstacle.fields[2].name()),
-          findings);
-    }
-    const FieldReader reader(entry.value, below, entry.position, findings);
-    std::vector<std::string_view> allowed;
-    std::vector<double> read;
-    for (const KeySpec& field : obstacle.fields) {
-      allowed.push_back(field.path);
-      if (const auto value = reader.constant(field)) read.push_back(*value);
-    }
-    reader.allow_only(allowed);
-    if (read.size() == allowed.size()) {
-      obstacle.store(limits, {read[0], read[1], read[2]});
-    }
-    return;
+  const auto& [name, position, value] = item.entries.front();
+  const auto kind = reader.word(
+      name, position, std::array{obstacles()[0].name, obstacles()[1].name});
+  if (!kind) return;
+  const Obstacle& obstacle = obstacles()[*kind];
+  const std::string below = fmt::format("{}.{}", reader.key, name);
+  if (value.kind != YamlValue::Kind::Map) {
+    return refuse_kind(
+        value, below,
+        fmt::format("a map with the keys {}", fmt::join(obstacle.names, ", ")),
+        reader.findings);
   }
-  findings.add(entry.position, key,
-               unknown_word(entry.key, expected(spec), names));
+  const FieldReader fields(value, below, position, reader.findings);
+  std::vector<double> read;
+  for (const KeySpec& field : obstacle.fields) {
+    if (const auto number = fields.constant(field)) read.push_back(*number);
+  }
+  fields.allow_only(obstacle.names);
+  if (read.size() == 3) obstacle.store(limits, {read[0], read[1], read[2]});
 }
 
 void read_clear_of(Draft& problem, const KeySpec& spec, const YamlValue& list,
@@ -116,9 +100,9 @@ void read_clear_of(Draft& problem, const KeySpec& spec, const YamlValue& list,
   PathLimits& limits = problem.scene.limits;
   limits.discs.clear();
   limits.half_planes.clear();
-  for_each_item(
-      list, std::string(spec.path), expected(spec), findings,
-      [&](const YamlValue& item) { read_item(limits, spec, item, findings); });
+  const ListReader reader(spec, findings);
+  reader.each(list,
+              [&](const YamlValue& item) { read_item(limits, reader, item); });
 }
 
 Json clear_of_json(const Draft& problem) {
@@ -127,7 +111,7 @@ Json clear_of_json(const Draft& problem) {
     for (const Numbers& numbers : obstacle.stored(problem.scene.limits)) {
       Json& item = list.emplace_back();
       for (std::size_t i = 0; i < numbers.size(); ++i) {
-        item[obstacle.name][obstacle.fields[i].path] = numbers[i];
+        item[obstacle.name][obstacle.names[i]] = numbers[i];
       }
     }
   }
@@ -136,22 +120,14 @@ Json clear_of_json(const Draft& problem) {
 
 Json clear_of_schema() {
   Json kinds = Json::array();
-  const auto map_of = [](Json properties) {
-    Json required = Json::array();
-    for (const auto& [name, schema] : properties.items()) {
-      required.push_back(name);
-    }
-    return Json{{"type", "object"},
-                {"properties", std::move(properties)},
-                {"required", std::move(required)},
-                {"additionalProperties", false}};
-  };
   for (const Obstacle& obstacle : obstacles()) {
     Json fields;
     for (const KeySpec& field : obstacle.fields) {
       fields[field.path] = number_schema(field);
     }
-    kinds.push_back(map_of({{obstacle.name, map_of(std::move(fields))}}));
+    kinds.push_back(
+        map_schema({{obstacle.name, map_schema(fields, obstacle.names)}},
+                   std::array{obstacle.name}));
   }
   return {{"oneOf", std::move(kinds)}};
 }

@@ -27,8 +27,15 @@ std::optional<double> read_number(
     findings.add(value.position, key, std::move(message));
     return std::nullopt;
   };
+  if (value.kind != YamlValue::Kind::Scalar) {
+    refuse_kind(value, key, expected, findings);
+    return std::nullopt;
+  }
   try {
-    const double number = evaluated(value.text);
+    const double number =
+        evaluated ? evaluated(value.text)
+                  : evaluate(value.text,
+                             type == KeyType::Angle ? Unit::Angle : Unit::None);
     const bool integral =
         type != KeyType::Integer || number == std::trunc(number);
     if (integral && interval.contains(number)) return number;
@@ -60,24 +67,27 @@ void FieldReader::refuse(std::string_view name, std::string message) const {
                 fmt::format("{}.{}", key_, name), std::move(message));
 }
 
+const YamlValue* FieldReader::field(std::string_view name,
+                                    std::string_view expected,
+                                    bool optional) const {
+  if (const Entry* entry = map_.find(name)) return &entry->value;
+  if (!optional) refuse(name, fmt::format("missing; expected {}", expected));
+  return nullptr;
+}
+
 const YamlValue* FieldReader::scalar(std::string_view name,
                                      std::string_view expected,
                                      bool optional) const {
-  const Entry* entry = map_.find(name);
-  if (entry == nullptr) {
-    if (!optional) refuse(name, fmt::format("missing; expected {}", expected));
-    return nullptr;
-  }
-  const YamlValue& value = entry->value;
-  if (value.kind == YamlValue::Kind::Scalar) return &value;
-  refuse_kind(value, fmt::format("{}.{}", key_, name), expected, findings_);
+  const YamlValue* value = field(name, expected, optional);
+  if (value == nullptr || value->kind == YamlValue::Kind::Scalar) return value;
+  refuse_kind(*value, fmt::format("{}.{}", key_, name), expected, findings_);
   return nullptr;
 }
 
 std::optional<Expression> FieldReader::number(std::string_view name,
                                               const KeySpec& spec) const {
   const std::string expected = io::expected(spec);
-  const YamlValue* value = scalar(name, expected, false);
+  const YamlValue* value = scalar(name, expected);
   if (value == nullptr) return std::nullopt;
   try {
     return Expression(value->text, unit_of(spec));
@@ -89,19 +99,17 @@ std::optional<Expression> FieldReader::number(std::string_view name,
 
 std::optional<double> FieldReader::constant(const KeySpec& spec) const {
   const std::string expected = io::expected(spec);
-  const YamlValue* value = scalar(spec.name(), expected, false);
+  const YamlValue* value = field(spec.name(), expected);
   if (value == nullptr) return std::nullopt;
-  return read_number(
-      *value, fmt::format("{}.{}", key_, spec.name()), spec.type(),
-      spec.interval, expected, findings_,
-      [&](const std::string& text) { return evaluate(text, unit_of(spec)); });
+  return read_number(*value, fmt::format("{}.{}", key_, spec.name()),
+                     spec.type(), spec.interval, expected, findings_);
 }
 
 std::optional<double> FieldReader::integer(std::string_view name,
                                            Interval interval,
                                            std::string_view expected,
                                            bool optional) const {
-  const YamlValue* value = scalar(name, expected, optional);
+  const YamlValue* value = field(name, expected, optional);
   if (value == nullptr) return std::nullopt;
   return read_number(*value, fmt::format("{}.{}", key_, name), KeyType::Integer,
                      interval, expected, findings_);

@@ -27,27 +27,14 @@ namespace brachisto::io {
                                        const ExpressionError& error,
                                        std::string_view expected);
 
-/// The number that a single value is, integral and within an interval as asked
-/// for; otherwise nothing, and a mistake.
-/// \param evaluated  makes a number of a text, throws ExpressionError
+/// The number that a value is, integral and within an interval as asked for;
+/// otherwise nothing, and a mistake.
+/// \param evaluated  makes a number of a text, throws ExpressionError; if it is
+///                   left out, as the type asks for
 [[nodiscard]] std::optional<double> read_number(
     const YamlValue& value, const std::string& key, KeyType type,
     const Interval& interval, std::string_view expected, Findings& findings,
-    const std::function<double(const std::string&)>& evaluated =
-        [](const std::string& text) { return evaluate(text); });
-
-/// Calls `read` for each item of a list, which has to have one.
-template <class Read>
-void for_each_item(const YamlValue& list, const std::string& key,
-                   std::string_view expected, Findings& findings, Read read) {
-  if (list.kind != YamlValue::Kind::List) {
-    refuse_kind(list, key, expected, findings);
-  } else if (list.items.empty()) {
-    findings.add(list.position, key,
-                 fmt::format("an empty list was read; expected {}", expected));
-  }
-  for (const YamlValue& item : list.items) read(item);
-}
+    const std::function<double(const std::string&)>& evaluated = {});
 
 /// Reads the fields of a map and reports those that it must not have, those
 /// that are missing, and those that are not what they have to be.
@@ -88,10 +75,14 @@ class FieldReader {
   void refuse(std::string_view name, std::string message) const;
 
  private:
-  /// The field, if it is a single value; otherwise reported.
+  /// The field; if it is absent nothing, and a mistake unless it is optional.
+  [[nodiscard]] const YamlValue* field(std::string_view name,
+                                       std::string_view expected,
+                                       bool optional = false) const;
+  /// The same, if it is a single value; otherwise reported.
   [[nodiscard]] const YamlValue* scalar(std::string_view name,
                                         std::string_view expected,
-                                        bool optional) const;
+                                        bool optional = false) const;
 
   const YamlValue& map_;
   std::string key_;

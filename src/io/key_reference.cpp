@@ -16,6 +16,7 @@
 #include "io/expression.hpp"
 #include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
+#include "io/list_reader.hpp"
 #include "io/sweep_section.hpp"
 #include "math/enum_table.hpp"
 
@@ -136,6 +137,28 @@ Json number_schema(const KeySpec& spec, Names names) {
   return schema;
 }
 
+Json list_schema(Json items) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
+}
+
+Json number_or_text_schema() {
+  return {{"type", {"number", "string"}}};
+}
+
+Json pair_schema() {
+  return {{"type", "array"},
+          {"items", number_or_text_schema()},
+          {"minItems", 2},
+          {"maxItems", 2}};
+}
+
+Json map_schema(Json properties, std::span<const std::string_view> required) {
+  Json schema = {{"type", "object"}, {"properties", std::move(properties)}};
+  if (!required.empty()) schema["required"] = required;
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
 namespace {
 
 Json choice_schema(const KeySpec& spec) {
@@ -148,16 +171,6 @@ Json choice_schema(const KeySpec& spec) {
   return {{"enum", std::move(values)}};
 }
 
-Json list_of(Json items) {
-  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
-}
-
-Json map_of(Json properties) {
-  return {{"type", "object"},
-          {"properties", std::move(properties)},
-          {"additionalProperties", false}};
-}
-
 /// Numbers between two ends, with or without their count.
 Json range_schema(const Json& value, bool counted) {
   Json properties = {{"from", value}, {"to", value}};
@@ -167,7 +180,7 @@ Json range_schema(const Json& value, bool counted) {
                            {"maximum", kCounts.upper}};
   }
   properties["spacing"] = {{"enum", {"linear", "log"}}};
-  Json range = map_of(std::move(properties));
+  Json range = map_schema(std::move(properties));
   range["required"] = {"from", counted ? "count" : "to"};
   return range;
 }
@@ -176,10 +189,10 @@ Json range_schema(const Json& value, bool counted) {
 Json swept_schema(const KeySpec& spec) {
   if (spec.type() == KeyType::Choice) {
     const Json word = choice_schema(spec);
-    return {{"anyOf", {word, list_of(word)}}};
+    return {{"anyOf", {word, list_schema(word)}}};
   }
   const Json value = number_schema(spec, Names::Quantities);
-  return {{"anyOf", {value, list_of(value), range_schema(value, true)}}};
+  return {{"anyOf", {value, list_schema(value), range_schema(value, true)}}};
 }
 
 Json sweep_schema() {
@@ -198,10 +211,10 @@ Json sweep_schema() {
   const Json together = {
       {"type", "array"}, {"items", {{"enum", paths}}}, {"minItems", 2}};
   swept["zip"] = {{"description", "keys that run together"},
-                  {"anyOf", {together, list_of(together)}}};
-  Json random = map_of({{"seed", {{"type", "integer"}, {"minimum", 0}}},
-                        {"count", {{"type", "integer"}, {"minimum", 1}}},
-                        {"ranges", map_of(sampled)}});
+                  {"anyOf", {together, list_schema(together)}}};
+  Json random = map_schema({{"seed", {{"type", "integer"}, {"minimum", 0}}},
+                            {"count", {{"type", "integer"}, {"minimum", 1}}},
+                            {"ranges", map_schema(sampled)}});
   random["required"] = {"count", "ranges"};
   random["description"] = "keys that are drawn between two ends";
   swept["random"] = std::move(random);
@@ -212,12 +225,12 @@ Json sweep_schema() {
                    {"description",
                     "what is kept of each scene besides its "
                     "numbers"}};
-  return map_of(std::move(swept));
+  return map_schema(std::move(swept));
 }
 
 /// Keywords about properties mean nothing to a word.
 Json choice_or_map_schema(const KeySpec& spec) {
-  Json schema = map_of(Json::object());
+  Json schema = map_schema(Json::object());
   schema.erase("type");
   schema["oneOf"] = {choice_schema(spec), {{"type", "object"}}};
   return schema;
@@ -235,9 +248,9 @@ Json value_schema(const KeySpec& spec) {
     case KeyType::Text:
       return {{"type", "string"}};
     case KeyType::List:
-      return list_of(spec.value.items());
+      return list_schema(spec.value.items());
     case KeyType::Map:
-      return map_of(Json::object());
+      return map_schema(Json::object());
     case KeyType::Sweep:
       return sweep_schema();
     case KeyType::Reserved:
@@ -301,7 +314,7 @@ Json required_of_problems() {
 std::string problem_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Problem file of brachisto"}};
-  schema.update(map_of(Json::object()));
+  schema.update(map_schema(Json::object()));
   Json of_cylinder;
   for (const KeySpec& spec : key_table()) {
     if (spec.type() == KeyType::Reserved) continue;

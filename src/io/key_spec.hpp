@@ -4,7 +4,8 @@
 /// \file
 /// The table that describes every key of a problem file. Reading, the echo of
 /// the effective input, messages, the reference in the documentation, the
-/// manual, completions, new files and the schema for editors all come from it.
+/// completions, new files and the schema for editors all come from it, and the
+/// manual from that reference.
 
 #pragma once
 
@@ -62,7 +63,8 @@ struct KeySpec;
 struct YamlValue;
 class Findings;
 /// Stores a list, or reports what is wrong with it.
-using ListReading = void(Draft&, const KeySpec&, const YamlValue&, Findings&);
+using ListReading =
+    std::function<void(Draft&, const KeySpec&, const YamlValue&, Findings&)>;
 
 /// Where the value of a key lives, in both directions. Made by the functions of
 /// io/binding.hpp.
@@ -78,7 +80,7 @@ struct Binding {
   bool silent = false;
   /// Whether the value means something to the problem. Empty: always.
   std::function<bool(const Draft&)> used = {};
-  ListReading* read_list = nullptr;
+  ListReading read_list = {};
   std::function<Json()> items = {};  ///< schema of the items of a list
 };
 
@@ -180,6 +182,11 @@ struct KeyWord {
 /// A number that may also be an expression, as a JSON Schema.
 [[nodiscard]] Json number_schema(const KeySpec& spec,
                                  Names names = Names::None);
+
+/// JSON Schemas of a list, and of a map that has no other keys.
+[[nodiscard]] Json list_schema(Json items);
+[[nodiscard]] Json map_schema(Json properties,
+                              std::span<const std::string_view> required = {});
 
 /// A JSON Schema of problem files, made from the same table. It knows keys,
 /// types, words and the bounds of single values; what keys demand of each other

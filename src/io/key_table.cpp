@@ -13,11 +13,7 @@
 #include <utility>
 
 #include "io/binding.hpp"
-#include "io/body_parts.hpp"
-#include "io/clear_of_list.hpp"
-#include "io/design_lists.hpp"
-#include "io/path_points.hpp"
-#include "io/work_precision_lists.hpp"
+#include "io/lists.hpp"
 
 namespace brachisto::io {
 
@@ -154,15 +150,6 @@ Binding end_slope() {
   return binding;
 }
 
-/// A part of the limits, which is there if something of it is stated.
-template <bool (*stated)(const PathLimits&)>
-constexpr Place<PathLimits> limits_if() {
-  return {[](const Draft& p) {
-            return stated(p.scene.limits) ? &p.scene.limits : nullptr;
-          },
-          [](Draft& p) -> PathLimits& { return p.scene.limits; }};
-}
-
 constexpr bool has_force(const PathLimits& limits) {
   return limits.normal_min || limits.normal_max;
 }
@@ -175,22 +162,19 @@ bool has_limits(const PathLimits& limits) {
   return limits.any() || has_curvature(limits);
 }
 
-constexpr auto kPathLimits = limits_if<has_limits>();
-constexpr auto kForce = limits_if<has_force>();
-constexpr auto kHasCurvature = limits_if<has_curvature>();
+constexpr auto limits = [](auto& p) -> auto& {
+  return p.scene.limits;
+};
+constexpr auto kPathLimits = stated_place<has_limits>(limits);
+constexpr auto kForce = stated_place<has_force>(limits);
+constexpr auto kHasCurvature = stated_place<has_curvature>(limits);
 constexpr auto kCurvature =
     place([](auto& p) -> auto& { return p.scene.limits.curvature; });
-
-Binding limits() {
-  Binding binding = map(kPathLimits);
-  binding.silent = true;
-  return binding;
-}
 
 Keys limit_keys() {
   using Of = CurvatureLimit::Of;
   return {
-      {"scene.limits", limits(),
+      {"scene.limits", silent_map(kPathLimits),
        "what the motion has to keep to; see [Limits](#limits)"},
       {"scene.limits.friction", number(kPathLimits, &PathLimits::friction),
        "μ, coefficient of friction: R_t from −μ R_n to μ R_n", positive({})},
@@ -232,15 +216,8 @@ Keys limit_keys() {
   };
 }
 
-/// The sphere's field, made where one of its keys is.
-constexpr Place<Sphere> kSphere{[](const Draft& p) {
-                                  const auto& sphere = p.scene.world.sphere;
-                                  return sphere ? &*sphere : nullptr;
-                                },
-                                [](Draft& p) -> Sphere& {
-                                  auto& sphere = p.scene.world.sphere;
-                                  return sphere ? *sphere : sphere.emplace();
-                                }};
+constexpr auto kSphere =
+    optional_place([](auto& p) -> auto& { return p.scene.world.sphere; });
 constexpr Place<Point> kSphereCentre{
     [](const Draft& p) {
       const auto& sphere = p.scene.world.sphere;
@@ -248,14 +225,6 @@ constexpr Place<Point> kSphereCentre{
     },
     [](Draft& p) -> Point& { return kSphere.make(p).centre; }};
 
-/// A part of the world, which is there if it is not as in an ordinary one.
-template <bool (*stated)(const World&)>
-constexpr Place<World> world_if() {
-  return {[](const Draft& p) {
-            return stated(p.scene.world) ? &p.scene.world : nullptr;
-          },
-          [](Draft& p) -> World& { return p.scene.world; }};
-}
 constexpr bool has_sphere(const World& world) {
   return world.sphere.has_value();
 }
@@ -265,18 +234,13 @@ constexpr bool has_speed(const World& world) {
 constexpr bool has_air(const World& world) {
   return world.air.linear != 0.0 || world.air.quadratic != 0.0;
 }
-constexpr auto kField = world_if<has_sphere>();
-constexpr auto kStart = world_if<has_speed>();
-constexpr auto kHasAir = world_if<has_air>();
+constexpr auto world = [](auto& p) -> auto& {
+  return p.scene.world;
+};
+constexpr auto kField = stated_place<has_sphere>(world);
+constexpr auto kStart = stated_place<has_speed>(world);
+constexpr auto kHasAir = stated_place<has_air>(world);
 constexpr auto kAir = place([](auto& p) -> auto& { return p.scene.world.air; });
-
-/// A map that the echo leaves out where there is nothing to say.
-template <class Part>
-Binding silent_map(Place<Part> place) {
-  Binding binding = map(place);
-  binding.silent = true;
-  return binding;
-}
 
 /// Gravity, which the field of a sphere says in other words.
 Binding gravity() {
@@ -617,15 +581,8 @@ Keys work_precision_keys() {
   };
 }
 
-/// Made where one of its keys is.
-constexpr Place<MaxGrip> kMaxGrip{[](const Draft& p) {
-                                    const auto& grip = p.design.max_grip;
-                                    return grip ? &*grip : nullptr;
-                                  },
-                                  [](Draft& p) -> MaxGrip& {
-                                    auto& grip = p.design.max_grip;
-                                    return grip ? *grip : grip.emplace();
-                                  }};
+constexpr auto kMaxGrip =
+    optional_place([](auto& p) -> auto& { return p.design.max_grip; });
 
 Keys design_keys() {
   using Minimised = DesignPlan::Minimised;

@@ -15,8 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/expression.hpp"
-#include "io/field_reader.hpp"
 #include "io/input_tree.hpp"
+#include "io/list_reader.hpp"
+#include "io/lists.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -73,26 +74,17 @@ std::string objection(const std::vector<Point>& points, const Point& point) {
 /// A point [x, z] of a problem file; otherwise nothing, and reported.
 std::optional<Point> point_of_item(const YamlValue& item,
                                    const std::string& key, Findings& findings) {
-  constexpr std::string_view kExpected = "a point [x, z], two numbers in m";
-  if (item.kind != YamlValue::Kind::List) {
-    refuse_kind(item, key, kExpected, findings);
-    return std::nullopt;
-  }
-  if (item.items.size() != 2) {
-    findings.add(item.position, key,
-                 fmt::format("a list of {} was read; expected {}",
-                             item.items.size(), kExpected));
+  const ListReader reader(key, "a point [x, z], two numbers in m", findings);
+  if (item.kind == YamlValue::Kind::List && item.items.size() != 2) {
+    reader.refuse(item.position,
+                  fmt::format("a list of {} was read", item.items.size()));
     return std::nullopt;
   }
   std::vector<double> numbers;
-  for (const YamlValue& value : item.items) {
-    if (value.kind != YamlValue::Kind::Scalar) {
-      refuse_kind(value, key, kExpected, findings);
-    } else if (const auto number = read_number(value, key, KeyType::Number, {},
-                                               kExpected, findings)) {
-      numbers.push_back(*number);
-    }
-  }
+  reader.each(item, [&](const YamlValue& value) {
+    const auto number = reader.number(value, KeyType::Number, {});
+    if (number) numbers.push_back(*number);
+  });
   if (numbers.size() != 2) return std::nullopt;
   return Point{numbers[0], numbers[1]};
 }
@@ -120,8 +112,7 @@ void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
     points.push_back(*point);
   }
   if (!mistake.empty()) {
-    findings.add(where, std::string(spec.path),
-                 fmt::format("{}; expected {} in m", mistake, expected(spec)));
+    ListReader(spec, findings).refuse(where, mistake, " in m");
   }
   auto path = std::make_shared<GivenPath>(
       problem.scene.path ? *problem.scene.path : GivenPath{});
@@ -180,13 +171,7 @@ Binding points_list() {
           .get = points_json,
           .silent = true,
           .read_list = read_points,
-          .items = [] {
-            const Json number = {{"type", {"number", "string"}}};
-            return Json{{"type", "array"},
-                        {"items", number},
-                        {"minItems", 2},
-                        {"maxItems", 2}};
-          }};
+          .items = pair_schema};
 }
 
 void read_path_points(const InputTree& input, const std::vector<Point>* known,

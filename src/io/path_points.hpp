@@ -14,7 +14,6 @@
 #include "io/draft.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
-#include "io/key_spec.hpp"
 
 namespace brachisto::io {
 
@@ -33,9 +32,6 @@ class PointsError : public std::invalid_argument {
 /// Points of a text: a line `x,z`, then two numbers per line, in metres.
 /// \throws PointsError
 [[nodiscard]] std::vector<Point> parse_points(std::string_view text);
-
-/// The key scene.path.points: a list of [x, z].
-[[nodiscard]] Binding points_list();
 
 /// Puts the points of a file into a problem whose scene.path has that shape and
 /// no points yet; checks those that are there. Mistakes go

@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "io/work_precision_lists.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,9 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/field_reader.hpp"
-#include "io/visible_text.hpp"
-#include "io/yaml_tree.hpp"
+#include "io/list_reader.hpp"
+#include "io/lists.hpp"
 #include "math/enum_table.hpp"
 
 namespace brachisto::io {
@@ -33,182 +29,94 @@ constexpr std::string_view kExpectedDegrees =
 constexpr Interval kMeshes{2, 1'000'000};
 constexpr Interval kTolerances{kSmallestTolerance, kLargestTolerance};
 
-constexpr EnumTable<Kind, std::string_view, 5> kNamed{
+constexpr EnumTable<Kind, std::string_view, 5> kNames{
     {"rolling_time", "adaptive", "arc_length", "extremal", "fsolve"}};
-constexpr const auto& kNames = kNamed.values;
-using Arm = std::pair<std::string_view, DiscreteArm>;
-constexpr std::array<Arm, 4> kArms{{{"rest", DiscreteArm::Rest},
-                                    {"release", DiscreteArm::Release},
-                                    {"newton", DiscreteArm::Newton},
-                                    {"lifted", DiscreteArm::Lifted}}};
+constexpr EnumTable<DiscreteArm, std::string_view, 4> kArms{
+    {"rest", "release", "newton", "lifted"}};
 
 /// What a name alone stands for.
-Methods methods_of(std::string_view name) {
-  Methods methods;
-  for (const ComparedMethod& method : WorkPrecisionPlan{}.methods) {
-    if (kNamed[method.kind] == name) {
-      methods.push_back(method);
-    }
-  }
+Methods methods_of(Kind kind) {
+  Methods methods = WorkPrecisionPlan{}.methods;
+  std::erase_if(methods,
+                [&](const auto& method) { return method.kind != kind; });
   return methods;
 }
 
-template <class Value>
-constexpr KeyType kTypeOf =
-    std::is_integral_v<Value> ? KeyType::Integer : KeyType::Number;
-
-/// An item that is a number within an interval; otherwise nothing, and
-/// reported.
-template <class Value>
-std::optional<Value> number_in(const YamlValue& item, const Interval& interval,
-                               const std::string& key,
-                               std::string_view expected, Findings& findings) {
-  if (item.kind != YamlValue::Kind::Scalar) {
-    refuse_kind(item, key, expected, findings);
-    return std::nullopt;
-  }
-  const auto value =
-      read_number(item, key, kTypeOf<Value>, interval, expected, findings);
-  return value ? std::optional(static_cast<Value>(*value)) : std::nullopt;
-}
-
-class MethodsReader {
- public:
-  MethodsReader(const KeySpec& spec, Findings& findings)
-      : key_(spec.path), expected_(expected(spec)), findings_(findings) {}
-
-  [[nodiscard]] Methods read(const YamlValue& list) {
-    for_each_item(list, key_, expected_, findings_,
-                  [&](const YamlValue& item) { read_item(item); });
-    return std::move(methods_);
-  }
-
- private:
-  void read_item(const YamlValue& item) {
-    const bool named_list =
-        item.kind == YamlValue::Kind::Map && item.entries.size() == 1;
-    if (named_list) return read_named(item.entries.front());
-    if (item.kind != YamlValue::Kind::Scalar) {
-      return refuse_kind(item, key_, expected_, findings_);
-    }
-    if (!is_name(item.text, item.position)) return;
-    add(methods_of(item.text), item, key_, expected_);
-  }
-
-  [[nodiscard]] bool is_name(const std::string& word, Position position) const {
-    if (std::ranges::count(kNames, word) > 0) return true;
-    findings_.add(position, key_, unknown_word(word, expected_, kNames));
-    return false;
-  }
-
-  void read_named(const Entry& entry) {
-    if (!is_name(entry.key, entry.position)) return;
-    const std::string key = fmt::format("{}.{}", key_, entry.key);
-    if (entry.key == "rolling_time") {
-      for_each_item(entry.value, key, kExpectedDegrees, findings_,
-                    [&](const YamlValue& item) {
-                      const auto degree = number_in<int>(
-                          item, kDegrees, key, kExpectedDegrees, findings_);
-                      if (degree) {
-                        add({rolling_time(*degree)}, item, key,
-                            kExpectedDegrees);
-                      }
-                    });
-    } else if (entry.key == "fsolve") {
-      read_arms(entry.value, key);
-    } else {
-      findings_.add(entry.position, key,
-                    fmt::format("{} has no list; expected {} alone", entry.key,
-                                entry.key));
-    }
-  }
-
-  void read_arms(const YamlValue& list, const std::string& key) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, arm] : kArms) names.push_back(name);
-    const std::string expected =
-        fmt::format("a list of {}", fmt::join(names, ", "));
-    for_each_item(list, key, expected, findings_, [&](const YamlValue& item) {
-      const auto found = std::ranges::find(kArms, item.text, &Arm::first);
-      if (item.kind != YamlValue::Kind::Scalar) {
-        refuse_kind(item, key, expected, findings_);
-      } else if (found == kArms.end()) {
-        findings_.add(item.position, key,
-                      unknown_word(item.text, expected, names));
-      } else {
-        add({discrete_system(found->second)}, item, key, expected);
-      }
-    });
-  }
-
-  /// A line would be drawn over itself.
-  void add(const Methods& methods, const YamlValue& item,
-           const std::string& key, std::string_view expected) {
-    const bool repeated = std::ranges::any_of(methods, [&](const auto& method) {
-      return std::ranges::count(methods_, method) > 0;
-    });
-    if (repeated) {
-      findings_.add(item.position, key,
-                    fmt::format("{} is repeated; expected {}, each once",
-                                in_quotes(item.text), expected));
-    } else {
-      methods_.insert(methods_.end(), methods.begin(), methods.end());
-    }
-  }
-
-  std::string key_, expected_;
-  Findings& findings_;
-  Methods methods_;
-};
-
 void read_methods(Draft& problem, const KeySpec& spec, const YamlValue& list,
                   Findings& findings) {
-  Methods methods = MethodsReader(spec, findings).read(list);
+  Methods methods;
+  // A line would be drawn over itself.
+  const auto add = [&](const ListReader& reader, const YamlValue& item,
+                       const Methods& found) {
+    reader.add_once(methods, found, item, in_quotes(item.text));
+  };
+  const ListReader reader(spec, findings);
+  const auto read_named = [&](const Entry& entry) {
+    const auto name = reader.word(entry.key, entry.position, kNames.values);
+    if (!name) return;
+    const std::string key = fmt::format("{}.{}", reader.key, entry.key);
+    if (Kind(*name) == Kind::RollingTime) {
+      const ListReader degrees(key, std::string(kExpectedDegrees), findings);
+      degrees.each(entry.value, [&](const YamlValue& item) {
+        const auto p = degrees.number(item, KeyType::Integer, kDegrees);
+        if (p) add(degrees, item, {rolling_time(static_cast<int>(*p))});
+      });
+    } else if (Kind(*name) == Kind::DiscreteSystem) {
+      const ListReader arms(
+          key, fmt::format("a list of {}", fmt::join(kArms.values, ", ")),
+          findings);
+      arms.each(entry.value, [&](const YamlValue& item) {
+        const auto arm = arms.word(item, kArms.values);
+        if (arm) add(arms, item, {discrete_system(DiscreteArm(*arm))});
+      });
+    } else {
+      findings.add(entry.position, key,
+                   fmt::format("{} has no list; expected {} alone", entry.key,
+                               entry.key));
+    }
+  };
+  reader.each(list, [&](const YamlValue& item) {
+    if (item.kind == YamlValue::Kind::Map && item.entries.size() == 1) {
+      read_named(item.entries.front());
+    } else if (const auto name = reader.word(item, kNames.values)) {
+      add(reader, item, methods_of(Kind(*name)));
+    }
+  });
   if (!methods.empty()) problem.work_precision.methods = std::move(methods);
 }
 
 /// Numbers of a plan, each once, from coarse to fine.
-template <auto kMember, const Interval& kAllowed, class Finer>
-struct NumbersOf {
-  using Value = typename std::remove_cvref_t<decltype(WorkPrecisionPlan{}.*
-                                                      kMember)>::value_type;
-
-  static void read(Draft& problem, const KeySpec& spec, const YamlValue& list,
-                   Findings& findings) {
-    std::vector<Value> numbers;
-    const std::string key(spec.path), wanted = expected(spec);
-    for_each_item(list, key, wanted, findings, [&](const YamlValue& item) {
-      const auto number =
-          number_in<Value>(item, kAllowed, key, wanted, findings);
-      if (number && std::ranges::count(numbers, *number) > 0) {
-        findings.add(item.position, key,
-                     fmt::format("{} is repeated; expected {}, each once",
-                                 *number, wanted));
-      } else if (number) {
-        numbers.push_back(*number);
-      }
-    });
-    std::ranges::sort(numbers, Finer{});
-    problem.work_precision.*kMember = std::move(numbers);
-  }
-
-  /// Readers of YAML 1.1 take 1e-4 for a text.
-  static Json schema() {
-    return {
-        {"type", std::is_integral_v<Value> ? Json("integer")
-                                           : Json::array({"number", "string"})},
-        {"minimum", kAllowed.lower},
-        {"maximum", kAllowed.upper}};
-  }
-
-  [[nodiscard]] static Binding list() {
-    return {
-        .type = KeyType::List,
-        .get = [](const Draft& p) { return Json(p.work_precision.*kMember); },
-        .read_list = read,
-        .items = schema};
-  }
-};
+template <class Value, class Finer>
+Binding numbers_list(std::vector<Value> WorkPrecisionPlan::*member,
+                     const Interval& allowed, Finer finer) {
+  constexpr bool kIntegral = std::is_integral_v<Value>;
+  constexpr KeyType kType = kIntegral ? KeyType::Integer : KeyType::Number;
+  return {.type = KeyType::List,
+          .get = [=](const Draft& p) { return Json(p.work_precision.*member); },
+          .read_list =
+              [=](Draft& problem, const KeySpec& spec, const YamlValue& list,
+                  Findings& findings) {
+                const ListReader reader(spec, findings);
+                std::vector<Value> numbers;
+                reader.each(list, [&](const YamlValue& item) {
+                  if (const auto read = reader.number(item, kType, allowed)) {
+                    const auto value = static_cast<Value>(*read);
+                    reader.add_once(numbers, {value}, item,
+                                    fmt::format("{}", value));
+                  }
+                });
+                std::ranges::sort(numbers, finer);
+                problem.work_precision.*member = std::move(numbers);
+              },
+          .items =
+              [=] {
+                Json schema = number_or_text_schema();
+                if (kIntegral) schema = {{"type", "integer"}};
+                schema["minimum"] = allowed.lower;
+                schema["maximum"] = allowed.upper;
+                return schema;
+              }};
+}
 
 /// Neighbours of one name share its list.
 Json methods_json(const Draft& problem) {
@@ -219,11 +127,11 @@ Json methods_json(const Draft& problem) {
     list.back()[name].push_back(item);
   };
   for (const ComparedMethod& method : problem.work_precision.methods) {
-    const auto name = kNamed[method.kind];
+    const auto name = kNames[method.kind];
     if (method.kind == Kind::RollingTime) {
       add("rolling_time", method.degree);
     } else if (method.kind == Kind::DiscreteSystem) {
-      add("fsolve", std::ranges::find(kArms, method.arm, &Arm::second)->first);
+      add("fsolve", kArms[method.arm]);
     } else {
       list.push_back(name);
     }
@@ -232,21 +140,15 @@ Json methods_json(const Draft& problem) {
 }
 
 Json methods_schema() {
-  Json arms = Json::array();
-  for (const auto& [name, arm] : kArms) arms.push_back(name);
-  const auto list = [](const char* name, const Json& items) {
-    const Json of = {{"type", "array"}, {"items", items}, {"minItems", 1}};
-    return Json{{"type", "object"},
-                {"properties", {{name, of}}},
-                {"required", {name}},
-                {"additionalProperties", false}};
+  const auto list = [](std::string_view name, const Json& items) {
+    return map_schema({{name, list_schema(items)}}, std::array{name});
   };
   return {{"anyOf",
-           {{{"enum", kNames}},
+           {{{"enum", kNames.values}},
             list("rolling_time", {{"type", "integer"},
                                   {"minimum", kDegrees.lower},
                                   {"maximum", kDegrees.upper}}),
-            list("fsolve", {{"enum", arms}})}}};
+            list("fsolve", {{"enum", kArms.values}})}}};
 }
 
 }  // namespace
@@ -259,12 +161,12 @@ Binding methods_list() {
 }
 
 Binding meshes_list() {
-  return NumbersOf<&WorkPrecisionPlan::meshes, kMeshes, std::less<>>::list();
+  return numbers_list(&WorkPrecisionPlan::meshes, kMeshes, std::less<>());
 }
 
 Binding tolerances_list() {
-  return NumbersOf<&WorkPrecisionPlan::tolerances, kTolerances,
-                   std::greater<>>::list();
+  return numbers_list(&WorkPrecisionPlan::tolerances, kTolerances,
+                      std::greater<>());
 }
 
 }  // namespace brachisto::io

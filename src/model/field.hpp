@@ -86,13 +86,21 @@ template <class Scalar>
           dz * per_length + Scalar((1.0 - share) * scene.gravity)};
 }
 
-/// Potential of that field per mass [m²/s²]: −g z, or g_s (d² − 3 R²)/(2 R)
-/// inside and −g_s R²/d outside.
-[[nodiscard]] double potential_at(const Scene& scene, Point place);
-
-/// By how much it falls from one place to another, without the digits that the
-/// difference loses where the sphere is large beside their distance.
-[[nodiscard]] double potential_fall(const Scene& scene, Point from, Point to);
+/// By how much the potential of that field per mass falls from one place to
+/// another [m²/s²], the potential being −g z, or with a sphere
+///
+///     Φ = g_s (d² − 3 R²)/(2 R) inside,  −g_s R²/d outside,
+///
+/// without the digits that the difference loses where the sphere is large
+/// beside their distance.
+///
+/// \param by  to − from, which may be known to more digits than the places
+[[nodiscard]] double potential_fall(const Scene& scene, Point from, Point to,
+                                    Point by);
+[[nodiscard]] inline double potential_fall(const Scene& scene, Point from,
+                                           Point to) {
+  return potential_fall(scene, from, to, {to.x - from.x, to.z - from.z});
+}
 
 /// The centre of mass, eqs. (2)–(3).
 [[nodiscard]] inline Point mass_centre(const Body& body, Point centre,

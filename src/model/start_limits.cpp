@@ -58,7 +58,8 @@ StartLimits start_limits(const Scene& scene, const PathState& start) {
     return {moving.R_n, 0.0, moving.kappa_b, moving.fold_margin};
   }
   // Where β₀ puts it: of a solution the place is right to its tolerance alone.
-  const Point heavy = mass_centre(body, start_of_centre(scene), body.theta_m);
+  const Point heavy = mass_centre(
+      body, scene.path ? start.centre : start_of_centre(scene), body.theta_m);
   const Pull<double> G = field_at(scene, heavy.x, heavy.z);
   const double strength = std::hypot(G.x, G.z) / scene.gravity;
   const double tilt = std::atan2(G.z, G.x) - 0.5 * std::numbers::pi;

@@ -120,17 +120,15 @@ void check_energy(const Scene& scene, SceneChecker& check) {
                             : "a start.speed can help"));
 }
 
-/// What is derived for an ordinary world alone.
-void check_company(const Scene& scene, SceneChecker& check) {
-  const auto refuse = [&](const char* key, const char* reason) {
-    check.add(key, fmt::format("not in a world with scene.field.sphere, "
-                               "scene.start.speed or scene.air: {}",
-                               reason));
-  };
-  if (scene.path) {
-    refuse("scene.path",
-           "a given path is evaluated by the energy height alone, which knows "
-           "neither losses nor another potential");
+/// At a cusp the path bends without bound, and a body that moves there would
+/// press on its track without bound.
+void check_given_path(const Scene& scene, SceneChecker& check) {
+  if (scene.world.start_speed > 0.0 &&
+      scene.path->shape == GivenPath::Shape::Cycloid) {
+    check.add(
+        kSpeed,
+        "not allowed with scene.path.shape: cycloid, whose cusp at A only "
+        "a body at rest can leave");
   }
 }
 
@@ -147,8 +145,8 @@ void check_world(const Scene& scene, SceneChecker& check) {
   constexpr const char* kBrakes = "for air takes energy away";
   not_negative(kLinear, world.air.linear, " 1/s", kBrakes, check);
   not_negative(kQuadratic, world.air.quadratic, " 1/m", kBrakes, check);
-  check_company(scene, check);
-  check_energy(scene, check);
+  // A given path tells itself where energy does not suffice.
+  scene.path ? check_given_path(scene, check) : check_energy(scene, check);
 }
 
 }  // namespace brachisto

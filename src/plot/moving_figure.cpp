@@ -9,10 +9,13 @@
 #include <cctype>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/angle.hpp"
 #include "plot/motion_data.hpp"
+#include "report/canvas.hpp"
 #include "report/obstacles.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
@@ -32,15 +35,12 @@ constexpr int kTrackPoints = 600;
 report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
   const Body& body = scene.body;
   const double T = table.time().back();
-  report::Figure figure;
-  figure.name = "motion";
-  figure.frame_delay = kDelay;
-  figure.table = "part,frame,t,x_b,z_b,x_c,z_c,x_cm,z_cm,theta\n";
+  std::string rows = "part,frame,t,x_b,z_b,x_c,z_c,x_cm,z_cm,theta\n";
   const auto add = [&](std::string_view part, int frame, double t) {
     check_stop();
     const Pose pose = table.pose(t);
     const Point b = pose.contact(body), m = pose.mass_centre(body);
-    fmt::format_to(std::back_inserter(figure.table),
+    fmt::format_to(std::back_inserter(rows),
                    "{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},"
                    "{:.7g}\n",
                    part, frame, t, b.x, b.z, pose.centre.x, pose.centre.z, m.x,
@@ -57,7 +57,7 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
     ++areas;
     for (std::size_t i = 0; i <= area.size(); ++i) {
       const Point corner = area[i % area.size()];
-      fmt::format_to(std::back_inserter(figure.table),
+      fmt::format_to(std::back_inserter(rows),
                      "obstacle {},0,,{:.7g},{:.7g},,,,,\n", areas, corner.x,
                      corner.z);
     }
@@ -67,8 +67,9 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
   constexpr double kTop = 44.0, kBottom = 44.0, kTallest = 640.0;
   const double scale = std::min((kWidth - kLeft - kRight) / box.width(),
                                 kTallest / box.height());
-  figure.width = kLeft + scale * box.width() + kRight;
-  figure.height = kTop + scale * box.height() + kBottom;
+  report::Canvas canvas;
+  canvas.width = kLeft + scale * box.width() + kRight;
+  canvas.height = kTop + scale * box.height() + kBottom;
   std::string kind = report::gnuplot_words(report::track_kind(scene));
   kind[0] = static_cast<char>(std::toupper(kind[0]));
   constexpr double kLasts = 0.01 * kDelay * kFrames;  // [s]
@@ -76,62 +77,60 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
       kLasts >= T
           ? fmt::format("{} times slower", report::printed(kLasts / T, 2))
           : fmt::format("{} times faster", report::printed(T / kLasts, 2));
-  figure.title = report::plain_words(report::in_words(scene));
-  std::string& out = figure.commands;
-  const auto put = [&](const std::string& text) { out += text; };
-  put(fmt::format(
+  canvas.put(
       "set border 15 lw 1 lc rgb '#333333'\n"
       "set grid lt 1 lw 1 lc rgb '#e3e3e3'\n"
       "set tics out nomirror format '%g'\n"
       "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'z [m], down' offset 1.5,0\n"
-      "unset key\n"
-      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
-      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
-      "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
-      kLeft / figure.width, 1.0 - kRight / figure.width,
-      1.0 - kTop / figure.height, kBottom / figure.height, box.low.x,
-      box.high.x, box.high.z, box.low.z));
-  put(fmt::format(
+      "unset key\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+      box.low.x, box.high.x, box.high.z, box.low.z);
+  canvas.frame(kLeft, kTop, scale * box.width(), scale * box.height());
+  canvas.put(
       "now(c) = strcol('part') eq 'body' && column('frame') == f ? column(c) "
       ": NaN\n"
       "do for [i=0:{}] {{\n"
       "  f = i < {} ? i : {}\n"
-      "  set title sprintf('{}: t = %.4g s, {}', f * {:.9g})\n"
-      "  plot ",
-      kFrames + kLastFrames, kFrames, kFrames, kind, pace, T / kFrames));
+      "  set title sprintf('{}: t = %.4g s, {}', f * {:.9g})\n",
+      kFrames + kLastFrames, kFrames, kFrames, kind, pace, T / kFrames);
   for (int i = 1; i <= areas; ++i) {
-    put(
+    canvas.layer(
         fmt::format("data using (part('obstacle {}', 'x_b')):(column('z_b')) "
-                    "with filledcurves closed fc rgb '#d8d0c0', \\\n  ",
+                    "with filledcurves closed fc rgb '#d8d0c0'",
                     i));
   }
-  put("data using (part('track', 'x_b')):(column('z_b')) with lines lw 2 lc "
-      "rgb '#000000', \\\n  ");
+  canvas.layer(
+      "data using (part('track', 'x_b')):(column('z_b')) with lines lw 2 lc "
+      "rgb '#000000'");
+  const auto body_layer = [&](std::string_view place, std::string_view style) {
+    canvas.layer(fmt::format("data using (now('x_{0}')):(column('z_{0}')){1}",
+                             place, style));
+  };
   constexpr double kDot =
       3.0;  // [px]: bodies as small as this are drawn as one
   if (body.radius * scale < kDot) {
-    put("data using (now('x_c')):(column('z_c')) with points pt 7 ps 1.2 lc "
-        "rgb '#a80f0f'\n}\n");
-    return figure;
+    body_layer("c", " with points pt 7 ps 1.2 lc rgb '#a80f0f'");
+  } else {
+    body_layer("c",
+               fmt::format(":({:.9g}) with circles fc rgb '#d9d9d9' fs solid "
+                           "border lc rgb '#333333'",
+                           body.radius));
+    // Two dark quadrants. On the picture angles grow the other way.
+    for (const int from : {0, 180}) {
+      body_layer("c", fmt::format(":({:.9g}):(-column('theta') - {}):"
+                                  "(-column('theta') - {}) with circles fc rgb "
+                                  "'#8c8c8c' fs solid noborder",
+                                  0.97 * body.radius, from + 90, from));
+    }
+    if (body.off_centred()) {
+      body_layer("cm", " with points pt 7 ps 1 lc rgb '#1f5fa8'");
+    }
+    body_layer("b", " with points pt 7 ps 0.7 lc rgb '#a80f0f'");
   }
-  put(
-      fmt::format("data using (now('x_c')):(column('z_c')):({:.9g}) with "
-                  "circles fc rgb '#d9d9d9' fs solid border lc rgb '#333333'",
-                  body.radius));
-  // Two dark quadrants. On the picture angles grow the other way.
-  for (const int from : {0, 180}) {
-    put(fmt::format(
-        ", \\\n  data using (now('x_c')):(column('z_c')):({:.9g}):"
-        "(-column('theta') - {}):(-column('theta') - {}) with circles fc rgb "
-        "'#8c8c8c' fs solid noborder",
-        0.97 * body.radius, from + 90, from));
-  }
-  if (body.off_centred()) {
-    put(", \\\n  data using (now('x_cm')):(column('z_cm')) with points pt 7 ps "
-        "1 lc rgb '#1f5fa8'");
-  }
-  put(", \\\n  data using (now('x_b')):(column('z_b')) with points pt 7 ps 0.7 "
-      "lc rgb '#a80f0f'\n}\n");
+  canvas.plot();
+  canvas.put("}}\n");
+  report::Figure figure = std::move(canvas).figure("motion", std::move(rows));
+  figure.frame_delay = kDelay;
+  figure.title = report::plain_words(report::in_words(scene));
   return figure;
 }
 

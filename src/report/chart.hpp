@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/figure.hpp"
-#include "report/scale.hpp"
+#include "report/canvas.hpp"
 
 namespace brachisto::report {
 
@@ -76,20 +75,6 @@ struct Note {
 
 /// How the n-th line of a family is told from others in grey.
 [[nodiscard]] Stroke stroke_of(std::size_t n);
-
-/// A side of a chart.
-struct Side {
-  std::string label;  ///< rich text with the unit, "R_n [m g]"
-  Scale scale = Scale::Linear;
-  std::optional<double> low, high;  ///< of the range, in its units; else from
-                                    ///< the curves, with a little room
-  std::vector<std::string> words = {};  ///< that stand at 0, 1, 2, … instead of
-                                        ///< numbers; no markup
-};
-
-/// Commands that lay out the ticks of an axis, 'x' or 'y'.
-[[nodiscard]] std::string tics(char axis, const Side& side,
-                               const Extent& range);
 
 /// Words are rich text: an underscore or a caret lowers or raises the letter,
 /// or the group in braces, that follows.

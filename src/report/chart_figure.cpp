@@ -12,7 +12,6 @@
 #include "math/enum_table.hpp"
 #include "report/chart.hpp"
 #include "report/csv.hpp"
-#include "report/gnuplot_script.hpp"
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
 
@@ -23,15 +22,8 @@ namespace {
 // Lengths on the picture [px].
 constexpr double kWidth = 720.0, kHeight = 380.0;   // the latter of the plot
 constexpr double kLeast = 180.0, kLargest = 620.0;  // height at equal scales
-constexpr double kLeft = 96.0, kRight = 24.0, kAbove = 18.0;
-constexpr double kTitle = 24.0, kSubtitle = 18.0, kTitleLeft = 20.0;
-constexpr double kSlanted = 60.0;  // room for words
-constexpr double kToKey = 66.0, kKeyLine = 19.5, kBelow = 10.0;
+constexpr double kLeft = 96.0, kRight = 24.0;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
-
-std::string quoted_words(std::string_view source) {
-  return "'" + gnuplot_words(source) + "'";
-}
 
 /// In units of the width of the line, for the terminals of a Figure.
 constexpr auto kDashes =
@@ -45,24 +37,10 @@ bool look_the_same(const Curve& a, const Curve& b) {
          a.width == b.width && a.mark == b.mark;
 }
 
-/// Whether the words along a side are more than fit beside one another.
-bool slanted(const Side& side) {
-  constexpr std::size_t kLetters = 80;
-  std::size_t longest = 0;
-  for (const std::string& word : side.words) {
-    longest = std::max(longest, letters(word));
-  }
-  return longest * side.words.size() > kLetters;
-}
-
 /// A chart as table and commands.
 class Drawing {
  public:
   explicit Drawing(const Chart& chart) : chart_(chart) {
-    constexpr std::size_t kLetters = 94;  // of a line across the picture
-    if (!chart.subtitle.empty()) {
-      subtitle_ = lines_of(chart.subtitle, kLetters);
-    }
     equal_ = chart.equal_scale && chart.x.scale == Scale::Linear &&
              chart.y.scale == Scale::Linear;
     set_ranges();
@@ -70,56 +48,35 @@ class Drawing {
   }
 
   [[nodiscard]] Figure figure() {
-    const double above = kAbove + (chart_.title.empty() ? 0.0 : kTitle) +
-                         kSubtitle * static_cast<double>(subtitle_.size());
-    const double bottom = above + plot_height_;
-    const double key = bottom + kToKey + (slanted(chart_.x) ? kSlanted : 0.0);
-    height_ = key + kKeyLine * static_cast<double>(rows_) + kBelow;
-    script_.frame(kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - above / height_,
-                  1.0 - bottom / height_);
-    script_.put(
-        "set border 15 lw 1 lc rgb '#333333'\n"
-        "set grid lt 1 lw 1 lc rgb '#e3e3e3'\n"
-        "set tics out nomirror\nset pointintervalbox 0.7\n"
-        "set key at screen {:.5f}, screen {:.5f} center top vertical Left "
-        "reverse samplen 3 maxrows {}\n",
-        (kLeft + 0.5 * kPlotWidth) / kWidth, 1.0 - key / height_,
-        std::max(1, rows_));
-    side('x', chart_.x, x_, false);
-    side('y', chart_.y, y_, chart_.y_down);
-    titles();
+    constexpr double kSlanted = 60.0;  // room for words
+    canvas_.open({.left = kLeft,
+                  .right = kRight,
+                  .height = plot_height_,
+                  .above = 18.0,
+                  .title_left = 20.0,
+                  .to_key = 66.0 + (chart_.x.slanted() ? kSlanted : 0.0),
+                  .key_at = kLeft + 0.5 * kPlotWidth,
+                  .key_side = "center",
+                  .sample = 3},
+                 chart_.title, chart_.subtitle, rows_);
+    canvas_.axis('x', chart_.x, x_);
+    canvas_.axis('y', chart_.y, y_, chart_.y_down);
+    canvas_.put(
+        "set grid lt 1 lw 1 lc rgb '#e3e3e3'\nset pointintervalbox 0.7\n");
     rounds();
     sketches();
     notes();
     plot();
-    const std::string title =
-        chart_.title + (subtitle_.empty() ? "" : ": " + chart_.subtitle);
-    return {.name = chart_.name,
-            .table = std::move(table_),
-            .commands = std::move(script_.text),
-            .width = kWidth,
-            .height = height_,
-            .title = plain_words(title),
-            .scenes = scenes(above, bottom)};
+    SceneCells scenes{.cells = {}, .per_row = chart_.scenes_per_curve};
+    for (const auto& [scene, at] : chart_.scenes) {
+      scenes.cells.push_back(canvas_.cell(scene, at.x, at.y));
+    }
+    Figure figure = std::move(canvas_).figure(chart_.name, std::move(table_));
+    figure.scenes = std::move(scenes);
+    return figure;
   }
 
  private:
-  [[nodiscard]] SceneCells scenes(double above, double bottom) const {
-    const auto scale = [](const Extent& range, const Side& side, double from,
-                          double to) {
-      return PixelScale{range.low, range.high, from, to,
-                        side.scale == Scale::Logarithmic};
-    };
-    const PixelScale x = scale(x_, chart_.x, kLeft, kWidth - kRight);
-    const PixelScale y = chart_.y_down ? scale(y_, chart_.y, above, bottom)
-                                       : scale(y_, chart_.y, bottom, above);
-    SceneCells out{.cells = {}, .per_row = chart_.scenes_per_curve};
-    for (const auto& [scene, at] : chart_.scenes) {
-      out.cells.push_back({scene, x(at.x), y(at.y)});
-    }
-    return out;
-  }
-
   /// From the sides, else from what is drawn, with a little room.
   void set_ranges() {
     const auto include = [&](const std::vector<Datum>& points) {
@@ -186,43 +143,20 @@ class Drawing {
     rows_ = (names + columns - 1) / columns;
   }
 
-  void side(char name, const Side& side, const Extent& range, bool reversed) {
-    script_.put("set {}label {}\n", name, quoted_words(side.label));
-    script_.put("set {}range [{:.12g}:{:.12g}] noextend\n", name,
-                reversed ? range.high : range.low,
-                reversed ? range.low : range.high);
-    script_.put("{}", tics(name, side, range));
-  }
-
-  void titles() {
-    const auto line = [&](const std::string& words, double y,
-                          std::string_view style) {
-      if (words.empty()) return;
-      script_.put("set label {} at screen {:.5f}, screen {:.5f} {}\n",
-                  quoted_words(words), kTitleLeft / kWidth, 1.0 - y / height_,
-                  style);
-    };
-    line(chart_.title, kTitle, "font ',15'");
-    double y = chart_.title.empty() ? 0.0 : kTitle;
-    for (const std::string& words : subtitle_) {
-      line(words, y += kSubtitle, "textcolor rgb '#444444'");
-    }
-  }
-
   void rounds() {
     for (const Round& round : chart_.rounds) {
       const Datum& c = round.centre;
-      script_.put(
+      canvas_.put(
           "set object ellipse center {:.12g},{:.12g} size {:.12g},{:.12g} "
           "units xy fc rgb '#bbbbbb' fs transparent solid 0.3 "
           "border lc rgb '#777777'\n",
           c.x, c.y, 2.0 * round.radius, 2.0 * round.radius);
       if (!round.mass_centre) continue;
-      script_.put(
+      canvas_.put(
           "set arrow from {:.12g},{:.12g} to {:.12g},{:.12g} nohead "
           "lc rgb '#1f5fa8'\n",
           c.x, c.y, round.mass_centre->x, round.mass_centre->y);
-      script_.put(
+      canvas_.put(
           "set label '' at {:.12g},{:.12g} point pt 7 ps 0.8 "
           "lc rgb '#1f5fa8'\n",
           round.mass_centre->x, round.mass_centre->y);
@@ -235,7 +169,7 @@ class Drawing {
     const double y_unit =
         (y_.high - y_.low) / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
     const auto circle = [&](Datum at, double radius, std::string_view style) {
-      script_.put(
+      canvas_.put(
           "set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",
           at.x, at.y, radius / kWidth, style);
     };
@@ -257,7 +191,7 @@ class Drawing {
       constexpr double kGap = 7.0, kSize = 13.0;
       const double width = width_of(letters(plain_words(sketch.name)), kSize);
       const bool ends = sketch.at.x + (r + kGap + width) * x_unit > x_.high;
-      script_.put("set label {} at {:.12g},{:.12g} {} front\n",
+      canvas_.put("set label {} at {:.12g},{:.12g} {} front\n",
                   quoted_words(sketch.name),
                   sketch.at.x + (ends ? -1.0 : 1.0) * (r + kGap) * x_unit,
                   sketch.at.y, ends ? "right" : "left");
@@ -268,26 +202,23 @@ class Drawing {
     constexpr double kHalfHeight = 4.5;  // gnuplot centres upon the height
     for (const Note& note : chart_.notes) {
       if (!shows(note.at)) continue;
-      script_.put(
+      canvas_.put(
           "set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
           "screen {:.5f} front",
           quoted_words(note.text), note.at.x, note.at.y,
           note.dx < 0.0 ? "right" : "left", note.dx / kWidth,
-          (kHalfHeight - note.dy) / height_);
+          (kHalfHeight - note.dy) / canvas_.height);
       if (note.mark != Mark::None) {
-        script_.put(" point pt {} ps 0.8 lc rgb '#000000'",
+        canvas_.put(" point pt {} ps 0.8 lc rgb '#000000'",
                     kPointTypes[note.mark]);
       }
-      script_.put("\n");
+      canvas_.put("\n");
     }
   }
 
   void plot() {
     const auto add = [&](const std::string& item, const std::string& name) {
-      items_ += fmt::format(
-          "{}{} {}", items_.empty() ? "plot " : ", \\\n  ", item,
-          name.empty() || rows_ == 0 ? "notitle"
-                                     : "title " + quoted_words(name));
+      canvas_.layer(item, rows_ == 0 ? "" : name);
     };
     for (const Area& area : chart_.areas) {
       add(part(plain_words(area.name), area.outline) +
@@ -322,8 +253,7 @@ class Drawing {
               style,
           known ? "" : curve->name);
     }
-    // A frame without curves is drawn for an empty function.
-    script_.text += (items_.empty() ? "plot NaN notitle" : items_) + "\n";
+    canvas_.plot();
   }
 
   /// Adds the points to the table. \return the expression that picks them
@@ -353,14 +283,13 @@ class Drawing {
   }
 
   const Chart& chart_;
-  std::vector<std::string> subtitle_;
   bool equal_ = false;
   Extent x_, y_;
-  double plot_height_ = kHeight, height_ = 0.0;
+  double plot_height_ = kHeight;
   int rows_ = 0;  ///< of the key
   std::set<std::string> parts_{"part"};
-  GnuplotScript script_;
-  std::string table_ = "part,x,y\n", items_;
+  Canvas canvas_;
+  std::string table_ = "part,x,y\n";
 };
 
 }  // namespace
@@ -369,42 +298,6 @@ Stroke stroke_of(std::size_t n) {
   constexpr Stroke kStrokes[] = {Stroke::Solid, Stroke::Dashed,
                                  Stroke::DashDotted, Stroke::Dotted};
   return kStrokes[n % std::size(kStrokes)];
-}
-
-std::string tics(char name, const Side& side, const Extent& range) {
-  constexpr double kManyDegrees = 240.0, kFewDegrees = 60.0, kDecades = 1e3;
-  const double span = range.high - range.low;
-  if (!side.words.empty()) {
-    std::string out;
-    for (std::size_t i = 0; i < side.words.size(); ++i) {
-      constexpr std::size_t kLetters = 18;
-      out +=
-          fmt::format("{}'{}' {}", i == 0 ? "" : ", ",
-                      gnuplot_escaped(shortened(side.words[i], kLetters)), i);
-    }
-    return fmt::format("set {}tics ({}){}\n", name, out,
-                       slanted(side) ? " rotate by -30" : "");
-  }
-  switch (side.scale) {
-    case Scale::Linear:
-      break;
-    case Scale::Degrees:
-      if (span < kFewDegrees) break;
-      return fmt::format("set {}tics {}\n", name,
-                         span > kManyDegrees ? 90 : 30);
-    case Scale::Logarithmic:
-      if (range.high > kDecades * range.low) {
-        return fmt::format("set logscale {0}\nset format {0} '10^{{%L}}'\n",
-                           name);
-      }
-      // Of few decades also what is between them.
-      return fmt::format(
-          "set logscale {0}\nset format {0} '%g'\n"
-          "set for [e={1:.0f}:{2:.0f}] {0}tics add (2*10.**e, 5*10.**e)\n",
-          name, std::floor(std::log10(range.low)),
-          std::floor(std::log10(range.high)));
-  }
-  return fmt::format("set format {} '%g'\n", name);
 }
 
 Figure chart_figure(const Chart& chart) {

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/gnuplot_script.hpp"
+#include "report/canvas.hpp"
 #include "report/obstacles.hpp"
 #include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
@@ -135,9 +135,7 @@ class Picture {
         enlarged_(enlarged(motion_, rows_, frame_.scale)) {}
 
   [[nodiscard]] Figure figure() {
-    Figure figure;
-    figure.name = "path";
-    width_ = kLeftMargin + kPictureWidth + kRightMargin;
+    canvas_.width = kLeftMargin + kPictureWidth + kRightMargin;
     const std::size_t more_lines =
         reasons_.size() + (scene_.limits.any() ? 1 : 0);
     const double above =
@@ -145,9 +143,10 @@ class Picture {
     constexpr double kKey = 66.0, kKeyLine = 18.0;  // below the plot
     const double bottom = above + frame_.height() + kBottomMargin +
                           kKeyLine * static_cast<double>(key_rows() - 2);
-    height_ = bottom;
+    canvas_.height = bottom;
     if (enlarged_) {
-      height_ += kEnlargedAbove + enlarged_->frame.height() + kEnlargedBelow;
+      canvas_.height +=
+          kEnlargedAbove + enlarged_->frame.height() + kEnlargedBelow;
     }
     table_ = "part,t,x_b,z_b,x_c,z_c,x_cm,z_cm,R_n,fold_margin\n";
     add_rows(table_, "track", rows_, frame_.scale);
@@ -157,9 +156,9 @@ class Picture {
     add_arcs();
     style();
     title();
-    script_.put("set key at screen {:.5f}, screen {:.5f}\n",
-                (kLeftMargin + 0.5 * kPictureWidth) / width_,
-                1.0 - (above + frame_.height() + kKey) / height_);
+    canvas_.put("set key at screen {:.5f}, screen {:.5f}\n",
+                (kLeftMargin + 0.5 * kPictureWidth) / canvas_.width,
+                1.0 - (above + frame_.height() + kKey) / canvas_.height);
     ends();
     if (enlarged_) window();
     place(frame_, above);
@@ -167,18 +166,15 @@ class Picture {
     if (enlarged_) {
       add_rows(table_, "piece", enlarged_->rows, enlarged_->frame.scale);
       add_row(table_, "body", enlarged_->body);
-      script_.put("unset label\nunset object 1\nunset key\n");
-      script_.put(
+      canvas_.put("unset label\nunset object 1\nunset key\n");
+      canvas_.put(
           "set title 'the piece in the small frame, {:.0f} times as large'\n",
           enlarged_->frame.scale / frame_.scale);
       place(enlarged_->frame, bottom + kEnlargedAbove);
       draw(enlarged_->frame, "piece", "body", false);
-      script_.put("unset multiplot\n");
+      canvas_.put("unset multiplot\n");
     }
-    figure.table = std::move(table_);
-    figure.commands = std::move(script_.text);
-    figure.width = width_;
-    figure.height = height_;
+    Figure figure = std::move(canvas_).figure("path", std::move(table_));
     figure.title = std::move(title_);
     return figure;
   }
@@ -249,7 +245,7 @@ class Picture {
   }
 
   void style() {
-    script_.put(
+    canvas_.put(
         "set border 15 lw 1 lc rgb '#333333'\n"
         "set grid lt 1 lw 1 lc rgb '#e3e3e3'\n"
         "set tics out nomirror format '%g'\n"
@@ -273,25 +269,22 @@ class Picture {
     const std::string head = fmt::format("{}: τ = {:.8f}, T = {:.6g} s", kind,
                                          motion_.tau(), motion_.transit_time());
     title_ = plain_words(head + ", " + in_words(scene_));
-    const auto line = [&](int index, double y, std::string_view style,
+    const auto line = [&](double y, std::string_view style,
                           const std::string& text) {
-      script_.put("set label {} '{}' at screen {:.5f}, screen {:.5f} {}\n",
-                  index, gnuplot_words(text), kLeftMargin / width_,
-                  1.0 - y / height_, style);
+      canvas_.words(text, kLeftMargin, y, style);
     };
-    line(1, 22.0, "font ',16'", head);
+    line(22.0, "font ',16'", head);
     double y = 46.0;
-    line(2, y, "textcolor rgb '#444444'", in_words(scene_));
+    line(y, "textcolor rgb '#444444'", in_words(scene_));
     if (scene_.limits.any()) {
       y += kTitleLine;
       const std::string limits = "Limits: " + limits_in_words(scene_);
       title_ += ". " + plain_words(limits);
-      line(7, y, "textcolor rgb '#444444'", limits);
+      line(y, "textcolor rgb '#444444'", limits);
     }
-    int index = 3;
     for (const std::string& reason : reasons_) {
       y += kTitleLine;
-      line(index++, y, "textcolor rgb '#b00000'",
+      line(y, "textcolor rgb '#b00000'",
            "Infeasible: " + keys_as_they_are(reason));
     }
   }
@@ -303,7 +296,7 @@ class Picture {
     const Box seen =
         box.resized(std::max(box.width(), kLeastSize / frame_.scale),
                     std::max(box.height(), kLeastSize / frame_.scale));
-    script_.put(
+    canvas_.put(
         "set object 1 rectangle from {:.9g},{:.9g} to {:.9g},{:.9g} "
         "front fs empty border lc rgb '#333333'\nset multiplot\n",
         seen.low.x, seen.low.z, seen.high.x, seen.high.z);
@@ -312,9 +305,8 @@ class Picture {
   /// The frame, its upper edge at `top` [px].
   void place(const Frame& frame, double top) {
     const double left = kLeftMargin + 0.5 * (kPictureWidth - frame.width());
-    script_.frame(left / width_, (left + frame.width()) / width_,
-                  1.0 - top / height_, 1.0 - (top + frame.height()) / height_);
-    script_.put("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+    canvas_.frame(left, top, frame.width(), frame.height());
+    canvas_.put("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
                 frame.box.low.x, frame.box.high.x, frame.box.high.z,
                 frame.box.low.z);
   }
@@ -322,15 +314,14 @@ class Picture {
   /// Curves of the rows of one part, bodies of those of another one.
   void draw(const Frame& frame, std::string_view curves,
             std::string_view bodies, bool marks) {
-    std::string_view before = "plot ";
     const auto item = [&](std::string_view rows, std::string_view at,
-                          std::string_view style, std::string_view name) {
-      script_.put(
-          "{}data using (part('{}', 'x_{}')):(column('z_{}')){} title '{}'",
-          before, rows, at, at, style, name);
-      before = ", \\\n  ";
+                          std::string_view style, const std::string& name) {
+      canvas_.layer(
+          fmt::format("data using (part('{}', 'x_{}')):(column('z_{}')){}",
+                      rows, at, at, style),
+          name);
     };
-    std::string_view forbidden = "out of bounds";
+    const char* forbidden = "out of bounds";
     for (const std::string& area : add_obstacles(frame, curves)) {
       item(
           area, "b",
@@ -370,7 +361,7 @@ class Picture {
       item(bodies, "cm", " with points pt 7 ps 0.8 lc rgb '#1f5fa8'", "");
     }
     impossible(curves);
-    script_.put("\n");
+    canvas_.plot();
   }
 
   /// Beneath the track, where limits hold.
@@ -378,7 +369,7 @@ class Picture {
   void bands(const Item& item) {
     const Band* band = kBands.begin();
     for (const LimitOnPath* limit : active()) {
-      std::string name = gnuplot_words(as_rich_text(limit->name)) + " active";
+      std::string name = as_rich_text(limit->name) + " active";
       for (std::size_t i = 0; i < limit->active.size(); ++i) {
         item(arc_name(*limit, i), "b",
              fmt::format(" with lines lw {} dt {} lc rgb '{}'", band->width,
@@ -393,33 +384,34 @@ class Picture {
   /// Where the track could not be run on.
   void impossible(std::string_view curves) {
     if (!body_.rolls()) return;
-    const auto where = [&](std::string_view column, std::string_view style) {
-      script_.put(
-          ", \\\n  data using (part('{}', 't') > 0 && column('{}') < 0 ? "
-          "column('x_b') : NaN):(column('z_b')) with {}",
-          curves, column, style);
+    const auto where = [&](std::string_view column, std::string_view style,
+                           const char* name) {
+      canvas_.layer(
+          fmt::format("data using (part('{}', 't') > 0 && column('{}') < 0 ? "
+                      "column('x_b') : NaN):(column('z_b')) with {}",
+                      curves, column, style),
+          name);
     };
     if (lifts_off_) {
-      where("R_n",
-            "lines lw 6 lc rgb '#80d00000' title 'R_{n} < 0: lifts off'");
+      where("R_n", "lines lw 6 lc rgb '#80d00000'", "R_n < 0: lifts off");
     }
     if (folds_) {
-      where("fold_margin",
-            "points pt 2 ps 0.8 lw 1.5 lc rgb '#b00000' title 'folds'");
+      where("fold_margin", "points pt 2 ps 0.8 lw 1.5 lc rgb '#b00000'",
+            "folds");
     }
   }
 
   /// A and B, the letters outside of the body.
   void ends() {
-    const auto letter = [&](int index, std::string_view name, Point at,
+    const auto letter = [&](std::string_view name, Point at,
                             std::string_view place) {
-      script_.put(
-          "set label {} '{{/:Italic {}}}' at {:.9g},{:.9g} {} point pt 7 "
+      canvas_.put(
+          "set label '{{/:Italic {}}}' at {:.9g},{:.9g} {} point pt 7 "
           "ps 0.7 lc rgb '#000000' front\n",
-          index, name, at.x, at.z, place);
+          name, at.x, at.z, place);
     };
-    letter(8, "A", rows_.front().motion.contact, "right offset -0.7,-0.6");
-    letter(9, "B", rows_.back().motion.contact, "left offset 0.7,-0.7");
+    letter("A", rows_.front().motion.contact, "right offset -0.7,-0.6");
+    letter("B", rows_.back().motion.contact, "left offset 0.7,-0.7");
   }
 
   const Solution& solution_;
@@ -431,8 +423,7 @@ class Picture {
   std::vector<TrajectoryPoint> rows_;
   Frame frame_;
   std::optional<Enlarged> enlarged_;
-  double width_ = 0.0, height_ = 0.0;
-  GnuplotScript script_;
+  Canvas canvas_;
   std::string table_, title_;
 };
 

@@ -8,10 +8,8 @@
 #include <iterator>
 #include <utility>
 
-#include "report/chart.hpp"
-#include "report/gnuplot_script.hpp"
+#include "report/canvas.hpp"
 #include "report/key_label.hpp"
-#include "report/letters.hpp"
 #include "report/rich_text.hpp"
 #include "report/sweep_plots.hpp"
 
@@ -21,20 +19,21 @@ namespace {
 
 using State = SweepOutcome::State;
 
-// Lengths on the picture [px].
-constexpr double kWidth = 720.0, kLeft = 80.0, kRight = 140.0;
-constexpr double kPlotHeight = 390.0, kTitle = 24.0, kSubtitle = 18.0;
-constexpr double kAbove = 20.0, kToKey = 82.0, kKeyLine = 19.5, kBelow = 10.0;
-
-std::string words(std::string_view rich_text) {
-  return "'" + gnuplot_words(rich_text) + "'";
-}
+constexpr Layout kLayout{.left = 80.0,
+                         .right = 140.0,
+                         .height = 390.0,
+                         .above = 20.0,
+                         .title_left = 21.6,
+                         .to_key = 82.0,
+                         .key_at = 65.6,
+                         .key_side = "left",
+                         .sample = 2};
 
 /// A picture of scenes over two columns being put together. In its commands
 /// `at(s)` is the place to the right of a scene in state s, else NaN.
 class Picture {
  public:
-  GnuplotScript before;  ///< the plot
+  Canvas canvas;
 
   Picture(const SweepTable& table, const SweepMap& map, std::string what)
       : table_(table), map_(map), digest_(digest(table, map.scenes)) {
@@ -52,14 +51,18 @@ class Picture {
       if (i > 0 && map.n_second > 0 && i % map.n_second == 0) rows_ += '\n';
       add_row(map.scenes[i]);
     }
+    canvas.put(
+        "right = '{}'\nup = '{}'\n"
+        "at(state) = strcol('state') eq state ? column(right) : NaN\n"
+        "set tics front\n",
+        column_name(x_), column_name(y_));
   }
 
   [[nodiscard]] const SweepDigest& found() const { return digest_; }
 
   /// One layer of the plot.
   void layer(std::string_view item, const std::string& name = {}) {
-    items_ += fmt::format("{}{} {}", items_.empty() ? "" : ", \\\n  ", item,
-                          name.empty() ? "notitle" : "title " + words(name));
+    canvas.layer(item, name);
     if (!name.empty()) ++names_;
   }
 
@@ -86,13 +89,13 @@ class Picture {
     };
     for (std::size_t i = 0; i < map_.ways.size(); ++i) {
       if (map_.ways[i].empty()) continue;
-      before.put("$way{} << END\n", i);
+      canvas.put("$way{} << END\n", i);
       for (const auto& [first, second] : map_.ways[i]) {
         double x = shown(map_.first, first), y = shown(map_.second, second);
         if (x_ != map_.first) std::swap(x, y);
-        before.put("{:.12g},{:.12g}\n", x, y);
+        canvas.put("{:.12g},{:.12g}\n", x, y);
       }
-      before.put("END\n");
+      canvas.put("END\n");
       layer(
           fmt::format("$way{} using 1:2:(middle) with linespoints pt 7 ps 0.5 "
                       "lw 1.4 lc rgb '#d62728'{}",
@@ -111,7 +114,7 @@ class Picture {
       const double y = shown_number(table_.columns[y_], marked.scene);
       if (!std::isfinite(x) || !std::isfinite(y)) continue;
       const char* block = marked.feasible ? "$minimum" : "$infeasible";
-      before.put("{} << END\n{:.12g},{:.12g}\nEND\n", block, x, y);
+      canvas.put("{} << END\n{:.12g},{:.12g}\nEND\n", block, x, y);
       // Black within white is seen on every colour.
       layer(
           fmt::format("{} using 1:2:(middle) with points pt 7 ps 2 "
@@ -127,50 +130,28 @@ class Picture {
   /// \param plot  "plot", "splot"
   [[nodiscard]] Figure figure(std::string_view plot, ValueRange range,
                               bool colour_bar) {
-    constexpr std::size_t kLetters = 94;
-    const std::string fixed = what_is_fixed(table_, map_.scenes);
-    std::vector<std::string> subtitle;
-    if (!fixed.empty()) subtitle = lines_of(fixed, kLetters);
-    const double top =
-        kTitle + kAbove + kSubtitle * static_cast<double>(subtitle.size());
-    const double key = top + kPlotHeight + kToKey;
-    const double height = key + kKeyLine * names_ + kBelow;
-    GnuplotScript head;
-    head.put(
-        "right = '{}'\nup = '{}'\nmiddle = {:.12g}\n"
-        "at(state) = strcol('state') eq state ? column(right) : NaN\n"
-        "set border 15 lw 1 lc rgb '#333333'\nset tics out nomirror front\n",
-        column_name(x_), column_name(y_), 0.5 * (range.low + range.high));
-    head.frame(kLeft / kWidth, 1.0 - kRight / kWidth, 1.0 - top / height,
-               1.0 - (top + kPlotHeight) / height);
-    head.put(
-        "set key at screen {:.5f}, screen {:.5f} left top vertical Left "
-        "reverse samplen 2 maxrows {}\n"
-        "set cbrange [{:.12g}:{:.12g}]\nset cblabel '{}'\n{}",
-        kLeft / kWidth - 0.02, 1.0 - key / height, std::max(1, names_),
-        range.low, range.high, kTauLabel, colour_bar ? "" : "unset colorbox\n");
-    double y = kTitle;
-    const auto line = [&](const std::string& text, std::string_view style) {
-      head.put("set label {} at screen 0.03, screen {:.5f} {}\n", words(text),
-               1.0 - y / height, style);
-      y += kSubtitle;
-    };
-    line(title_, "font ',15'");
-    for (const std::string& text : subtitle) {
-      line(text, "textcolor rgb '#444444'");
-    }
-    head.text += side('x', x_) + side('y', y_) + before.text;
+    canvas.open(kLayout, title_, what_is_fixed(table_, map_.scenes), names_);
+    side('x', x_, xs_);
+    side('y', y_, ys_);
+    canvas.put(
+        "middle = {:.12g}\nset cbrange [{:.12g}:{:.12g}]\nset cblabel '{}'\n{}",
+        0.5 * (range.low + range.high), range.low, range.high, kTauLabel,
+        colour_bar ? "" : "unset colorbox\n");
     // A frame of nothing is drawn for what lies outside of it.
-    if (items_.empty()) layer("data using (NaN):(NaN):(middle) with points");
-    return {.name = map_.name,
-            .table = fmt::format("{},{},tau,state,feasible\n", column_name(x_),
-                                 column_name(y_)) +
-                     rows_,
-            .commands = head.text + fmt::format("{} {}\n", plot, items_),
-            .width = kWidth,
-            .height = height,
-            .title = plain_words(title_ + (fixed.empty() ? "" : ": ") + fixed),
-            .scenes = cells(top)};
+    canvas.plot(plot, "data using (NaN):(NaN):(middle) with points");
+    SceneCells scenes{
+        .cells = {}, .per_row = map_.n_second, .meet = map_.n_second > 0};
+    for (const std::size_t scene : map_.scenes) {
+      scenes.cells.push_back(
+          canvas.cell(scene, shown_number(table_.columns[x_], scene),
+                      shown_number(table_.columns[y_], scene)));
+    }
+    Figure figure = std::move(canvas).figure(
+        map_.name, fmt::format("{},{},tau,state,feasible\n", column_name(x_),
+                               column_name(y_)) +
+                       rows_);
+    figure.scenes = std::move(scenes);
+    return figure;
   }
 
  private:
@@ -203,49 +184,19 @@ class Picture {
                        : "nan");
   }
 
-  [[nodiscard]] SceneCells cells(double top) const {
-    const auto pixels = [&](const Extent& numbers, std::size_t column,
-                            double from, double to) {
-      const Extent shown = range(numbers, column);
-      return PixelScale{shown.low, shown.high, from, to,
-                        scale(column) == Scale::Logarithmic};
-    };
-    const PixelScale x = pixels(xs_, x_, kLeft, kWidth - kRight);
-    const PixelScale y = pixels(ys_, y_, top + kPlotHeight, top);
-    SceneCells out{
-        .cells = {}, .per_row = map_.n_second, .meet = map_.n_second > 0};
-    for (const std::size_t scene : map_.scenes) {
-      out.cells.push_back({scene, x(shown_number(table_.columns[x_], scene)),
-                           y(shown_number(table_.columns[y_], scene))});
-    }
-    return out;
-  }
-
-  [[nodiscard]] Scale scale(std::size_t column) const {
-    return scale_of(table_.columns[column], map_.scenes);
-  }
-  [[nodiscard]] Extent range(const Extent& numbers, std::size_t column) const {
-    Extent range = numbers;
+  void side(char axis, std::size_t column, Extent range) {
+    Side side;
+    side.label = label(column, true);
+    side.scale = scale_of(table_.columns[column], map_.scenes);
     if (!(range.high > range.low)) {
       const double middle = std::isfinite(range.low) ? range.low : 0.0;
       range = {middle - 0.5, middle + 0.5};
-    } else if (map_.n_second == 0 && scale(column) != Scale::Logarithmic) {
+    } else if (map_.n_second == 0 && side.scale != Scale::Logarithmic) {
       // Dots are not cut by the frame.
       const double room = 0.02 * (range.high - range.low);
       range = {range.low - room, range.high + room};
     }
-    return range;
-  }
-
-  [[nodiscard]] std::string side(char axis, std::size_t column) const {
-    const Extent range = this->range(axis == 'x' ? xs_ : ys_, column);
-    Side scaled;
-    scaled.scale = scale(column);
-    return fmt::format(
-               "set {0}label {1}\nset {0}range [{2:.12g}:{3:.12g}] "
-               "noextend\n",
-               axis, words(label(column, true)), range.low, range.high) +
-           tics(axis, scaled, range);
+    canvas.axis(axis, side, range);
   }
 
   const SweepTable& table_;
@@ -253,7 +204,7 @@ class Picture {
   SweepDigest digest_;
   std::size_t x_ = 0, y_ = 0;
   Extent xs_, ys_;
-  std::string title_, rows_, items_;
+  std::string title_, rows_;
   int names_ = 0;
 };
 
@@ -276,7 +227,7 @@ std::string interpolation(const SweepMap& map) {
 void edge(Picture& picture) {
   const SweepDigest& found = picture.found();
   if (found.infeasible == 0 || found.infeasible == found.verified) return;
-  picture.before.put(
+  picture.canvas.put(
       "set contour base\nset cntrparam levels discrete 0.5\nunset surface\n"
       "set table $edge\n"
       "splot data using (column(right)):(column(up)):(column('feasible'))\n"
@@ -300,7 +251,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
   constexpr std::string_view kTau =
       "data using (column(right)):(column(up)):(column('tau'))";
   Picture picture(table, map, "τ");
-  picture.before.put("{}{}set palette defined ({})\n", kView,
+  picture.canvas.put("{}{}set palette defined ({})\n", kView,
                      interpolation(map), palette());
   const bool any = picture.found().verified > 0;
   if (any) {
@@ -312,7 +263,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
   }
   edge(picture);
   if (any) {
-    picture.before.put(
+    picture.canvas.put(
         "set zrange [{:.12g}:{:.12g}]\nset contour base\n"
         "set cntrparam levels auto 10\n"
         "set cntrlabel onecolor start 5 interval {} format '%.6g'\n",
@@ -328,7 +279,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
 Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
   Picture picture(table, map, "Feasibility");
   const SweepDigest& found = picture.found();
-  picture.before.put(
+  picture.canvas.put(
       "{}{}set palette defined (0 '#68788a', 1 '#e3e8ee') maxcolors 2\n", kView,
       interpolation(map));
   picture.layer(
@@ -352,7 +303,7 @@ Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
 Figure scatter_figure(const SweepTable& table, const SweepMap& sample,
                       ValueRange range) {
   Picture picture(table, sample, "τ");
-  picture.before.put("set palette defined ({})\n", palette());
+  picture.canvas.put("set palette defined ({})\n", palette());
   const bool any = picture.found().verified > 0;
   if (any) {
     picture.layer(

@@ -296,19 +296,6 @@ void check_motion(const ArcLengthMotion& motion, double error,
                kThresholds.interior_factor * std::sqrt(error)));
 }
 
-/// How far the ends are from A and B, in x over L and in z over H.
-double relative_contact_error(const PrescribedMotion& motion) {
-  const Scene& scene = motion.scene();
-  const bool smooth = scene.contact == Contact::Smooth;
-  const auto distance = [&](const TrajectoryPoint& at, Point wanted) {
-    const Point there = smooth ? at.motion.contact : at.centre;
-    return std::max(std::abs(there.x - wanted.x) / scene.L,
-                    std::abs(there.z - wanted.z) / scene.H);
-  };
-  return std::max(distance(motion.at(0.0), {0.0, 0.0}),
-                  distance(motion.at(1.0), {scene.L, scene.H}));
-}
-
 }  // namespace
 
 Certificate certify(RollingTime& problem, const PrimalDual& point,
@@ -373,18 +360,6 @@ Certificate certify(ArcLength& problem, const PrimalDual& point, double phi,
                std::max(kThresholds.weierstrass, rounding), certificate);
   check_second_order(problem, point, certificate);
   check_motion(motion, error, certificate);
-  return certificate;
-}
-
-Certificate certify_path(const PrescribedMotion& motion, double tolerance) {
-  // Of the integrator, over some hundred steps.
-  constexpr double kIntegrator = 1e-10;
-  Certificate certificate;
-  certificate.add("quadrature_error", motion.error_estimate(), tolerance);
-  certificate.add("contact_error", relative_contact_error(motion),
-                  kCloseToEnds);
-  certificate.add("reintegration_error", reintegration_error(motion),
-                  std::max(tolerance, kIntegrator));
   return certificate;
 }
 

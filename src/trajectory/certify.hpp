@@ -112,7 +112,11 @@ class PrescribedMotion;
 ///
 ///   quadrature_error     what the last halving of the cells changed in T
 ///   contact_error        distance of the ends of the track, or of the centre's
-///                        path, from A and B, in units of max(L, H)
+///                        path, from A and B, in units of L and H
+///   energy_drift         in other worlds than the ordinary one, what ½ w² has
+///                        gained against the work of the field's force or, in
+///                        air, the fall of the potential less the work of the
+///                        drag, over ½ w² or g H
 ///   reintegration_error  the motion integrated again
 ///
 /// \param tolerance  wanted relative error of T

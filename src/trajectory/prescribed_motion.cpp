@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +14,12 @@
 
 #include "brachisto/math/stop_condition.hpp"
 #include "math/gauss.hpp"
+#include "math/index.hpp"
+#include "math/jet1.hpp"
 #include "math/polynomial_basis.hpp"
+#include "math/roots.hpp"
 #include "model/energy.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 
 namespace brachisto {
@@ -67,25 +72,37 @@ std::string Stall::message() const {
       return "the body stalls: its energy is used up where " + place;
     case Reason::DoesNotFit:
       return "the body does not fit into a valley of the given track; " + place;
+    case Reason::NotFollowed:
+      return "air brakes the body too hard for its motion to be followed; " +
+             place;
   }
   return {};
 }
 
+struct PrescribedMotion::Points {
+  std::array<CurvePlace, kGaussPoints> places;
+  std::array<double, kGaussPoints> s;       ///< arc lengths [m]
+  std::array<double, kGaussPoints> energy;  ///< ½ w² [m²/s²]
+};
+
 PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
-  const Body& body = scene_.body;
-  // s = ½ s'' q² and E = a s at the start, so that w = q √(g a s'').
-  const double a = energy_slope(body, body.theta_m, start_.beta);
+  const double w = pushed_w(scene_, start_.beta);
+  start_energy_ = 0.5 * w * w;
+  // s = ½ s'' q² and ½ w² = w' s at the start: from rest w = q √(w' s'').
+  const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
-  } else if (!(a > 0.0)) {
+  } else if (!(gain > 0.0 || w > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotStart, 0.0, curve_->start()};
   }
   if (stall_) return;
-  start_rate_ = std::sqrt(s_bend / (scene_.gravity * a));
+  start_rate_ = std::sqrt(s_bend / gain);
+  end_pieces();
+  if (stall_) return;
 
-  const auto pieces = static_cast<int>(curve_->joints().size()) + 1;
+  const auto pieces = static_cast<int>(ends_.size());
   int cells = std::max(1, kFewestCells / pieces);
   integrate(cells);
   error_ = std::numeric_limits<double>::infinity();
@@ -102,8 +119,81 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
 }
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
-  return energy_height(scene_.body, place.offset.z,
-                       theta_after(scene_.body, s));
+  const Body& body = scene_.body;
+  const double theta = theta_after(body, s);
+  // The way of the centre of mass, r η (cos θ − cos θ_m) as a product.
+  const double half = 0.5 * (theta - body.theta_m);
+  const Point by{place.offset.x - 2.0 * body.radius * body.eta_m *
+                                      std::sin(half) *
+                                      std::sin(half + body.theta_m),
+                 energy_height(body, place.offset.z, theta)};
+  const Point from = mass_centre(body, curve_->start(), body.theta_m);
+  return start_energy_ +
+         potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
+}
+
+double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {
+  const Point centre = point_of(*curve_, place);
+  return speed_gain(scene_, centre.x, centre.z, theta_after(scene_.body, s),
+                    0.0, place.beta, 1.0);
+}
+
+double PrescribedMotion::start_w() const {
+  return std::sqrt(2.0 * start_energy_);
+}
+
+double PrescribedMotion::start_curvature() const {
+  const PlaneCurve::Pace next = curve_->pace(kNextToStart);
+  return next.turning / next.speed;
+}
+
+/// Puts the energies in air in place of those without, NaN if it stops the
+/// body; returns that at the end.
+double PrescribedMotion::brake(const Sums& from, double width,
+                               Points& points) const {
+  constexpr int kMostSteps = 60;
+  constexpr double kConverged = 1e-10;  // relative; the next step squares it
+  using Jet = math::Jet1<double, 1>;
+  using Vector = Eigen::Vector<double, kGaussPoints>;
+  const Body& body = scene_.body;
+  const math::SmallMatrix& to_point = integration_to_points();
+  const Vector weights = Eigen::Map<const Vector>(rule().weights.data());
+  Vector w = Eigen::Map<const Vector>(points.energy.data());
+  w = (2.0 * w).cwiseSqrt().eval();
+  Vector gain, by_w;
+  for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const CurvePlace& place = points.places[brachisto::at(i)];
+      const double theta = theta_after(body, points.s[brachisto::at(i)]);
+      const Point centre = point_of(*curve_, place);
+      const Jet found =
+          speed_gain(scene_, Jet(centre.x), Jet(centre.z), Jet(theta),
+                     Jet::variable(w[i], 0), Jet(place.beta),
+                     Jet(root_of_inertia(body, theta, place.beta)));
+      gain[i] = width * place.speed * found.value;
+      by_w[i] = width * place.speed * found.gradient[0];
+    }
+    // ½ w_i² = ½ w² + Σ a_ij gain_j: quadratic in w, so that Newton's method
+    // comes down from above.
+    Eigen::Matrix<double, kGaussPoints, kGaussPoints> matrix;
+    Vector miss;
+    for (int i = 0; i < kGaussPoints; ++i) {
+      miss[i] = from.energy - 0.5 * w[i] * w[i];
+      for (int j = 0; j < kGaussPoints; ++j) {
+        miss[i] += to_point(i, j) * gain[j];
+        matrix(i, j) = -to_point(i, j) * by_w[j];
+      }
+      matrix(i, i) += w[i];
+    }
+    const Vector by = matrix.partialPivLu().solve(miss);
+    const double change = (by.array() / w.array()).abs().maxCoeff();
+    w = (w + by).cwiseMax(0.1 * w).eval();
+    if (!(change <= kConverged)) continue;
+    Eigen::Map<Vector>(points.energy.data()) = 0.5 * w.cwiseAbs2();
+    return from.energy + weights.dot(gain + by_w.cwiseProduct(by));
+  }
+  points.energy.fill(std::numeric_limits<double>::quiet_NaN());
+  return points.energy.back();
 }
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
@@ -111,29 +201,35 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
   const Body& body = scene_.body;
   const math::SmallMatrix& to_point = integration_to_points();
   const double width = q - from.q;
-  std::array<CurvePlace, kGaussPoints> places;
+  Points points;
+  auto& [places, s, energies] = points;
+  bool fits = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
     places[i] = curve_->at(from.q + width * rule().points[i]);
+    fits = fits && places[i].speed > 0.0;
   }
-  Sums to = from;
-  to.q = q;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const CurvePlace& place = places[i];
     double length = 0.0;
     for (std::size_t j = 0; j < places.size(); ++j) {
       length +=
           to_point(static_cast<int>(i), static_cast<int>(j)) * places[j].speed;
     }
-    const double s = from.s + width * length;
-    const double E = energy(place, s);
-    const bool fits = place.speed > 0.0;
-    if (!fits || !(E > 0.0)) {
-      return Stall{fits ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
+    s[i] = from.s + width * length;
+    energies[i] = energy(places[i], s[i]);
+  }
+  Sums to = from;
+  to.q = q;
+  if (fits && scene_.world.air.any()) to.energy = brake(from, width, points);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const CurvePlace& place = places[i];
+    const bool fits_here = place.speed > 0.0;
+    if (!fits_here || !(energies[i] > 0.0)) {
+      return Stall{fits_here ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
                    from.q + width * rule().points[i], point_of(*curve_, place)};
     }
-    const double A = inertia_factor(body, theta_after(body, s), place.beta);
+    const double A = inertia_factor(body, theta_after(body, s[i]), place.beta);
     const double du =
-        rule().weights[i] * width * place.speed / fall_speed(scene_.gravity, E);
+        rule().weights[i] * width * place.speed / std::sqrt(2.0 * energies[i]);
     to.u += du;
     to.t += std::sqrt(A) * du;
     to.s += rule().weights[i] * width * place.speed;
@@ -141,12 +237,100 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
   return to;
 }
 
+/// Joints of the curve, passages of a surface, and in air what divide() adds.
+void PrescribedMotion::end_pieces() {
+  ends_ = curve_->joints();
+  ends_.push_back(1.0);
+  if (scene_.world.sphere) {
+    // Between so many places a path is as good as straight.
+    const int parts = std::max(1, 64 / static_cast<int>(ends_.size()));
+    constexpr double kNoLength = 1e-6;  // A itself may lie on the surface
+    double q = 0.0, s = 0.0;
+    const auto length_to = [&](double there) {
+      return s + integral(q, there,
+                          [&](double p) { return curve_->pace(p).speed; });
+    };
+    const auto height = [&](double there) {
+      const CurvePlace place = curve_->at(there);
+      return height_above_surface(
+          scene_, mass_centre(scene_.body, point_of(*curve_, place),
+                              theta_after(scene_.body, length_to(there))));
+    };
+    double before = height(0.0);
+    std::vector<double> ends;
+    for (const double end : ends_) {
+      const double from = q;
+      for (int i = 1; i <= parts; ++i) {
+        check_stop();
+        const double next =
+            std::lerp(from, end, static_cast<double>(i) / parts);
+        const double at = height(next);
+        if ((at > 0.0) != (before > 0.0)) {
+          const double root = math::find_root(height, q, next, before, at);
+          if (root > kNoLength) ends.push_back(root);
+        }
+        s = length_to(next);
+        q = next;
+        before = at;
+      }
+      if (ends.empty() || ends.back() < end) ends.push_back(end);
+    }
+    ends_ = std::move(ends);
+  }
+  if (!scene_.world.air.any()) return;
+  std::vector<double> divided;
+  Sums from;
+  from.energy = start_energy_;
+  for (const double end : ends_) {
+    if (!stall_) divide(from, end, divided);
+  }
+  ends_ = std::move(divided);
+}
+
+/// Adds ends on the way to a place, itself among them, between which a step and
+/// its two halves agree; moves there.
+void PrescribedMotion::divide(Sums& from, double to,
+                              std::vector<double>& ends) {
+  constexpr double kAgreement = 1e-7;  // the next halving leaves rounding
+  constexpr double kRounding = 1e-15;
+  constexpr double kShortest = 1e-12;
+  check_stop();
+  const double middle = 0.5 * (from.q + to);
+  const std::variant<Sums, Stall> whole = advance(from, to);
+  std::variant<Sums, Stall> halves = advance(from, middle);
+  if (const Sums* half = std::get_if<Sums>(&halves))
+    halves = advance(*half, to);
+  const Sums* one = std::get_if<Sums>(&whole);
+  const Sums* two = std::get_if<Sums>(&halves);
+  if (one != nullptr && two != nullptr && two->energy > 0.0 &&
+      std::abs(one->t - two->t) <= kAgreement * (two->t - from.t) &&
+      std::abs(one->energy - two->energy) <=
+          kAgreement * two->energy +
+              kRounding * energy(curve_->at(to), two->s)) {
+    from = *two;
+    ends.push_back(to);
+    return;
+  }
+  if (to - from.q <= kShortest) {
+    const CurvePlace place = curve_->at(to);
+    stall_ = Stall{Stall::Reason::Stops, to, point_of(*curve_, place)};
+    if (const Stall* found = std::get_if<Stall>(&halves)) stall_ = *found;
+    // What is drawn along moves on in any air.
+    if (stall_->reason == Stall::Reason::Stops &&
+        gain_at_rest(place, from.s) > 0.0) {
+      stall_->reason = Stall::Reason::NotFollowed;
+    }
+    return;
+  }
+  divide(from, middle, ends);
+  if (!stall_) divide(from, to, ends);
+}
+
 void PrescribedMotion::integrate(int cells_per_piece) {
-  std::vector<double> ends = curve_->joints();
-  ends.push_back(1.0);
   cells_ = {Sums{}};
+  cells_.front().energy = start_energy_;
   double from = 0.0;
-  for (const double to : ends) {
+  for (const double to : ends_) {
     for (int i = 1; i <= cells_per_piece; ++i) {
       check_stop();
       const double q =
@@ -154,6 +338,16 @@ void PrescribedMotion::integrate(int cells_per_piece) {
       const std::variant<Sums, Stall> next = advance(cells_.back(), q);
       if (const Stall* stall = std::get_if<Stall>(&next)) {
         stall_ = *stall;
+        if (scene_.world.ordinary()) return;
+        Sums last = cells_.back();
+        for (double half = 0.5 * (q - last.q); half > 1e-12; half *= 0.5) {
+          const std::variant<Sums, Stall> part = advance(last, last.q + half);
+          if (std::holds_alternative<Stall>(part)) {
+            stall_ = std::get<Stall>(part);
+          } else {
+            last = std::get<Sums>(part);
+          }
+        }
         return;
       }
       cells_.push_back(std::get<Sums>(next));
@@ -210,23 +404,26 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   out.theta = theta_after(body, sums.s);
   out.beta = place.beta;
   PathState state{out.centre, out.theta, place.beta, 0.0, 0.0};
-  const double E = energy(place, sums.s);
-  const bool moves = sums.q > 0.0 && E > 0.0;
-  if (moves) state.w = fall_speed(scene_.gravity, E);
-  // dβ/du; at the start the limit of dq/du.
-  state.beta_rate =
-      moves ? place.turning * state.w / place.speed : start_slope_rate();
-  out.motion = kinematics(body, scene_.gravity, state);
+  const double E = scene_.world.air.any() ? sums.energy : energy(place, sums.s);
+  if (sums.q > 0.0 && E > 0.0) {
+    state.w = std::sqrt(2.0 * E);
+    // dβ/du; at the start the limit of dq/du.
+    state.beta_rate = place.turning * state.w / place.speed;
+  } else {
+    state.w = start_w();
+    state.beta_rate = start_slope_rate();
+  }
+  out.motion = kinematics(scene_, state);
   return out;
 }
 
 StartLimits PrescribedMotion::at_start() const {
-  if (start_.turning != 0.0) {
-    return start_limits(scene_.body, start_.beta, start_slope_rate());
+  const PathState start{curve_->start(), scene_.body.theta_m, start_.beta,
+                        start_w(), start_slope_rate()};
+  if (start_energy_ > 0.0 || start_.turning != 0.0) {
+    return start_limits(scene_, start);
   }
-  const CurvePlace next = curve_->at(kNextToStart);
-  return start_limits_of_curvature(scene_, {{}, 0.0, start_.beta, 0.0, 0.0},
-                                   next.turning / next.speed);
+  return start_limits_of_curvature(scene_, start, start_curvature());
 }
 
 std::vector<TrajectoryPoint> PrescribedMotion::at_nodes() const {

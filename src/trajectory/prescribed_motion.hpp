@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A body on a given path, released from rest.
+/// A body on a given path, in any world.
 
 #pragma once
 
@@ -20,8 +20,9 @@ namespace brachisto {
 struct Stall {
   enum class Reason {
     DoesNotStart,  ///< at rest it is not drawn along the path
-    Stops,         ///< its energy is used up on the way
+    Stops,         ///< its energy is used up on the way, by air too
     DoesNotFit,    ///< a valley of the track is narrower than the body
+    NotFollowed,   ///< air brakes it within no time
   };
   Reason reason = Reason::Stops;
   double q = 0.0;  ///< where
@@ -30,12 +31,20 @@ struct Stall {
   [[nodiscard]] std::string message() const;
 };
 
-/// The motion along a given path of the centre, which energy alone determines:
+/// The motion along a given path of the centre:
 ///
-///     w² = 2 g E,  dt = √(A / 2gE) ds,  θ = θ_m + s / r,
+///     ½ w² = ½ v₀² A + the fall of the potential at the centre of mass,
+///     dt = √A ds / w,  θ = θ_m + s / r,
 ///
-/// integrated over the curve's own parameter by Gauss rules on cells that are
-/// halved until T does not change.
+/// integrated over the curve's own parameter q by Gauss rules on cells that are
+/// halved until T does not change; they end where the centre of mass passes the
+/// surface of a sphere. In air ½ w² is the solution of
+///
+///     d(½ w²)/dq = w' ds/dq,  w' = speed_gain(),
+///
+/// by collocation at the same points, which from rest is smooth in q as w is,
+/// and which no stiffness makes unstable; cells are divided before where a step
+/// and its halves differ.
 class PrescribedMotion final : public Motion {
  public:
   /// \param centre  path of the centre, in metres; see centre_path_over()
@@ -50,10 +59,13 @@ class PrescribedMotion final : public Motion {
   }
 
   [[nodiscard]] const PlaneCurve& curve() const { return *curve_; }
-  /// dβ/du at the start [rad/s]; 0 where the curvature is finite.
+  /// dβ/du at the start [rad/s]; from rest 0 where the curvature is finite.
   [[nodiscard]] double start_slope_rate() const {
-    return start_.turning / start_rate_;
+    return start_energy_ > 0.0 ? start_curvature() * start_w()
+                               : start_.turning / start_rate_;
   }
+  /// κ_c there [1/m], or what is next to its infinity.
+  [[nodiscard]] double start_curvature() const;
   /// The place q that the centre reaches after the arc length s ∈ [0, S].
   [[nodiscard]] double place_at_length(double s) const;
 
@@ -78,21 +90,33 @@ class PrescribedMotion final : public Motion {
   /// Integrals from the start to a place.
   struct Sums {
     double q = 0.0;
-    double s = 0.0;  ///< arc length [m]
-    double t = 0.0;  ///< time [s]
-    double u = 0.0;  ///< rolling time [s]
+    double s = 0.0;       ///< arc length [m]
+    double t = 0.0;       ///< time [s]
+    double u = 0.0;       ///< rolling time [s]
+    double energy = 0.0;  ///< ½ w² [m²/s²], in air
   };
+  /// The points of a Gauss rule between two places.
+  struct Points;
   [[nodiscard]] std::variant<Sums, Stall> advance(const Sums& from,
                                                   double q) const;
+  [[nodiscard]] double brake(const Sums& from, double width,
+                             Points& points) const;
+  void end_pieces();
+  void divide(Sums& from, double to, std::vector<double>& ends);
   void integrate(int cells_per_piece);
   [[nodiscard]] Sums sums_at(double q) const;
   [[nodiscard]] double energy(const CurvePlace& place, double s) const;
+  /// w' of a body that stands there [m/s²].
+  [[nodiscard]] double gain_at_rest(const CurvePlace& place, double s) const;
+  [[nodiscard]] double start_w() const;
   [[nodiscard]] TrajectoryPoint point_at(const Sums& sums) const;
 
   Scene scene_;
   PlaneCurvePtr curve_;
   CurvePlace start_;
-  double start_rate_ = 0.0;  ///< du/dq at the start [s]
+  double start_rate_ = 0.0;    ///< du/dq at the start from rest [s]
+  double start_energy_ = 0.0;  ///< ½ w² there [m²/s²]
+  std::vector<double> ends_;   ///< of pieces on which the motion is smooth
   std::vector<Sums> cells_{Sums{}};
   std::optional<Stall> stall_;
   double error_ = 0.0;

@@ -352,22 +352,26 @@ using PathStepper =
 /// s̈ at a place of the path.
 double acceleration(const PrescribedMotion& motion, const CurvePlace& place,
                     double s, double v) {
-  // At the start v κ_c stays bounded, and so A_s v² vanishes with v.
+  // At the start from rest v κ_c stays bounded, and A_s v² vanishes with v.
+  const Scene& scene = motion.scene();
   const double v_kappa =
-      place.speed > 0.0 ? v * place.turning / place.speed : 0.0;
-  return acceleration(motion.scene(), s, v, {}, direction_of(place.beta),
-                      v_kappa);
+      place.speed > 0.0 ? v * place.turning / place.speed
+                        : scene.world.start_speed * motion.start_curvature();
+  return acceleration(scene, s, v, point_of(motion.curve(), place),
+                      direction_of(place.beta), v_kappa);
 }
 
 /// From `from` to `to`, in steps the next of which is `step`. False if steps
-/// become too short.
+/// become too short, as where air brakes within no time, or too many.
 template <class Rates>
 bool integrate(PathStepper& stepper, const Rates& rates, OnPath& y, double from,
                double to, double& step) {
   constexpr double kShortest = 1e-15;
+  constexpr int kMostSteps = 100000;
   const double shortest = kShortest * std::abs(to);
-  while (from < to) {
+  for (int steps = 0; from < to; ++steps) {
     check_stop();
+    if (steps == kMostSteps) return false;
     const bool last = step >= to - from;
     double tried = last ? to - from : step;
     const bool failed = stepper.try_step(rates, y, from, tried) == odeint::fail;
@@ -393,7 +397,7 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
   const double T = motion.transit_time();
   const std::vector<TrajectoryPoint> cells = motion.at_nodes();
   PathStepper stepper = odeint::make_controlled(kLoose, kLoose, kFreshStepper);
-  OnPath y{0.0, 0.0, 0.0};
+  OnPath y{0.0, 0.0, motion.scene().world.start_speed};
   double q = from;
   if (from > 0.0) {
     const TrajectoryPoint start = motion.at(from);

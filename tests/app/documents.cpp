@@ -222,8 +222,9 @@ TEST(Completion, OfZshOffersTheSame) {
       (tree().share / "zsh/site-functions/_brachisto").string();
   const auto told = [&](const std::string& words, int current) {
     return shell(
-               "_arguments() { print -rl -- \"$@\" }\n"
-               "_describe() { print -rl -- $verbs }\n"
+               "_describe() { print -rl -- ${(P)2} }\n"
+               "_files() { print -rl -- \"$@\" }\n"
+               "compadd() { print -rl -- ${(P)${@[-1]}} }\n"
                "words=(" +
                    words + "); CURRENT=" + std::to_string(current) +
                    "\nsource '" + file + "'",
@@ -236,11 +237,15 @@ TEST(Completion, OfZshOffersTheSame) {
               verb == verbs().front() ? 0 : std::string::npos)
         << verb;
     for (const std::string& flag : flags_of(verb)) {
-      EXPECT_NE(told("brachisto " + verb + " ''", 3).find(flag + "["),
+      EXPECT_NE(told("brachisto " + verb + " --", 3).find(flag + ":"),
                 std::string::npos)
           << verb << " " << flag;
     }
   }
+  EXPECT_EQ(told("brachisto solve ''", 3), "-g\n*.(yaml|json)\n");
+  EXPECT_EQ(told("brachisto export ''", 3), "-/\n");
+  EXPECT_NE(told("brachisto solve --set scene.", 4).find("scene.finish.L=\n"),
+            std::string::npos);
 }
 
 TEST(Schemas, AreThoseThatTheVerbPrints) {

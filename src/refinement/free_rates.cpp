@@ -89,7 +89,7 @@ FreeRates::Equations::Equations(const Scene& scene, const Elements& elements,
                    ? std::optional<StartEquation>(std::in_place, problem)
                    : std::nullopt;
       }()),
-      system(problem, tangency(), nlp::equations_only(problem)) {
+      system(problem, nullptr, nlp::equations_only(problem)) {
   problem.hold_sides(elements.sides);
   if (start) start->set_parameter(start_angle(problem.scene()));
   if (contact) contact->set_parameter(phi);
@@ -123,7 +123,7 @@ FreeRates::FreeRates(const Scene& scene, Elements elements,
   if (at(at_.problem.num_variables()) != point.x.size()) {
     point_ = prolong(path_of(scene, elements_.mesh, point, phi), at_.problem);
   }
-  if (!at_.system.evaluate(point_.x, point_.lambda, phi_)) return;
+  if (!at_.system.evaluate(point_.x, point_.lambda, 0.0)) return;
   time_ = at_.problem.eval_f();
   pull_ = nlp::lagrangian_gradient(at_.problem, point_.lambda);
   for (const nlp::TangencyCondition* slope : at_.slopes()) {
@@ -136,8 +136,7 @@ FreeRates::FreeRates(const Scene& scene, Elements elements,
   }
   at_.system.evaluate_jacobian();
   chain_ = BorderedChain::make(at_.system);
-  regular_ = chain_ && chain_->factorise() &&
-             (!at_.around_chain() || linearise_around_chain());
+  regular_ = chain_ && chain_->factorise() && linearise_around_chain();
 }
 
 std::unique_ptr<FreeRates> FreeRates::make(const ExtremalCurve& curve,
@@ -276,14 +275,14 @@ FreeRates::Partial FreeRates::partial(
     const std::function<std::pair<Scene, Elements>(double)>& moved_to) {
   Partial out;
   out.residual.assign(at(at_.system.size()), 0.0);
-  out.open = Eigen::VectorXd::Zero(
-      at_.around_chain() ? static_cast<Eigen::Index>(around_.rows.size()) : 0);
+  out.open =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(around_.rows.size()));
   double objective = 0.0;
   math::central_difference_by_place(step, [&](double place, double weight) {
     const auto [there, elements] = moved_to(place);
     const PrimalDual point = turned_to(there);
     Equations other(there, elements, phi_);
-    if (!other.system.evaluate(point.x, point.lambda, phi_)) {
+    if (!other.system.evaluate(point.x, point.lambda, 0.0)) {
       weight = std::nan("");
     }
     for (std::size_t i = 0; i < out.residual.size(); ++i) {
@@ -291,7 +290,6 @@ FreeRates::Partial FreeRates::partial(
     }
     objective += weight * other.problem.eval_f();
     out.start_angle += weight * start_angle(other.scene());
-    if (!at_.around_chain()) return;
     Eigen::Index i = 0;
     for (const auto& row : other.rows(point)) {
       out.open[i++] += weight * row.residual;
@@ -344,9 +342,6 @@ Eigen::VectorXd FreeRates::closing_rates(const Partial& by) {
   if (!chain_->solve(right, direction, kOfSolves)) {
     return Eigen::VectorXd::Constant(size, std::nan(""));
   }
-  if (!at_.around_chain()) {
-    return Eigen::VectorXd::Constant(1, direction.back());
-  }
   Eigen::VectorXd open = -by.open;
   for (Eigen::Index i = 0; i < size; ++i) {
     open[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
@@ -360,16 +355,10 @@ double FreeRates::contact_response() {
   if (!at_.contact) return std::nan("");
   const double per_kink =
       at_.contact->linearise(point_.x, point_.lambda).by_parameter;
-  if (at_.around_chain()) {
-    // The slope at B is the first of what closes.
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
-    right[0] = per_kink;
-    return around_.jacobian.partialPivLu().solve(right)[0];
-  }
-  std::vector<double> right(at(at_.system.size()), 0.0), direction = right;
-  right.back() = per_kink;
-  return chain_->solve(right, direction, kOfSolves) ? direction.back()
-                                                    : std::nan("");
+  // The slope at B is the first of what closes.
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
+  right[0] = per_kink;
+  return around_.jacobian.partialPivLu().solve(right)[0];
 }
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,

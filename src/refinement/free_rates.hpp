@@ -22,16 +22,12 @@
 
 namespace brachisto {
 
-/// With F(y, p) = 0 the optimality conditions and the tangency condition, y
-/// being (x, λ, φ), 𝓛 the Lagrangian and v the values of fixed variables,
-///
-///     y_p = −F_y⁻¹ F_p,   dT/dp = 𝓛_p + (∂𝓛/∂x_fixed)·(v_p + v_φ φ_p).
-///
-/// Where slope_at_A_is_open(), or the path passes the surface of a sphere, φ
-/// stands for several numbers c = (φ, α, σ₁, σ₂, …): the slopes at B and A, as
-/// far as they are open, and the element ends at the surface. Their equations,
-/// for σ_k that the centre of mass is on the surface there, are solved around
-/// the chain, C(y, c, p) = 0 with y the unknowns between given ends: one closed
+/// With F(y, p) = 0 the optimality conditions between given ends, y being
+/// (x, λ), and 𝓛 the Lagrangian, whose fixed variables have values that move,
+/// several numbers c = (φ, α, σ₁, σ₂, …) close the path: the slopes at B and A,
+/// as far as they are open, and the element ends where it passes the surface of
+/// a sphere. Their equations C(y, c, p) = 0, for σ_k that the centre of mass is
+/// on the surface there, are solved around the chain, all together: one closed
 /// inside of another would meet folds that all together do not have,
 ///
 ///     (C_c − C_y F_y⁻¹ F_c) c_p = C_y F_y⁻¹ F_p − C_p,
@@ -72,16 +68,10 @@ class FreeRates final : public TimeRates {
     std::vector<int> passages;  ///< elements that begin on the surface
     std::optional<ContactEquation> contact;  ///< at B
     std::optional<StartEquation> start;      ///< at A, where it is open
-    KktSystem system;  ///< with the contact at B, unless all stand around it
+    KktSystem system;
 
     Equations(const Scene& scene, const Elements& elements, double phi);
     [[nodiscard]] const Scene& scene() const { return problem.scene(); }
-    [[nodiscard]] bool around_chain() const {
-      return start || !passages.empty();
-    }
-    [[nodiscard]] nlp::TangencyCondition* tangency() {
-      return contact && !around_chain() ? &*contact : nullptr;
-    }
     /// The slopes that close, at B, then at A.
     [[nodiscard]] std::vector<nlp::TangencyCondition*> slopes();
     /// C: theirs, and the heights at the passages.
@@ -91,7 +81,7 @@ class FreeRates final : public TimeRates {
   /// Derivatives by one number at one and the same point.
   struct Partial {
     std::vector<double> residual;  ///< of F
-    Eigen::VectorXd open;          ///< of C, if it stands around the chain
+    Eigen::VectorXd open;          ///< of C
     double lagrangian = 0.0;  ///< of 𝓛, the values of fixed variables moving
     double start_angle = 0.0;
   };
@@ -133,7 +123,7 @@ class FreeRates final : public TimeRates {
   std::vector<long double> pull_;   ///< ∂𝓛/∂x
   std::vector<double> by_closing_;  ///< 𝓛_c
   std::unique_ptr<BorderedChain> chain_;
-  AroundChain around_;  ///< empty if the contact alone closes, or nothing
+  AroundChain around_;
 };
 
 }  // namespace brachisto

@@ -3,11 +3,13 @@
 
 #include "refinement/limited_rates.hpp"
 
+#include <Eigen/LU>
 #include <optional>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "math/central_difference.hpp"
+#include "model/start_under_limits.hpp"
 
 namespace brachisto {
 
@@ -46,25 +48,70 @@ std::unique_ptr<TimeRates> LimitedRates::make(FittedPath path) {
 }
 
 LimitedRates::LimitedRates(FittedPath path)
-    : path_(std::move(path)), sensitivity_(path_) {}
+    : path_(std::move(path)),
+      system_(scene(), {path_.curve.problem().limits(), path_.arcs, path_.ends},
+              path_.curve.problem().mesh().degree),
+      regular_(system_.move_to(system_.setting(), path_.curve.point()) &&
+               system_.linearise()) {
+  if (regular()) unknowns_ = system_.to_unknowns();
+}
 
-PathSetting LimitedRates::setting_of(const Scene& scene) const {
-  PathSetting setting = sensitivity_.setting();
-  setting.limits = inequalities(scene.body, scene.limits);
-  setting.scene = scene;
-  return setting;
+TimeRate LimitedRates::price(const std::vector<PathInequality>& less,
+                             const std::vector<PathInequality>& more,
+                             double width) {
+  PathSetting before = system_.setting(), after = system_.setting();
+  before.limits = less;
+  after.limits = more;
+  return along(std::move(before), std::move(after), width);
 }
 
 TimeRate LimitedRates::by(SceneCoordinate coordinate) {
+  const auto setting_of = [&](const Scene& other) {
+    PathSetting setting = system_.setting();
+    setting.limits = inequalities(other.body, other.limits);
+    setting.scene = other;
+    return setting;
+  };
   TimeRate out;
   math::central_difference(
       difference_step(scene(), coordinate), [&](double step, double share) {
-        const TimeRate rate = sensitivity_.along(
-            setting_of(moved(scene(), coordinate, -step)),
-            setting_of(moved(scene(), coordinate, step)), 2.0 * step);
+        const TimeRate rate =
+            along(setting_of(moved(scene(), coordinate, -step)),
+                  setting_of(moved(scene(), coordinate, step)), 2.0 * step);
         out.total += share * rate.total;
         out.at_fixed_contacts += share * rate.at_fixed_contacts;
       });
+  return out;
+}
+
+TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
+  TimeRate out;
+  double change = system_.lagrangian(more) - system_.lagrangian(less);
+  // Bounds alone move no variable that is fixed.
+  if (more.scene) change += system_.of_fixed(more) - system_.of_fixed(less);
+  out.at_fixed_contacts = change / width;
+  const LimitedEnds& ends = system_.setting().ends;
+  if (ends.start_slope_fixed && ends.start && !system_.problem().pushed()) {
+    // The static cone turns with the bound, and with the body.
+    const auto start = [&](const PathSetting& changed) {
+      return start_angle_under(changed.scene ? *changed.scene : scene(),
+                               changed.limits);
+    };
+    const auto first = start(less), second = start(more);
+    if (first && second) {
+      less.ends.start = first;
+      more.ends.start = second;
+    }
+  }
+  const PathRates direct = system_.to(less, more, width);
+  out.total = direct.time;
+  if (unknowns_.empty()) return out;
+  // The open conditions go on to hold.
+  const Eigen::VectorXd follow =
+      jacobian_of(unknowns_).partialPivLu().solve(-direct.open);
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    out.total += follow[static_cast<Eigen::Index>(i)] * unknowns_[i].time;
+  }
   return out;
 }
 

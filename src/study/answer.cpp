@@ -35,6 +35,11 @@ Certified cross_checked(const PosedProblem& posed, Certificate certificate,
   return out;
 }
 
+ProgramSize size_of(const Transcription& problem, std::optional<int> degree) {
+  return {problem.layout().num_nodes(), problem.num_variables(),
+          problem.num_constraints(), degree, problem.mesh().num_elements()};
+}
+
 }  // namespace
 
 Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
@@ -44,11 +49,8 @@ Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
   PathDiagnostics diagnostics = trajectory.diagnose();
   return {std::make_shared<const Answer>(CollocationAnswer{
               std::move(trajectory),
-              {found.problem.mesh().num_nodes(), found.problem.num_variables(),
-               found.problem.num_constraints(), found.problem.mesh().degree,
-               found.problem.mesh().num_elements()},
-              found.solution.point,
-              found.solution.tangency.phi}),
+              size_of(found.problem, found.problem.mesh().degree),
+              found.solution.point, found.solution.tangency.phi}),
           found.estimated_error, std::move(diagnostics)};
 }
 
@@ -61,11 +63,7 @@ Answered answer_of(const PosedProblem& posed, ArcLengthAnswer& found) {
   std::optional<PathDiagnostics> diagnostics;
   if (!motion.on_curve().stall()) diagnostics = motion.diagnose();
   return {std::make_shared<const Answer>(PiecewiseAnswer{
-              std::move(motion),
-              {found.problem.layout().num_nodes(),
-               found.problem.num_variables(), found.problem.num_constraints(),
-               std::nullopt, found.problem.layout().num_nodes() - 1},
-              point,
+              std::move(motion), size_of(found.problem, std::nullopt), point,
               found.solution.tangency.phi}),
           found.estimated_error, std::move(diagnostics)};
 }
@@ -79,12 +77,8 @@ Answered answer_of(const PosedProblem& posed, const LimitedAnswer& found,
   PathDiagnostics diagnostics = motion.diagnose();
   std::vector<LimitOnPath> limits = limits_on_path(posed, found.path, motion);
   return {std::make_shared<const Answer>(LimitedPathAnswer{
-              std::move(motion),
-              {problem.mesh().num_nodes(), problem.num_variables(),
-               problem.num_constraints(), problem.mesh().degree,
-               problem.mesh().num_elements()},
-              found.path.arcs,
-              found.path.ends}),
+              std::move(motion), size_of(problem, problem.mesh().degree),
+              found.path.arcs, found.path.ends}),
           found.estimated_error, std::move(diagnostics), std::move(limits)};
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <memory>
 
-#include "refinement/prices.hpp"
+#include "refinement/limited_rates.hpp"
 #include "trajectory/stated_limits.hpp"
 
 namespace brachisto {
@@ -90,10 +90,10 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
   const std::vector<StatedLimit> asked = stated_limits(posed.asked);
   const std::vector<StatedLimit> scaled = stated_limits(natural);
   std::vector<TrajectoryPoint> rows;
-  std::unique_ptr<Sensitivity> sensitivity;
+  std::unique_ptr<LimitedRates> rates;
   if (!asked.empty()) {
     rows = motion.fine_sample(0);
-    sensitivity = std::make_unique<Sensitivity>(path);
+    rates = std::make_unique<LimitedRates>(path);
   }
   std::vector<LimitOnPath> out;
   for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -111,13 +111,13 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
       limit.least_slack = least;
     }
     // One that holds nowhere may still decide the direction at A.
-    if (sensitivity->regular()) {
+    if (rates->regular()) {
       PathLimits less = natural.limits, more = natural.limits;
       scaled[i].move(less, -kStep);
       scaled[i].move(more, kStep);
       const TimeRate price =
-          sensitivity->price(inequalities(natural.body, less),
-                             inequalities(natural.body, more), 2.0 * kStep);
+          rates->price(inequalities(natural.body, less),
+                       inequalities(natural.body, more), 2.0 * kStep);
       const double scale = tau * asked[i].natural;
       if (std::isfinite(price.total) &&
           std::isfinite(price.at_fixed_contacts)) {

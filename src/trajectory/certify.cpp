@@ -15,21 +15,17 @@
 #include "brachisto/math/stop_condition.hpp"
 #include "math/angle.hpp"
 #include "model/contact.hpp"
-#include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "solvers/inertia.hpp"
 #include "trajectory/arc_length_motion.hpp"
-#include "trajectory/contact_error.hpp"
+#include "trajectory/checks.hpp"
 #include "trajectory/extended_residual.hpp"
 #include "trajectory/reintegration.hpp"
 
 namespace brachisto {
 
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr CertificateThresholds kThresholds;
 
 /// Moves to the solution; the certificate of one that is refused says the
 /// reason instead of measuring what has no meaning.
@@ -51,20 +47,13 @@ void check_residual(const ExtendedResidual& residual, double rounding,
                   kThresholds.defects, residual.worst_constraint);
 }
 
-/// How far the ends of the track are from A and B, or with Contact::Centre how
-/// far the ends of the centre's path are, and how far β_end is from φ.
+/// The ends, and how far β_end is from φ.
 void check_ends(const Scene& scene, Point start, Point end, double beta_end,
                 double phi, double rounding, Certificate& certificate) {
-  const bool smooth = scene.contact == Contact::Smooth;
-  const double r = scene.body.radius;
-  if (smooth) {
-    // At the start the slope is β₀ in closed form, not the curve's own.
-    start = track_below(start, r, start_angle(scene));
-    end = track_below(end, r, beta_end);
-  }
-  certificate.add("contact_error", contact_error(scene, start, end),
-                  std::max(kThresholds.contact_error, rounding));
-  if (smooth) {
+  // At the start the slope is β₀ in closed form, not the curve's own.
+  check_contact(scene, start, start_angle(scene), end, beta_end, rounding,
+                certificate);
+  if (scene.contact == Contact::Smooth) {
     certificate.add("closure", std::abs(beta_end - phi), kThresholds.tangency);
   }
 }
@@ -111,33 +100,11 @@ void check_speed(const ExtremalCurve& curve, Certificate& certificate) {
       0.0, where);
 }
 
-/// The largest of values that belong to places of the path, σ or the number of
-/// a piece; a NaN is larger.
-struct Largest {
-  double value = 0.0;
-  double place = 0.0;
-
-  void see(double candidate, double at) {
-    if (std::isnan(value) || candidate <= value) return;
-    value = candidate;
-    place = at;
-  }
-  [[nodiscard]] std::string where() const {
-    return fmt::format("σ = {:.6g}", place);
-  }
-  [[nodiscard]] std::string piece_of(const ArcLength& problem) const {
-    return fmt::format("piece {} of {}", static_cast<int>(place),
-                       problem.num_intervals());
-  }
-};
-
-constexpr Largest kLeast{-std::numeric_limits<double>::infinity(), 0.0};
-
 /// What is seen along an extremal.
 struct Seen {
   Largest hamiltonian, slope;
-  Largest flattest = kLeast;
-  Largest gain = kLeast;  ///< of other directions
+  Largest flattest = kBelowAll;
+  Largest gain = kBelowAll;  ///< of other directions
 };
 
 /// 𝓗 and its derivatives between the nodes, and at ends and middles of elements
@@ -182,15 +149,12 @@ Seen look_along(const ExtremalCurve& curve) {
   return seen;
 }
 
-/// What ½ w² has gained against the fall of the potential at the centre of mass
-/// less the work of the drag.
-void check_energy_in_world(const ExtremalCurve& curve, double threshold,
-                           Certificate& certificate) {
+/// What ½ w² has gained since the body was left at rest or pushed, against the
+/// fall of the potential at the centre of mass less the work of the drag.
+void check_energy(const ExtremalCurve& curve, double threshold,
+                  Certificate& certificate) {
   const Scene& scene = curve.scene();
   const Mesh& mesh = curve.mesh();
-  const auto heavy = [&](const ExtremalPoint& at) {
-    return mass_centre(scene.body, at.centre, at.theta);
-  };
   // Exact for polynomials of degree 2p + 5, of higher order than the solution.
   const math::QuadratureRule rule = math::gauss_legendre(mesh.degree + 3);
   const CollocationScheme& scheme = gauss_scheme(mesh.degree);
@@ -198,6 +162,8 @@ void check_energy_in_world(const ExtremalCurve& curve, double threshold,
   for (const double t : rule.points) places.emplace_back(scheme, t);
   const ElementPlace last(scheme, 1.0);
   const ExtremalPoint start = curve.at(0.0);
+  const Point heavy = mass_centre(scene.body, start.centre, scene.body.theta_m);
+  const double push = pushed_w(scene, start.beta);
   double lost = 0.0;
   Largest drift;
   for (int e = 0; e < mesh.num_elements(); ++e) {
@@ -210,28 +176,11 @@ void check_energy_in_world(const ExtremalCurve& curve, double threshold,
               drag(scene.world.air, v);
     }
     const ExtremalPoint at = curve.without_slope(e, last);
-    const double gained = 0.5 * (at.w * at.w - start.w * start.w);
-    const double work = potential_fall(scene, heavy(start), heavy(at)) - lost;
+    const double gained = 0.5 * (at.w * at.w - push * push);
+    const Point there = mass_centre(scene.body, at.centre, at.theta);
+    const double work = potential_fall(scene, heavy, there) - lost;
     drift.see(std::abs(gained - work) / scene.gravity,
               mesh.boundaries[static_cast<std::size_t>(e) + 1]);
-  }
-  certificate.add("energy_drift", drift.value, threshold, drift.where());
-}
-
-void check_energy(const ExtremalCurve& curve, double threshold,
-                  Certificate& certificate) {
-  const Scene& scene = curve.scene();
-  if (!scene.world.ordinary()) {
-    return check_energy_in_world(curve, threshold, certificate);
-  }
-  const double z_0 = curve.at(0.0).centre.z;
-  const ElementPlace last(gauss_scheme(curve.mesh().degree), 1.0);
-  Largest drift;
-  for (int e = 0; e < curve.mesh().num_elements(); ++e) {
-    const ExtremalPoint at = curve.without_slope(e, last);
-    const double E = energy_height(scene.body, at.centre.z - z_0, at.theta);
-    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - E),
-              curve.mesh().boundaries[static_cast<std::size_t>(e) + 1]);
   }
   certificate.add("energy_drift", drift.value, threshold, drift.where());
 }
@@ -269,7 +218,7 @@ void check_second_order(Transcription& problem, const PrimalDual& point,
   const Inertia inertia = kkt_inertia(problem, point);
   const double wrong = inertia.known
                            ? std::abs(inertia.positive - free) + inertia.zero
-                           : kUnknown;
+                           : kUnmeasured;
   certificate.add("second_order", wrong, 0.0,
                   fmt::format("inertia ({}, {}, {}), wanted ({}, {}, 0)",
                               inertia.positive, inertia.negative, inertia.zero,
@@ -285,7 +234,7 @@ void check_motion(const ExtremalCurve& curve, double time_error,
           : fmt::format("{}, after {:.3g} % of it", describe(motion.end),
                         100.0 * motion.share);
   certificate.add("reintegrated_time",
-                  motion.arrived() ? motion.corrected_time_error : kUnknown,
+                  motion.arrived() ? motion.corrected_time_error : kUnmeasured,
                   time_error + motion.integration_error, where);
   certificate.add("reintegration_error", motion.worst(), threshold, where);
 }
@@ -294,7 +243,7 @@ void check_motion(const ExtremalCurve& curve, double time_error,
 void check_pieces(const ArcLength& problem, std::span<const double> lambda,
                   double threshold, Certificate& certificate) {
   const Scene& scene = problem.scene();
-  Largest steepest = kLeast, flattest = kLeast, better = kLeast;
+  Largest steepest = kBelowAll, flattest = kBelowAll, better = kBelowAll;
   const Costates end = problem.end_costates(lambda);
   double beta = start_angle(scene.body);
   for (int node = 1; node <= problem.num_intervals(); ++node) {
@@ -311,13 +260,15 @@ void check_pieces(const ArcLength& problem, std::span<const double> lambda,
                                         at.beta),
                node);
   }
+  const auto piece = [&](const Largest& found) {
+    return fmt::format("piece {} of {}", static_cast<int>(found.place),
+                       problem.num_intervals());
+  };
   certificate.add("slope_angle", steepest.value, std::numbers::pi,
-                  steepest.piece_of(problem));
+                  piece(steepest));
   certificate.add("legendre", flattest.value,
-                  -std::numeric_limits<double>::min(),
-                  flattest.piece_of(problem));
-  certificate.add("weierstrass", better.value, threshold,
-                  better.piece_of(problem));
+                  -std::numeric_limits<double>::min(), piece(flattest));
+  certificate.add("weierstrass", better.value, threshold, piece(better));
 }
 
 void check_motion(const ArcLengthMotion& motion, double error,
@@ -328,9 +279,9 @@ void check_motion(const ArcLengthMotion& motion, double error,
   const PrescribedMotion& curve = motion.on_curve();
   if (curve.stall()) {
     const std::string where = curve.stall()->message();
-    certificate.add("reintegrated_time", kUnknown,
+    certificate.add("reintegrated_time", kUnmeasured,
                     kThresholds.time_factor * error, where);
-    certificate.add("reintegration_error", kUnknown, kIntegrator, where);
+    certificate.add("reintegration_error", kUnmeasured, kIntegrator, where);
     return;
   }
   certificate.add("reintegrated_time",

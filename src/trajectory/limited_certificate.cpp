@@ -17,34 +17,17 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "brachisto/nlp/kkt_residual.hpp"
-#include "model/contact.hpp"
 #include "model/path_inequality.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/inertia.hpp"
-#include "trajectory/certify.hpp"
-#include "trajectory/contact_error.hpp"
+#include "trajectory/checks.hpp"
 #include "trajectory/places.hpp"
 #include "trajectory/reintegration.hpp"
 
 namespace brachisto {
 
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-
-void check_ends(const LimitedCurve& curve, Certificate& certificate) {
-  constexpr double kContact = 1e-9;
-  const Scene& scene = curve.problem().scene();
-  const auto first = curve.at(0.0).state;
-  const auto last = curve.at(1.0).state;
-  Point start{first.x, first.z}, end{last.x, last.z};
-  if (scene.contact != Contact::Centre) {
-    start = track_below(start, scene.body.radius, first.beta);
-    end = track_below(end, scene.body.radius, last.beta);
-  }
-  certificate.add("contact_error", contact_error(scene, start, end), kContact);
-}
 
 /// The slopes that the scene itself asks for, whatever the solution was built
 /// with: the one at B where it is given, and at A the law for leaving rest, but
@@ -55,15 +38,16 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
   if (scene.contact == Contact::EndSlope) {
     certificate.add("end_slope",
                     std::abs(curve.at(1.0).state.beta -
-                             scene.end_slope.value_or(kNotKnown)),
+                             scene.end_slope.value_or(kUnmeasured)),
                     kSlope);
   }
   if (curve.problem().pushed()) {
     if (curve.problem().free_contacts()) return;
-    certificate.add("start_angle",
-                    std::abs(curve.start_slope() -
-                             curve.problem().ends().start.value_or(kNotKnown)),
-                    kSlope);
+    certificate.add(
+        "start_angle",
+        std::abs(curve.start_slope() -
+                 curve.problem().ends().start.value_or(kUnmeasured)),
+        kSlope);
     return;
   }
   const std::vector<PathInequality> limits =
@@ -75,7 +59,7 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add(
       "start_angle",
       std::abs(curve.at(0.0).state.beta -
-               start_angle_under(scene, limits).value_or(kNotKnown)),
+               start_angle_under(scene, limits).value_or(kUnmeasured)),
       kSlope);
 }
 
@@ -137,7 +121,7 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add(
       "second_order",
       inertia.known && by_places ? std::abs(inertia.positive - wanted)
-                                 : kNotKnown,
+                                 : kUnmeasured,
       0.0,
       fmt::format("inertia ({}, {}, {}), wanted {} positive", inertia.positive,
                   inertia.negative, inertia.zero, wanted));
@@ -146,13 +130,11 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
 }  // namespace
 
 Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
-  constexpr double kResidual = 1e-9;
   constexpr double kComplementarity = 1e-9;
   // What an element errs by may turn the sign where a multiplier vanishes, as
   // it does quadratically at junctions. One of −ε, even along the whole path,
   // is worth ε² in T, for the control that gives way changes by as much.
   constexpr double kSign = 1e-6;
-  constexpr double kTangency = 1e-8;
   constexpr double kAllowed = 1e-8;
   Certificate certificate;
   LimitedTime problem = curve.problem().as_inequalities();
@@ -166,9 +148,10 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
                                    problem.rounding(curve.point().lambda)) /
                           *std::min_element(weights.begin(), weights.end());
   certificate.add("kkt_residual", residual.stationarity,
-                  std::max(kResidual, rounding), residual.worst_variable);
+                  std::max(kThresholds.kkt_residual, rounding),
+                  residual.worst_variable);
   certificate.add("defects", residual.infeasibility + residual.bound_violation,
-                  kResidual, residual.worst_constraint);
+                  kThresholds.defects, residual.worst_constraint);
   certificate.add("complementarity", residual.complementarity, kComplementarity,
                   residual.worst_multiplier);
   const double largest =
@@ -177,23 +160,23 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
                   residual.sign / (largest * curve.rolling_time()), kSign);
   check_limits(curve, certificate);
   check_second_order(curve, certificate);
-  check_ends(curve, certificate);
+  const TurningPoint<double> first = curve.at(0.0).state;
+  const TurningPoint<double> last = curve.at(1.0).state;
+  check_contact(problem.scene(), {first.x, first.z}, first.beta,
+                {last.x, last.z}, last.beta, 0.0, certificate);
   check_slopes(curve, certificate);
-  certificate.add("closure", std::abs(mismatch), kTangency);
-  double steepest = 0.0;
+  certificate.add("closure", std::abs(mismatch), kThresholds.tangency);
+  Largest steepest;
   for (int node = 0; node < problem.layout().num_nodes(); ++node) {
-    const double slope = std::abs(
-        curve.point()
-            .x[at(problem.layout().state(node, StateComponent::Beta))]);
-    // Written so that a NaN stays.
-    if (!(slope <= steepest)) steepest = slope;
+    steepest.see(std::abs(curve.point().x[at(
+                     problem.layout().state(node, StateComponent::Beta))]),
+                 node);
   }
-  certificate.add("slope_angle", steepest, std::numbers::pi);
-  constexpr double kInterior = 100.0;
+  certificate.add("slope_angle", steepest.value, std::numbers::pi);
   constexpr double kRounding = 1e-12;
   const Reintegration motion = reintegrate(curve);
   certificate.add("reintegration_error", motion.worst(),
-                  kInterior * std::max(error, kRounding));
+                  kThresholds.interior_factor * std::max(error, kRounding));
   certificate.add("reintegrated_limits", motion.excess, kAllowed,
                   fmt::format("at u/U = {:.6g}", motion.excess_at));
   return certificate;

@@ -39,7 +39,8 @@ struct Dependence {
 
   Dependence& operator+=(const Dependence& other) {
     any |= other.any;
-    for (std::size_t i = 0; i < second.size(); ++i) second[i] |= other.second[i];
+    for (std::size_t i = 0; i < second.size(); ++i)
+      second[i] |= other.second[i];
     return *this;
   }
   Dependence& operator-=(const Dependence& other) { return *this += other; }

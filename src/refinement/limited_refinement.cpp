@@ -49,11 +49,10 @@ class LimitedSolve {
         protocol_(options.progress) {}
 
   LimitedRefinement run() {
-    std::optional<FittedPath> path = find_arcs();
-    if (!path && !stopped() && protocol_.status != Status::NoFastestTrack) {
-      path = tighten_from_looser();
+    refine(find_arcs());
+    if (!answer_ && !stopped() && protocol_.status != Status::NoFastestTrack) {
+      come_from_looser();
     }
-    refine(std::move(path));
     return finished();
   }
   LimitedRefinement run_beside(const FittedPath& neighbour) {
@@ -291,15 +290,12 @@ class LimitedSolve {
     return scene;
   }
 
-  /// The path under the limits of the scene; nothing if it is not reached: then
-  /// the tightest is kept.
-  [[nodiscard]] std::optional<FittedPath> tighten_from_looser() {
+  void come_from_looser() {
     for (const double by : {0.05, 0.2, 0.6}) {
       std::optional<FittedPath> path = path_under(loosened(by));
       if (path) return tighten(std::move(*path), by);
-      if (stopped()) break;
+      if (stopped()) return;
     }
-    return std::nullopt;
   }
 
   /// With the iterations that are left.
@@ -319,19 +315,24 @@ class LimitedSolve {
     return path;
   }
 
-  [[nodiscard]] std::optional<FittedPath> tighten(FittedPath path, double by) {
+  /// To the limits of the scene, or else the tightest are kept, with the reason
+  /// of the first attempt.
+  void tighten(FittedPath path, double by) {
     constexpr double kFirst = 0.5, kFinest = 0.01;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     const double least = kFinest * by;
     double step = kFirst * by;
-    while (by > 0.0 && step >= least) {
+    while (step >= least && !stopped()) {
       const double next = std::max(0.0, by - step);
       const Scene scene = loosened(next);
       auto nearer =
           fit_beside(path, {inequalities(scene.body, scene.limits), scene});
-      if (stopped()) break;
-      if (nearer) {
+      if (nearer && next == 0.0) {
+        refine(std::move(nearer));
+        if (answer_) return;
+      }
+      if (nearer && next > 0.0) {
         path = std::move(*nearer);
         by = next;
         step *= 1.5;
@@ -339,10 +340,8 @@ class LimitedSolve {
         step *= 0.4;
       }
     }
-    if (by == 0.0) return path;
     protocol_.fail(status, message);
     loosened_.emplace(LoosenedPath{by, std::move(path)});
-    return std::nullopt;
   }
 
   // ---- Accuracy.

@@ -400,9 +400,9 @@ std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
                                         const LoosenedPath& nearby,
                                         const Work& done) {
   // Where limits can hardly be kept a path may be found and its digits not.
-  for (const double more : {1.0, 1.02, 1.1, 1.5}) {
+  for (const double more : {0.0, 0.001, 0.005, 0.02}) {
     Scene looser = posed.asked;
-    looser.limits = loosened_limits(posed.asked, more * nearby.by);
+    looser.limits = loosened_limits(posed.asked, nearby.by + more);
     const PosedProblem problem = with_scene(posed, looser);
     auto solution = std::make_shared<const Solution>(
         within_limits(problem, [&](Solution& out) {

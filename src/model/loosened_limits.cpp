@@ -15,7 +15,12 @@ PathLimits loosened_limits(const Scene& scene, double by) {
   PathLimits limits = scene.limits;
   const double factor = std::pow(kTimes, by);
   if (limits.friction) *limits.friction *= factor;
-  if (limits.normal_min) *limits.normal_min -= kWeights * by;
+  if (limits.normal_min) {
+    // A body that must not lift off does not.
+    const double least = *limits.normal_min - kWeights * by;
+    limits.normal_min =
+        *limits.normal_min >= 0.0 ? std::max(0.0, least) : least;
+  }
   if (limits.normal_max) *limits.normal_max += kWeights * by;
   CurvatureLimit& curvature = limits.curvature;
   if (curvature.valley) {

@@ -126,6 +126,10 @@ std::vector<PathInequality> LimitRelaxation::at(double share) const {
     limit.upper = between(way.loose.upper, limit.upper, share, false);
     limit.number =
         between(way.loose.number, limit.number, share, way.geometric);
+    if (limit.kind == PathInequality::Kind::HalfPlane) {
+      limit.place.x = between(way.loose.place.x, limit.place.x, share, false);
+      limit.place.z = between(way.loose.place.z, limit.place.z, share, false);
+    }
     limits.push_back(limit);
   }
   return limits;

@@ -425,8 +425,9 @@ std::optional<LimitedRefinement> refine_limited_beside(
     const auto follows = [](double from, double to) {
       return from == to || (std::isfinite(from) && std::isfinite(to));
     };
-    return a.kind == b.kind && a.place.x == b.place.x &&
-           a.place.z == b.place.z && a.normal.x == b.normal.x &&
+    const bool there = (a.place.x == b.place.x && a.place.z == b.place.z) ||
+                       a.kind == PathInequality::Kind::HalfPlane;
+    return a.kind == b.kind && there && a.normal.x == b.normal.x &&
            a.normal.z == b.normal.z && follows(a.lower, b.lower) &&
            follows(a.upper, b.upper) && follows(a.number, b.number);
   };

@@ -242,9 +242,9 @@ void add_verdict(std::string& out, const Solution& solution) {
     const Solution& looser = *solution.relaxed;
     std::vector<std::string> bounds;
     for (const LimitOnPath& limit : looser.limits) {
-      if (limit.bound) {
-        bounds.push_back(fmt::format("{} {:.4g}", limit.name, *limit.bound));
-      }
+      bounds.push_back(limit.bound
+                           ? fmt::format("{} {:.7g}", limit.name, *limit.bound)
+                           : limit.name + " farther off");
     }
     const double error = looser.estimated_error.value_or(0.0);
     add_line(out, "looser limits",

@@ -66,10 +66,9 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
               std::optional<double> transit_time = std::nullopt);
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out);
-/// The answer under looser limits; null if it is not verified.
-std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
-                                        const LoosenedPath& nearby,
-                                        const Work& done);
+/// The answer under looser limits, if it is verified.
+void record_loosened(const PosedProblem& posed,
+                     const LimitedRefinement& refinement, Solution& out);
 /// With the limit that was not kept.
 void record_limited(const PosedProblem& posed,
                     const LimitedRefinement& refinement, Solution& out);
@@ -201,6 +200,7 @@ void shoot_under_limits(const PosedProblem& posed, Solution& out) {
       refine_limited(*posed.limited, loose, *start.curve, start.phi,
                      posed.mesh_options_after(out.effort));
   record_limited(posed, program, out);
+  record_loosened(posed, program, out);
   if (!program.answer || posed.stop().met()) return;
   const FittedPath& nearby = program.answer->path;
   const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
@@ -388,19 +388,18 @@ void record_limited(const PosedProblem& posed,
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out) {
   record_limited(posed, refinement, out);
-  if (posed.stop().met()) return;
-  if (refinement.loosened) {
-    out.relaxed = relaxed(posed, *refinement.loosened, out.effort);
-  }
-  if (!refinement.answer) return;
+  record_loosened(posed, refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
   conclude(posed, *refinement.answer, refinement.message, out);
 }
 
-std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
-                                        const LoosenedPath& nearby,
-                                        const Work& done) {
+void record_loosened(const PosedProblem& posed,
+                     const LimitedRefinement& refinement, Solution& out) {
+  if (!refinement.loosened) return;
+  const LoosenedPath& nearby = *refinement.loosened;
   // Where limits can hardly be kept a path may be found and its digits not.
   for (const double more : {0.0, 0.001, 0.005, 0.02}) {
+    if (posed.stop().met()) return;
     Scene looser = posed.asked;
     looser.limits = loosened_limits(posed.asked, nearby.by + more);
     const PosedProblem problem = with_scene(posed, looser);
@@ -408,13 +407,15 @@ std::shared_ptr<const Solution> relaxed(const PosedProblem& posed,
         within_limits(problem, [&](Solution& out) {
           const auto refinement = refine_limited_beside(
               *problem.limited, problem.program.discretisation, nearby.path,
-              problem.mesh_options_after(done));
+              problem.mesh_options_after(out.effort));
           if (refinement) conclude(problem, *refinement, out);
         }));
-    if (solution->verified()) return solution;
-    if (posed.stop().met()) break;
+    out.effort += solution->effort;
+    if (solution->verified()) {
+      out.relaxed = std::move(solution);
+      return;
+    }
   }
-  return nullptr;
 }
 
 void conclude(const PosedProblem& posed, const LimitedAnswer& found,

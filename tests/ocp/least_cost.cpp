@@ -8,11 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "brachisto/nlp/kkt_residual.hpp"
@@ -170,7 +173,7 @@ struct Pendulum {
     using std::sin;
     using std::sqrt;
     const auto& [angle, speed, u] = yu;
-    return {sqrt(u * u + 1.0) + speed * speed,
+    return {sqrt(u * u + 1.0) - (-(speed * speed)),
             {speed / (u * u + 2.0), u * cos(angle) - sin(angle) * speed}};
   }
   [[nodiscard]] std::size_t num_limits() const { return 2; }
@@ -232,6 +235,37 @@ TEST(LeastCost, SaysWhereAPointIsRefused) {
   EXPECT_EQ(problem.refusal(), "the duration is not positive");
 }
 
+/// The coarsest meshes: no interior node, one element. Of degree 1 Radau's
+/// scheme is implicit Euler's; the cost to go P y²/2 then is, step by step from
+/// the end, P = Q/(1 + h Q) with Q = h + P of the step before.
+TEST(LeastCost, IsSolvedOnAnyMesh) {
+  const Ends<1> ends{.start = {1.0}, .end = {}, .duration = 2.0};
+  const auto cost_on = [&](const Mesh& mesh) {
+    LeastCost problem(Regulator{}, mesh, ends);
+    EXPECT_EQ(problem.straight_guess().x.back(), 2.0);
+    const PrimalDual point = solved(problem);
+    EXPECT_TRUE(problem.set_point(point.x));
+    return problem.eval_f();
+  };
+  for (const int elements : {1, 8}) {
+    const double h = 2.0 / elements;
+    double P = 0.0;
+    for (int i = 0; i < elements; ++i) P = (h + P) / (1.0 + h * (h + P));
+    EXPECT_NEAR(cost_on(uniform_mesh(1, elements)), 0.5 * P, 1e-10);
+  }
+  // The first term that is left is of the order U¹⁰/10!.
+  EXPECT_NEAR(cost_on(uniform_mesh(5, 1)), 0.5 * std::tanh(2.0), 3e-4);
+}
+
+TEST(LeastCost, ShowsAGuessWithoutCostates) {
+  const LeastCost problem(Pendulum{}, uniform_mesh(2, 3), Ends<2>{});
+  const auto path = problem.path(problem.straight_guess());
+  EXPECT_EQ(path.size(), 7u);
+  EXPECT_TRUE(std::isnan(path.back().costates[0]));
+  EXPECT_EQ(path.back().s, 1.0);
+  EXPECT_THROW((void)problem.path({{1.0, 2.0}, {}}), std::invalid_argument);
+}
+
 TEST(LeastCost, RefusesWhatIsNoMeshAndNoDuration) {
   const auto make = [](const Mesh& mesh, std::optional<double> duration) {
     return LeastCost(Pendulum{}, mesh,
@@ -245,6 +279,10 @@ TEST(LeastCost, RefusesWhatIsNoMeshAndNoDuration) {
   EXPECT_THROW(make({2, {}}, {}), std::invalid_argument);
   EXPECT_THROW(make({2, {0.0, 1.0}}, -1.0), std::invalid_argument);
   EXPECT_NO_THROW(make({2, {0.0, 1.0}}, 1.0));
+  Ends<2> nowhere;
+  nowhere.end[1] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(LeastCost(Pendulum{}, uniform_mesh(2, 1), nowhere),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -39,12 +39,23 @@ TEST(RelaxedLimits, HaveAnAnswerThatIsThatOfTheirOwnScene) {
   const Solution& looser = *solution.relaxed;
   EXPECT_TRUE(looser.verified());
   EXPECT_LT(*looser.scene.limits.normal_min, 0.2);
+  EXPECT_GE(*looser.scene.limits.normal_min, 0.0);
   EXPECT_GT(*looser.scene.limits.normal_max, 0.9);
   // From the cycloid, without a path to start from.
   const Solution alone = solve(looser.scene);
   ASSERT_TRUE(alone.verified()) << alone.message;
   EXPECT_NEAR(alone.motion()->tau(), looser.motion()->tau(),
               1e-10 * alone.motion()->tau());
+}
+
+/// Places of half-planes are loosened too, and those of `method: extremal`.
+TEST(RelaxedLimits, AreFoundBesideAHalfPlaneAndByShooting) {
+  Scene scene = impossible();
+  scene.limits.half_planes = {{{1.5, 4.0}, -0.5 * kPi}};
+  SolveOptions options;
+  options.method = Shooting{};
+  EXPECT_NE(solve(scene).relaxed, nullptr);
+  EXPECT_NE(solve(scene, options).relaxed, nullptr);
 }
 
 TEST(RelaxedLimits, StandInTheDocumentBesideNoNumberOfTheSceneItself) {
@@ -70,7 +81,7 @@ TEST(LoosenedLimits, AskForLessTheMoreTheyAreLoosened) {
   Scene scene = off_centred_scene();
   PathLimits& asked = scene.limits;
   asked.friction = 0.4;
-  asked.normal_min = 0.1;
+  asked.normal_min = -0.1;
   asked.normal_max = 3.0;
   asked.curvature = {0.5, 2.0, CurvatureLimit::Of::Centre};
   asked.fold_margin = 0.3;

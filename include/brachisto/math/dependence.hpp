@@ -43,6 +43,7 @@ struct Dependence {
       second[i] |= other.second[i];
     return *this;
   }
+  [[nodiscard]] Dependence operator-() const { return *this; }
   Dependence& operator-=(const Dependence& other) { return *this += other; }
 
   friend Dependence operator+(Dependence a, const Dependence& b) {

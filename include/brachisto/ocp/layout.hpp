@@ -21,7 +21,8 @@ namespace brachisto::ocp {
 /// A state of the description on which nothing depends can be absent.
 class Layout {
  public:
-  using States = std::bitset<8>;
+  static constexpr int kMostStates = 8;
+  using States = std::bitset<kMostStates>;
 
   /// \param has_control  false: all along the path are states, and the first
   ///                     node is given
@@ -98,7 +99,7 @@ class Layout {
   int num_points_;
   States absent_;
   int num_states_, num_controls_, num_rows_;
-  std::array<int, 8> offsets_{};  ///< of states in their group
+  std::array<int, kMostStates> offsets_{};  ///< of states in their group
 };
 
 }  // namespace brachisto::ocp

@@ -60,10 +60,12 @@ template <ControlProblem Description>
 class LeastCost final : public Program {
  public:
   static constexpr std::size_t kStates = Description::kStates;
+  static_assert(kStates >= 1 && kStates <= std::size_t{Layout::kMostStates});
 
   /// \throws std::invalid_argument for a degree that is not 1 … kLargestDegree,
   ///         boundaries that do not ascend from 0 to 1, a duration that is not
-  ///         positive
+  ///         positive and finite, an end that is not finite, and bounds of
+  ///         which the upper one is the smaller
   LeastCost(Description description, const Mesh& mesh,
             const Ends<kStates>& ends);
 
@@ -71,12 +73,16 @@ class LeastCost final : public Program {
     return collocation_.description();
   }
   /// States straight from end to end, a free one as at the other end, the
-  /// control 0.
+  /// control 0, without multipliers.
+  ///
+  /// \param duration  U where it is free
   [[nodiscard]] PrimalDual straight_guess(double duration = 1.0) const;
 
   /// The start and each collocation point. Costates are −λ/b there and follow
   /// from the multipliers of the first element at the start, where the control
-  /// is extrapolated.
+  /// is extrapolated; NaN without multipliers.
+  ///
+  /// \throws std::invalid_argument for a point of another program
   [[nodiscard]] std::vector<PathPlace<kStates>> path(
       const PrimalDual& point) const;
 
@@ -93,7 +99,8 @@ class LeastCost final : public Program {
     return element_chain(layout(), mesh(), num_constraints(),
                          collocation_.limits_of_control());
   }
-  /// "v[3]", "U"; of the control "h u[3]", h being an element's share of U.
+  /// "v[3]", "U"; of the control "h u[3]", h being the length of an element of
+  /// the mesh.
   [[nodiscard]] std::string variable_name(int index) const override;
   /// "defect of v[3]", "thrust[3]".
   [[nodiscard]] std::string constraint_name(int index) const override;
@@ -150,19 +157,31 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
   const int last = layout().num_points();
   for (std::size_t s = 0; s < kStates; ++s) {
     const int state = static_cast<int>(s);
+    for (const auto& end : {ends.start[s], ends.end[s]}) {
+      if (!std::isfinite(end.value_or(0.0))) {
+        throw std::invalid_argument("an end of " +
+                                    std::string(description.state_name(s)) +
+                                    " is not finite");
+      }
+    }
     if (ends.start[s]) fix(layout().state(0, state), *ends.start[s]);
     if (ends.end[s]) fix(layout().state(last, state), *ends.end[s]);
   }
   if (ends.duration) {
-    if (!(*ends.duration > 0.0)) {
-      throw std::invalid_argument("the duration is not positive");
+    if (!(*ends.duration > 0.0) || std::isinf(*ends.duration)) {
+      throw std::invalid_argument("the duration is not positive and finite");
     }
     fix(layout().last(), *ends.duration);
   } else {
     bound(layout().last(), 0.0, std::numeric_limits<double>::infinity());
   }
   for (int i = 0; i < layout().num_limits(); ++i) {
-    const Bounds bounds = this->description().bounds(at(i));
+    const Bounds bounds = description.bounds(at(i));
+    if (!(bounds.lower <= bounds.upper)) {
+      throw std::invalid_argument("the bounds of " +
+                                  std::string(description.limit_name(at(i))) +
+                                  " leave nothing between them");
+    }
     for (int c = 0; c < last; ++c) {
       row_lower_[at(layout().limit(c, i))] = bounds.lower;
       row_upper_[at(layout().limit(c, i))] = bounds.upper;
@@ -191,7 +210,9 @@ template <ControlProblem Description>
 PrimalDual LeastCost<Description>::straight_guess(double duration) const {
   PrimalDual guess;
   guess.x.assign(at(num_variables()), 0.0);
-  guess.x[at(layout().last())] = duration;
+  const nlp::Range given_duration = variable_range(layout().last());
+  guess.x[at(layout().last())] =
+      given_duration.single() ? given_duration.lower : duration;
   const int last = layout().num_points();
   const CollocationScheme& scheme = collocation_.scheme();
   for (int s = 0; s < static_cast<int>(kStates); ++s) {
@@ -216,6 +237,15 @@ PrimalDual LeastCost<Description>::straight_guess(double duration) const {
 template <ControlProblem Description>
 std::vector<PathPlace<LeastCost<Description>::kStates>>
 LeastCost<Description>::path(const PrimalDual& point) const {
+  const bool costates = !point.lambda.empty();
+  if (point.x.size() != at(num_variables()) ||
+      (costates && point.lambda.size() != at(num_constraints()))) {
+    throw std::invalid_argument("the point is one of another program");
+  }
+  const auto multiplier = [&](int row) {
+    return costates ? point.lambda[at(row)]
+                    : std::numeric_limits<double>::quiet_NaN();
+  };
   const CollocationScheme& scheme = collocation_.scheme();
   const int p = scheme.degree;
   const double U = point.x[at(layout().last())];
@@ -226,8 +256,8 @@ LeastCost<Description>::path(const PrimalDual& point) const {
     for (int s = 0; s < static_cast<int>(kStates); ++s) {
       place.states[at(s)] = point.x[at(layout().state(node, s))];
       if (node > 0) {
-        place.costates[at(s)] = -point.lambda[at(layout().defect(c, s))] /
-                                scheme.rule.weights[at(c % p)];
+        place.costates[at(s)] =
+            -multiplier(layout().defect(c, s)) / scheme.rule.weights[at(c % p)];
       }
     }
     if (node == 0) continue;
@@ -243,7 +273,7 @@ LeastCost<Description>::path(const PrimalDual& point) const {
     start.control += at_start[at(j)] * places[at(j + 1)].control;
     for (int s = 0; s < static_cast<int>(kStates); ++s) {
       start.costates[at(s)] +=
-          scheme.derivative(j, 0) * point.lambda[at(layout().defect(j, s))];
+          scheme.derivative(j, 0) * multiplier(layout().defect(j, s));
     }
   }
   return places;

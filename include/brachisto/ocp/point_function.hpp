@@ -35,7 +35,7 @@ struct ByControl {
 template <class Problem, class Scalar>
 using PointOf = std::array<Scalar, Problem::kStates + 1>;
 
-/// The bounds of one limit, lower ≤ c(y, u) ≤ upper.
+/// The bounds of one limit, lower ≤ c(y, u) ≤ upper; ±infinity: none.
 struct Bounds {
   double lower, upper;
 };
@@ -47,8 +47,8 @@ struct Bounds {
 /// - `num_limits()`, and of each its `limit_name(i)`, its `bounds(i)` and its
 ///   value `limit(i, yu)`.
 ///
-/// It may say by `refusal(yu, cost)` why a point of numbers is none of it; null
-/// if it is one. Without it cost and rates have to be finite.
+/// It may say by `refusal(yu, cost)` why a point of numbers is none of it, a
+/// literal, or null if it is one. Without it cost and rates have to be finite.
 template <class Problem>
 concept ControlProblem = requires(const Problem& problem, std::size_t i,
                                   const PointOf<Problem, double>& yu) {

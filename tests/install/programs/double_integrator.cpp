@@ -1,6 +1,7 @@
 // An optimal-control problem of one's own: a cart is pushed from rest at 0 to
 // rest at 1, in the least time or with the least effort. double_integrator
 
+#include <array>
 #include <brachisto/brachisto.hpp>
 #include <cstdio>
 #include <exception>

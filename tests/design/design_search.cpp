@@ -156,15 +156,24 @@ TEST(Design, TheGripThatThereIsBoundsTheBody) {
   // that, and τ falls as more is allowed, at the rate that its multiplier says:
   // by a central difference of whole designs, whose error is (Δμ)² τ‴/6, a
   // thousandth of it by the multipliers of the three.
-  const auto quickest = [](double mu) {
+  const auto plan_with = [](double mu) {
     DesignPlan plan;
     plan.free = {EtaM, ThetaM};
     plan.max_grip = MaxGrip{mu, 0.05};
-    return search_design(base(), {}, plan, 1, nullptr);
+    return plan;
+  };
+  // One search may be lost where the greatest need of grip changes its place:
+  // two of the five that the command makes.
+  const auto quickest = [&](double mu) {
+    const DesignPlan plan = plan_with(mu);
+    return gather_designs(plan, {search_design(base(), {}, plan, 1, nullptr),
+                                 search_design(base(), {}, plan, 2, nullptr)})
+        .best->tau;
   };
   constexpr double kMu = 0.8, kStep = 0.02;
 
-  const DesignSearch found = quickest(kMu);
+  const DesignSearch found =
+      search_design(base(), {}, plan_with(kMu), 1, nullptr);
 
   ASSERT_EQ(found.minima.size(), 2U) << found.message;
   EXPECT_FALSE(found.minima[0].feasible);
@@ -180,9 +189,8 @@ TEST(Design, TheGripThatThereIsBoundsTheBody) {
   // A least margin of 1e-6 rad is asked for.
   const Solution there = *found.answer;
   EXPECT_NEAR(there.diagnostics->least_grip[2].mu, kMu, 3e-6);
-  const double slope = (quickest(kMu + kStep).minima.back().tau -
-                        quickest(kMu - kStep).minima.back().tau) /
-                       (2.0 * kStep);
+  const double slope =
+      (quickest(kMu + kStep) - quickest(kMu - kStep)) / (2.0 * kStep);
   EXPECT_LT(slope, 0.0);
   EXPECT_NEAR(best.bounds_active[0].multiplier / slope, 1.0, 2e-3);
 }

@@ -118,15 +118,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", out, "CSV file")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == ".yaml" &&
-        name.find(only) != std::string::npos) {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = problem_files(folder, only);
 
   std::vector<Row> rows(files.size());
   run_isolated<Row>(

@@ -142,13 +142,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", out, "CSV file")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".yaml") {
-      files.push_back(entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = problem_files(folder);
 
   std::vector<Row> rows(files.size());
   run_isolated<Row>(

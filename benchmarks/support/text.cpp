@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace brachisto::benchmarks {
 
 std::string_view word(ExtremalStatus status) {
@@ -35,6 +38,20 @@ std::string_view word(ExtremalStatus status) {
       return "interrupted";
   }
   return "unknown";
+}
+
+std::vector<std::string> problem_files(const std::string& folder,
+                                       std::string_view part) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() == ".yaml" &&
+        path.filename().string().find(part) != std::string::npos) {
+      files.push_back(path.string());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 std::string failed_checks(const Certificate& certificate) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "extremal/shooting.hpp"
@@ -37,6 +38,12 @@ class FixedText {
  private:
   std::array<char, N> bytes_{};
 };
+
+/// The problem files in a folder whose names contain a text, in their order.
+///
+/// \throws std::filesystem::filesystem_error for what is no folder
+[[nodiscard]] std::vector<std::string> problem_files(
+    const std::string& folder, std::string_view part = "");
 
 /// One word for how the indirect method ended: "branch_turns_back".
 [[nodiscard]] std::string_view word(ExtremalStatus status);

@@ -44,6 +44,15 @@ void Program::release(int variable) {
   bound(variable, -kInfinity, kInfinity);
 }
 
+void Program::bound_row(int row, double lower, double upper) {
+  if (row_lower_.empty()) {
+    row_lower_.resize(at(num_constraints_));
+    row_upper_.resize(at(num_constraints_));
+  }
+  row_lower_[at(row)] = lower;
+  row_upper_[at(row)] = upper;
+}
+
 void Program::change_lengths(Mesh mesh) {
   mesh_ = std::move(mesh);
   forget_point();

@@ -61,7 +61,8 @@ class LimitedSolve {
     const auto stage_at = [&](double share) {
       return Stage{way.at(share), between(from, scene_, share)};
     };
-    refine(follow(neighbour, stage_at, 1.0));
+    Followed way_here = follow(neighbour, stage_at, {.first = 1.0});
+    if (way_here.arrived()) refine(std::move(way_here.path));
     return finished();
   }
 
@@ -226,32 +227,41 @@ class LimitedSolve {
     return fit_corrected(there.curve(), std::move(setting), kDegree);
   }
 
+  /// Of the way from one scene to another: shares of it.
+  struct Steps {
+    double first, largest = 0.2, smallest = 1e-3;
+  };
+  /// The last path that was found on a way, and where on it.
+  struct Followed {
+    std::optional<FittedPath> path;
+    double share = 0.0;
+    [[nodiscard]] bool arrived() const { return path && share == 1.0; }
+  };
+
   /// With arcs known and corrected all along the way, where contacts are closed
   /// at every step.
-  [[nodiscard]] std::optional<FittedPath> follow(
+  [[nodiscard]] Followed follow(
       std::optional<FittedPath> path,
-      const std::function<Stage(double share)>& stage_at, double step) {
-    constexpr double kLargestStep = 0.2, kSmallestStep = 1e-3;
-    double& reached = reached_;
-    reached = 0.0;
-    while (path && reached < 1.0) {
-      const double share = std::min(1.0, reached + step);
-      auto next = fit_beside(*path, stage_at(share));
-      if (stopped()) return std::nullopt;
+      const std::function<Stage(double share)>& stage_at, Steps steps) {
+    Followed reached{std::move(path)};
+    double step = steps.first;
+    while (reached.path && reached.share < 1.0) {
+      const double share = std::min(1.0, reached.share + step);
+      auto next = fit_beside(*reached.path, stage_at(share));
+      if (stopped()) break;
       if (next) {
-        reached = share;
-        step = std::min(kLargestStep, 1.5 * step);
-        path = std::move(next);
+        reached = {std::move(next), share};
+        step = std::min(steps.largest, 1.5 * step);
       } else {
         step *= 0.4;
-        if (step < kSmallestStep) {
+        if (step < steps.smallest) {
           protocol_.fail(Status::NotConverged,
                          "arcs were lost on the way to the limits");
-          return std::nullopt;
+          break;
         }
       }
     }
-    return path;
+    return reached;
   }
 
   /// How far follow_from_loosest() came.
@@ -274,12 +284,16 @@ class LimitedSolve {
     const LimitRelaxation& relaxation = tightening_->relaxation();
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
-    return follow(
+    Followed way = follow(
         fit_corrected(
             loosest,
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
             kDegree),
-        [&](double share) { return Stage{relaxation.at(share)}; }, kFirstStep);
+        [&](double share) { return Stage{relaxation.at(share)}; },
+        {.first = kFirstStep});
+    reached_ = way.share;
+    if (!way.arrived()) return std::nullopt;
+    return std::move(way.path);
   }
 
   // ---- From limits that ask for less, each step an answer to them.
@@ -318,30 +332,19 @@ class LimitedSolve {
   /// To the limits of the scene, or else the tightest are kept, with the reason
   /// of the first attempt.
   void tighten(FittedPath path, double by) {
-    constexpr double kFirst = 0.5, kFinest = 0.01;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    const double least = kFinest * by;
-    double step = kFirst * by;
-    while (step >= least && !stopped()) {
-      const double next = std::max(0.0, by - step);
-      const Scene scene = loosened(next);
-      auto nearer =
-          fit_beside(path, {inequalities(scene.body, scene.limits), scene});
-      if (nearer && next == 0.0) {
-        refine(std::move(nearer));
-        if (answer_) return;
-      }
-      if (nearer && next > 0.0) {
-        path = std::move(*nearer);
-        by = next;
-        step *= 1.5;
-      } else {
-        step *= 0.4;
-      }
-    }
+    const auto left = [&](double share) { return by * (1.0 - share); };
+    const auto stage_at = [&](double share) {
+      const Scene scene = loosened(left(share));
+      return Stage{inequalities(scene.body, scene.limits), scene};
+    };
+    Followed way = follow(std::move(path), stage_at,
+                          {.first = 0.5, .largest = 1.0, .smallest = 0.01});
+    if (way.arrived()) refine(way.path);
+    if (answer_) return;
     protocol_.fail(status, message);
-    loosened_.emplace(LoosenedPath{by, std::move(path)});
+    loosened_.emplace(LoosenedPath{left(way.share), *std::move(way.path)});
   }
 
   // ---- Accuracy.
@@ -406,7 +409,7 @@ class LimitedSolve {
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
   std::optional<LoosenedPath> loosened_;
-  double reached_ = 0.0;  ///< share of the way that follow() came
+  double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ struct LimitedAnswer {
 
 /// A path under loosened_limits() of a scene.
 struct LoosenedPath {
-  double by;
+  double by;  ///< at 0 its digits were not found
   FittedPath path;
 };
 

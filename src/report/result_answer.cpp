@@ -145,8 +145,9 @@ Field<Solution> limits_field() {
 /// No key unless there is one.
 Field<Solution> relaxed_field() {
   Fields<Solution> fields = of_part<Solution>(
-      answer_of, {{"tau", "", "T √(2 g/H)", &Motion::tau},
-                  {"transit_time", "s", "T", &Motion::transit_time}});
+      answer_of,
+      {{"tau", "", "τ = T √(2g/H), transit time without units", &Motion::tau},
+       {"transit_time", "s", "T", &Motion::transit_time}});
   fields.push_back(
       {"estimated_error", "", "relative, of T", &Solution::estimated_error});
   fields.insert(fields.begin(),

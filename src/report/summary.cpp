@@ -84,15 +84,19 @@ std::string contact_force(const PathDiagnostics& diagnostics) {
   return text;
 }
 
+/// \param of  with a motion
+std::string transit_times(const Solution& of) {
+  const double error = of.estimated_error.value_or(0.0);
+  const double T = of.motion()->transit_time();
+  const double tau = of.motion()->tau();
+  return fmt::format("T = {} s, τ = T √(2g/H) = {}", with_error(T, error * T),
+                     with_error(tau, error * tau));
+}
+
 void add_answer(std::string& out, const Solution& solution) {
   const Motion& path = *solution.motion();
   const PathDiagnostics& diagnostics = *solution.diagnostics;
-  const double error = solution.estimated_error.value_or(0.0);
-  add_line(
-      out, "transit time",
-      fmt::format("T = {} s, τ = T √(2g/H) = {}",
-                  with_error(path.transit_time(), error * path.transit_time()),
-                  with_error(path.tau(), error * path.tau())));
+  add_line(out, "transit time", transit_times(solution));
   add_line(out, "track",
            fmt::format("{:.6g} m long, the path of the centre {:.6g} m{}",
                        path.rail_length(), path.centre_path_length(),
@@ -246,14 +250,9 @@ void add_verdict(std::string& out, const Solution& solution) {
                            ? fmt::format("{} {:.7g}", limit.name, *limit.bound)
                            : limit.name + " farther off");
     }
-    const double error = looser.estimated_error.value_or(0.0);
     add_line(out, "looser limits",
-             fmt::format("verified with {}: T = {} s, τ = {}",
-                         fmt::join(bounds, ", "),
-                         with_error(looser.motion()->transit_time(),
-                                    error * looser.motion()->transit_time()),
-                         with_error(looser.motion()->tau(),
-                                    error * looser.motion()->tau())));
+             fmt::format("verified with {}: {}", fmt::join(bounds, ", "),
+                         transit_times(looser)));
   }
   for (const std::string& reason : solution.not_verified_because()) {
     add_line(out, "failed check", reason);

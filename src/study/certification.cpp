@@ -15,13 +15,12 @@
 #include "study/limited_shooting.hpp"
 #include "study/shooting.hpp"
 #include "trajectory/certify.hpp"
+#include "trajectory/checks.hpp"
 #include "transcription/extremal_curve.hpp"
 
 namespace brachisto {
 
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether a mesh is fixed and its error is not to be judged by a tolerance.
 bool none_wanted(const Discretisation& wanted) {
@@ -53,7 +52,7 @@ bool under_resolved(const Certificate& certificate) {
 
 Certificate certify_answer(MeshAnswer& answer, const ExtremalCurve& curve,
                            const Discretisation& wanted) {
-  const double estimated = answer.estimated_error.value_or(kUnknown);
+  const double estimated = answer.estimated_error.value_or(kUnmeasured);
   // A mesh that missed the tolerance is judged by what it reached. Errors of
   // either sign may cancel in T; along the path they do not.
   double shares = 0.0;
@@ -80,7 +79,7 @@ Certificate certify_answer(MeshAnswer& answer, const ExtremalCurve& curve,
 Certificate certify_answer(ArcLengthAnswer& answer,
                            const ArcLengthMotion& motion,
                            const Discretisation& wanted) {
-  const double estimated = answer.estimated_error.value_or(kUnknown);
+  const double estimated = answer.estimated_error.value_or(kUnmeasured);
   Certificate certificate =
       certify(answer.problem, answer.solution.point,
               answer.solution.tangency.phi, motion, estimated);
@@ -94,7 +93,7 @@ Certificate certify_answer(ArcLengthAnswer& answer,
 
 Certificate certify_answer(const LimitedAnswer& answer,
                            const Discretisation& wanted) {
-  const double estimated = answer.estimated_error.value_or(kUnknown);
+  const double estimated = answer.estimated_error.value_or(kUnmeasured);
   const Mesh& mesh = answer.path.curve.problem().mesh();
   Certificate certificate =
       certify(answer.path.curve, answer.path.mismatch.largest(), estimated);
@@ -129,7 +128,7 @@ CrossCheck cross_check(const PosedScene& scene, const ExtremalCurve& nearby,
   const ExtremalSolution other =
       solve_extremal(scene.scene, as_guess(nearby, scene.units, phi), options);
   CrossCheck check = compare_with(other, T / other.transit_time);
-  certificate.add("extremal", check.solved ? check.difference : kUnknown,
+  certificate.add("extremal", check.solved ? check.difference : kUnmeasured,
                   error + check.error_estimate, check.message);
   return check;
 }
@@ -141,7 +140,7 @@ CrossCheck cross_check(const FittedPath& found, double error,
   const LimitedExtremal other = shoot_over_arcs(found, stop);
   CrossCheck check{.solved = other.solved, .message = other.message};
   if (!check.solved) {
-    certificate.add("extremal", kUnknown, error, check.message);
+    certificate.add("extremal", kUnmeasured, error, check.message);
     return check;
   }
   check.tau = other.transit_time * std::sqrt(2.0 * scene.gravity / scene.H);
@@ -186,7 +185,7 @@ Certificate certify_discrete(const DiscreteAnswer& answer,
   certificate.add("discrete_residual", answer.residual,
                   DiscreteSystem{}.tolerance);
   certificate.add(
-      "discretisation", check.solved ? check.difference : kUnknown,
+      "discretisation", check.solved ? check.difference : kUnmeasured,
       kDefaultTolerance,
       check.solved
           ? fmt::format("τ = {:.6f} of {} nodes, {:.6f} of the extremal",

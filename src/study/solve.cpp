@@ -400,6 +400,7 @@ void record_loosened(const PosedProblem& posed,
   // Where limits can hardly be kept a path may be found and its digits not.
   for (const double more : {0.0, 0.001, 0.005, 0.02}) {
     if (posed.stop().met()) return;
+    if (nearby.by + more == 0.0) continue;  // not verified as asked
     Scene looser = posed.asked;
     looser.limits = loosened_limits(posed.asked, nearby.by + more);
     const PosedProblem problem = with_scene(posed, looser);

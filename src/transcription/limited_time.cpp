@@ -52,18 +52,15 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
       held_(std::move(held)),
       collocation_({scene, std::move(limits),
                     scene.body.rolls() ? 1.0 / scene.body.radius : 1.0},
-                   radau_scheme(mesh.degree), layout()),
-      row_lower_(at(num_constraints())),
-      row_upper_(at(num_constraints())) {
-  fix_start();
-  weigh();
-  bound_limits();
+                   radau_scheme(mesh.degree), layout()) {
+  set_up();
   build_patterns();
 }
 
-void LimitedTime::weigh() {
-  weights_ =
-      ocp::element_weights(layout(), scheme(), mesh(), num_constraints());
+void LimitedTime::set_up() {
+  fix_start();
+  weigh(ocp::element_weights(layout(), scheme(), mesh(), num_constraints()));
+  bound_limits();
 }
 
 void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
@@ -73,9 +70,7 @@ void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
   collocation_.describe(std::move(changed));
   ends_ = ends;
   change_lengths(std::move(mesh));
-  fix_start();
-  weigh();
-  bound_limits();
+  set_up();
 }
 
 void LimitedTime::bound_slopes(double steepest) {
@@ -86,9 +81,9 @@ void LimitedTime::bound_slopes(double steepest) {
 }
 
 void LimitedTime::bound_limits() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto bound = [&](int row, const PathInequality& limit,
                          nlp::Held where) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double lower = limit.lower;
     double upper = limit.upper;
     if (held_) {
@@ -96,8 +91,7 @@ void LimitedTime::bound_limits() {
       lower = where == nlp::Held::No ? -kInfinity : value;
       upper = where == nlp::Held::No ? kInfinity : value;
     }
-    row_lower_[at(row)] = lower;
-    row_upper_[at(row)] = upper;
+    bound_row(row, lower, upper);
   };
   for (int i = 0; i < layout().num_limits(); ++i) {
     for (int c = 0; c < layout().num_points(); ++c) {
@@ -107,10 +101,8 @@ void LimitedTime::bound_limits() {
     // The place of the last point is given: its limit would say so again.
     if (!free_contacts() &&
         collocation_.limit_is_of(i, {rolling::kX, rolling::kZ})) {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      const auto row = at(layout().limit(layout().num_points() - 1, i));
-      row_lower_[row] = -kInfinity;
-      row_upper_[row] = kInfinity;
+      bound_row(layout().limit(layout().num_points() - 1, i), -kInfinity,
+                kInfinity);
     }
     if (i < layout().num_start_rows()) {
       bound(layout().start_row(i), limits()[at(i)],

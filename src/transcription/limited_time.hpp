@@ -128,16 +128,6 @@ class LimitedTime final : public Transcription {
   /// between the points of an element it does not see its first node.
   [[nodiscard]] nlp::Held held_at(int point, int limit) const;
 
-  /// h b of a point's states and limits, b of its control and its defects.
-  [[nodiscard]] std::span<const double> weights() const override {
-    return weights_;
-  }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return row_upper_;
-  }
   /// Contacts and limits at rest stand with their node.
   [[nodiscard]] nlp::ChainStructure chain_structure() const override;
 
@@ -150,9 +140,10 @@ class LimitedTime final : public Transcription {
   [[nodiscard]] Costates start_costates(std::span<const double> lambda) const;
 
  private:
+  /// What depends on the bounds of limits, the lengths and the ends.
+  void set_up();
   void fix_start();
   void bound_limits();
-  void weigh();
   [[nodiscard]] const rolling::Turning& body() const {
     return collocation_.description();
   }
@@ -175,7 +166,6 @@ class LimitedTime final : public Transcription {
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
   ocp::Collocation<rolling::Turning> collocation_;
-  std::vector<double> row_lower_, row_upper_, weights_;
 };
 
 }  // namespace brachisto

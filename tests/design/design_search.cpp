@@ -162,8 +162,8 @@ TEST(Design, TheGripThatThereIsBoundsTheBody) {
     plan.max_grip = MaxGrip{mu, 0.05};
     return plan;
   };
-  // One search may be lost where the greatest need of grip changes its place:
-  // two of the five that the command makes.
+  // From one start a search may end in a body of which the program finds no
+  // path: two of the five searches that the command makes.
   const auto quickest = [&](double mu) {
     const DesignPlan plan = plan_with(mu);
     return gather_designs(plan, {search_design(base(), {}, plan, 1, nullptr),

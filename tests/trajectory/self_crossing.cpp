@@ -81,6 +81,18 @@ TEST(SelfCrossing, IsNotATouchWithoutPassing) {
   EXPECT_FALSE(self_crossing({{0, 0}, {1, 0}, {2, 0}, {1, 0}, {0, 0}}));
 }
 
+TEST(SelfCrossing, IsNotOfPointsThatRoundingAloneKeepsApart) {
+  // A corner, where the line stands and its points tremble by some ε; a loop of
+  // a millionth of the line is one.
+  const auto with_loop = [](double size) {
+    return Line{{0, 0}, {4, 0}, {4 + size, size}, {4, size}, {4 + size, 0},
+                {4, 3}, {5, 3}};
+  };
+
+  EXPECT_FALSE(self_crossing(with_loop(1e-15)));
+  EXPECT_TRUE(self_crossing(with_loop(1e-6)));
+}
+
 TEST(SelfCrossing, DoesNotDependOnHowTheLineIsTurned) {
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.3 + 2.0 * kPi * i / 12.0;

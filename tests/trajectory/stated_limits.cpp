@@ -170,5 +170,18 @@ TEST(Feasibility, LeavesLiftOffToTheLimitThatForbidsIt) {
   EXPECT_FALSE(feasible_with({}, -0.25));
 }
 
+// The same of 1 − r κ_c = 0; the certificate says whether its limit is kept.
+TEST(Feasibility, LeavesFoldsToTheLimitThatForbidsThem) {
+  Scene scene = with_all_limits();
+  PathDiagnostics path;
+  path.min_normal_force = {0.5, 1.25};
+  path.min_fold_margin = {-1e-12, 1.25};
+
+  scene.limits = {};
+  EXPECT_EQ(infeasible_because(scene, path).size(), 1u);
+  scene.limits.fold_margin = 0.0;
+  EXPECT_TRUE(infeasible_because(scene, path).empty());
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -20,8 +20,8 @@ namespace brachisto::ocp {
 /// the multipliers of the last point, which determine that node; the interior
 /// is the rest. The global unknown is the border.
 ///
-/// \param num_constraints  those behind the points' are left in the interior of
-///                         link 0
+/// \param num_constraints  those behind the points' are left with the first
+///                         node, block 0
 [[nodiscard]] nlp::ChainStructure element_chain(const Layout& layout,
                                                 const Mesh& mesh,
                                                 int num_constraints);

@@ -86,15 +86,6 @@ class LeastCost final : public Program {
   [[nodiscard]] std::vector<PathPlace<kStates>> path(
       const PrimalDual& point) const;
 
-  [[nodiscard]] std::span<const double> weights() const override {
-    return weights_;
-  }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return row_upper_;
-  }
   [[nodiscard]] nlp::ChainStructure chain_structure() const override {
     return element_chain(layout(), mesh(), num_constraints(),
                          collocation_.limits_of_control());
@@ -139,7 +130,6 @@ class LeastCost final : public Program {
   }
 
   Collocation<Description> collocation_;
-  std::vector<double> weights_, row_lower_, row_upper_;
 };
 
 template <ControlProblem Description>
@@ -149,11 +139,9 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
               layout_of(description, mesh).end_of_points(),
               "collocation point"),
       collocation_(description, radau_scheme(mesh.degree),
-                   layout_of(description, mesh)),
-      weights_(element_weights(layout(), collocation_.scheme(), mesh,
-                               num_constraints())),
-      row_lower_(at(num_constraints())),
-      row_upper_(at(num_constraints())) {
+                   layout_of(description, mesh)) {
+  weigh(element_weights(layout(), collocation_.scheme(), mesh,
+                        num_constraints()));
   const int last = layout().num_points();
   for (std::size_t s = 0; s < kStates; ++s) {
     const int state = static_cast<int>(s);
@@ -183,8 +171,7 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
                                   " leave nothing between them");
     }
     for (int c = 0; c < last; ++c) {
-      row_lower_[at(layout().limit(c, i))] = bounds.lower;
-      row_upper_[at(layout().limit(c, i))] = bounds.upper;
+      bound_row(layout().limit(c, i), bounds.lower, bounds.upper);
     }
   }
   build_patterns();

@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
@@ -29,6 +30,15 @@ class Program : public nlp::Problem {
   [[nodiscard]] int num_constraints() const final { return num_constraints_; }
   [[nodiscard]] std::span<const double> lower() const final { return lower_; }
   [[nodiscard]] std::span<const double> upper() const final { return upper_; }
+  [[nodiscard]] std::span<const double> constraint_lower() const final {
+    return row_lower_;
+  }
+  [[nodiscard]] std::span<const double> constraint_upper() const final {
+    return row_upper_;
+  }
+  [[nodiscard]] std::span<const double> weights() const final {
+    return weights_;
+  }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const final {
     return jac_g_pattern_;
   }
@@ -44,6 +54,10 @@ class Program : public nlp::Problem {
   void fix(int variable, double value);
   void bound(int variable, double lower, double upper);
   void release(int variable);
+  /// A constraint that is not asked to be 0.
+  void bound_row(int row, double lower, double upper);
+  /// Of variables, then constraints.
+  void weigh(std::vector<double> weights) { weights_ = std::move(weights); }
   void forget_point();
   /// As many elements of other lengths. The current point is forgotten.
   void change_lengths(Mesh mesh);
@@ -78,6 +92,8 @@ class Program : public nlp::Problem {
   Mesh mesh_;
   int num_constraints_;
   std::vector<double> lower_, upper_;
+  std::vector<double> row_lower_, row_upper_;  ///< empty: all 0
+  std::vector<double> weights_;                ///< empty: ones
   nlp::SparsityPattern jac_g_pattern_, hess_lag_pattern_;
   std::vector<double> x_;
   const char* place_;

@@ -40,13 +40,15 @@ Range Problem::constraint_range(int index) const {
 }
 
 bool Problem::has_inequalities() const {
-  const std::span<const double> lowest = lower();
-  const std::span<const double> highest = upper();
-  for (std::size_t i = 0; i < lowest.size(); ++i) {
-    const Range range{lowest[i], highest[i]};
-    if (!range.single() && range.bounded()) return true;
-  }
-  return !std::ranges::equal(constraint_lower(), constraint_upper());
+  const auto any = [](std::span<const double> lowest,
+                      std::span<const double> highest) {
+    for (std::size_t i = 0; i < lowest.size(); ++i) {
+      const Range range{lowest[i], highest[i]};
+      if (!range.single() && range.bounded()) return true;
+    }
+    return false;
+  };
+  return any(lower(), upper()) || any(constraint_lower(), constraint_upper());
 }
 
 EliminationOrder Problem::elimination_order() const {

@@ -155,14 +155,7 @@ PathRates PathSystem::along(std::span<const double> rhs,
     PrimalDual point = point_;
     move_along(point, rates.point, by);
     point = turned(std::move(point), changed);
-    LimitedTime problem = problem_of(changed);
-    // Next to a singular chain the way there is long.
-    if (!problem.set_point(point.x)) {
-      Eigen::VectorXd none = open_;
-      none.setConstant(std::nan(""));
-      return std::pair(std::nan(""), std::move(none));
-    }
-    LimitedCurve there(problem, std::move(point));
+    LimitedCurve there(problem_of(changed), std::move(point));
     const double time = there.transit_time();
     return std::pair(time, open_at(std::move(there), changed));
   };

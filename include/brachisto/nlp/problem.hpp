@@ -122,8 +122,8 @@ class Problem {
   }
   [[nodiscard]] Range variable_range(int index) const;
   [[nodiscard]] Range constraint_range(int index) const;
-  /// Whether a variable that is not fixed has a bound, or a constraint is no
-  /// equation.
+  /// Whether a variable that is not fixed has a bound, or a constraint that is
+  /// no equation.
   [[nodiscard]] bool has_inequalities() const;
 
   /// How much of the path each variable, then each constraint stands for, such

@@ -77,15 +77,17 @@ std::string Program::refusal() const {
 
 void Program::build_patterns() {
   const PhaseTimer timer(Phase::SetUp);
-  Entries jac_g(jac_g_pattern_);
+  auto patterns = std::make_shared<Patterns>();
+  Entries jac_g(patterns->jac_g);
   put_jac_g(jac_g);
   // Zeros of calloc() of which a few are read need a few pages.
   const std::size_t m = at(num_constraints());
   const std::unique_ptr<double, decltype(&std::free)> no_lambda(
       static_cast<double*>(std::calloc(m, sizeof(double))), &std::free);
   if (!no_lambda) throw std::bad_alloc();
-  Entries hess_lag(hess_lag_pattern_);
+  Entries hess_lag(patterns->hess_lag);
   put_hess_lag(0.0, {no_lambda.get(), m}, hess_lag);
+  patterns_ = std::move(patterns);
 }
 
 bool Program::do_set_point(std::span<const double> x) {

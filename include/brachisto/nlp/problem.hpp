@@ -171,9 +171,13 @@ class Problem {
 
  protected:
   Problem() = default;
-  Problem(const Problem&) = default;
+  /// A copy has no current point.
+  Problem(const Problem& /*other*/) {}
   Problem(Problem&&) = default;
-  Problem& operator=(const Problem&) = default;
+  Problem& operator=(const Problem& /*other*/) {
+    evaluable_ = false;
+    return *this;
+  }
   Problem& operator=(Problem&&) = default;
 
  private:

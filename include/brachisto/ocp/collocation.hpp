@@ -85,6 +85,7 @@ class Collocation : public EvaluatedPoints<Description> {
                                                 const Mesh& mesh,
                                                 Described&& described,
                                                 Asked&& asked) {
+    this->make_room();
     for (int c = 0; c < layout_.num_points(); ++c) {
       check_stop(c);
       if (const char* because = this->evaluate_point(

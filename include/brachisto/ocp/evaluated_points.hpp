@@ -86,11 +86,17 @@ class EvaluatedPoints {
  protected:
   EvaluatedPoints(Description description, const Layout& layout)
       : description_(std::move(description)),
+        num_points_(at(layout.num_points())),
         num_limits_(at(layout.num_limits())),
-        points_(at(layout.num_points())),
-        limits_(points_.size() * num_limits_),
-        local_(description_, layout) {}
+        local_(description_, layout) {
+    make_room();
+  }
 
+  /// Before points are evaluated.
+  void make_room() {
+    points_.resize(num_points_);
+    limits_.resize(num_points_ * num_limits_);
+  }
   /// \param here   the description that holds there
   /// \param asked  whether a limit is asked for, by its number; else it is 0
   /// \return why the point is none of the program; null if it is one
@@ -158,10 +164,24 @@ class EvaluatedPoints {
     }
   }
 
+  /// What a copy of the program would not look at before it moves to a point of
+  /// its own: the largest part of it.
+  template <class T>
+  struct NotCopied : std::vector<T> {
+    NotCopied() = default;
+    NotCopied(const NotCopied& /*other*/) : std::vector<T>() {}
+    NotCopied(NotCopied&&) = default;
+    NotCopied& operator=(const NotCopied& /*other*/) {
+      this->clear();
+      return *this;
+    }
+    NotCopied& operator=(NotCopied&&) = default;
+  };
+
   Description description_;
-  std::size_t num_limits_;
-  std::vector<Kept> points_;
-  std::vector<Jet> limits_;  ///< of a point, one after the other
+  std::size_t num_points_, num_limits_;
+  NotCopied<Kept> points_;
+  NotCopied<Jet> limits_;  ///< of a point, one after the other
 
  protected:
   LocalStructure<kLocals> local_;

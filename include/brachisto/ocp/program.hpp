@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -40,10 +41,10 @@ class Program : public nlp::Problem {
     return weights_;
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const final {
-    return jac_g_pattern_;
+    return patterns_->jac_g;
   }
   [[nodiscard]] const nlp::SparsityPattern& hess_lag_pattern() const final {
-    return hess_lag_pattern_;
+    return patterns_->hess_lag;
   }
   [[nodiscard]] std::string refusal() const final;
 
@@ -94,7 +95,10 @@ class Program : public nlp::Problem {
   std::vector<double> lower_, upper_;
   std::vector<double> row_lower_, row_upper_;  ///< empty: all 0
   std::vector<double> weights_;                ///< empty: ones
-  nlp::SparsityPattern jac_g_pattern_, hess_lag_pattern_;
+  struct Patterns {
+    nlp::SparsityPattern jac_g, hess_lag;
+  };
+  std::shared_ptr<const Patterns> patterns_;  ///< those of all copies
   std::vector<double> x_;
   const char* place_;
   int refused_place_ = -1;

@@ -17,6 +17,7 @@
 #include "brachisto/math/phase_clock.hpp"
 #include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_ldlt.hpp"
+#include "solvers/ma97.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
     IPOPT_VERSION_RELEASE == 9 && __has_include(<HSLLoader.h>)
@@ -27,21 +28,6 @@
 
 #if BRACHISTO_HAS_CHAIN_HOOK
 #include <HSLLoader.h>
-
-/// HSLLoader.h only declares it. This is the layout Ipopt 3.11.9 was compiled
-/// with; of the control struct nothing is read or written here.
-struct ma97_info_d {
-  int flag;  ///< 0: fine; −7: singular; other negative numbers: given up
-  int flag68, flag77, matrix_dup;
-  int matrix_rank;
-  int matrix_outrange, matrix_missing_diag, maxdepth;
-  int maxfront, num_delay;
-  long num_factor, num_flops;
-  int num_neg;
-  int num_sup, num_two, ordering, stat;
-  int ispare[5];
-  double rspare[10];
-};
 #endif
 
 namespace brachisto {
@@ -52,9 +38,6 @@ namespace {
 ChainHook* current = nullptr;
 
 #if BRACHISTO_HAS_CHAIN_HOOK
-
-constexpr int kSingular = -7;
-constexpr int kGivenUp = -1;
 
 /// What MA97 keeps between its calls.
 struct Matrix {
@@ -130,7 +113,7 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
                           double[], void** akeep, const ma97_control_d*,
                           ma97_info_d* info, int[]) {
   // Nothing else of the struct is touched before the release is known.
-  info->flag = kGivenUp;
+  info->flag = kMa97GivenUp;
   *akeep = nullptr;
   const PhaseTimer timer(Phase::SetUp);
   if (current == nullptr) return;
@@ -214,11 +197,11 @@ static void chain_factor(int, const int[], const int[], const double val[],
     const bool factorised = matrix.ldlt->factorise(values);
     const Inertia& inertia = matrix.ldlt->inertia();
     // Ipopt answers both with a perturbation and another try.
-    if (!factorised || inertia.zero > 0) info->flag = kSingular;
+    if (!factorised || inertia.zero > 0) info->flag = kMa97Singular;
     info->matrix_rank = matrix.size - inertia.zero;
     info->num_neg = inertia.negative;
   });
-  if (!done) info->flag = kGivenUp;
+  if (!done) info->flag = kMa97GivenUp;
 }
 
 static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,

@@ -11,6 +11,8 @@ set(lib ${CMAKE_INSTALL_LIBDIR})
 # Regular expressions of paths. Each matches something, and something matches each path.
 set(components command development)
 set(command
+  ${lib}/brachisto/libbrachisto-chain[.]so
+  ${lib}/brachisto/libhsl[.]so
   bin/brachisto
   share/brachisto/problems/case[.]yaml
   share/brachisto/problems/.+[.]yaml

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::nlp {
 

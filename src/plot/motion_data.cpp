@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/angle.hpp"
 #include "report/canvas.hpp"
 #include "report/page.hpp"

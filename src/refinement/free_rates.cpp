@@ -10,7 +10,7 @@
 #include <span>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "math/central_difference.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/study/design.hpp"
 #include "brachisto/study/solution.hpp"
 
 namespace brachisto::report {
@@ -204,7 +205,7 @@ template <class Source>
 /// Where the solve came by, and answers beside the answer.
 [[nodiscard]] Fields<Solution> search_fields();
 /// Of `brachisto design`; no key of another result.
-[[nodiscard]] Field<Solution> design_field();
+[[nodiscard]] Field<DesignAnswer> design_field();
 [[nodiscard]] Field<Solution> seconds_field();
 
 }  // namespace brachisto::report

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "solvers/chain_ldlt.hpp"
 
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \

@@ -308,16 +308,8 @@ Verb design_verb() {
             .value = &flags->resume,
             .text = "Go on with the searches in DIR, if there are any",
             .needs = "--out"},
-           {.name = "--force",
-            .value = &flags->force,
-            .text = "Replace the results in DIR",
-            .excludes = "--resume"},
-           {.name = "--worker",
-            .value = &flags->program,
-            .text = "Program to run as worker, for tests",
-            .placeholder = "PROGRAM",
-            .check = existing_file(),
-            .hidden = true}}),
+           unless_resumed(flags->force),
+           worker_flag(flags->program)}),
       .footer =
           R"(The section design of the file says what is free and within what
 bounds; the body of its scene is the first start.

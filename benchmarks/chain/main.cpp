@@ -17,12 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/cycloid.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/inequality_problems.hpp"
+#include "solvers/newton_solver.hpp"
 #include "support/peak_memory.hpp"
 #include "support/refined_solution.hpp"
 #include "support/scenes.hpp"
@@ -59,7 +59,7 @@ Coarse solve_coarse(const Scene& scene) {
       solve_with_ipopt(problem, cycloid_guess(problem, *arc), {}).point;
   ContactEquation contact(problem);
   const NewtonResult result =
-      solve_with_newton(problem, &contact, point, kPhi, {});
+      NewtonSolver(problem, &contact).solve(point, kPhi, {});
   return {ExtremalCurve(problem, result.point), result.phi};
 }
 
@@ -232,8 +232,8 @@ int main(int argc, char** argv) {
     ContactEquation contact(problem);
     NewtonOptions options;
     options.linear_solver = solver;
-    const NewtonResult result =
-        solve_with_newton(problem, &contact, point, coarse.phi + 1e-3, options);
+    const NewtonResult result = NewtonSolver(problem, &contact)
+                                    .solve(point, coarse.phi + 1e-3, options);
     fmt::print("{} steps, residual {:.2e}, φ {:.15f}\n", result.iterations,
                result.residual, result.phi);
   } else {

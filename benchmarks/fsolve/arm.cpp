@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "brachisto/study/discrete_answer.hpp"
+#include "brachisto/study/solution.hpp"
 #include "fsolve/mean_time.hpp"
 #include "math/cpu_clock.hpp"
 #include "paper/discrete_variations.hpp"

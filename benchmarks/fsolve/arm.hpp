@@ -7,7 +7,7 @@
 #pragma once
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "support/text.hpp"
 
 namespace brachisto::benchmarks {

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "refinement/limited_refinement.hpp"
 #include "refinement/open_conditions.hpp"
 #include "study/pose.hpp"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "math/cpu_clock.hpp"
 #include "math/portable_random.hpp"
 #include "model/contact.hpp"

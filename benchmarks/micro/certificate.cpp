@@ -3,8 +3,8 @@
 
 // All checks of a solution.
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "micro/extremal_on_mesh.hpp"
+#include "solvers/newton_solver.hpp"
 #include "trajectory/certify.hpp"
 #include "transcription/contact_equation.hpp"
 
@@ -17,7 +17,7 @@ void certificate(benchmark::State& state) {
   ExtremalOnMesh at = extremal_for(state);
   ContactEquation contact(at.problem);
   const NewtonResult solved =
-      solve_with_newton(at.problem, &contact, at.point, at.phi, {});
+      NewtonSolver(at.problem, &contact).solve(at.point, at.phi, {});
   bool verified = true;
   for (auto _ : state) {
     verified = certify(at.problem, solved.point, solved.phi, kError).verified();

@@ -4,9 +4,9 @@
 // The smooth contact: the end of the path is moved by 10⁻³ rad, and the
 // extremal follows.
 
-#include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "micro/extremal_on_mesh.hpp"
+#include "solvers/newton_solver.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/costates.hpp"
 
@@ -44,7 +44,7 @@ void closure_by_newton(benchmark::State& state) {
   int iterations = 0;
   for (auto _ : state) {
     const NewtonResult result =
-        solve_with_newton(at.problem, &contact, at.point, at.phi + kMoved, {});
+        NewtonSolver(at.problem, &contact).solve(at.point, at.phi + kMoved, {});
     if (result.status != Status::Solved) {
       state.SkipWithError("Newton's method does not converge");
       break;

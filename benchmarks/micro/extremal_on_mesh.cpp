@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "solvers/newton_solver.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
 #include "transcription/contact_equation.hpp"
@@ -29,7 +29,7 @@ Coarse solve_coarse() {
                       uniform_mesh(kMicroDegree, kElements), kPhi);
   ContactEquation contact(problem);
   const NewtonResult result =
-      solve_with_newton(problem, &contact, start, kPhi, {});
+      NewtonSolver(problem, &contact).solve(start, kPhi, {});
   if (result.status != Status::Solved) {
     throw std::runtime_error("the reference case was not solved");
   }

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 namespace brachisto::benchmarks {
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "math/cpu_clock.hpp"
 #include "peers/nl_program.hpp"
 #include "program_files/nl_numbering.hpp"
@@ -33,7 +33,7 @@ SolverResult by_newton(nlp::Problem& problem, const PrimalDual& start) {
   options.tolerance = kTolerance;
   options.max_iterations = kMostIterations;
   options.linear_solver = LinearSolver::Chain;
-  NewtonResult found = solve_with_newton(problem, nullptr, start, 0.0, options);
+  NewtonResult found = solve_with_newton(problem, start, options);
   SolverResult result;
   result.status = found.status;
   result.point = std::move(found.point);

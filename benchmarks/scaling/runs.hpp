@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/chart.hpp"
 

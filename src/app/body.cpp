@@ -14,7 +14,7 @@
 #include "app/exit_code.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "brachisto/report/result.hpp"
 #include "io/expression.hpp"
 #include "io/mass_part_text.hpp"

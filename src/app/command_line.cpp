@@ -258,6 +258,22 @@ Flag jobs_flag(int& jobs) {
           .check = integer_within(1, 1024)};
 }
 
+Flag unless_resumed(bool& force) {
+  return {.name = "--force",
+          .value = &force,
+          .text = "Replace the results in DIR",
+          .excludes = "--resume"};
+}
+
+Flag worker_flag(std::string& program) {
+  return {.name = "--worker",
+          .value = &program,
+          .text = "Program to run as worker, for tests",
+          .placeholder = "PROGRAM",
+          .check = existing_file(),
+          .hidden = true};
+}
+
 Flag directory_flag(const char* name, std::string& directory, const char* text,
                     bool required) {
   return {.name = name,

@@ -70,10 +70,13 @@ struct Flag {
 };
 
 /// Flags of several verbs: --json; --markdown in its place; --jobs, 0 unless it
-/// is given; a directory under whatever name; the DIR of a finished sweep.
+/// is given; --force where there is --resume; the program of workers, for
+/// tests; a directory under whatever name; the DIR of a finished sweep.
 [[nodiscard]] Flag json_flag(bool& json);
 [[nodiscard]] Flag markdown_flag(bool& markdown);
 [[nodiscard]] Flag jobs_flag(int& jobs);
+[[nodiscard]] Flag unless_resumed(bool& force);
+[[nodiscard]] Flag worker_flag(std::string& program);
 [[nodiscard]] Flag directory_flag(const char* name, std::string& directory,
                                   const char* text, bool required = false);
 

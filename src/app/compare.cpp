@@ -9,7 +9,7 @@
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
 
 namespace brachisto::app {

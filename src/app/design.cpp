@@ -25,7 +25,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "design/gather_designs.hpp"
 #include "math/wall_clock.hpp"
 #include "report/design_report.hpp"
@@ -273,10 +273,13 @@ int run(const DesignFlags& flags) {
                        solution.warnings);
   }
   for (const std::string& warning : solution.warnings) warn(warning);
-  solution.design = std::move(answer);
   return hand_out(solution,
-                  {flags.out, flags.force || flags.resume, flags.json,
-                   flags.quiet, std::move(further)},
+                  {.out = flags.out,
+                   .force = flags.force || flags.resume,
+                   .json = flags.json,
+                   .quiet = flags.quiet,
+                   .further = std::move(further),
+                   .design = &answer},
                   signal);
 }
 
@@ -305,16 +308,8 @@ Verb design_verb() {
             .value = &flags->resume,
             .text = "Go on with the searches in DIR, if there are any",
             .needs = "--out"},
-           {.name = "--force",
-            .value = &flags->force,
-            .text = "Replace the results in DIR",
-            .excludes = "--resume"},
-           {.name = "--worker",
-            .value = &flags->program,
-            .text = "Program to run as worker, for tests",
-            .placeholder = "PROGRAM",
-            .check = existing_file(),
-            .hidden = true}}),
+           unless_resumed(flags->force),
+           worker_flag(flags->program)}),
       .footer =
           R"(The section design of the file says what is free and within what
 bounds; the body of its scene is the first start.

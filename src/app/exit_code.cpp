@@ -17,20 +17,21 @@ namespace {
 
 /// Of a design no less than one of its bodies, which may have to do with less
 /// grip than their tracks ask for.
-bool can_run(const Solution& solution) {
+bool can_run(const Solution& solution, const DesignAnswer* design) {
   if (!solution.feasible()) return false;
-  return !solution.design || solution.design->best ||
-         std::ranges::any_of(solution.design->minima, &DesignMinimum::feasible);
+  return design == nullptr || design->best ||
+         std::ranges::any_of(design->minima, &DesignMinimum::feasible);
 }
 
 }  // namespace
 
-int exit_code(const Solution& solution, int signal) {
+int exit_code(const Solution& solution, int signal,
+              const DesignAnswer* design) {
   switch (solution.status) {
     case Status::Solved:
-      if (solution.design && solution.design->stopped) return kLimit;
+      if (design != nullptr && design->stopped) return kLimit;
       if (!solution.verified()) return kNotSolved;
-      return can_run(solution) ? kSuccess : kInfeasible;
+      return can_run(solution, design) ? kSuccess : kInfeasible;
     case Status::IterationLimit:
     case Status::TimeLimit:
     case Status::OutOfMemory:

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
 #include "sweep/store.hpp"
 
@@ -28,7 +28,8 @@ enum ExitCode : int {
 };
 
 /// The code for the outcome of a solve; `signal` is the one received, or 0.
-[[nodiscard]] int exit_code(const Solution& solution, int signal);
+[[nodiscard]] int exit_code(const Solution& solution, int signal,
+                            const DesignAnswer* design = nullptr);
 
 /// The one document of a command with --json that has no result.
 /// \param input  mistakes in the input, if that is why

@@ -114,13 +114,10 @@ Verb merge_verb() {
                  .text = "Directories of the parts",
                  .check = not_empty(),
                  .required = true},
-                {.name = "--out",
-                 .value = &flags->out,
-                 .text = "Directory of the whole; it may exist and be part of "
-                         "it",
-                 .placeholder = "DIR",
-                 .check = not_empty(),
-                 .required = true},
+                directory_flag(
+                    "--out", flags->out,
+                    "Directory of the whole; it may exist and be part of it",
+                    true),
                 json_flag(flags->json),
                 {"--quiet", &flags->quiet, "Print no results"}},
       .footer =

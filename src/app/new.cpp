@@ -18,7 +18,7 @@
 #include "app/installed.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "io/key_spec.hpp"
 #include "io/visible_text.hpp"
 #include "report/letters.hpp"

@@ -18,8 +18,8 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/program_directory.hpp"
 

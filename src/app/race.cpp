@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +24,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "io/visible_text.hpp"

@@ -9,13 +9,14 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "plot/answer_page.hpp"
 #include "plot/motion_data.hpp"
@@ -132,7 +133,7 @@ int hand_out(Solution& solution, SolutionOutput output,
              const std::atomic<int>& signal) {
   std::string json;
   if (output.out.empty()) {
-    if (output.json) json = report::result_json(solution);
+    if (output.json) json = report::result_json(solution, output.design);
   } else {
     // What a signal has ended already is written all the same.
     std::optional<StopScope> scope;
@@ -142,14 +143,14 @@ int hand_out(Solution& solution, SolutionOutput output,
     }
     std::vector<report::OutputFile> files = path_files(solution, signal);
     std::ranges::move(output.further, std::back_inserter(files));
-    json = report::result_json(solution);
+    json = report::result_json(solution, output.design);
     add_page(solution, json, output.gif, signal, files);
     write_results(output, std::move(files), json);
   }
   if (output.json) {
     print_data(json);
   } else if (!output.quiet) {
-    print_with_verdict(report::summary(solution),
+    print_with_verdict(report::summary(solution, output.design),
                        !solution.verified()  ? Colour::Red
                        : solution.feasible() ? Colour::Green
                                              : Colour::Yellow);
@@ -157,7 +158,7 @@ int hand_out(Solution& solution, SolutionOutput output,
   const std::string why = complaint(solution);
   if (output.quiet && !why.empty())
     tell_error(fmt::format("brachisto: {}\n", why));
-  return exit_code(solution, signal.load());
+  return exit_code(solution, signal.load(), output.design);
 }
 
 }  // namespace brachisto::app

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "plot/trajectory_table.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::app {
 
@@ -27,7 +27,8 @@ struct SolutionOutput {
   bool force = false, json = false, quiet = false;
   /// Files of the command besides, which --out writes too.
   std::vector<report::OutputFile> further = {};
-  bool gif = false;  ///< the motion as a picture too
+  bool gif = false;                      ///< the motion as a picture too
+  const DesignAnswer* design = nullptr;  ///< that chose the body
 };
 
 /// The page of an answer and what goes with it.

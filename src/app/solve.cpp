@@ -21,7 +21,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "report/cutting_template.hpp"
 #include "study/size.hpp"

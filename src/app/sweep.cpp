@@ -160,10 +160,7 @@ Verb sweep_verb() {
             .value = &flags->retry,
             .text = "Solve scenes again that no worker answered for",
             .needs = "--resume"},
-           {.name = "--force",
-            .value = &flags->force,
-            .text = "Replace the results in DIR",
-            .excludes = "--resume"},
+           unless_resumed(flags->force),
            {.name = "--timeout",
             .value = &flags->timeout,
             .text = "Kill a worker that takes longer for one scene; default: "
@@ -176,12 +173,7 @@ Verb sweep_verb() {
                     "the machine's memory / N",
             .placeholder = "MIB",
             .check = memory},
-           {.name = "--worker",
-            .value = &flags->program,
-            .text = "Program to run as worker, for tests",
-            .placeholder = "PROGRAM",
-            .check = existing_file(),
-            .hidden = true}}),
+           worker_flag(flags->program)}),
       .footer =
           R"(Examples:
   brachisto sweep map.yaml --out map

@@ -14,7 +14,7 @@
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "plot/sweep_page.hpp"
 #include "sweep/table.hpp"
 

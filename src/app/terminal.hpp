@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 
 namespace brachisto::app {
 

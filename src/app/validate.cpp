@@ -16,7 +16,6 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/io/sweep_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "io/effective_input.hpp"
 #include "io/visible_text.hpp"

@@ -10,7 +10,7 @@
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/work_precision.hpp"
 

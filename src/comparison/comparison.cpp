@@ -9,7 +9,7 @@
 #include <cmath>
 #include <variant>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "comparison/methods.hpp"
 #include "io/input_tree.hpp"
 #include "study/pose.hpp"

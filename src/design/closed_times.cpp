@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/study/sensitivities.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/study/solution.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/contact.hpp"
 #include "search/continuation.hpp"

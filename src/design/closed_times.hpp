@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
 #include "brachisto/study/solve.hpp"
 #include "design/design_space.hpp"
 #include "math/wall_clock.hpp"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "design/closed_times.hpp"
 #include "design/design_problem.hpp"
 #include "design/design_space.hpp"

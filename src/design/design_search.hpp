@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/study/design_answer.hpp"
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
 #include "brachisto/study/solve.hpp"
 
 namespace brachisto {

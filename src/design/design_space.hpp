@@ -16,8 +16,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/study/design_answer.hpp"
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
 #include "math/portable_random.hpp"
 
 namespace brachisto {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 
 namespace brachisto {
 

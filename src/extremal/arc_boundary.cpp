@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "model/contact.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"

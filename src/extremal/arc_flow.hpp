@@ -13,7 +13,7 @@
 #include <optional>
 #include <variant>
 
-#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/model/scene.hpp"
 #include "model/path_inequality.hpp"
 #include "ocp/flow.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "extremal/arc_system.hpp"
 
 namespace brachisto {

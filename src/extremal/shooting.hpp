@@ -26,7 +26,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/model/scene.hpp"
 #include "extremal/extremal_path.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "io/list_reader.hpp"
 #include "io/lists.hpp"
 #include "io/mass_part_text.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "io/body_parts.hpp"
 
 namespace brachisto::io {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {

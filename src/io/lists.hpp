@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
 #include "io/key_spec.hpp"
 
 namespace brachisto::io {

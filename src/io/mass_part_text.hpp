@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 
 namespace brachisto::io {
 

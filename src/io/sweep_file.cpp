@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "io/draft.hpp"
 #include "io/expression.hpp"
 #include "io/findings.hpp"

@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "io/expression.hpp"
 #include "io/findings.hpp"
 #include "io/key_spec.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/roots.hpp"
 #include "model/contact.hpp"
 #include "model/cycloid.hpp"

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "brachisto/model/point.hpp"
+#include "brachisto/model/body.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {

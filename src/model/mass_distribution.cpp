@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "brachisto/model/point.hpp"
+#include "brachisto/model/body.hpp"
 
 namespace brachisto {
 

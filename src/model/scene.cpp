@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "math/angle.hpp"
 #include "model/limits_check.hpp"
 #include "model/scene_checker.hpp"

@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "model/field.hpp"
 #include "model/hamiltonian.hpp"
 

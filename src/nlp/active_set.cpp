@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::nlp {
 

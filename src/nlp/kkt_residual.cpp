@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 #include <fmt/format.h>
 

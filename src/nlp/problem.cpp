@@ -9,8 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/phase_clock.hpp"
 
 namespace brachisto::nlp {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/nlp/sparsity_pattern.hpp"
+#include "brachisto/nlp/problem.hpp"
 
 #include <algorithm>
 #include <iterator>

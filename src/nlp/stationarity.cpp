@@ -3,10 +3,9 @@
 
 #include "nlp/stationarity.hpp"
 
-#include <Eigen/LU>
-
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "math/dense.hpp"
 
 namespace brachisto::nlp {
 
@@ -37,7 +36,7 @@ void make_stationary(const Problem& problem, const std::vector<int>& variables,
     rest[i] = -static_cast<double>(
         gradient[at(variables[static_cast<std::size_t>(i)])]);
   }
-  const Eigen::VectorXd lambda = transposed.partialPivLu().solve(rest);
+  const Eigen::VectorXd lambda = math::solve_square(transposed, rest);
   for (Eigen::Index i = 0; i < size; ++i) {
     point.lambda[at(constraints[static_cast<std::size_t>(i)])] = lambda[i];
   }

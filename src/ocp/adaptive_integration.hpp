@@ -11,7 +11,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto::ocp {
 

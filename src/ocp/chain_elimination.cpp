@@ -3,7 +3,6 @@
 
 #include "ocp/chain_elimination.hpp"
 
-#include <Eigen/LU>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -35,23 +34,20 @@ ChainElimination::ChainElimination(const std::vector<ChainLink>& links) {
     if (&link == &links.back()) {
       last_ = width;
       final_matrix_ = all.leftCols(width + globals);
-      final_.compute(final_matrix_);
+      final_ = math::LeastSquares(final_matrix_);
       final_right_ = all.rightCols(1);
       return;
     }
-    const Eigen::HouseholderQR<MatrixXd> qr(all.leftCols(width));
-    MatrixXd rest = all.rightCols(next + globals + 1);
-    rest.applyOnTheLeft(qr.householderQ().adjoint());
+    const auto& [upper, rest, mirrored] = math::triangularise(all, width);
     Factors& out = factors_.emplace_back();
-    out.upper = qr.matrixQR().topRows(width).triangularView<Eigen::Upper>();
+    out.upper = upper;
     out.next = rest.topLeftCorner(width, next);
     out.globals = rest.block(0, next, width, globals);
     out.right = rest.topRightCorner(width, 1);
     carried = rest.bottomRows(rows - width);
-    // Every reflection reverses the sign, and so does a negative pivot.
-    const auto signs = (qr.hCoeffs().array() != 0.0).count() +
-                       (out.upper.diagonal().array() < 0.0).count();
-    mirrored_ = mirrored_ != (signs % 2 != 0);
+    // A negative pivot reverses the sign too.
+    const bool negative = (upper.diagonal().array() < 0.0).count() % 2 != 0;
+    mirrored_ = mirrored_ != (mirrored != negative);
   }
 }
 
@@ -92,14 +88,13 @@ double ChainElimination::looseness(const Functional& sum) const {
   VectorXd right(last_ + globals.size());
   right << own(factors_.size(), last_), globals;
   if (!factors_.empty()) right.head(last_) -= carried;
-  const MatrixXd inverse = final_.pseudoInverse();
+  const MatrixXd inverse = final_.pseudo_inverse();
   return std::sqrt(square + (inverse.transpose() * right).squaredNorm());
 }
 
 int ChainElimination::determinant_sign() const {
   assert(final_matrix_.rows() == final_matrix_.cols());
-  const double last =
-      Eigen::PartialPivLU<MatrixXd>(final_matrix_).determinant();
+  const double last = math::determinant(final_matrix_);
   if (last == 0.0 || !std::isfinite(last)) return 0;
   return (last > 0.0) != mirrored_ ? 1 : -1;
 }

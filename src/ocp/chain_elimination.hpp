@@ -8,8 +8,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <vector>
+
+#include "math/dense.hpp"
 
 namespace brachisto::ocp {
 
@@ -70,7 +71,7 @@ class ChainElimination {
   Eigen::Index last_ = 0;  ///< components of the last node
   bool mirrored_ = false;  ///< whether the transformations reverse a sign
   Eigen::MatrixXd final_matrix_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> final_;
+  math::LeastSquares final_;
   Eigen::VectorXd final_right_;
 };
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/ocp/element_chain.hpp"
+#include "brachisto/ocp/program.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto::ocp {
 

@@ -18,8 +18,7 @@
 #include <optional>
 #include <utility>
 
-#include "brachisto/math/jet1.hpp"
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/ocp/point_function.hpp"
 #include "math/nearest_minimum.hpp"
 

@@ -11,8 +11,8 @@
 #include <new>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/phase_clock.hpp"
 
 namespace brachisto::ocp {
 

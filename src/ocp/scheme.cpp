@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/ocp/scheme.hpp"
+#include "brachisto/ocp/mesh.hpp"
 
 #include <array>
 #include <memory>

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "paper/discrete_variations.hpp"
 
 namespace brachisto::paper {

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
 

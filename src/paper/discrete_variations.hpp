@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
-#include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/run/solve_options.hpp"
 
 namespace brachisto {
 

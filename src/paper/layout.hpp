@@ -13,7 +13,7 @@
 #include <span>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/paper/discrete_reading.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "model/contact.hpp"
 #include "paper/chord_time.hpp"
 #include "paper/discrete_variations.hpp"

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "math/dense.hpp"
 #include "paper/chord_jets.hpp"
 #include "paper/layout.hpp"
 #include "paper/newton_steps.hpp"
@@ -107,10 +108,9 @@ bool DenseNewtonStep::operator()(std::span<const double> unknowns,
                          J.col(unknown).segment(Rows{n}.variation(1), n - 2));
   }
   if (!J.allFinite()) return false;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(J);
   const Eigen::Map<const Eigen::VectorXd> F(residual.data(), size);
   Eigen::Map<Eigen::VectorXd> solution(step.data(), size);
-  solution = -lu.solve(F);
+  solution = -math::solve_square(J, F);
   return solution.allFinite();
 }
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/trajectory/motion.hpp"
 #include "extremal/shooting.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "brachisto/model/scene.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 

@@ -11,7 +11,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "plot/trajectory_table.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 

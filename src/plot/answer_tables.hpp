@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 

@@ -10,12 +10,13 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/angle.hpp"
 #include "report/canvas.hpp"
 #include "report/page.hpp"

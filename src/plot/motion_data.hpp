@@ -13,7 +13,7 @@
 #include "plot/trajectory_table.hpp"
 #include "report/figure.hpp"
 #include "report/path_frame.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 

@@ -7,12 +7,13 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
 #include "report/figure.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 #include "report/sweep_table.hpp"
 
 namespace brachisto::plot {

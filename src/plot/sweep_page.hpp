@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "plot/sweep_data.hpp"
 #include "report/sweep_table.hpp"
 

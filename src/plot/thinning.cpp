@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto::plot {
 

@@ -14,7 +14,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "plot/trajectory_table.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 

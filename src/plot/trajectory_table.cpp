@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto::plot {
 

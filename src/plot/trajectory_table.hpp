@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/point.hpp"
 
 namespace brachisto::plot {
 

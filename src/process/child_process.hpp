@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto::program_files {
 

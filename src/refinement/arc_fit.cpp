@@ -5,14 +5,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
+#include "math/dense.hpp"
 
 namespace brachisto {
 
@@ -56,7 +57,7 @@ class Border {
       jacobian_ = jacobian_of(columns_);
     }
     last_open_ = open;
-    const Vector step = -trust_ * jacobian_.partialPivLu().solve(open);
+    const Vector step = -trust_ * math::solve_square(jacobian_, open);
     if (!step.allFinite()) return std::nullopt;
     return step;
   }

@@ -3,15 +3,15 @@
 
 #include "refinement/free_rates.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "math/central_difference.hpp"
+#include "math/dense.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "refinement/start_closure.hpp"
@@ -246,7 +246,7 @@ bool FreeRates::linearise_around_chain() {
           along(around_.rows[static_cast<std::size_t>(i)], turn, n);
     }
   }
-  const double determinant = around_.jacobian.determinant();
+  const double determinant = math::determinant(around_.jacobian);
   return std::isfinite(determinant) && determinant != 0.0;
 }
 
@@ -255,8 +255,8 @@ Eigen::VectorXd FreeRates::misses() const {
   for (Eigen::Index i = 0; i < open.size(); ++i) {
     open[i] = -around_.rows[static_cast<std::size_t>(i)].residual;
   }
-  return around_.jacobian.partialPivLu().solve(open).tail(
-      static_cast<Eigen::Index>(at_.passages.size()));
+  return math::solve_square(around_.jacobian, open)
+      .tail(static_cast<Eigen::Index>(at_.passages.size()));
 }
 
 PrimalDual FreeRates::turned_to(const Scene& scene) const {
@@ -347,7 +347,7 @@ Eigen::VectorXd FreeRates::closing_rates(const Partial& by) {
     open[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
                      at_.problem.num_variables());
   }
-  return around_.jacobian.partialPivLu().solve(open);
+  return math::solve_square(around_.jacobian, open);
 }
 
 /// F = (∂²𝓗/∂β²) κ next to the answer.
@@ -358,7 +358,7 @@ double FreeRates::contact_response() {
   // The slope at B is the first of what closes.
   Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
   right[0] = per_kink;
-  return around_.jacobian.partialPivLu().solve(right)[0];
+  return math::solve_square(around_.jacobian, right)[0];
 }
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,

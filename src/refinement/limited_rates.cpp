@@ -3,12 +3,12 @@
 
 #include "refinement/limited_rates.hpp"
 
-#include <Eigen/LU>
 #include <optional>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "math/central_difference.hpp"
+#include "math/dense.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -108,7 +108,7 @@ TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
   if (unknowns_.empty()) return out;
   // The open conditions go on to hold.
   const Eigen::VectorXd follow =
-      jacobian_of(unknowns_).partialPivLu().solve(-direct.open);
+      math::solve_square(jacobian_of(unknowns_), -direct.open);
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
     out.total += follow[static_cast<Eigen::Index>(i)] * unknowns_[i].time;
   }

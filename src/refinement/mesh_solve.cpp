@@ -10,8 +10,9 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
+#include "solvers/newton_solver.hpp"
 #include "transcription/contact_equation.hpp"
 
 namespace brachisto {
@@ -52,7 +53,8 @@ struct BetweenEnds {
     newton.rounding = reachable(0.0, start);
     newton.linear_solver = options.ipopt.linear_solver;
     newton.stop = options.ipopt.stop;
-    return solve_with_newton(problem, contact(), std::move(start), phi, newton);
+    return NewtonSolver(problem, contact())
+        .solve(std::move(start), phi, newton);
   }
 };
 

@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-#include "brachisto/run/progress.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/run/solve_options.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/smooth_contact.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "brachisto/run/progress.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "refinement/refinement.hpp"
 
 namespace brachisto {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "refinement/open_conditions.hpp"
 #include "transcription/held_control.hpp"
 

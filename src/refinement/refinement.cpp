@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "brachisto/ocp/mesh.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_sequence.hpp"
 #include "refinement/start_closure.hpp"
 #include "refinement/surface_passages.hpp"
+#include "solvers/newton_solver.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/prolongation.hpp"
@@ -102,8 +102,8 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
   newton.max_iterations = 10;
   newton.linear_solver = options.ipopt.linear_solver;
   newton.stop = options.ipopt.stop;
-  const NewtonResult result = solve_with_newton(
-      finer, smooth ? &*contact : nullptr, prolong(coarse, finer), phi, newton);
+  const NewtonResult result = NewtonSolver(finer, smooth ? &*contact : nullptr)
+                                  .solve(prolong(coarse, finer), phi, newton);
   answer.solution.polish.newton_steps += result.iterations;
   if (result.residual > reachable(kRoundingResidual, finer, result.point.x))
     return;

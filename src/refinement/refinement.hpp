@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/run/effort.hpp"
 #include "brachisto/run/solve_options.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "transcription/arc_length.hpp"

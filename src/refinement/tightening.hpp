@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "refinement/limit_relaxation.hpp"
 #include "refinement/pass_protocol.hpp"
 #include "transcription/limited_curve.hpp"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "report/sweep_scenes.hpp"
 #include "trajectory/stated_limits.hpp"

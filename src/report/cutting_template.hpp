@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/mass_distribution.hpp"
-#include "brachisto/model/point.hpp"
+#include "brachisto/model/body.hpp"
 #include "brachisto/study/solution.hpp"
 
 namespace brachisto::report::cutting {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/study/design_answer.hpp"
+#include "brachisto/study/design.hpp"
 #include "report/figure.hpp"
 #include "report/sweep_table.hpp"
 

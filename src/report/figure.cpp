@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/enum_table.hpp"
 #include "process/child_process.hpp"
 #include "report/rich_text.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <cstring>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "report/in_full.hpp"
 
 namespace brachisto::report {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "report/figure.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::report {
 

@@ -17,22 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/study/solution.hpp"
+#include "brachisto/study/design.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::report {
-
-using Json = nlohmann::ordered_json;
-
-/// What documentation and schemas tell of a key.
-struct FieldText {
-  std::string_view name;
-  std::string_view type;  ///< as JSON Schema calls it
-  std::string_view unit;
-  std::string_view meaning;
-  /// Of an object; of each item of an array, which is of plain values if empty.
-  std::vector<FieldText> parts = {};
-  bool open = false;  ///< an object may have further keys
-};
 
 template <class Value>
 struct Written {
@@ -190,13 +178,6 @@ template <class Source>
 /// \param open  whether there may be more
 [[nodiscard]] Json schema_of(const std::vector<FieldText>& fields, bool open);
 
-/// The keys of a result document.
-[[nodiscard]] std::vector<FieldText> result_texts();
-
-/// What result_json() writes, without the keys that tell where the result comes
-/// from: provenance, scene and input.
-[[nodiscard]] Json outcome_document(const Solution& solution);
-
 /// Of the answer: its motion, forces, limits and derivatives, and its mesh.
 [[nodiscard]] Fields<Solution> answer_fields();
 /// The work that a solve took.
@@ -204,7 +185,7 @@ template <class Source>
 /// Where the solve came by, and answers beside the answer.
 [[nodiscard]] Fields<Solution> search_fields();
 /// Of `brachisto design`; no key of another result.
-[[nodiscard]] Field<Solution> design_field();
+[[nodiscard]] Field<DesignAnswer> design_field();
 [[nodiscard]] Field<Solution> seconds_field();
 
 }  // namespace brachisto::report

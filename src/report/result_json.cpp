@@ -18,7 +18,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
-#include "brachisto/study/forecast.hpp"
+#include "brachisto/study/solve.hpp"
 #include "io/effective_input.hpp"
 #include "report/provenance.hpp"
 #include "report/result_field.hpp"
@@ -29,9 +29,11 @@ namespace {
 
 using Texts = std::optional<std::vector<std::string>>;
 
-const Solution* itself(const Solution& solution) {
-  return &solution;
-}
+/// What a document tells of.
+struct Told {
+  const Solution* solution;
+  const DesignAnswer* design;  ///< that chose the body; null: none did
+};
 
 /// The cross-check if it can be compared with the answer.
 const CrossCheck* comparable(const Solution& solution) {
@@ -128,14 +130,18 @@ Field<Solution> certificate_field() {
           }};
 }
 
-Fields<Solution> origin_fields() {
-  const auto input = [](const Solution& s) {
-    Json document = io::effective_input(s.scene, s.options);
+Json effective_input(const Solution& solution) {
+  return io::effective_input(solution.scene, solution.options);
+}
+
+Fields<Told> origin_fields() {
+  const auto input = [](const Told& told) {
+    Json document = effective_input(*told.solution);
     // Parts, which a design may move, are not echoed.
-    if (s.design && s.design->plan.free_parts.empty()) {
+    if (told.design != nullptr && told.design->plan.free_parts.empty()) {
       io::ProblemFile problem;
-      problem.scene = s.scene;
-      problem.design = s.design->plan;
+      problem.scene = told.solution->scene;
+      problem.design = told.design->plan;
       document["design"] = io::effective_section(problem, "design");
     }
     return document;
@@ -144,42 +150,42 @@ Fields<Solution> origin_fields() {
     static const Provenance here = provenance();
     return &here;
   };
-  const auto as_in_input = [](std::string_view name, std::string_view meaning,
-                              std::function<Json(const Solution&)> write) {
-    return Field<Solution>({name, "object", "", meaning, {}, true},
-                           std::move(write));
+  const auto as_in_input = [](std::string_view name, std::string_view meaning) {
+    return FieldText{name, "object", "", meaning, {}, true};
   };
-  return {object<Solution>(
-              "provenance", "", "what made the result", itself,
-              joined<Solution>(
-                  {of_part<Solution>(made, version_fields()),
-                   {as_in_input("options", "as in input",
-                                [=](const Solution& s) {
-                                  Json options = input(s);
-                                  options.erase("scene");
-                                  options.erase("design");
-                                  return options;
-                                }),
-                    {"linear_solver", "", "that Ipopt used on the final mesh",
-                     [](const Solution& s) {
-                       const auto used = s.effort.final_mesh().linear_solver;
-                       return used ? std::optional(name(*used)) : std::nullopt;
-                     }}}})),
-          as_in_input("scene", "as in input",
-                      [=](const Solution& s) { return input(s)["scene"]; }),
-          as_in_input("input",
-                      "the effective input, defaults filled in: a problem file",
-                      input)};
+  return {
+      object<Told>(
+          "provenance", "", "what made the result", &Told::solution,
+          joined<Solution>(
+              {of_part<Solution>(made, version_fields()),
+               {{as_in_input("options", "as in input"),
+                 [](const Solution& s) {
+                   Json options = effective_input(s);
+                   options.erase("scene");
+                   return options;
+                 }},
+                {"linear_solver", "", "that Ipopt used on the final mesh",
+                 [](const Solution& s) {
+                   const auto used = s.effort.final_mesh().linear_solver;
+                   return used ? std::optional(name(*used)) : std::nullopt;
+                 }}}})),
+      {as_in_input("scene", "as in input"),
+       [](const Told& told) {
+         return effective_input(*told.solution)["scene"];
+       }},
+      {as_in_input("input",
+                   "the effective input, defaults filled in: a problem file"),
+       input}};
 }
 
 /// All but where the result comes from.
-const Fields<Solution>& outcome_fields() {
-  static const Fields<Solution> table = joined<Solution>(
-      {verdict_fields(),
-       answer_fields(),
-       effort_fields(),
-       search_fields(),
-       {design_field(), seconds_field(), certificate_field()}});
+const Fields<Told>& outcome_fields() {
+  static const Fields<Told> table = joined<Told>(
+      {of_part<Told>(&Told::solution,
+                     joined<Solution>({verdict_fields(), answer_fields(),
+                                       effort_fields(), search_fields()})),
+       {of_part<Told>(&Told::design, design_field())},
+       of_part<Told>(&Told::solution, {seconds_field(), certificate_field()})});
   return table;
 }
 
@@ -201,20 +207,22 @@ Field<Solution> forecast_field() {
           }};
 }
 
-const Fields<Solution>& result_fields() {
-  static const Fields<Solution> table =
-      joined<Solution>({outcome_fields(), {forecast_field()}, origin_fields()});
+const Fields<Told>& result_fields() {
+  static const Fields<Told> table =
+      joined<Told>({outcome_fields(),
+                    {of_part<Told>(&Told::solution, forecast_field())},
+                    origin_fields()});
   return table;
 }
 
 }  // namespace
 
-std::string result_json(const Solution& solution) {
-  return written(result_fields(), solution).dump(2) + "\n";
+std::string result_json(const Solution& solution, const DesignAnswer* design) {
+  return written(result_fields(), {&solution, design}).dump(2) + "\n";
 }
 
 Json outcome_document(const Solution& solution) {
-  return written(outcome_fields(), solution);
+  return written(outcome_fields(), {&solution, nullptr});
 }
 
 std::vector<FieldText> result_texts() {

@@ -213,12 +213,12 @@ Fields<DesignMinimum> choice_fields() {
 
 }  // namespace
 
-Field<Solution> design_field() {
+Field<DesignAnswer> design_field() {
   using A = DesignAnswer;
   using M = DesignMinimum;
-  const Field<Solution> all = object<Solution>(
+  Field<A> field = object<A>(
       "design", "", "the choice of the body; no key without a design",
-      &Solution::design,
+      [](const A& design) { return &design; },
       joined<A>(
           {of_part<A>(&A::best, choice_fields()),
            {list("minima",
@@ -259,7 +259,8 @@ Field<Solution> design_field() {
                   {"reason", "", "in words", &LostSearch::reason}}),
             {"solves", "", "closed solutions in all searches", &A::solves},
             {"cpu_seconds", "s", "processor time of them", &A::cpu_seconds}}}));
-  return {all.text, all.write, true};
+  field.may_lack = true;
+  return field;
 }
 
 }  // namespace brachisto::report

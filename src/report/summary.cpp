@@ -197,16 +197,15 @@ void add_sensitivities(std::string& out, const Solution& solution) {
 }
 
 /// Whether the design is of a body that has no grip enough.
-bool lacks_grip(const Solution& solution) {
-  return solution.design && solution.design->plan.max_grip &&
-         !solution.design->best && !solution.design->minima.empty() &&
-         std::ranges::none_of(solution.design->minima,
-                              &DesignMinimum::feasible);
+bool lacks_grip(const DesignAnswer* design) {
+  return design != nullptr && design->plan.max_grip && !design->best &&
+         !design->minima.empty() &&
+         std::ranges::none_of(design->minima, &DesignMinimum::feasible);
 }
 
 /// "verified: 16 of 16 checks, degree 6 against 7 on 9 elements agree to 9e-12;
 /// feasible".
-std::string verdict(const Solution& solution) {
+std::string verdict(const Solution& solution, const DesignAnswer* design) {
   if (solution.status != Status::Solved) return "NOT SOLVED";
   const std::vector<Check>& checks = solution.certificate.checks;
   const auto passed = std::ranges::count_if(checks, &Check::passed);
@@ -221,15 +220,16 @@ std::string verdict(const Solution& solution) {
         fmt::format(", {} agree to {:.0e}", agreement->where, agreement->value);
   }
   return text + (!solution.feasible() ? "; INFEASIBLE"
-                 : lacks_grip(solution)
+                 : lacks_grip(design)
                      ? "; INFEASIBLE for want of the grip that is asked for"
                  : solution.undecided_because().empty()
                      ? "; feasible"
                      : "; feasible within the error of this mesh");
 }
 
-void add_verdict(std::string& out, const Solution& solution) {
-  add_line(out, "verdict", verdict(solution));
+void add_verdict(std::string& out, const Solution& solution,
+                 const DesignAnswer* design) {
+  add_line(out, "verdict", verdict(solution, design));
   if (solution.verified()) {
     for (const std::string& reason : solution.infeasible_because()) {
       add_line(out, "", reason);
@@ -373,7 +373,7 @@ std::string found(const Solution& solution) {
 }
 
 /// What one would do now.
-std::string next(const Solution& solution) {
+std::string next(const Solution& solution, bool designed) {
   const std::string advice = solution.advice();
   if (!advice.empty()) return advice;
   if (!solution.verified() || solution.scene.path) return {};
@@ -381,7 +381,7 @@ std::string next(const Solution& solution) {
   const bool limited = solution.scene.limits.any();
   if (!solution.feasible()) {
     // The body of a design is what it has chosen.
-    if (solution.design) return {};
+    if (designed) return {};
     const std::string other = solution.scene.body.off_centred()
                                   ? "a smaller eta_m, or a nearer point B"
                                   : "a nearer point B";
@@ -403,7 +403,7 @@ std::string next(const Solution& solution) {
 
 }  // namespace
 
-std::string summary(const Solution& solution) {
+std::string summary(const Solution& solution, const DesignAnswer* design) {
   std::string out = in_words(solution.scene) + "\n";
   add_line(out, "asked", asked(solution));
   if (solution.verified()) {
@@ -411,13 +411,14 @@ std::string summary(const Solution& solution) {
     add_limits(out, solution);
     add_sensitivities(out, solution);
   }
-  add_verdict(out, solution);
+  add_verdict(out, solution, design);
   add_cross_check(out, solution);
   add_discrete_system(out, solution);
   add_branches(out, solution);
-  if (solution.design) add_design(out, *solution.design);
+  if (design != nullptr) add_design(out, *design);
   add_line(out, "found", found(solution));
-  if (const std::string what = next(solution); !what.empty()) {
+  if (const std::string what = next(solution, design != nullptr);
+      !what.empty()) {
     add_line(out, "to try", what);
   }
   return out;

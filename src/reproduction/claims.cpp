@@ -11,7 +11,7 @@
 #include <numbers>
 #include <optional>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "math/portable_random.hpp"
 #include "reproduction/claims.hpp"
 #include "reproduction/printed_numbers.hpp"

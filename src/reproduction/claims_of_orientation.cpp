@@ -9,7 +9,7 @@
 #include <numbers>
 #include <span>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "model/start_angle.hpp"
 #include "reproduction/claims.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brachisto/math/polynomial_basis.hpp"
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "math/roots.hpp"
 #include "reproduction/cases.hpp"
 

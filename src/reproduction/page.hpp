@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 #include "report/text_table.hpp"
 #include "reproduction/claims.hpp"
 #include "reproduction/figures.hpp"

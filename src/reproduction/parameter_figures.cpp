@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/track_kind.hpp"
 #include "reproduction/figures.hpp"

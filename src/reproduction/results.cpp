@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "design/gather_designs.hpp"
 #include "reproduction/bent_track.hpp"
 #include "reproduction/cases.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/study/design_answer.hpp"
+#include "brachisto/study/design.hpp"
 #include "report/sweep_table.hpp"
 #include "reproduction/cases.hpp"
 #include "reproduction/faster_bodies.hpp"

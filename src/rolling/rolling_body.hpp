@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/ocp/point_function.hpp"
 #include "model/field.hpp"
 #include "model/path_inequality.hpp"

@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "rolling/rolling_body.hpp"
 
 namespace brachisto::rolling {

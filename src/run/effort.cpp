@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/run/effort.hpp"
+#include "brachisto/run/solve_options.hpp"
 
 namespace brachisto {
 

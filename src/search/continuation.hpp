@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/mesh.hpp"
-#include "brachisto/run/effort.hpp"
-#include "brachisto/run/progress.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "model/cycloid.hpp"
 #include "refinement/arcs.hpp"

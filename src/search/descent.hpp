@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "brachisto/run/effort.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "search/global_search.hpp"
 

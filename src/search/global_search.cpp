@@ -10,8 +10,8 @@
 #include <cmath>
 #include <utility>
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "extremal/contact_scan.hpp"
+#include "solvers/newton_solver.hpp"
 #include "transcription/contact_equation.hpp"
 #include "transcription/prolongation.hpp"
 
@@ -90,8 +90,9 @@ ContactSearch find_contacts(const Scene& scene, double longest,
     options.tolerance = 1e-10;
     options.max_iterations = 12;
     options.stop = stop;
-    const NewtonResult result = solve_with_newton(
-        problem, &contact, sample(scanned, problem), scanned.phi, options);
+    const NewtonResult result =
+        NewtonSolver(problem, &contact)
+            .solve(sample(scanned, problem), scanned.phi, options);
     out.newton_steps += result.iterations;
     if (result.status != Status::Solved) continue;
     ContactCandidate found{ExtremalCurve(problem, result.point), result.phi};

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/run/progress.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "transcription/extremal_curve.hpp"
 
 namespace brachisto {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/phase_clock.hpp"
 #include "solvers/chain_ldlt.hpp"
 
 namespace brachisto {

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/ma97.hpp"
 

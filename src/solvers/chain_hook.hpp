@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 namespace brachisto {
 

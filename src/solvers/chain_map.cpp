@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_blocks.hpp"
 #include "solvers/chain_entries.hpp"
 

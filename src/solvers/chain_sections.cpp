@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/lane_failures.hpp"
 #include "solvers/larger.hpp"

@@ -9,9 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/lane_failures.hpp"
 

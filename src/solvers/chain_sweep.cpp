@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "solvers/larger.hpp"
 

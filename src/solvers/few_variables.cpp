@@ -3,10 +3,12 @@
 
 #include "solvers/few_variables.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+
+#include "math/dense.hpp"
 
 namespace brachisto {
 
@@ -92,18 +94,10 @@ double bound_of(const nlp::Range& range, Held held) {
 std::vector<double> eigenvalues_along(const MatrixXd& hessian,
                                       const MatrixXd& held_rows) {
   MatrixXd along = MatrixXd::Identity(hessian.rows(), hessian.rows());
-  if (held_rows.rows() > 0) {
-    const Eigen::FullPivLU<MatrixXd> lu(held_rows);
-    if (lu.rank() == hessian.rows()) return {};
-    // An orthonormal basis, so that lengths stay what they are.
-    const MatrixXd kernel = lu.kernel();
-    along = kernel.householderQr().householderQ() *
-            MatrixXd::Identity(kernel.rows(), kernel.cols());
-  }
+  // An orthonormal basis, so that lengths stay what they are.
+  if (held_rows.rows() > 0) along = math::orthonormal_kernel(held_rows);
   if (along.cols() == 0) return {};
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(along.transpose() *
-                                                      hessian * along);
-  return as_list(eigen.eigenvalues());
+  return as_list(math::eigenvalues(along.transpose() * hessian * along));
 }
 
 /// Whether multipliers push towards the bounds that they belong to.
@@ -176,7 +170,7 @@ FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
     }
     // Bounds may hold every variable: then no step is left to solve for.
     VectorXd change = right;
-    if (change.size() > 0) change = kkt.fullPivLu().solve(right);
+    if (change.size() > 0) change = math::solve_next_to_singular(kkt, right);
     if (!change.allFinite()) return out;
     y(variables.free) += change.head(num_free);
     lambda(rows.held) = change.tail(num_rows);

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/linear_solver.hpp"
+#include "brachisto/solvers/status.hpp"
 
 namespace brachisto {
 

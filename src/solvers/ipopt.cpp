@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 #include <IpoptConfig.h>
 #include <dmumps_c.h>
@@ -21,8 +21,8 @@
 #include <string_view>
 #include <utility>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
 #include "solvers/one_at_a_time.hpp"

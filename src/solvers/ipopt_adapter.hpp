@@ -11,7 +11,7 @@
 #include <span>
 
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 namespace brachisto {
 

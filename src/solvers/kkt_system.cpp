@@ -7,9 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto {
 

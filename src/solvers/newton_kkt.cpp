@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "brachisto/math/phase_clock.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
@@ -223,11 +223,9 @@ NewtonResult NewtonSolver::solve(PrimalDual start, double phi,
   return result;
 }
 
-NewtonResult solve_with_newton(nlp::Problem& problem,
-                               nlp::TangencyCondition* tangency,
-                               PrimalDual start, double phi,
+NewtonResult solve_with_newton(nlp::Problem& problem, PrimalDual start,
                                const NewtonOptions& options) {
-  return NewtonSolver(problem, tangency).solve(std::move(start), phi, options);
+  return NewtonSolver(problem, nullptr).solve(std::move(start), 0.0, options);
 }
 
 }  // namespace brachisto

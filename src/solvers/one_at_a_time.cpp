@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/solvers/status.hpp"
 
 namespace brachisto {

@@ -5,8 +5,6 @@
 
 #include <array>
 
-#include "brachisto/solvers/linear_solver.hpp"
-
 namespace brachisto {
 
 namespace {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "study/certification.hpp"
 #include "trajectory/feasibility.hpp"
 #include "trajectory/trajectory.hpp"

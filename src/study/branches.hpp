@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/run/effort.hpp"
+#include "brachisto/run/solve_options.hpp"
 #include "model/units.hpp"
 #include "refinement/refinement.hpp"
 #include "search/global_search.hpp"

@@ -6,9 +6,9 @@
 
 #pragma once
 
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/study/discrete_answer.hpp"
-#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/study/solution.hpp"
+#include "brachisto/trajectory/motion.hpp"
 #include "extremal/shooting.hpp"
 #include "model/units.hpp"
 #include "refinement/limited_refinement.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
 
 #include <algorithm>
 #include <limits>

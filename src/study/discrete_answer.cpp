@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/discrete_answer.hpp"
+#include "brachisto/study/solution.hpp"
 
 #include <cmath>
 #include <functional>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "nlp/stationarity.hpp"
 
 namespace brachisto {

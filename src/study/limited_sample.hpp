@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "extremal/arc_shooting.hpp"
 #include "refinement/limited_refinement.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "brachisto/study/limit_on_path.hpp"
+#include "brachisto/study/solution.hpp"
 #include "refinement/arc_fit.hpp"
 #include "study/pose.hpp"
 #include "trajectory/trajectory.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/study/sensitivities.hpp"
+#include "brachisto/study/solution.hpp"
 
 #include <algorithm>
 #include <cmath>

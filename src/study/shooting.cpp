@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "brachisto/ocp/mesh.hpp"
-#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/motion.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/surface_passages.hpp"

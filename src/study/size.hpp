@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "brachisto/study/forecast.hpp"
+#include "brachisto/study/solve.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {

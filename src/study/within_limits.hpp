@@ -8,7 +8,7 @@
 
 #include <functional>
 
-#include "brachisto/math/phase_clock.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/cpu_clock.hpp"
 #include "study/pose.hpp"
 

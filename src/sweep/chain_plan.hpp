@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <string>
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 
 namespace brachisto::sweep {
 

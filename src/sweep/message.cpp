@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/ocp/scheme.hpp"
+#include "brachisto/ocp/mesh.hpp"
 #include "transcription/variable_layout.hpp"
 
 namespace brachisto::sweep {

@@ -12,7 +12,7 @@
 #include "brachisto/report/result.hpp"
 #include "design/design_record.hpp"
 #include "plot/thinning.hpp"
-#include "report/result_field.hpp"
+#include "report/result_texts.hpp"
 
 namespace brachisto::sweep {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/motion.hpp"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <utility>
 
-#include "brachisto/math/gauss.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "math/angle.hpp"
 #include "model/contact.hpp"
 #include "model/field.hpp"

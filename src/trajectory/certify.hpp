@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/motion.hpp"
 #include "transcription/extremal_curve.hpp"
 #include "transcription/rolling_time.hpp"
 

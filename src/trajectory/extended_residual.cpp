@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/jet1.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/jet.hpp"
 #include "math/nearby_sines.hpp"
 #include "model/energy.hpp"
 #include "rolling/rolling_body.hpp"

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "model/path_inequality.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"

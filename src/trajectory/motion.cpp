@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/minima.hpp"
 #include "math/roots.hpp"
 #include "trajectory/grip.hpp"

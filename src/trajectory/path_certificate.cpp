@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "model/field.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/reintegration.hpp"

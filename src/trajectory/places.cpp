@@ -3,7 +3,7 @@
 
 #include "trajectory/places.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "brachisto/math/index.hpp"
+#include "math/dense.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/chain_ldlt.hpp"
 #include "transcription/held_control.hpp"
@@ -114,12 +115,10 @@ class Places {
       }
     }
     if (!schur.allFinite()) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        schur, Eigen::EigenvaluesOnly);
     const auto jumps = std::ranges::count_if(
         switches, [&](const Place& place) { return jumps_at(place.element); });
     return static_cast<int>(jumps -
-                            (eigen.eigenvalues().array() > 0.0).count());
+                            (math::eigenvalues(schur).array() > 0.0).count());
   }
 
  private:

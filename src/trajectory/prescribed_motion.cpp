@@ -12,11 +12,10 @@
 #include <limits>
 #include <utility>
 
-#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/math/polynomial_basis.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "math/roots.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"

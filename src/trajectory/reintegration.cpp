@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"

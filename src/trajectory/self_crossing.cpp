@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto {
 

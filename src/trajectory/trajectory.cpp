@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "model/inertia.hpp"
 #include "model/start_angle.hpp"
 

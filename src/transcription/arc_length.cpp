@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "model/energy.hpp"
 #include "transcription/program_formulas.hpp"
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "transcription/arc_length.hpp"
 
 namespace brachisto {

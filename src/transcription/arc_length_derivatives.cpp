@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "transcription/arc_length.hpp"
 
 namespace brachisto {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 
 namespace brachisto {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "brachisto/math/gauss.hpp"
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "transcription/costates.hpp"

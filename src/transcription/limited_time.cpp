@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "ocp/rates_by_length.hpp"

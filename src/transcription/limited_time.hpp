@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/ocp/collocation.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
 #include "math/roots.hpp"
 #include "model/start_angle.hpp"
 

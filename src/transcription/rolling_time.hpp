@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "brachisto/ocp/collocation.hpp"
-#include "brachisto/ocp/scheme.hpp"
+#include "brachisto/ocp/mesh.hpp"
 #include "rolling/steered_falling.hpp"
 #include "transcription/transcription.hpp"
 

@@ -13,7 +13,6 @@
 
 #include "brachisto/model/scene.hpp"
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/ocp/element_chain.hpp"
 #include "brachisto/ocp/mesh.hpp"
 #include "brachisto/ocp/program.hpp"
 #include "model/contact.hpp"

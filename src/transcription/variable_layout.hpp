@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "brachisto/ocp/layout.hpp"
+#include "brachisto/ocp/mesh.hpp"
 
 namespace brachisto {
 

@@ -12,7 +12,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "derivatives/arc_length_problems.hpp"
 #include "derivatives/counting_new.hpp"
 #include "support/rounding.hpp"

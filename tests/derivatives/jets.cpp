@@ -5,7 +5,7 @@
 // variables of a problem of two elements; its sparsity against the zeros of the
 // jets.
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 
 #include <gtest/gtest.h>
 

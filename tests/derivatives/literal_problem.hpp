@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "derivatives/problems.hpp"
 
 namespace brachisto::testing {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/model/mass_distribution.hpp"
-#include "brachisto/study/sensitivities.hpp"
+#include "brachisto/model/body.hpp"
+#include "brachisto/study/solution.hpp"
 #include "design/gather_designs.hpp"
 
 namespace brachisto {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/model/mass_distribution.hpp"
+#include "brachisto/model/body.hpp"
 
 namespace brachisto {
 namespace {

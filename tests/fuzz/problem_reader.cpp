@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "fuzz/law.hpp"
 #include "io/path_points.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/model/scene.hpp"
 #include "fuzz/law.hpp"
 #include "sweep/job.hpp"

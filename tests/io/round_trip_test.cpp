@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/io/sweep_file.hpp"
 #include "io/effective_input.hpp"
 #include "io/reading.hpp"
 

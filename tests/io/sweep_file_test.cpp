@@ -3,7 +3,7 @@
 
 // Sweeps: which scenes a file means.
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

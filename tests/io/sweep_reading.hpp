@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "brachisto/io/sweep_file.hpp"
+#include "brachisto/io/problem_file.hpp"
 
 namespace brachisto::io {
 

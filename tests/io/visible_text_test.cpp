@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "brachisto/io/diagnostics.hpp"
+#include "brachisto/io/problem_file.hpp"
 
 namespace brachisto::io {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/dependence.hpp"
+#include "brachisto/math/jet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 
 #include <gtest/gtest.h>
 

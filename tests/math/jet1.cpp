@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/jet1.hpp"
+#include "brachisto/math/jet.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-#include "brachisto/math/jet2.hpp"
 #include "support/rounding.hpp"
 
 namespace brachisto::math {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "brachisto/math/gauss.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 

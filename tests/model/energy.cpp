@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

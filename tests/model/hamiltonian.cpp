@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "model/cycloid.hpp"
 #include "support/observed_order.hpp"
 #include "support/random_points.hpp"

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/dependence.hpp"
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/model/kinematics.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"

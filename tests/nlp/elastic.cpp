@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/inequality_problems.hpp"
 
 namespace brachisto::testing {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "nlp/active_set.hpp"
 #include "nlp/tiny_problem.hpp"
 #include "solvers/inequality_problems.hpp"

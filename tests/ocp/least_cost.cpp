@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "derivatives/taylor_remainders.hpp"
 #include "support/observed_order.hpp"
 #include "support/random_points.hpp"

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "brachisto/study/discrete_answer.hpp"
+#include "brachisto/study/solution.hpp"
 #include "support/observed_order.hpp"
 #include "support/reference_values.hpp"
 #include "support/scenes.hpp"

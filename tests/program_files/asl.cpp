@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/asl_program.hpp"
 #include "program_files/nl_file.hpp"

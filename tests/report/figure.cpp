@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "report/xml.hpp"
 
 namespace brachisto::report {

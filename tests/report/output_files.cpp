@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/report/output_files.hpp"
+#include "brachisto/report/result.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto::report {
 namespace {

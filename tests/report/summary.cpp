@@ -316,20 +316,20 @@ TEST(Summary, TellsNoForceThatIsRoundingAlone) {
 }
 
 TEST(Summary, OfADesignWithoutGripSaysOnlyThatItIsInfeasible) {
-  Solution solution = testing::uniform_solution();
-  DesignAnswer& design = solution.design.emplace();
+  const Solution solution = testing::uniform_solution();
+  DesignAnswer design;
   design.plan.max_grip = MaxGrip{0.3, 0.05};
   DesignMinimum& minimum = design.minima.emplace_back();
   minimum.stationary = minimum.verified = true;
 
-  const std::string text = summary(solution);
+  const std::string text = summary(solution, &design);
 
   EXPECT_TRUE(says(text, "; INFEASIBLE for want of the grip")) << text;
   EXPECT_FALSE(says(text, " feasible")) << text;
 
   minimum.feasible = true;
   design.best = minimum;
-  EXPECT_TRUE(says(summary(solution), "; feasible\n"));
+  EXPECT_TRUE(says(summary(solution, &design), "; feasible\n"));
 }
 
 TEST(Summary, TellsTheLeastGrip) {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "model/cycloid.hpp"
+#include "solvers/newton_solver.hpp"
 #include "solvers/small_problem.hpp"
 #include "support/scenes.hpp"
 #include "transcription/contact_equation.hpp"
@@ -237,7 +237,7 @@ TEST(ChainInNewton, MakesTheStepsOfSparseLu) {
         ContactEquation contact(problem);
         NewtonOptions options;
         options.linear_solver = solver;
-        return solve_with_newton(problem, &contact, near, kPhi, options);
+        return NewtonSolver(problem, &contact).solve(near, kPhi, options);
       };
 
       const NewtonResult chain = run(LinearSolver::Chain);
@@ -270,7 +270,7 @@ TEST(ChainInNewton, MakesTheStepsOfSparseLuBetweenFixedEnds) {
   const auto run = [&](LinearSolver solver) {
     NewtonOptions options;
     options.linear_solver = solver;
-    return solve_with_newton(problem, nullptr, near, -0.12, options);
+    return solve_with_newton(problem, near, options);
   };
 
   const NewtonResult chain = run(LinearSolver::Chain);

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/small_problem.hpp"
 
 namespace brachisto::testing {

@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/ipopt.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/hock_schittkowski.hpp"
@@ -113,7 +112,7 @@ TYPED_TEST(HockSchittkowski, IsPolishedToItsActiveBounds) {
   options.tolerance = std::abs(TypeParam::kLeast) > 1e4 ? 1e-11 : 1e-12;
 
   const NewtonResult polished =
-      solve_with_newton(problem, nullptr, result.point, 0.0, options);
+      solve_with_newton(problem, result.point, options);
 
   EXPECT_EQ(polished.status, Status::Solved) << polished.residual;
   const nlp::KktResidual kkt = nlp::kkt_residual(problem, polished.point);
@@ -185,8 +184,7 @@ std::vector<NewtonResult> polished(Pair<Problem>& pair) {
     NewtonOptions options;
     options.linear_solver = solver;
     options.to_rounding = true;
-    out.push_back(solve_with_newton(pair.problem, nullptr, pair.chain.point,
-                                    0.0, options));
+    out.push_back(solve_with_newton(pair.problem, pair.chain.point, options));
   }
   return out;
 }
@@ -312,8 +310,7 @@ TEST(NewtonWithInequalities, SaysSoIfOtherInequalitiesHold) {
   // the least f is 0 at (1, 1, 1), where x₀ + x₁ + 2 x₂ = 4 > 3.
   DenseProblem<Hs35> problem;
 
-  const NewtonResult result =
-      solve_with_newton(problem, nullptr, {Hs35::kStart, {0.0}}, 0.0, {});
+  const NewtonResult result = solve_with_newton(problem, {Hs35::kStart, {0.0}});
 
   EXPECT_LE(result.residual, 1e-12);
   EXPECT_FALSE(result.active_set_holds);
@@ -326,7 +323,7 @@ TEST(NewtonWithInequalities, DoesNotHoldAVariableAgainstItsMultiplier) {
   DenseProblem<Hs35> problem;
 
   const NewtonResult result =
-      solve_with_newton(problem, nullptr, {{1.0, 1.0, 0.0}, {0.0}}, 0.0, {});
+      solve_with_newton(problem, {{1.0, 1.0, 0.0}, {0.0}});
 
   EXPECT_NEAR(result.point.z_lower[2], -2.0 / 3.0, 1e-12);
   EXPECT_FALSE(result.active_set_holds);

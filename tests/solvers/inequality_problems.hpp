@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/math/jet2.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::testing {

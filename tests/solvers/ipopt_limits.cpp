@@ -8,7 +8,7 @@
 #include <atomic>
 #include <limits>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/small_problem.hpp"
 
 namespace brachisto {

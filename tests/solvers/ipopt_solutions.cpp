@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/small_problem.hpp"
 
 namespace brachisto {

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <thread>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/inertia.hpp"
 #include "solvers/small_problem.hpp"
 

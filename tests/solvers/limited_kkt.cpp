@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/chain_ldlt.hpp"

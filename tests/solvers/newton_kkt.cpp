@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include <limits>
 #include <vector>
 
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "model/units.hpp"
 #include "refinement/mesh_solve.hpp"
+#include "solvers/newton_solver.hpp"
 #include "solvers/small_problem.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
@@ -87,8 +88,8 @@ TEST(NewtonKkt, SolvesForTheParameterToo) {
   TwoBranches problem;
   SumIs tangency(problem, 1.0);
 
-  const NewtonResult result =
-      solve_with_newton(problem, &tangency, {{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
+  const NewtonResult result = NewtonSolver(problem, &tangency)
+                                  .solve({{1.3, 1.1, 0.7}, {-0.8}}, 0.7, {});
 
   ASSERT_EQ(result.status, Status::Solved);
   EXPECT_NEAR(result.point.x[0], 1.0, 1e-12);
@@ -107,7 +108,7 @@ TEST(NewtonKkt, TellsABranchFromItsNeighbour) {
     TwoBranches problem;
 
     const NewtonResult result =
-        solve_with_newton(problem, nullptr, {{x_0, x_0, 1.0}, {-1.0}}, 0.0, {});
+        solve_with_newton(problem, {{x_0, x_0, 1.0}, {-1.0}});
 
     ASSERT_EQ(result.status, Status::Solved);
     EXPECT_NEAR(result.point.x[0], std::copysign(1.0, x_0), 1e-12);
@@ -122,8 +123,8 @@ TEST(NewtonKkt, TheSignChangesWhereABranchTurnsBack) {
     TwoBranches problem;
     const double phi = x_0 * x_0;
     SumIs tangency(problem, phi + x_0 - 1.0 + 1e-4);
-    return solve_with_newton(problem, &tangency, {{x_0, x_0, phi}, {-1.0}}, phi,
-                             {})
+    return NewtonSolver(problem, &tangency)
+        .solve({{x_0, x_0, phi}, {-1.0}}, phi, {})
         .determinant_sign;
   };
 
@@ -139,7 +140,7 @@ TEST(NewtonKkt, StopsWhereTheSystemIsSingular) {
   TwoBranches problem;
 
   const NewtonResult result =
-      solve_with_newton(problem, nullptr, {{0.0, 0.0, 1.0}, {-1.0}}, 0.0, {});
+      solve_with_newton(problem, {{0.0, 0.0, 1.0}, {-1.0}});
 
   EXPECT_EQ(result.status, Status::NotConverged);
   EXPECT_EQ(result.determinant_sign, 0);
@@ -191,7 +192,7 @@ TEST_F(NewtonKktFor, ATrackConvergesQuadratically) {
     options.max_iterations = steps;
 
     const NewtonResult result =
-        solve_with_newton(problem, &contact, start, phi + 1e-2, options);
+        NewtonSolver(problem, &contact).solve(start, phi + 1e-2, options);
 
     // As long as rounding, of numbers of order one, does not show.
     if (result.residual < 1e-13) break;
@@ -212,8 +213,8 @@ TEST_F(NewtonKktFor, ATrackConvergesQuadratically) {
 TEST_F(NewtonKktFor, ATrackFindsItsWayBackToTheSolution) {
   ContactEquation contact(problem);
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    const NewtonResult result = solve_with_newton(
-        problem, &contact, shaken(1e-3, seed), phi - 1e-3, {});
+    const NewtonResult result = NewtonSolver(problem, &contact)
+                                    .solve(shaken(1e-3, seed), phi - 1e-3, {});
 
     ASSERT_EQ(result.status, Status::Solved) << "seed " << seed;
     // The residual, below 1e-12, times the norm of the inverse, of order 10².
@@ -227,11 +228,11 @@ TEST_F(NewtonKktFor, ATrackGoesOnToRoundingIfAskedTo) {
   NewtonOptions options;
   options.tolerance = 1e-6;
   const NewtonResult soon =
-      solve_with_newton(problem, &contact, shaken(1e-4, 1), phi, options);
+      NewtonSolver(problem, &contact).solve(shaken(1e-4, 1), phi, options);
   options.to_rounding = true;
 
   const NewtonResult late =
-      solve_with_newton(problem, &contact, shaken(1e-4, 1), phi, options);
+      NewtonSolver(problem, &contact).solve(shaken(1e-4, 1), phi, options);
 
   ASSERT_EQ(soon.status, Status::Solved);
   ASSERT_EQ(late.status, Status::Solved);
@@ -246,7 +247,7 @@ TEST_F(NewtonKktFor, ATrackReportsTheResidualThatThePointHas) {
   options.max_iterations = 1;
 
   const NewtonResult result =
-      solve_with_newton(problem, &contact, shaken(1e-2, 3), phi, options);
+      NewtonSolver(problem, &contact).solve(shaken(1e-2, 3), phi, options);
 
   contact.set_parameter(result.phi);
   const double kkt = nlp::kkt_residual(problem, result.point).max();
@@ -273,7 +274,7 @@ TEST_F(NewtonKktFor, ATrackNeverReturnsAWorsePointThanItsStart) {
                  std::abs(contact.linearise(start.x, start.lambda).residual));
 
     const NewtonResult result =
-        solve_with_newton(problem, &contact, start, phi_start, {});
+        NewtonSolver(problem, &contact).solve(start, phi_start, {});
 
     ASSERT_TRUE(problem.set_point(result.point.x)) << "seed " << seed;
     const double after = std::max(
@@ -298,9 +299,9 @@ TEST_F(NewtonKktFor, ATrackStopsWhenAskedTo) {
   const PrimalDual start = shaken(1e-3, 1);
 
   const NewtonResult first =
-      solve_with_newton(problem, &contact, start, phi, interrupted);
+      NewtonSolver(problem, &contact).solve(start, phi, interrupted);
   const NewtonResult second =
-      solve_with_newton(problem, &contact, start, phi, late);
+      NewtonSolver(problem, &contact).solve(start, phi, late);
 
   EXPECT_EQ(first.status, Status::Interrupted);
   EXPECT_EQ(second.status, Status::TimeLimit);
@@ -317,8 +318,7 @@ TEST_F(NewtonKktFor, ATrackWithASpeedBelowZeroIsRefused) {
   start.x[static_cast<std::size_t>(
       problem.layout().state(7, StateComponent::W))] = -5.0;
 
-  const NewtonResult result =
-      solve_with_newton(problem, nullptr, start, phi, {});
+  const NewtonResult result = solve_with_newton(problem, start);
 
   EXPECT_EQ(result.status, Status::NotEvaluable);
   EXPECT_EQ(result.residual, std::numeric_limits<double>::infinity());
@@ -331,8 +331,7 @@ TEST_F(NewtonKktFor, ATrackWithANumberThatIsNoneIsNotSolved) {
     (in_x ? start.x : start.lambda)[11] =
         std::numeric_limits<double>::quiet_NaN();
 
-    const NewtonResult result =
-        solve_with_newton(problem, nullptr, start, phi, {});
+    const NewtonResult result = solve_with_newton(problem, start);
 
     EXPECT_NE(result.status, Status::Solved) << in_x;
   }

@@ -3,7 +3,7 @@
 
 // Derivatives of τ by the scene against whole solves of other scenes.
 
-#include "brachisto/study/sensitivities.hpp"
+#include "brachisto/study/solution.hpp"
 
 #include <gtest/gtest.h>
 

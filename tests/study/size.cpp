@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/study/forecast.hpp"
 #include "brachisto/study/solve.hpp"
 #include "math/machine_speed.hpp"
 #include "study/size.hpp"

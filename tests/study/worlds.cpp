@@ -12,7 +12,7 @@
 #include <functional>
 #include <string>
 
-#include "brachisto/math/gauss.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/study/solve.hpp"
 #include "math/roots.hpp"
 #include "model/field.hpp"

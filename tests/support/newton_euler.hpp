@@ -15,7 +15,6 @@
 #include <ostream>
 #include <vector>
 
-#include "brachisto/math/gauss.hpp"
 #include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/study/solution.hpp"
 #include "brachisto/trajectory/motion.hpp"

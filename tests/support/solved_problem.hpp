@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "brachisto/solvers/ipopt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "model/cycloid.hpp"
 #include "transcription/initial_guess.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/solvers/newton_kkt.hpp"
 #include "model/units.hpp"
+#include "solvers/newton_solver.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_problem.hpp"
 #include "trajectory/arc_length_motion.hpp"
@@ -40,8 +40,9 @@ struct ArcCase {
     ContactEquation contact(problem);
     NewtonOptions options;
     options.to_rounding = true;
-    const NewtonResult result = solve_with_newton(
-        problem, &contact, prolong(curve, problem), -0.086, options);
+    const NewtonResult result =
+        NewtonSolver(problem, &contact)
+            .solve(prolong(curve, problem), -0.086, options);
     point = result.point;
     phi = result.phi;
   }

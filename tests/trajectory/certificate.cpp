@@ -3,7 +3,7 @@
 
 // The certificate passes on a solution and on nothing that was tampered with.
 
-#include "brachisto/trajectory/certificate.hpp"
+#include "brachisto/trajectory/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "derivatives/problems.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"

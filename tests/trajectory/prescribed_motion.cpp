@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/cycloid.hpp"
 #include "trajectory/certify.hpp"

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "model/start_angle.hpp"
 #include "solvers/inertia.hpp"
 #include "support/random_points.hpp"
@@ -222,8 +222,7 @@ TEST(Refused, IsAnExtremalThatIsNoMinimum) {
     NewtonOptions options;
     options.max_iterations = 60;
     options.max_halvings = 8;
-    const NewtonResult result =
-        solve_with_newton(problem, nullptr, start, -0.1, options);
+    const NewtonResult result = solve_with_newton(problem, start, options);
     if (result.status != Status::Solved) continue;
     const Inertia inertia = kkt_inertia(problem, result.point);
     if (inertia.negative == problem.num_constraints()) continue;

@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 
-#include "brachisto/nlp/kkt_residual.hpp"
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "solvers/inertia.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
@@ -124,8 +124,8 @@ TEST_P(ArcStartOf, WhatTheFirstPiecesAreOffByGoesOverToAFinerMesh) {
     const int pieces = 256 << level;
     ArcLength coarse(GetParam(), pieces, kPhi);
     const ExtremalCurve curve(smooth.problem, smooth.point);
-    const NewtonResult found = solve_with_newton(
-        coarse, nullptr, prolong(curve, coarse), kPhi, newton);
+    const NewtonResult found =
+        solve_with_newton(coarse, prolong(curve, coarse), newton);
     ASSERT_EQ(found.status, Status::Solved);
     for (const int times : {4, 16}) {
       ArcLength fine(GetParam(), times * pieces, kPhi);

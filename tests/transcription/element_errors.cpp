@@ -16,7 +16,7 @@
 #include <ostream>
 #include <vector>
 
-#include "brachisto/solvers/newton_kkt.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 #include "brachisto/study/solve.hpp"
 #include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
@@ -52,7 +52,7 @@ ExtremalCurve curve_on(const Mesh& mesh, double theta_m) {
   const ExtremalCurve& exact = exact_curve(theta_m);
   RollingTime problem(exact.scene(), mesh, 0.0);
   const NewtonResult result =
-      solve_with_newton(problem, nullptr, prolong(exact, problem), 0.0, {});
+      solve_with_newton(problem, prolong(exact, problem));
   EXPECT_EQ(result.status, Status::Solved);
   return {problem, result.point};
 }

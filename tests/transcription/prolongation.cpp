@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "brachisto/nlp/kkt_residual.hpp"
+#include "brachisto/nlp/problem.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Problem files: a scene and the options of its solve, in YAML.
+/// Problem files: a scene and the options of its solve, in YAML; sweeps, whose
+/// section `sweep` makes one scene into many; and what is wrong with them.
 ///
 /// Reading is strict. Whatever the program would not use as the author meant
 /// it is an error: unknown, repeated and misplaced keys, values of the wrong
@@ -13,14 +14,58 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "brachisto/io/diagnostics.hpp"
 #include "brachisto/model/scene.hpp"
 #include "brachisto/run/solve_options.hpp"
-#include "brachisto/study/design_plan.hpp"
+#include "brachisto/study/design.hpp"
+
+namespace brachisto::io {
+
+/// One mistake in a problem file or in an override of the command line.
+struct Diagnostic {
+  std::string file;     ///< name of the file, or "--set KEY=VALUE"
+  int line = 0;         ///< from 1; 0 if the mistake has no line (an override)
+  int column = 0;       ///< from 1, in characters, not bytes; 0 as for `line`
+  std::string key;      ///< dotted, "scene.body.k"; empty for the whole file
+  std::string message;  ///< what was read; what is allowed; the nearest match
+};
+
+/// "file:line:column: key: message", without the parts that are not there.
+[[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
+
+/// The content of a problem file is refused (exit code 3).
+///
+/// Holds all mistakes that were found, those of the file in file order and
+/// then those of the overrides. what() has one of them per line, of very many
+/// only the first kShownDiagnostics.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<Diagnostic> diagnostics);
+
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
+    return diagnostics_;
+  }
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+/// How many mistakes InputError::what() spells out.
+inline constexpr std::size_t kShownDiagnostics = 100;
+
+/// A file cannot be opened, read or written (exit code 6).
+class IoError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace brachisto::io
 
 namespace brachisto {
 
@@ -119,6 +164,95 @@ inline constexpr std::size_t kMaxNesting = 32;
 /// \throws IoError, InputError  as read_problem_file()
 [[nodiscard]] ProblemFile read_problem_text(
     std::string_view text, const std::string& name,
+    const std::vector<std::string>& overrides = {});
+
+/// Value of a swept key in one scene: a number (SI units, rad) or a word.
+using SweepValue = std::variant<double, std::string>;
+
+/// A key of the problem file that differs between scenes.
+struct SweepKey {
+  std::string path;     ///< dotted, "scene.body.eta_m"
+  bool numeric = true;  ///< false: its values are words
+};
+
+/// A direction of the product.
+struct SweepFileAxis {
+  std::vector<std::size_t> keys;  ///< indices of those that run along it
+  std::size_t count = 0;          ///< values, ≥ 1
+  bool ordered = true;            ///< false: a random sample
+};
+
+/// Most scenes that a sweep may have.
+inline constexpr std::size_t kMaxScenes = 10'000'000;
+
+/// A family of problems: the product of some axes.
+///
+/// Scenes are numbered from 0 in the order of the product, the last axis being
+/// the fastest. Copies are cheap, and several threads may read one object.
+class SweepFile {
+ public:
+  struct Content;
+  explicit SweepFile(std::shared_ptr<const Content> content);
+
+  /// All keys of the section in file order. One that belongs to no axis has the
+  /// same value in all scenes or depends on other keys.
+  [[nodiscard]] const std::vector<SweepKey>& keys() const;
+
+  /// The axes in file order, the last one the fastest.
+  [[nodiscard]] const std::vector<SweepFileAxis>& axes() const;
+
+  /// Product of the counts of the axes.
+  [[nodiscard]] std::size_t num_scenes() const;
+
+  /// Whether a scene may start from the solution of a neighbour.
+  [[nodiscard]] bool warm_start() const;
+
+  /// Whether the track of each scene is kept beside its numbers.
+  [[nodiscard]] bool keeps_tracks() const;
+
+  /// The problem of a scene, as if the file had values(scene) in place of its
+  /// own. Satisfies what read_problem_file() promises.
+  /// \throws std::out_of_range  unless scene < num_scenes()
+  [[nodiscard]] ProblemFile problem(std::size_t scene) const;
+
+  /// The values of all keys() in a scene.
+  /// \throws std::out_of_range  unless scene < num_scenes()
+  [[nodiscard]] std::vector<SweepValue> values(std::size_t scene) const;
+
+  /// What the file and its overrides state, as one JSON document, which is a
+  /// problem file again. Expressions stay text.
+  [[nodiscard]] const std::string& stated() const;
+
+ private:
+  std::shared_ptr<const Content> content_;
+};
+
+/// Reads a problem file with a section `sweep`, and checks all its scenes.
+///
+/// \param overrides  as of read_problem_file(); after "sweep." a dotted key of
+///                   the problem counts as one key of the section
+/// \throws IoError     if the file cannot be read
+/// \throws InputError  with every mistake of its content, or if it has no
+///                     section `sweep`. A mistake that comes with the values of
+///                     scenes is told for the first few of them.
+[[nodiscard]] SweepFile read_sweep_file(
+    const std::filesystem::path& path,
+    const std::vector<std::string>& overrides = {});
+
+/// Reads a sweep from memory; `name` stands for the file in messages.
+///
+/// \param points  those of scene.path, where the file that it names was read
+///                before; nullptr: it is read now
+/// \throws IoError, InputError  as read_sweep_file()
+[[nodiscard]] SweepFile read_sweep_text(
+    std::string_view text, const std::string& name,
+    const std::vector<std::string>& overrides = {},
+    const std::vector<Point>* points = nullptr);
+
+/// Reads a file once, as a sweep if it has a section `sweep`.
+/// \throws IoError, InputError  as read_problem_file() and read_sweep_file()
+[[nodiscard]] std::variant<ProblemFile, SweepFile> read_problem_or_sweep_file(
+    const std::filesystem::path& path,
     const std::vector<std::string>& overrides = {});
 
 }  // namespace brachisto::io

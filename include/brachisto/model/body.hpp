@@ -3,13 +3,24 @@
 
 /// \file
 /// The rolling body: a bead that slides, or a cylinder that rolls without slip
-/// and whose centre of mass may lie off its axis.
+/// and whose centre of mass may lie off its axis; and what it is made of.
 
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <span>
+#include <string>
 
 namespace brachisto {
+
+/// A point of the plane, z down [m].
+struct Point {
+  double x = 0.0;
+  double z = 0.0;
+
+  friend bool operator==(const Point&, const Point&) = default;
+};
 
 /// Shape of the body. A bead is a point mass that slides without friction.
 enum class Shape { Bead, Cylinder };
@@ -40,5 +51,62 @@ struct Body {
   /// True if the motion depends on θ; otherwise A is constant and θ drops out.
   [[nodiscard]] bool off_centred() const { return rolls() && eta_m != 0.0; }
 };
+
+/// A piece of a body in the plane of its motion, places as seen from the axis
+/// of the cylinder, in any unit of length and any unit of mass.
+///
+/// The functions that make one throw std::invalid_argument unless masses and
+/// radii are positive and all numbers finite.
+struct MassPart {
+  double mass = 0.0;
+  Point centre;              ///< its centre of mass
+  double own_inertia = 0.0;  ///< about that, over its mass [length²]
+  double reach = 0.0;        ///< of the point farthest from the axis
+  std::string name = {};     ///< how messages call it
+
+  /// How far it extends from its own centre, if it is a point, ring or disc.
+  [[nodiscard]] double extent() const {
+    return reach - std::hypot(centre.x, centre.z);
+  }
+
+  [[nodiscard]] static MassPart point(double mass, Point at);
+  /// A thin ring, I = m a².
+  [[nodiscard]] static MassPart ring(double mass, Point at, double radius);
+  /// A uniform disc, or an annulus about a hole of smaller radius b,
+  /// I = m (a² + b²)/2.
+  [[nodiscard]] static MassPart disc(double mass, Point at, double radius,
+                                     double hole = 0.0);
+  /// A thin uniform rod, I = m l²/12.
+  [[nodiscard]] static MassPart rod(double mass, Point from, Point to);
+};
+
+/// 1 − η_m², the largest k that a body with this offset can have: that of one
+/// whose mass all sits on the rim.
+[[nodiscard]] inline double largest_k(double eta_m) {
+  return (1.0 - eta_m) * (1.0 + eta_m);
+}
+
+/// What the motion of a body depends on, in the symbols of Body.
+struct MassProperties {
+  double mass = 0.0;
+  double r_m = 0.0;      ///< offset of the centre of mass [unit of length]
+  double eta_m = 0.0;    ///< r_m / r
+  double theta_m = 0.0;  ///< from +x towards +z (down) [rad]; 0 if η_m = 0
+  double k = 0.0;        ///< I_cm / (m r²)
+
+  [[nodiscard]] double largest_k() const { return brachisto::largest_k(eta_m); }
+};
+
+/// Properties of a cylinder that consists of these parts.
+///
+/// I_cm = Σ m_i (j_i + |x_i − x_cm|²) by the parallel axes, j_i the own
+/// inertias: a sum of positive terms, in a second pass over the parts. An
+/// offset that rounding of the places alone could make counts as none.
+///
+/// \param radius  r, in the unit of length of the parts
+/// \throws std::invalid_argument  if there are no parts, if r is not positive,
+///         or if a part does not lie within the cylinder; it names the part
+[[nodiscard]] MassProperties mass_properties(std::span<const MassPart> parts,
+                                             double radius);
 
 }  // namespace brachisto

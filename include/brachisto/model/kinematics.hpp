@@ -8,7 +8,6 @@
 #pragma once
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/point.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {

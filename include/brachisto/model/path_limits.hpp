@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/point.hpp"
 
 namespace brachisto {
 

@@ -15,7 +15,6 @@
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/model/path_limits.hpp"
-#include "brachisto/model/point.hpp"
 #include "brachisto/model/world.hpp"
 
 namespace brachisto {

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "brachisto/model/point.hpp"
+#include "brachisto/model/body.hpp"
 
 namespace brachisto {
 

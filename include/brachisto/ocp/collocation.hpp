@@ -15,13 +15,11 @@
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "brachisto/math/stop_condition.hpp"
-#include "brachisto/ocp/entries.hpp"
 #include "brachisto/ocp/evaluated_points.hpp"
-#include "brachisto/ocp/layout.hpp"
 #include "brachisto/ocp/mesh.hpp"
-#include "brachisto/ocp/scheme.hpp"
+#include "brachisto/ocp/program.hpp"
 
 namespace brachisto::ocp {
 

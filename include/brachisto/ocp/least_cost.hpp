@@ -22,12 +22,9 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/collocation.hpp"
-#include "brachisto/ocp/element_chain.hpp"
-#include "brachisto/ocp/layout.hpp"
 #include "brachisto/ocp/mesh.hpp"
 #include "brachisto/ocp/point_function.hpp"
 #include "brachisto/ocp/program.hpp"
-#include "brachisto/ocp/scheme.hpp"
 
 namespace brachisto::ocp {
 

@@ -2,19 +2,97 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What all nonlinear programs along a mesh have in common.
+/// What all nonlinear programs along a mesh have in common: stencils, which
+/// make sparse matrices, and the chain of elements in the KKT matrix.
 
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/nlp/problem.hpp"
-#include "brachisto/ocp/entries.hpp"
 #include "brachisto/ocp/mesh.hpp"
+
+namespace brachisto {
+
+/// Receives the entries of a sparse matrix from the stencil that makes them,
+/// always in the same order: where they stand, or their values, so that pattern
+/// and values cannot drift apart.
+class Entries {
+ public:
+  explicit Entries(nlp::SparsityPattern& pattern) : pattern_(&pattern) {}
+  explicit Entries(std::span<double> values) : next_(values.data()) {}
+
+  void operator()(int row, int col, double value) {
+    if (next_ != nullptr) {
+      *next_++ = value;
+    } else {
+      pattern_->add(row, col);
+    }
+  }
+
+  /// factor · shares[i] in a row, at columns `stride` apart.
+  void row(int row, int col, int stride, std::span<const double> shares,
+           double factor = 1.0) {
+    if (put_values(shares, factor)) return;
+    for (std::size_t i = 0; i < shares.size(); ++i, col += stride) {
+      pattern_->add(row, col);
+    }
+  }
+  /// The same of a symmetric matrix, below the diagonal, whichever of the two
+  /// the row is.
+  void lower(int one, int other, int stride, std::span<const double> shares,
+             double factor = 1.0) {
+    if (put_values(shares, factor)) return;
+    for (std::size_t i = 0; i < shares.size(); ++i, other += stride) {
+      pattern_->add(std::max(one, other), std::min(one, other));
+    }
+  }
+
+  /// Calls put_one(i) for i from `begin` to before `end`, elements or pieces.
+  /// Each but the first has the entries of the one before, every row and every
+  /// column farther on by a constant of its own: of positions three are asked.
+  template <class PutOne>
+  void each(int begin, int end, PutOne&& put_one);
+
+ private:
+  /// False where positions are asked for.
+  bool put_values(std::span<const double> shares, double factor) {
+    if (next_ == nullptr) return false;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      next_[i] = factor * shares[i];
+    }
+    next_ += shares.size();
+    return true;
+  }
+
+  double* next_ = nullptr;
+  nlp::SparsityPattern* pattern_ = nullptr;
+};
+
+template <class PutOne>
+void Entries::each(int begin, int end, PutOne&& put_one) {
+  constexpr int kAsked = 3;
+  const bool all = pattern_ == nullptr || end - begin <= kAsked;
+  const int last = all ? end : begin + kAsked;
+  std::size_t before_last = 0;
+  for (int i = begin; i < last; ++i) {
+    check_stop(i);
+    if (!all) before_last = pattern_->num_entries();
+    put_one(i);
+  }
+  if (all) return;
+  pattern_->repeat(pattern_->num_entries() - before_last,
+                   static_cast<std::size_t>(end - last));
+}
+
+}  // namespace brachisto
 
 namespace brachisto::ocp {
 
@@ -104,5 +182,36 @@ class Program : public nlp::Problem {
   int refused_place_ = -1;
   const char* refused_because_ = "";
 };
+
+/// A link is an element. Its separators are its end nodes, the right one with
+/// the multipliers of the last point, which determine that node; the interior
+/// is the rest. The global unknown is the border.
+///
+/// \param num_constraints  those behind the points' are left with the first
+///                         node, block 0
+[[nodiscard]] nlp::ChainStructure element_chain(const Layout& layout,
+                                                const Mesh& mesh,
+                                                int num_constraints);
+
+/// The same where points are nodes. Control and limits of the last point of an
+/// element stand with its right end: equations about the state of a separator
+/// would leave the interior singular. With what rows and columns are
+/// multiplied.
+///
+/// \param of_control  whether a limit depends on the control, by its number
+[[nodiscard]] nlp::ChainStructure element_chain(
+    const Layout& layout, const Mesh& mesh, int num_constraints,
+    const std::vector<bool>& of_control);
+
+/// √h of an element as a power of two: the Hessian by states and controls is of
+/// the order of h, as an integral over the element, the Jacobian of order one;
+/// both are with √h between them.
+[[nodiscard]] double root_of_length(const Mesh& mesh, int element);
+
+/// Of variables, then constraints, where points are nodes: h b of a point's
+/// states and limits, b of its control and its defects, 1 of others.
+[[nodiscard]] std::vector<double> element_weights(
+    const Layout& layout, const CollocationScheme& scheme, const Mesh& mesh,
+    int num_constraints);
 
 }  // namespace brachisto::ocp

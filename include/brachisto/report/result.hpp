@@ -3,14 +3,17 @@
 
 /// \file
 /// Results: as JSON, the form that other programs read, as a table, and for a
-/// person.
+/// person; and files that are there in full or not at all.
 
 #pragma once
 
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "brachisto/study/design.hpp"
 #include "brachisto/study/solution.hpp"
 
 namespace brachisto::report {
@@ -21,7 +24,9 @@ inline constexpr int kSchemaVersion = 2;
 
 /// The document of one solve. Numbers of the path are null unless the result is
 /// verified; so is whatever the scene does not have.
-[[nodiscard]] std::string result_json(const Solution& solution);
+/// \param design  that chose the body, if one did
+[[nodiscard]] std::string result_json(const Solution& solution,
+                                      const DesignAnswer* design = nullptr);
 
 /// The reference of its keys as a Markdown table, made from the very table that
 /// writes them. docs/results.md quotes it.
@@ -36,7 +41,9 @@ inline constexpr int kSchemaVersion = 2;
 
 /// A dozen lines: the scene, the answer if it is verified, how it was found,
 /// and what each check of the certificate said if one failed.
-[[nodiscard]] std::string summary(const Solution& solution);
+/// \param design  that chose the body, if one did
+[[nodiscard]] std::string summary(const Solution& solution,
+                                  const DesignAnswer* design = nullptr);
 
 /// Comma-separated values with a header line, one row per node, 17 digits:
 /// u, t, x_c, z_c, x_cm, z_cm, x_b, z_b, theta, beta, v_c, omega, R_n, R_t,
@@ -69,5 +76,36 @@ struct TrajectoryColumnText {
 
 /// Of the columns that every trajectory has.
 [[nodiscard]] std::vector<TrajectoryColumnText> trajectory_column_texts();
+
+/// Writing failed; what() names the file and the reason.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file to be written.
+struct OutputFile {
+  std::string name;  ///< without directory
+  std::string content;
+};
+
+/// Writes files into a directory, made if need be: all of them or none. They
+/// are written under temporary names and flushed to disk; then they get their
+/// names in the given order, so that whoever sees the last one sees all of them
+/// whole. Signals that ask the process to end wait meanwhile.
+///
+/// \param force     replace files that exist; otherwise they are an error
+/// \param obsolete  names of files that go, if they are there, when the others
+///                  come
+/// \throws OutputError  and leaves the directory as it was, not made if it was
+///                      not there
+void write_files(const std::filesystem::path& directory,
+                 const std::vector<OutputFile>& files, bool force,
+                 const std::vector<std::string>& obsolete = {});
+
+/// Checks beforehand what write_files() would refuse, as far as it can be
+/// known. \throws OutputError
+void check_writable(const std::filesystem::path& directory,
+                    const std::vector<std::string>& names, bool force);
 
 }  // namespace brachisto::report

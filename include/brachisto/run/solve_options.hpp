@@ -2,18 +2,60 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Options of a solve, as a problem file or a caller states them.
+/// Options of a solve, as a problem file or a caller states them, and what is
+/// told of it: its progress, the work it took, what was met on the way.
 
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
-#include "brachisto/paper/discrete_reading.hpp"
-#include "brachisto/solvers/linear_solver.hpp"
+#include "brachisto/math/clock.hpp"
+#include "brachisto/solvers/status.hpp"
 
 namespace brachisto {
+
+/// Both ends and a node to move.
+inline constexpr int kFewestDiscreteNodes = 3;
+/// Of DiscreteReading::epsilon.
+inline constexpr double kLargestEpsilon = 0.1;
+
+/// A reading of section "Solution Methodology": the choices that eqs. (13)–(19)
+/// need and the paper does not state, and its ε.
+struct DiscreteReading {
+  /// Transit time of a chord of length l with speeds v at its ends.
+  enum class Quadrature {
+    MeanSpeed,  ///< 2 l / (v_left + v_right); the only one regular at a start
+                ///< from rest, of first order there
+    Midpoint,   ///< l / v with E and θ halfway; error n^(−1/2) at the start
+    Trapezoid,  ///< l (1/v_left + 1/v_right) / 2; MeanSpeed where v_left = 0
+  };
+  /// What the energy height E of eq. (1) is measured from.
+  enum class Datum {
+    Release,  ///< z − z_1: at rest at node 1, whatever the slope there
+    Rest,     ///< z as printed, but v = 0 at node 1
+    Printed,  ///< z as printed: E_1 = −r cos β_1, negative unless the first
+              ///< chord is vertical, and then v_1 is no real number
+  };
+  /// sin and cos of the end slopes.
+  enum class Slopes {
+    Literal,  ///< z'/√(1 + z'²) and 1/√(1 + z'²) with z' = Δz/Δx, as printed:
+              ///< they jump where Δx changes its sign
+    Smooth,  ///< Δz/l and Δx/l, the same where Δx > 0
+  };
+
+  Quadrature quadrature = Quadrature::MeanSpeed;
+  Datum datum = Datum::Release;
+  Slopes slopes = Slopes::Literal;
+  /// Half width of the central differences of eq. (18), in units of H, at
+  /// most kLargestEpsilon; 0 takes their limit, the exact derivatives.
+  double epsilon = 1e-3;
+};
 
 /// Which discretisation of the optimal-control problem to solve.
 enum class Formulation {
@@ -179,6 +221,80 @@ struct SolveOptions {
     return program != nullptr && program->search == Search::Principal &&
            program->guess == Guess::Cycloid;
   }
+};
+
+/// Called now and then from within a solve: which phase it is in, in a word or
+/// two, and what is known so far.
+using ProgressHook =
+    std::function<void(std::string_view phase, const std::string& text)>;
+
+/// One accepted step of a continuation.
+struct ContinuationStep {
+  double eta_m = 0.0;
+  double phi = 0.0;      ///< [rad]
+  int newton_steps = 0;  ///< to get there from the prediction
+};
+
+/// One mesh that was solved on.
+struct MeshRecord {
+  int degree = 0;
+  int elements = 0;
+  /// Relative, of T; nothing if the check could not be done.
+  std::optional<double> estimated_error;
+  int passes = 0;            ///< solves between fixed end points
+  int first_iterations = 0;  ///< of Ipopt, in the first pass
+  int iterations = 0;        ///< of Ipopt, in all passes
+  int newton_steps = 0;      ///< of polishing and of the check
+  /// Of Ipopt, if it ran: Chain or Mumps.
+  std::optional<LinearSolver> linear_solver;
+};
+
+/// Work that a stage of a solve took.
+struct Work {
+  int iterations = 0;    ///< of Ipopt, in all passes on all meshes
+  int passes = 0;        ///< solves between fixed end points
+  int newton_steps = 0;  ///< of continuation, polishing and checks
+  std::string log;       ///< of Ipopt, if asked for
+
+  Work& operator+=(const Work& other);
+};
+
+/// What was done to find a solution.
+struct Effort : Work {
+  double seconds = 0.0;              ///< wall clock, all of solve()
+  double certificate_seconds = 0.0;  ///< of these for the certificate
+  /// Processor time of solve() without the certificate and cross-checks.
+  double cpu_seconds = 0.0;
+  double certificate_cpu_seconds = 0.0;  ///< processor time of these two
+  PhaseSeconds phases;                   ///< processor time of solve()
+  std::vector<ContinuationStep> continuation;
+  /// On the way to the answer, in the order in which they were tried.
+  std::vector<MeshRecord> meshes;
+
+  /// The mesh that was tried last; all zero if there was none.
+  [[nodiscard]] MeshRecord final_mesh() const {
+    return meshes.empty() ? MeshRecord{} : meshes.back();
+  }
+};
+
+/// A start other than the cycloid, and where it led on a coarse mesh.
+struct ColdStart {
+  Status status = Status::NotConverged;
+  std::optional<double> tau;  ///< on the coarse mesh, if it converged
+  bool principal = false;     ///< it led to the principal branch
+};
+
+/// One smooth contact that Search::Global found.
+struct Branch {
+  double tau = 0.0;
+  double estimated_error = 0.0;     ///< relative
+  double end_angle = 0.0;           ///< [rad]
+  double centre_path_length = 0.0;  ///< [m]
+  bool principal = false;
+  bool verified = false;
+  bool minimum = false;  ///< second-order sufficiency at fixed φ
+  bool feasible = false;
+  std::vector<std::string> remarks;  ///< failed checks, why infeasible
 };
 
 }  // namespace brachisto

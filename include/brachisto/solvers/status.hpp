@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// How a solve ended.
+/// How a solve ended, and who factorised its matrices.
 
 #pragma once
 
 #include <string_view>
 
-#include "brachisto/math/stop_condition.hpp"
+#include "brachisto/math/clock.hpp"
 
 namespace brachisto {
 
@@ -45,5 +45,15 @@ enum class Status {
 
 /// One sentence for the user.
 [[nodiscard]] std::string_view describe(Status status);
+
+/// Factorisation of symmetric indefinite matrices.
+enum class LinearSolver {
+  Auto,   ///< Chain where the problem is a chain, Mumps otherwise
+  Chain,  ///< along the chain of elements; only for such problems
+  Mumps,  ///< multifrontal, for any sparsity
+};
+
+/// "auto", "chain", "mumps".
+[[nodiscard]] std::string_view name(LinearSolver solver);
 
 }  // namespace brachisto

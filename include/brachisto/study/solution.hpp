@@ -7,23 +7,157 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "brachisto/math/clock.hpp"
+#include "brachisto/model/body.hpp"
 #include "brachisto/model/scene.hpp"
-#include "brachisto/run/effort.hpp"
 #include "brachisto/run/solve_options.hpp"
 #include "brachisto/solvers/status.hpp"
-#include "brachisto/study/design_answer.hpp"
-#include "brachisto/study/discrete_answer.hpp"
-#include "brachisto/study/limit_on_path.hpp"
-#include "brachisto/study/sensitivities.hpp"
-#include "brachisto/trajectory/certificate.hpp"
 #include "brachisto/trajectory/motion.hpp"
 
 namespace brachisto {
+
+struct Interval {
+  double from = 0.0, to = 0.0;
+};
+
+/// A stretch of the path along which a limit holds as an equation.
+struct ActiveArc {
+  Interval sigma;  ///< places, see Motion::at()
+  Interval u, t;   ///< [s]
+  Interval x;      ///< of the point of the track [m]
+};
+
+/// A bound of scene.limits, on the answer's path.
+struct LimitOnPath {
+  std::string name;  ///< its key below scene.limits, "normal_force.min"
+  /// As the scene states it; nothing of a half-plane, which has none.
+  std::optional<double> bound;
+  std::vector<ActiveArc> active;  ///< in the order of the path
+  double least_slack = 0.0;       ///< distance from the bound, 0 if active
+  double share_of_time = 0.0;     ///< of T, on the active arcs
+  /// dτ/d(bound), the contacts moving along: the slope of τ over the bound. Of
+  /// a half-plane by metre along its normal.
+  std::optional<double> price;
+  /// What the multiplier says: dτ/d(bound) with A, B and both slopes that the
+  /// places of the centre follow from held.
+  std::optional<double> price_at_fixed_contacts;
+};
+
+struct Solution;
+
+/// The numbers of a scene that its time is differentiated by, as problem files
+/// have them.
+enum class SceneParameter { EtaM, ThetaM, K, Radius, L, H };
+
+inline constexpr std::size_t kNumSceneParameters = 6;
+
+/// Its key: "eta_m".
+[[nodiscard]] const char* name(SceneParameter parameter);
+
+/// One of each parameter.
+template <class Value>
+struct PerParameter : std::array<Value, kNumSceneParameters> {
+  using Base = std::array<Value, kNumSceneParameters>;
+  using Base::operator[];
+  [[nodiscard]] Value& operator[](SceneParameter parameter) {
+    return Base::operator[](static_cast<std::size_t>(parameter));
+  }
+  [[nodiscard]] const Value& operator[](SceneParameter parameter) const {
+    return Base::operator[](static_cast<std::size_t>(parameter));
+  }
+};
+
+/// Derivatives by one number, per unit of it: 1, rad or m.
+struct TimeDerivatives {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  /// dτ and dT [s], the contacts moving along: slopes of τ and T over the
+  /// number.
+  double tau = kNone, transit_time = kNone;
+  /// The same with the slopes at A and B held from which the places of the
+  /// centre there follow.
+  double tau_at_fixed_contacts = kNone, transit_time_at_fixed_contacts = kNone;
+};
+
+/// ∂²τ, symmetric.
+using SecondDerivatives = PerParameter<PerParameter<double>>;
+
+/// Derivatives of an answer. Those by what the body does not have, as a bead
+/// has no radius, are NaN.
+struct Sensitivities {
+  /// At η_m = 0 those by η_m are of a step to the stated θ_m, and those by θ_m
+  /// are 0.
+  PerParameter<TimeDerivatives> by;
+  /// By η_m cos θ_m and η_m sin θ_m, regular at η_m = 0 too.
+  std::array<TimeDerivatives, 2> by_offset;
+  std::optional<SecondDerivatives> second;  ///< of τ
+  /// The same with η_m cos θ_m and η_m sin θ_m for the first two parameters.
+  std::optional<SecondDerivatives> second_by_offset;
+  /// How far the slope φ of the contact at B moves per kink κ = φ − β_end that
+  /// is asked for there, dφ/dκ; NaN without a smooth contact, or under limits.
+  /// It is positive and of order 1 on the whole, 0 where the path ceases to be
+  /// a minimum between its fixed ends, and infinite where the branch turns.
+  double contact_response = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// From the optimality conditions of an answer, which is worth no more than the
+/// solution is verified(). Costs a few Newton steps on its mesh; with second
+/// derivatives some hundred.
+///
+/// \return nothing unless the answer was found by collocation in the rolling
+///         time, and where its conditions are singular: a branch turns there;
+///         without `second` where the neighbours for it are not found
+[[nodiscard]] std::optional<Sensitivities> sensitivities(
+    const Solution& solution, bool second = false);
+
+/// What one run on the paper's discrete system came to. Its equations may hold
+/// to rounding; how far their solution is from the extremal is another
+/// matter, which nothing here knows.
+struct DiscreteAnswer {
+  Status status = Status::InternalError;
+  std::string message;  ///< how it ended, and why it failed
+  int nodes = 0;        ///< n
+  int unknowns = 0;     ///< 2n + 1; 4n − 1 if lifted
+  int iterations = 0;
+  int evaluations = 0;  ///< of the residual, those for differences included
+  int jacobians = 0;
+  int refused_points = 0;  ///< at which the residual is no real number
+  double residual = 0.0;   ///< Euclidean norm of the 2n + 1 equations, lengths
+                           ///< in H; NaN if not even the start has one
+  double cpu_seconds = 0.0;
+  double memory_bytes = 0.0;  ///< of matrices and factors, by their sizes
+
+  // Of the solution; zero and empty unless solved().
+  double tau = 0.0;                 ///< by the reading's quadrature
+  double transit_time = 0.0;        ///< [s]
+  double centre_path_length = 0.0;  ///< S [m]
+  double start_angle = 0.0;         ///< slope angle of the first chord [rad]
+  double end_angle = 0.0;           ///< slope angle of the last chord [rad]
+  std::vector<Point> centre;        ///< the n nodes [m]
+
+  [[nodiscard]] bool solved() const { return status == Status::Solved; }
+};
+
+/// Solves the discrete system of a scene from the cycloid of the uniform
+/// cylinder by one of the three ways. All end at the same residual.
+///
+/// Status::NoAdmissiblePath if there is no cycloid of a uniform cylinder,
+/// Status::NotReached if of an off-centred one, Status::NotEvaluable if the
+/// iteration was turned back by points without a real transit time,
+/// Status::OutOfMemory if a dense matrix does not fit.
+///
+/// \throws std::invalid_argument if n < 3 or ε < 0
+[[nodiscard]] DiscreteAnswer solve_discrete_system(
+    const Scene& scene, const DiscreteSystem& options,
+    int max_iterations = Limits{}.iterations, const StopCondition& stop = {});
 
 /// How a solve or a stage of it ended.
 struct Outcome {
@@ -79,7 +213,6 @@ struct Solution {
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
   /// What Search::Global left undone, its work being bounded; empty if nothing.
   std::string search_remark;
-  std::optional<DesignAnswer> design;  ///< that chose the body, if one did
 
   /// The motion, found or given; null if there is none.
   [[nodiscard]] const Motion* motion() const;

@@ -34,8 +34,8 @@ double slope_at_rest(const Scene& scene, const HeldLimit& held, double near) {
 }  // namespace
 
 Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
-                     double near)
-    : scene_(natural) {
+                     double near, const std::optional<HeldLimit>& corner)
+    : scene_(natural), held_(held), corner_(corner) {
   if (!held) {
     if (has_optimal_ends(scene_))
       refusal_ = "it leaves an optimal contact freely";

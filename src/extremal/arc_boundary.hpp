@@ -29,8 +29,10 @@ class Departure {
   /// \param natural  the scene, in natural units
   /// \param held     the limit that holds from A on
   /// \param near     a slope near the one at A [rad]
+  /// \param corner   what a push reaches at A besides, by which the slope there
+  ///                 is determined
   Departure(const Scene& natural, const std::optional<HeldLimit>& held,
-            double near);
+            double near, const std::optional<HeldLimit>& corner = {});
 
   [[nodiscard]] Kind kind() const { return kind_; }
   /// Why this method does not know starts of the kind; empty if it does.
@@ -58,6 +60,7 @@ class Departure {
   Kind kind_ = Kind::Free;
   /// β₀, where the contact does not leave it to the path.
   std::optional<double> slope_;
+  std::optional<HeldLimit> held_, corner_;
   // Where it is Forced, w = w₁ u + w₂ u²/2 + … and β = β₀ + β₁ u + β₂ u² + …
   double w_1_ = 0.0, w_2_ = 0.0;
   std::array<double, 2> rise_{};
@@ -125,6 +128,15 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   if (kind_ == Kind::Free) return out;
   if (slope_) {
     out.push_back(v[kBeta] - Scalar(*slope_));
+    return out;
+  }
+  if (corner_) {
+    const TurningPoint<Scalar> start =
+        held_at(held_->limit, held_->bound, scene_,
+                TurningPoint<Scalar>{v[kX], v[kZ], v[kTheta], v[kW], v[kBeta],
+                                     Scalar(0.0)});
+    out.push_back(value_of(corner_->limit, scene_, start) -
+                  Scalar(corner_->bound));
     return out;
   }
   out.push_back(transversality(scene_, v));

@@ -67,7 +67,8 @@ int ArcSystem::Linearisation::worst_node() const {
 ArcSystem::ArcSystem(const Scene& natural, const Guess& guess, int pieces)
     : scene_(natural),
       arcs_(guess.arcs),
-      leave_(natural, guess.arcs.front().held, guess.state(0, 0.0)[kBeta]),
+      leave_(natural, guess.arcs.front().held, guess.state(0, 0.0)[kBeta],
+             guess.arcs.front().corner),
       slope_near_A_(guess.state(0, 0.0)[kBeta]),
       refusal_(leave_.refusal()) {
   constexpr double kFewest = 4.0, kMost = 20'000.0, kPerTurn = 3.0;
@@ -117,7 +118,8 @@ ArcSystem::ArcSystem(const Scene& natural, const Guess& guess, int pieces)
 ArcSystem ArcSystem::in(const Scene& natural) const {
   ArcSystem out = *this;
   out.scene_ = natural;
-  out.leave_ = Departure(natural, arcs_.front().held, slope_near_A_);
+  out.leave_ = Departure(natural, arcs_.front().held, slope_near_A_,
+                         arcs_.front().corner);
   out.flows_.clear();
   for (const Arc& arc : arcs_) out.flows_.emplace_back(natural, arc.held);
   if (out.blind(0)) out.flows_.front().judge_states_alone();

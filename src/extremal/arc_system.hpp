@@ -27,6 +27,8 @@ struct Arc {
   double duration = 0.0;  ///< of u
   /// What the path touches at its end, B or where the same limit goes on.
   std::optional<HeldLimit> touched = {};
+  /// Of the first one: what a push reaches at A besides.
+  std::optional<HeldLimit> corner = {};
 };
 
 /// A path to start from, in natural units; need not be accurate.

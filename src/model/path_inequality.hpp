@@ -179,6 +179,20 @@ template <class Scalar>
       at);
 }
 
+/// The point with the control at which a limit of the control, affine in it,
+/// reaches a bound.
+template <class Scalar>
+[[nodiscard]] TurningPoint<Scalar> held_at(const PathInequality& limit,
+                                           double bound, const Scene& scene,
+                                           TurningPoint<Scalar> at) {
+  at.q = Scalar(0.0);
+  const Scalar without = value_of(limit, scene, at);
+  at.q = Scalar(1.0);
+  const Scalar by_control = value_of(limit, scene, at) - without;
+  at.q = (Scalar(bound) - without) / by_control;
+  return at;
+}
+
 /// Where on the segment from a to b, from 0 to 1, it is next to c.
 [[nodiscard]] double next_to(Point a, Point b, Point c);
 

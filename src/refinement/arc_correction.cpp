@@ -126,7 +126,12 @@ class Correction {
   Correction(const LimitedCurve& curve, const std::vector<Arc>& arcs)
       : curve_(curve), arcs_(arcs) {}
 
-  [[nodiscard]] std::optional<std::vector<Arc>> run() {
+  [[nodiscard]] std::optional<ArcsFromA> run() {
+    std::optional<StartCorner> corner = curve_.problem().ends().corner;
+    if (corner && !(curve_.corner_multiplier() >= 0.0)) {
+      corner.reset();
+      changed_ = true;
+    }
     int first = 0;
     double begin = 0.0;
     for (const Arc& arc : arcs_) {
@@ -140,7 +145,8 @@ class Correction {
     part_from_place(problem, before_, seen_);
     widen_new(before_, seen_);
     leave_end(problem, seen_);
-    return arcs_from(seen_, problem.mesh().num_elements());
+    return with_corner(problem, arcs_from(seen_, problem.mesh().num_elements()),
+                       corner);
   }
 
  private:
@@ -276,8 +282,23 @@ class Correction {
 
 }  // namespace
 
-std::optional<std::vector<Arc>> corrected(const LimitedCurve& curve,
-                                          const std::vector<Arc>& arcs) {
+ArcsFromA with_corner(const LimitedTime& problem, std::vector<Arc> arcs,
+                      std::optional<StartCorner> corner) {
+  const Arc& first = arcs.front();
+  const bool at_A = problem.pushed() && !problem.free_contacts() &&
+                    first.touch && arcs.size() > 1 &&
+                    first.held == arcs[1].held &&
+                    problem.limits()[first.touch->limit].bounds_control() &&
+                    first.end < problem.mesh().boundaries[1];
+  if (at_A) {
+    corner = StartCorner{first.touch->limit, first.touch->at};
+    arcs.erase(arcs.begin());
+  }
+  return {std::move(arcs), corner};
+}
+
+std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
+                                   const std::vector<Arc>& arcs) {
   return Correction(curve, arcs).run();
 }
 

@@ -57,12 +57,24 @@ struct Arc {
 /// of the control holds all along with it.
 [[nodiscard]] std::vector<Arc> arcs_of(const LimitedCurve& curve);
 
+/// Arcs, and what is reached where a push begins.
+struct ArcsFromA {
+  std::vector<Arc> arcs;
+  std::optional<StartCorner> corner;
+};
+
+/// Where the first arc of a pushed body ends, before the end of its first
+/// element, at a touch with the same limit going on, that is a corner at A.
+[[nodiscard]] ArcsFromA with_corner(const LimitedTime& problem,
+                                    std::vector<Arc> arcs,
+                                    std::optional<StartCorner> corner = {});
+
 /// Other arcs, if a solution with these is none of the inequalities: where a
 /// limit is exceeded it is held, where a multiplier has the wrong sign it is
 /// not. If another limit holds the control already, and cannot give way, the
 /// path touches the one that is exceeded where it is so most.
-[[nodiscard]] std::optional<std::vector<Arc>> corrected(
-    const LimitedCurve& curve, const std::vector<Arc>& arcs);
+[[nodiscard]] std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
+                                                 const std::vector<Arc>& arcs);
 
 /// The constraints that stand for what is touched, arc by arc.
 [[nodiscard]] std::vector<int> touched_rows(const std::vector<Arc>& arcs,

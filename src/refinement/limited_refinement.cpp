@@ -173,8 +173,9 @@ class LimitedSolve {
       note("fitted", found.path->arcs);
       auto other = corrected(found.path->curve, found.path->arcs);
       if (!other) return std::move(found.path);
-      setting.arcs = std::move(*other);
+      setting.arcs = std::move(other->arcs);
       setting.ends = found.path->ends;
+      setting.ends.corner = other->corner;
       nearby = found.path->curve;
     }
     protocol_.fail(Status::NotConverged,
@@ -198,9 +199,12 @@ class LimitedSolve {
             "limits.curvature.valley");
         return std::nullopt;
       }
+      const ArcsFromA from_A = with_corner(coarse.problem(), arcs);
+      LimitedEnds ends = coarse.problem().ends();
+      ends.corner = from_A.corner;
       for (const bool graded : {false, true}) {
-        auto path = fit_corrected(
-            coarse, {limits_, arcs, coarse.problem().ends()}, degree, graded);
+        auto path =
+            fit_corrected(coarse, {limits_, from_A.arcs, ends}, degree, graded);
         if (path || stopped()) return path;
       }
     }

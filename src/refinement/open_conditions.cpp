@@ -31,7 +31,8 @@ std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
                                       bool held_at_A) {
   if (ends.free_contacts) return ends;
   if (scene.world.start_speed > 0.0) {
-    ends.start_slope_fixed = !held_at_A;
+    if (!held_at_A) ends.corner.reset();
+    ends.start_slope_fixed = !held_at_A || ends.corner;
     if (!ends.start) ends.start = start_angle(scene);
     return ends;
   }
@@ -60,8 +61,10 @@ ContactMismatch mismatch_of(LimitedCurve& curve, const LimitedEnds& ends) {
   const Scene& scene = curve.problem().scene();
   ContactMismatch out;
   if (end_is_sought(scene)) out.at_B = end_slope(curve) - ends.phi;
-  if (start_is_sought(scene, ends))
-    out.at_A = curve.start_slope() - *ends.start;
+  if (start_is_sought(scene, ends)) {
+    out.at_A =
+        ends.corner ? curve.off_corner() : curve.start_slope() - *ends.start;
+  }
   return out;
 }
 

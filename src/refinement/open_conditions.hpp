@@ -14,8 +14,9 @@
 
 namespace brachisto {
 
-/// β_end − φ and β(0) less the slope that C_A is built from [rad], as far as
-/// the contact of the scene asks for them.
+/// β_end − φ and β(0) less the slope that C_A is built from [rad], or what a
+/// corner at A is off its bound, as far as the contact of the scene asks for
+/// them.
 struct ContactMismatch {
   double at_B = 0.0, at_A = 0.0;
   [[nodiscard]] double largest() const;
@@ -37,7 +38,8 @@ struct ContactMismatch {
 /// The ends with the slope at A as it is to be: one that is sought if a valley
 /// is bounded and a limit holds the control from A on, and nothing but free
 /// where the centre starts at A itself; else the one of start_angle_under(). On
-/// a free arc nothing else would determine β(0).
+/// a free arc nothing else would determine β(0). A corner is left out where no
+/// limit holds the control.
 /// Nothing if at rest no direction keeps the limits.
 [[nodiscard]] std::optional<LimitedEnds> with_start(
     LimitedEnds ends, const Scene& scene,

@@ -213,9 +213,10 @@ std::vector<PathRates> PathSystem::to_unknowns() {
         [i](PathSetting& moved, double by) { moved.arcs[i].end += by; });
     begin = end;
   }
-  // The centre turns about the contact.
+  // The centre turns about the contact, if it is that that is given.
   const auto turn = [&](int node, double slope) {
     rhs.assign(at(system_->size()), 0.0);
+    if (scene_.contact == Contact::Centre) return;
     const VariableLayout& layout = problem_.layout();
     const double r = scene_.body.radius;
     rhs[at(layout.state(node, StateComponent::X))] = r * std::cos(slope);

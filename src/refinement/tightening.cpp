@@ -226,12 +226,16 @@ bool Tightening::tighten() {
   if (!first) return none_at_rest();
   if (!keep_limits(*first)) {
     // Other slopes may let the path keep what these do not.
-    if (!end_is_sought(scene_) || ipopt_.stop.met() || !last_) {
+    const bool sought = end_is_sought(scene_);
+    if (!(sought || start_is_sought(scene_, *first)) || ipopt_.stop.met() ||
+        !last_) {
       return none_found();
     }
     const bool for_good = give_way_for_good_;
     LimitedEnds free = *first;
-    free.free_contacts = true;
+    free.free_contacts = sought;
+    // Between given ends of the centre a push has the slope at A left.
+    free.start_slope_fixed = free.start_slope_fixed && sought;
     if (!keep_limits(free)) {
       // Without a bound of humps free slopes may lead nowhere; what the first
       // ones have shown stands.

@@ -31,6 +31,9 @@ arcs::Guess as_guess(const FittedPath& path) {
     if (arc.touch) {
       out.touched = held_limit(arc.touch->limit, arc.touch->at);
     }
+    if (const auto& corner = path.ends.corner; corner && begin == 0.0) {
+      out.corner = held_limit(corner->limit, corner->at);
+    }
     begin = arc.end;
     first_element.push_back(first_element.back() + arc.elements());
   }

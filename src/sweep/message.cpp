@@ -131,6 +131,10 @@ std::string to_state(const Neighbour& neighbour) {
   json["ends"] = {{"free_contacts", ends.free_contacts},
                   {"start", ends.start ? Json(*ends.start) : Json()},
                   {"start_slope_fixed", ends.start_slope_fixed}};
+  if (ends.corner) {
+    json["ends"]["corner"] = {{"limit", ends.corner->limit},
+                              {"at", static_cast<int>(ends.corner->at)}};
+  }
   for (const Arc& arc : neighbour.arcs) {
     Json touch;
     if (arc.touch) {
@@ -165,6 +169,11 @@ Neighbour neighbour_from_state(const std::string& state, const Scene& scene) {
                       .phi = neighbour.phi,
                       .start_slope_fixed = ends.at("start_slope_fixed")};
     if (!ends.at("start").is_null()) neighbour.ends.start = ends.at("start");
+    if (ends.contains("corner")) {
+      const Json& corner = ends.at("corner");
+      neighbour.ends.corner =
+          StartCorner{corner.at("limit"), held_from(corner.at("at"))};
+    }
     for (const Json& one : json.at("arcs")) {
       neighbour.arcs.push_back(arc_from(one));
     }

@@ -43,6 +43,12 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
   }
   if (curve.problem().pushed()) {
     if (curve.problem().free_contacts()) return;
+    if (const auto& corner = curve.problem().ends().corner) {
+      certificate.add("start_corner", std::abs(curve.off_corner()), kSlope,
+                      name(curve.problem().limits()[corner->limit].kind));
+      certificate.add("start_corner_sign",
+                      std::max(0.0, -curve.corner_multiplier()), kSlope);
+    }
     certificate.add(
         "start_angle",
         std::abs(curve.start_slope() -

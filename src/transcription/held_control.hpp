@@ -12,6 +12,12 @@
 
 namespace brachisto {
 
+/// \pre held at one of them
+[[nodiscard]] inline double bound_of(const PathInequality& limit,
+                                     nlp::Held where) {
+  return where == nlp::Held::AtUpper ? limit.upper : limit.lower;
+}
+
 /// Whether no limit holds.
 [[nodiscard]] bool is_free(const std::vector<nlp::Held>& held);
 

@@ -66,6 +66,12 @@ class LimitedCurve {
   /// that the costates there ask for, NaN if there is none; otherwise the one
   /// the path begins with [rad].
   [[nodiscard]] double start_slope() const;
+  /// What the corner at A is off its bound, the control being that of the path.
+  /// \pre the ends have a corner, as for the next one
+  [[nodiscard]] double off_corner() const;
+  /// What T grows by with the slope at A as that turns away from the bound of
+  /// the corner, what holds the control going on to: not negative in a minimum.
+  [[nodiscard]] double corner_multiplier() const;
   /// At the place t ∈ [0, 1] of an element.
   [[nodiscard]] LimitedPoint at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(double sigma) const;

@@ -23,6 +23,13 @@
 
 namespace brachisto {
 
+/// A limit that is reached at A, where a push begins on another one that holds
+/// the control: the slope there lets both hold.
+struct StartCorner {
+  std::size_t limit;
+  nlp::Held at;
+};
+
 /// What is fixed at the two contacts.
 struct LimitedEnds {
   /// Both slopes are unknowns, tied to the places of the centre above A and B.
@@ -32,6 +39,7 @@ struct LimitedEnds {
   std::optional<double> start = {};
   /// The path leaves with the slope `start`; otherwise β(0) is an unknown.
   bool start_slope_fixed = false;
+  std::optional<StartCorner> corner = {};
 };
 
 /// Which limits hold as equations, and at which of their bounds.

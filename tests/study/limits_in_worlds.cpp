@@ -73,6 +73,11 @@ std::vector<Row> rows() {
   loads.normal_max = 5.0;
   PathLimits light;
   light.normal_max = 2.5;
+  // Both bounds of a slow start: its slope is the one that lets both hold.
+  PathLimits corner = least_force(0.6);
+  corner.curvature.valley = 2.0;
+  corner.curvature.of = CurvatureLimits::Of::Centre;
+  const auto slow = [](const Scene& scene) { return with_push(scene, 0.5); };
   return {
       {"floor_in_air", under(in_drag(base), floor_at(1.25))},
       {"friction_in_air", under(in_drag(base), friction(1.0))},
@@ -87,6 +92,9 @@ std::vector<Row> rows() {
       {"ride_with_a_push", under(pushed(base), ride(), Contact::Optimal)},
       {"bead_with_a_push", under(pushed(bead), floor_at(1.1))},
       {"load_with_a_push", under(pushed(uniform), light)},
+      {"corner_at_A", under(slow(base), corner)},
+      {"corner_of_a_given_centre",
+       under(slow(uniform), corner, Contact::Centre)},
       {"floor_on_a_planet", under(planet(base), floor_at(1.25))},
       {"friction_on_a_planet", under(planet(base), friction(1.0))},
       {"loads_on_a_planet", under(planet(base), loads)},
@@ -157,6 +165,7 @@ TEST_P(PricesInAWorld, AndSensitivitiesAreSlopesOfTheTime) {
     EXPECT_NEAR(*limit.price, slope([&](Scene& s, double by) {
       if (limit.name == "floor") *s.limits.floor += by;
       if (limit.name == "friction") *s.limits.friction += by;
+      if (limit.name == "normal_force.min") *s.limits.normal_min += by;
       if (limit.name == "curvature.valley") {
         *s.limits.curvature.valley += by;
       }
@@ -171,7 +180,8 @@ std::vector<Row> priced() {
   std::vector<Row> out;
   for (const Row& row : rows()) {
     if (row.name == "floor_in_air" || row.name == "friction_on_a_planet" ||
-        row.name == "valley_with_a_push") {
+        row.name == "valley_with_a_push" || row.name == "corner_at_A" ||
+        row.name == "corner_of_a_given_centre") {
       out.push_back(row);
     }
   }

@@ -14,6 +14,7 @@
 
 #include "io/binding.hpp"
 #include "io/lists.hpp"
+#include "model/limit_table.hpp"
 
 namespace brachisto::io {
 
@@ -171,59 +172,75 @@ constexpr auto kHasCurvature = stated_place<has_curvature>(limits);
 constexpr auto kCurvature =
     place([](auto& p) -> auto& { return p.scene.limits.curvature; });
 
+Interval interval_of(Allowed allowed) {
+  switch (allowed) {
+    case Allowed::Any:
+      return {};
+    case Allowed::Positive:
+      return kPositive;
+    case Allowed::NotNegative:
+      return {.lower = 0.0};
+    case Allowed::Fraction:
+      return {.lower = 0.0, .upper = 1.0, .upper_allowed = false};
+  }
+  return {};
+}
+
+Binding limit_number(const LimitEntry& limit) {
+  return {.type = KeyType::Number,
+          .get =
+              [&limit](const Draft& p) {
+                const std::optional<double>& bound =
+                    limit.bound(p.scene.limits);
+                return bound ? Json(*bound) : Json();
+              },
+          .set =
+              [&limit](Draft& p, const Json& value) {
+                limit.bound_in(p.scene.limits) = value.get<double>();
+              }};
+}
+
 Keys limit_keys() {
   using Of = CurvatureLimit::Of;
-  return {
-      {"scene.limits", silent_map(kPathLimits),
-       "what the motion has to keep to; see [Limits](#limits)"},
-      {"scene.limits.friction", number(kPathLimits, &PathLimits::friction),
-       "μ, coefficient of friction: R_t from −μ R_n to μ R_n", positive({})},
-      {"scene.limits.normal_force", map(kForce),
-       "R_n, force of the track on the body across it"},
-      {"scene.limits.normal_force.min",
-       number(kForce, &PathLimits::normal_min),
-       "R_n ≥ this",
-       {.unit = "m g"}},
-      {"scene.limits.normal_force.max", number(kForce, &PathLimits::normal_max),
-       "R_n ≤ this", positive("m g")},
-      {"scene.limits.curvature", map(kHasCurvature),
-       "how sharply the track, or the path of the centre, may turn"},
-      {"scene.limits.curvature.hump", number(kCurvature, &CurvatureLimit::hump),
-       "downwards: κ ≤ this", positive("1/m")},
-      {"scene.limits.curvature.valley",
-       number(kCurvature, &CurvatureLimit::valley), "upwards: −κ ≤ this",
-       positive("1/m")},
-      {"scene.limits.curvature.of",
-       choice(kCurvature, &CurvatureLimit::of,
-              {{"track", Of::Track}, {"centre", Of::Centre}}),
-       "whose curvature: of the track, or of the path of the centre"},
-      {"scene.limits.fold_margin",
-       number(kPathLimits, &PathLimits::fold_margin),
-       "1 − r κ_c ≥ this, which is 0 where the track folds",
-       {.bounds = "0 ≤ m < 1",
-        .physical = {.lower = 0.0, .upper = 1.0, .upper_allowed = false}}},
-      {"scene.limits.floor",
-       number(kPathLimits, &PathLimits::floor),
-       "D: no part of the body below z = D",
-       {.unit = "m"}},
+  constexpr std::string_view kForces = "scene.limits.normal_force";
+  constexpr std::string_view kCurvatures = "scene.limits.curvature";
+  Keys keys{{"scene.limits", silent_map(kPathLimits),
+             "what the motion has to keep to; see [Limits](#limits)"}};
+  std::string_view group = keys.front().path;
+  for (const LimitEntry& limit : limit_table()) {
+    KeySpec key(limit.key, limit_number(limit), limit.meaning,
+                {.unit = limit.unit, .physical = interval_of(limit.allowed)});
+    if (limit.allowed == Allowed::Fraction) key.bounds = "0 ≤ m < 1";
+    if (key.parent() != group) {
+      if (group == kCurvatures) {
+        keys.emplace_back(
+            "scene.limits.curvature.of",
+            choice(kCurvature, &CurvatureLimit::of,
+                   {{"track", Of::Track}, {"centre", Of::Centre}}),
+            "whose curvature: of the track, or of the path of the centre");
+      }
+      group = key.parent();
+      if (group == kForces) {
+        keys.emplace_back(group, map(kForce),
+                          "R_n, force of the track on the body across it");
+      } else if (group == kCurvatures) {
+        keys.emplace_back(
+            group, map(kHasCurvature),
+            "how sharply the track, or the path of the centre, may turn");
+      }
+    }
+    keys.push_back(std::move(key));
+  }
+  keys.push_back(
       {"scene.limits.clear_of",
        clear_of_list(),
        "what the body must not touch: discs, and all that lies behind the line "
        "through a point, whose normal, from +x towards +z, points to where the "
        "body may be",
        {.bounds = "a list of {disc: {x, z, radius}} and {half_plane: {x, z, "
-                  "normal}}"}},
-  };
+                  "normal}}"}});
+  return keys;
 }
-
-constexpr auto kSphere =
-    optional_place([](auto& p) -> auto& { return p.scene.world.sphere; });
-constexpr Place<Point> kSphereCentre{
-    [](const Draft& p) {
-      const auto& sphere = p.scene.world.sphere;
-      return sphere ? &sphere->centre : nullptr;
-    },
-    [](Draft& p) -> Point& { return kSphere.make(p).centre; }};
 
 constexpr bool has_sphere(const World& world) {
   return world.sphere.has_value();
@@ -231,8 +248,8 @@ constexpr bool has_sphere(const World& world) {
 constexpr bool has_speed(const World& world) {
   return world.start_speed != 0.0;
 }
-constexpr bool has_air(const World& world) {
-  return world.air.linear != 0.0 || world.air.quadratic != 0.0;
+bool has_air(const World& world) {
+  return world.air.any();
 }
 constexpr auto world = [](auto& p) -> auto& {
   return p.scene.world;
@@ -240,7 +257,21 @@ constexpr auto world = [](auto& p) -> auto& {
 constexpr auto kField = stated_place<has_sphere>(world);
 constexpr auto kStart = stated_place<has_speed>(world);
 constexpr auto kHasAir = stated_place<has_air>(world);
-constexpr auto kAir = place([](auto& p) -> auto& { return p.scene.world.air; });
+
+Binding world_number(const WorldParameter& parameter) {
+  return {.type = KeyType::Number,
+          .get =
+              [&parameter](const Draft& p) {
+                const double* number = parameter.find(p.scene.world);
+                return number ? Json(*number) : Json();
+              },
+          .set =
+              [&parameter](Draft& p, const Json& value) {
+                World& world = p.scene.world;
+                if (!parameter.find(world)) world.sphere.emplace();
+                *parameter.find_in(world) = value.get<double>();
+              }};
+}
 
 /// Gravity, which the field of a sphere says in other words.
 Binding gravity() {
@@ -260,8 +291,7 @@ Binding uniform_field() {
 }
 
 Keys world_keys() {
-  constexpr Interval kNotNegative{.lower = 0.0};
-  return {
+  Keys keys{
       {"scene.field", silent_map(kField),
        "what pulls the body; see [Other worlds](#other-worlds)"},
       {"scene.field.uniform", uniform_field(),
@@ -271,36 +301,24 @@ Keys world_keys() {
        "surface, and falls with the inverse square of the distance outside"},
       {"scene.field.sphere.centre", map(kField), "where its centre is",
        required()},
-      {"scene.field.sphere.centre.x",
-       number(kSphereCentre, &Point::x),
-       "to the right of A",
-       {.presence = Presence::Required, .unit = "m"}},
-      {"scene.field.sphere.centre.z",
-       number(kSphereCentre, &Point::z),
-       "below A",
-       {.presence = Presence::Required, .unit = "m"}},
-      {"scene.field.sphere.radius", number(kSphere, &Sphere::radius),
-       "R, its radius", required_length()},
-      {"scene.field.sphere.surface_gravity",
-       number(kSphere, &Sphere::surface_gravity),
-       "its pull at the distance R",
-       {.presence = Presence::Required, .unit = "m/s²", .physical = kPositive}},
       {"scene.start", silent_map(kStart), "how the motion begins"},
-      {"scene.start.speed",
-       number(kStart, &World::start_speed),
-       "v_0, speed of the centre at A",
-       {.unit = "m/s", .fallback = "0", .physical = kNotNegative}},
       {"scene.air", silent_map(kHasAir),
        "drag on the centre, against its motion: c_1 v + c_2 v² per mass"},
-      {"scene.air.linear",
-       number(kAir, &Air::linear),
-       "c_1",
-       {.unit = "1/s", .physical = kNotNegative}},
-      {"scene.air.quadratic",
-       number(kAir, &Air::quadratic),
-       "c_2",
-       {.unit = "1/m", .physical = kNotNegative}},
   };
+  // Behind the last key of its map.
+  for (const WorldParameter& parameter : kWorldParameters) {
+    KeySpec key(parameter.key, world_number(parameter), parameter.meaning,
+                {.presence = parameter.of_part ? Presence::Required
+                                               : Presence::Optional,
+                 .unit = parameter.unit,
+                 .physical = interval_of(parameter.allowed)});
+    const auto after =
+        std::find_if(keys.rbegin(), keys.rend(), [&](const KeySpec& known) {
+          return known.path == key.parent() || known.parent() == key.parent();
+        });
+    keys.insert(after.base(), std::move(key));
+  }
+  return keys;
 }
 
 Keys scene_keys() {

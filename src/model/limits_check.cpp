@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "model/path_inequality.hpp"
+#include "model/limit_table.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -33,32 +33,13 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Each number by itself.
 void check_values(const Scene& scene, SceneChecker& check) {
   const PathLimits& limits = scene.limits;
-  const auto positive = [&](const char* key, const std::optional<double>& value,
-                            const char* unit, const char* reason) {
-    if (value) check.positive(key, *value, unit, reason);
-  };
-  constexpr const char* kStraight = "for with 0 only straight tracks are left";
-  positive(kFriction, limits.friction, "",
-           "for it is friction that turns the "
-           "body");
-  positive(kGreatestForce, limits.normal_max, " m g",
-           "for the track has to carry the body");
-  positive(kHump, limits.curvature.hump, " 1/m", kStraight);
-  positive(kValley, limits.curvature.valley, " 1/m", kStraight);
+  for (const LimitEntry& limit : limit_table()) {
+    const std::optional<double>& bound = limit.bound(limits);
+    if (!bound) continue;
+    check.number(limit.key, *bound, limit.unit, limit.allowed, limit.reason);
+  }
   check.known("scene.limits.curvature.of", limits.curvature.of,
               CurvatureLimit::Of::Centre);
-  if (limits.normal_min) {
-    check.moderate(kLeastForce, *limits.normal_min, " m g");
-  }
-  if (limits.fold_margin && check.finite(kFoldMargin, *limits.fold_margin) &&
-      !(*limits.fold_margin >= 0.0 && *limits.fold_margin < 1.0)) {
-    check.add(
-        kFoldMargin,
-        fmt::format("{} is not allowed: 0 ≤ m < 1, for m = 1 − r κ_c is 1 "
-                    "on a straight track and 0 where it folds",
-                    *limits.fold_margin));
-  }
-  if (limits.floor) check.moderate(kFloor, *limits.floor, " m");
   for (const Disc& disc : limits.discs) {
     check.moderate(kClearOf, disc.centre.x, " m");
     check.moderate(kClearOf, disc.centre.z, " m");

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "model/limit_table.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -12,28 +14,6 @@ namespace {
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
 }  // namespace
-
-const char* name(PathInequality::Kind kind) {
-  using enum PathInequality::Kind;
-  switch (kind) {
-    case FrictionForward:
-    case FrictionBackward:
-      return "friction";
-    case NormalForce:
-      return "normal_force";
-    case Hump:
-      return "hump";
-    case Valley:
-      return "valley";
-    case Floor:
-      return "floor";
-    case Disc:
-      return "disc";
-    case HalfPlane:
-      return "half_plane";
-  }
-  return "";
-}
 
 double hump_of_centre(const Body& body, const PathLimits& limits) {
   double bound = limits.curvature.hump.value_or(kFree);
@@ -64,22 +44,8 @@ std::vector<PathInequality> inequalities(const Body& body,
                                          const PathLimits& limits) {
   using Kind = PathInequality::Kind;
   std::vector<PathInequality> all;
-  if (limits.friction) {
-    for (const Kind kind : {Kind::FrictionForward, Kind::FrictionBackward}) {
-      all.push_back({.kind = kind, .number = *limits.friction});
-    }
-  }
-  if (limits.normal_min || limits.normal_max) {
-    all.push_back({.kind = Kind::NormalForce,
-                   .lower = limits.normal_min.value_or(-kFree),
-                   .upper = limits.normal_max.value_or(kFree)});
-  }
-  const double hump = hump_of_centre(body, limits);
-  if (hump < kFree) all.push_back({.kind = Kind::Hump, .number = hump});
-  const double valley = valley_of_centre(body, limits);
-  if (valley < kFree) all.push_back({.kind = Kind::Valley, .number = valley});
-  if (limits.floor) {
-    all.push_back({.kind = Kind::Floor, .number = *limits.floor - body.radius});
+  for (const LimitEntry& limit : limit_table()) {
+    if (limit.pose != nullptr) limit.pose(body, limits, all);
   }
   for (const Disc& disc : limits.discs) {
     all.push_back({.kind = Kind::Disc,
@@ -97,10 +63,10 @@ std::vector<PathInequality> inequalities(const Body& body,
 
 PathLimits in_units_of(const Units& units, PathLimits limits) {
   const double length = units.length;
-  for (auto* curvature : {&limits.curvature.hump, &limits.curvature.valley}) {
-    if (*curvature) **curvature *= length;
+  for (const LimitEntry& limit : limit_table()) {
+    std::optional<double>& bound = limit.bound_in(limits);
+    if (bound) *bound = units.measured(*bound, limit.dimension);
   }
-  if (limits.floor) *limits.floor /= length;
   for (Disc& disc : limits.discs) {
     disc = {{disc.centre.x / length, disc.centre.z / length},
             disc.radius / length};

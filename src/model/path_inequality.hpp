@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -118,8 +119,12 @@ struct PathInequality {
   [[nodiscard]] bool bounds_force() const { return kind <= Kind::NormalForce; }
 };
 
-/// "friction", "hump", …
-[[nodiscard]] const char* name(PathInequality::Kind kind);
+[[nodiscard]] constexpr const char* name(PathInequality::Kind kind) {
+  constexpr std::array kNames{"friction", "friction",  "normal_force",
+                              "hump",     "valley",    "floor",
+                              "disc",     "half_plane"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 /// All of a scene's, with bounds on the track's curvature converted to the
 /// centre's: K_v = K/(1 − r K), none if r K ≥ 1, K_h = K/(1 + r K); a fold

@@ -45,6 +45,26 @@ class SceneChecker {
     add(key, fmt::format("{}{} is not allowed: at most {:g}, either sign",
                          value, unit, kLargestQuantity));
   }
+  /// \param unit  without the space before it, or ""
+  void number(const char* key, double value, const std::string& unit,
+              Allowed allowed, const char* reason) {
+    const std::string behind = unit.empty() ? unit : " " + unit;
+    switch (allowed) {
+      case Allowed::Any:
+        return moderate(key, value, behind.c_str());
+      case Allowed::Positive:
+        return positive(key, value, behind.c_str(), reason);
+      case Allowed::NotNegative:
+        if (value == 0.0 || !finite(key, value)) return;
+        if (value > 0.0) return representable(key, value, behind.c_str());
+        return add(key, fmt::format("{}{} is not allowed: it must be ≥ 0, {}",
+                                    value, behind, reason));
+      case Allowed::Fraction:
+        if (!finite(key, value) || (value >= 0.0 && value < 1.0)) return;
+        return add(key, fmt::format("{}{} is not allowed: 0 ≤ m < 1, {}", value,
+                                    behind, reason));
+    }
+  }
   /// \param last  of the enumerators, which count from 0
   template <class Enum>
   void known(const char* key, Enum value, Enum last) {

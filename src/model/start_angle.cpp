@@ -40,7 +40,7 @@ double start_angle(const Body& body) {
 double start_angle(const Scene& scene) {
   const World& world = scene.world;
   if (world.start_slope) return *world.start_slope;
-  if (!world.sphere) return start_angle(scene.body);
+  if (!world.field_varies()) return start_angle(scene.body);
   // Fast, for the body is small beside the sphere; where it is not, bisecting
   // steps would not help either, and the certificate tells.
   constexpr int kMostSteps = 200;

@@ -17,21 +17,32 @@ Units units_of(double length, const Scene& scene) {
   return {length, std::sqrt(length / (2.0 * scene.gravity))};
 }
 
+/// unit^power, for power ≥ 0; otherwise 1.
+double power_of(double unit, int power) {
+  double product = 1.0;
+  for (; power > 0; --power) product *= unit;
+  return product;
+}
+
 World in_units_of(const Units& units, World world) {
-  const double acceleration = units.length / (units.time * units.time);
-  if (world.sphere) {
-    world.sphere->centre.x /= units.length;
-    world.sphere->centre.z /= units.length;
-    world.sphere->radius /= units.length;
-    world.sphere->surface_gravity /= acceleration;
+  for (const WorldParameter& parameter : kWorldParameters) {
+    if (double* number = parameter.find_in(world)) {
+      *number = units.measured(*number, parameter.dimension);
+    }
   }
-  world.air.linear *= units.time;
-  world.air.quadratic *= units.length;
-  world.start_speed /= units.speed();
   return world;
 }
 
 }  // namespace
+
+double Units::measured(double number, Dimension dimension) const {
+  const double above =
+      power_of(length, dimension.length) * power_of(time, dimension.time);
+  const double below =
+      power_of(length, -dimension.length) * power_of(time, -dimension.time);
+  const bool per_unit = dimension.length <= 0 && dimension.time <= 0;
+  return per_unit ? number * below : number / (above / below);
+}
 
 Units natural_units(const Scene& scene) {
   return units_of(std::max(scene.L, scene.H), scene);

@@ -16,6 +16,8 @@ struct Units {
   double time = 1.0;    ///< [s]
 
   [[nodiscard]] double speed() const { return length / time; }
+  /// A number of SI in these units.
+  [[nodiscard]] double measured(double number, Dimension dimension) const;
 };
 
 /// Natural units of a scene: the larger of L and H as the unit of length, and

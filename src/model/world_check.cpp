@@ -18,26 +18,19 @@ namespace {
 
 constexpr const char* kCentre = "scene.field.sphere.centre";
 constexpr const char* kSpeed = "scene.start.speed";
-constexpr const char* kLinear = "scene.air.linear";
-constexpr const char* kQuadratic = "scene.air.quadratic";
 
-/// Zero or positive.
-void not_negative(const char* key, double value, const char* unit,
-                  const char* reason, SceneChecker& check) {
-  if (value == 0.0 || !check.finite(key, value)) return;
-  if (value > 0.0) return check.representable(key, value, unit);
-  check.add(key, fmt::format("{}{} is not allowed: it must be ≥ 0, {}", value,
-                             unit, reason));
+/// Each number by itself: those of optional parts, or the others.
+void check_numbers(const World& world, bool of_parts, SceneChecker& check) {
+  for (const WorldParameter& parameter : kWorldParameters) {
+    const double* number = parameter.find(world);
+    if (number == nullptr || parameter.of_part != of_parts) continue;
+    check.number(parameter.key, *number, parameter.unit, parameter.allowed,
+                 parameter.reason);
+  }
 }
 
 void check_sphere(const Scene& scene, SceneChecker& check) {
   const Sphere& sphere = *scene.world.sphere;
-  check.positive("scene.field.sphere.radius", sphere.radius, " m",
-                 "for the radius of a sphere is a length");
-  check.positive("scene.field.sphere.surface_gravity", sphere.surface_gravity,
-                 " m/s²", "for the sphere attracts");
-  check.moderate("scene.field.sphere.centre.x", sphere.centre.x, " m");
-  check.moderate("scene.field.sphere.centre.z", sphere.centre.z, " m");
   if (check.sound() && !(sphere.strength_at({0.0, 0.0}) > 0.0)) {
     check.add(kCentre,
               "the centre of the sphere is A, where nothing pulls, so that "
@@ -137,14 +130,9 @@ void check_given_path(const Scene& scene, SceneChecker& check) {
 void check_world(const Scene& scene, SceneChecker& check) {
   const World& world = scene.world;
   if (world.ordinary()) return;
+  check_numbers(world, true, check);
   if (world.sphere) check_sphere(scene, check);
-  not_negative(kSpeed, world.start_speed, " m/s",
-               "for its direction is the slope at A, which the extremal "
-               "chooses",
-               check);
-  constexpr const char* kBrakes = "for air takes energy away";
-  not_negative(kLinear, world.air.linear, " 1/s", kBrakes, check);
-  not_negative(kQuadratic, world.air.quadratic, " 1/m", kBrakes, check);
+  check_numbers(world, false, check);
   // A given path tells itself where energy does not suffice.
   scene.path ? check_given_path(scene, check) : check_energy(scene, check);
 }

@@ -16,12 +16,12 @@ namespace brachisto {
   return scene;
 }
 
-/// A scene on the way from in_ordinary_world(): with so much of its start speed
-/// and its drag, and of the sphere's field, the rest being uniform.
+/// A scene on the way from in_ordinary_world(): with so much of its numbers
+/// that are 0 there, and of the sphere's field, the rest being uniform.
 [[nodiscard]] inline Scene part_of_world(Scene scene, double fraction) {
-  scene.world.start_speed *= fraction;
-  scene.world.air.linear *= fraction;
-  scene.world.air.quadratic *= fraction;
+  for (const WorldParameter& parameter : kWorldParameters) {
+    if (!parameter.of_part) *parameter.find_in(scene.world) *= fraction;
+  }
   scene.world.sphere_share = fraction;
   return scene;
 }

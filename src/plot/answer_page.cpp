@@ -177,9 +177,10 @@ std::string key(const Scene& scene, const Json& result) {
     add("tangential", symbols_html("friction force R_t"));
   }
   if (scene.body.off_centred()) {
-    add("mass", scene.world.sphere ? "centre of mass and its path"
-                                   : "centre of mass, its path, weight");
-  } else if (!scene.world.sphere) {
+    add("mass", scene.world.field_varies()
+                    ? "centre of mass and its path"
+                    : "centre of mass, its path, weight");
+  } else if (!scene.world.field_varies()) {
     add("mass", "weight");
   }
   add("lift", symbols_html("R_n ≤ 0: here the body would lift off"),
@@ -251,7 +252,8 @@ std::string motion_section(const Scene& scene, const Json& result,
              "all again.</p>\n"
              "<div id=\"curves\"></div>\n<p class=\"about\">{}</p>\n"
              "</section>\n",
-             said, scene.world.sphere ? "" : ", of which the weight is 1 m g",
+             said,
+             scene.world.field_varies() ? "" : ", of which the weight is 1 m g",
              held);
 }
 

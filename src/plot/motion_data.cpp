@@ -137,7 +137,7 @@ std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
       "\"gravity\":{},\"weight\":{},\n\"bounds\":{{\"friction\":{},\"least\":{}"
       ","
       "\"greatest\":{}}},\n\"box\":[{},{}],\n",
-      conserved ? number(scene.gravity) : "null", !scene.world.sphere,
+      conserved ? number(scene.gravity) : "null", !scene.world.field_varies(),
       number(limits.friction), number(limits.normal_min),
       number(limits.normal_max), point(box.low), point(box.high));
   out += "\"obstacles\":" +

@@ -20,19 +20,24 @@ namespace {
 
 using nlp::Held;
 
-/// The angle between the path and the tangent of a limit of the place.
-double angle_to(const PathInequality& limit, const TurningPoint<double>& at) {
+/// The angle between the path and the tangent of a limit of the place; of one
+/// of the speed too, its rate along the path.
+double angle_to(const Scene& scene, const PathInequality& limit,
+                const TurningPoint<double>& at) {
   const double h = 1e-6;
-  const auto value = [&](double dx, double dz) {
-    TurningPoint<double> there = at;
-    there.x += dx;
-    there.z += dz;
-    return value_of(limit, ContactForce<double>{}, there);
+  const auto by = [&](double TurningPoint<double>::*state) {
+    const auto value = [&](double step) {
+      TurningPoint<double> there = at;
+      there.*state += step;
+      return value_of(limit, ContactForce<double>{}, there);
+    };
+    return (value(h) - value(-h)) / (2.0 * h);
   };
-  const double by_x = (value(h, 0.0) - value(-h, 0.0)) / (2.0 * h);
-  const double by_z = (value(0.0, h) - value(0.0, -h)) / (2.0 * h);
-  return std::asin(std::clamp(
-      by_x * std::cos(at.beta) + by_z * std::sin(at.beta), -1.0, 1.0));
+  using At = TurningPoint<double>;
+  return std::asin(std::clamp(by(&At::x) * std::cos(at.beta) +
+                                  by(&At::z) * std::sin(at.beta) +
+                                  by(&At::w) * speed_gain(scene, at) / at.w,
+                              -1.0, 1.0));
 }
 
 }  // namespace
@@ -159,7 +164,7 @@ double junction_residual(const LimitedCurve& curve,
     if (problem.limits()[i].bounds_control()) continue;
     if (before.held[i] == after.held[i]) continue;
     if (after.held[i] != Held::No) {
-      return angle_to(problem.limits()[i], left.state);
+      return angle_to(scene, problem.limits()[i], left.state);
     }
     const LimitedPoint right = curve.at(element + 1, 0.0);
     return r < 0 ? off_singular(right.p) : right.p_beta;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/limit_table.hpp"
+
 namespace brachisto {
 
 namespace {
@@ -19,27 +21,42 @@ double between(double loose, double wanted, double share, bool geometric) {
                    : loose + share * (wanted - loose);
 }
 
-/// What the free extremal does that limits may forbid, for u > 0.05 U.
-struct FreePath {
-  double min_normal = kInfinity, max_normal = -kInfinity;
-  double max_hump = 0.0;  ///< of κ_c
-  double deepest = 0.0;
-  std::vector<TurningPoint<double>> places;  ///< of the whole path
-
-  explicit FreePath(const ExtremalCurve& curve) {
-    constexpr int kPlaces = 400;
-    for (int i = 0; i <= kPlaces; ++i) {
-      const auto at = turning_point(curve, static_cast<double>(i) / kPlaces);
-      places.push_back(at);
-      if (i < kPlaces / 20) continue;
-      const double normal = contact_force(curve.scene(), at).normal;
-      min_normal = std::min(min_normal, normal);
-      max_normal = std::max(max_normal, normal);
-      max_hump = std::max(max_hump, at.q / at.w);
-      deepest = std::max(deepest, at.z);
-    }
+FreePath free_path(const ExtremalCurve& curve) {
+  constexpr int kPlaces = 400;
+  FreePath free;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const auto at = turning_point(curve, static_cast<double>(i) / kPlaces);
+    free.places.push_back(at);
+    if (i < kPlaces / 20) continue;
+    const double normal = contact_force(curve.scene(), at).normal;
+    free.min_normal = std::min(free.min_normal, normal);
+    free.max_normal = std::max(free.max_normal, normal);
+    free.max_hump = std::max(free.max_hump, at.q / at.w);
+    free.deepest = std::max(free.deepest, at.z);
   }
-};
+  return free;
+}
+
+/// Of a disc or a half-plane, to what a free path keeps off.
+double number_kept(const Scene& scene, const FreePath& free,
+                   const PathInequality& wanted) {
+  const bool is_disc = wanted.kind == PathInequality::Kind::Disc;
+  double nearest = kInfinity;
+  Point before{free.places.front().x, free.places.front().z};
+  for (TurningPoint<double> place : free.places) {
+    const Point here{place.x, place.z};
+    if (is_disc) {
+      // It may be smaller than the distance of two places.
+      const double share = next_to(before, here, wanted.place);
+      place.x = before.x + share * (here.x - before.x);
+      place.z = before.z + share * (here.z - before.z);
+    }
+    before = here;
+    nearest = std::min(nearest, value_of(wanted, scene, place) + wanted.number);
+  }
+  return std::min(wanted.number,
+                  is_disc ? 0.9 * nearest : nearest - 0.1 * scene.H);
+}
 
 }  // namespace
 
@@ -53,62 +70,23 @@ TurningPoint<double> turning_point(const ExtremalCurve& curve, double sigma) {
 
 LimitRelaxation::LimitRelaxation(const Scene& scene,
                                  const ExtremalCurve& curve) {
-  using Kind = PathInequality::Kind;
-  constexpr double kGreatFriction = 20.0;
-  constexpr double kSharpValley = 60.0;  // per H
-  const FreePath free(curve);
-  for (const PathInequality& wanted : inequalities(scene.body, scene.limits)) {
-    Way way{wanted, wanted};
-    PathInequality& loose = way.loose;
-    switch (wanted.kind) {
-      case Kind::FrictionForward:
-      case Kind::FrictionBackward:
-        loose.number = std::max(wanted.number, kGreatFriction);
-        way.geometric = true;
-        // Where the free extremal lifts off no friction is enough.
-        loose.lower =
-            std::min(wanted.lower,
-                     loose.number * (std::min(0.0, free.min_normal) * 1.2));
-        break;
-      case Kind::NormalForce:
-        loose.lower = std::min(wanted.lower, free.min_normal - 0.5);
-        loose.upper = std::max(wanted.upper, free.max_normal + 0.5);
-        break;
-      case Kind::Hump:
-        if (scene.contact == Contact::Optimal) break;
-        loose.number =
-            std::max({wanted.number, 2.0 * free.max_hump, 1.0 / scene.H});
-        way.geometric = true;
-        break;
-      case Kind::Valley:
-        loose.number = std::max(wanted.number, kSharpValley / scene.H);
-        way.geometric = true;
-        break;
-      case Kind::Floor:
-        loose.number = std::max(wanted.number, free.deepest + 0.1 * scene.H);
-        break;
-      case Kind::Disc:
-      case Kind::HalfPlane: {
-        double nearest = kInfinity;
-        Point before{free.places.front().x, free.places.front().z};
-        for (TurningPoint<double> place : free.places) {
-          const Point here{place.x, place.z};
-          if (wanted.kind == Kind::Disc) {
-            // It may be smaller than the distance of two places.
-            const double share = next_to(before, here, wanted.place);
-            place.x = before.x + share * (here.x - before.x);
-            place.z = before.z + share * (here.z - before.z);
-          }
-          before = here;
-          nearest =
-              std::min(nearest, value_of(wanted, scene, place) + wanted.number);
-        }
-        loose.number = std::min(wanted.number, wanted.kind == Kind::Disc
-                                                   ? 0.9 * nearest
-                                                   : nearest - 0.1 * scene.H);
-        break;
-      }
+  const FreePath free = free_path(curve);
+  for (const LimitEntry& limit : limit_table()) {
+    if (limit.pose == nullptr) continue;
+    std::vector<PathInequality> posed;
+    limit.pose(scene.body, scene.limits, posed);
+    for (const PathInequality& wanted : posed) {
+      Way way{wanted, wanted};
+      way.geometric = limit.widen(scene, free, way.loose);
+      ways_.push_back(way);
     }
+  }
+  // Behind them stands what the body keeps off.
+  const std::vector<PathInequality> all =
+      inequalities(scene.body, scene.limits);
+  for (std::size_t i = ways_.size(); i < all.size(); ++i) {
+    Way way{all[i], all[i]};
+    way.loose.number = number_kept(scene, free, all[i]);
     ways_.push_back(way);
   }
 }

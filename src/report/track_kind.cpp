@@ -18,6 +18,13 @@ namespace brachisto::report {
 
 namespace {
 
+/// "0.5/s", "2 m".
+std::string with_unit(double number, std::string_view unit) {
+  return unit.starts_with("1/")
+             ? fmt::format("{:.6g}{}", number, unit.substr(1))
+             : fmt::format("{:.6g} {}", number, unit);
+}
+
 /// " at A of a sphere of 8 m about (1, 10), v_0 = 1 m/s"; "" if ordinary.
 std::string world_in_words(const World& world) {
   std::string text;
@@ -29,11 +36,15 @@ std::string world_in_words(const World& world) {
   if (world.start_speed != 0.0) {
     text += fmt::format(", v_0 = {:.6g} m/s", world.start_speed);
   }
-  if (world.air.any()) {
-    text += fmt::format(", drag {:.6g}/s v + {:.6g}/m v²", world.air.linear,
-                        world.air.quadratic);
+  if (!world.air.any()) return text;
+  std::vector<std::string> drags;
+  for (const WorldParameter& parameter : kWorldParameters) {
+    if (*parameter.times == '\0') continue;
+    drags.push_back(
+        fmt::format("{} {}", with_unit(*parameter.find(world), parameter.unit),
+                    parameter.times));
   }
-  return text;
+  return fmt::format("{}, drag {}", text, fmt::join(drags, " + "));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "model/units.hpp"
@@ -25,76 +26,24 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
   using At = const TrajectoryPoint&;
   using Kind = PathInequality::Kind;
   const PathLimits& limits = scene.limits;
-  const Body& body = scene.body;
-  const double r = body.radius;
+  const double r = scene.body.radius;
   const Units units = natural_units(scene);
+  const auto kept = std::make_shared<const Scene>(scene);
   std::vector<StatedLimit> all;
-  if (const auto mu = limits.friction) {
+  for (const LimitEntry& limit : limit_table()) {
+    const std::optional<double>& stated = limit.bound(limits);
+    if (!stated) continue;
+    const double bound = *stated;
     all.push_back(
-        {"friction", mu, BoundInWords{"|R_t|", "≤", *mu, "R_n"},
-         [=](At p) { return *mu * p.motion.R_n - std::abs(p.motion.R_t); },
-         [](Kind kind, int, bool) { return kind <= Kind::FrictionBackward; },
-         [](PathLimits& l, double by) { *l.friction += by; }});
-  }
-  if (const auto least = limits.normal_min) {
-    all.push_back({"normal_force.min", least,
-                   BoundInWords{"R_n", "≥", *least, "m g"},
-                   [=](At p) { return p.motion.R_n - *least; },
-                   [](Kind kind, int, bool lower) {
-                     return kind == Kind::NormalForce && lower;
-                   },
-                   [](PathLimits& l, double by) { *l.normal_min += by; }});
-  }
-  if (const auto most = limits.normal_max) {
-    all.push_back({"normal_force.max", most,
-                   BoundInWords{"R_n", "≤", *most, "m g"},
-                   [=](At p) { return *most - p.motion.R_n; },
-                   [](Kind kind, int, bool lower) {
-                     return kind == Kind::NormalForce && !lower;
-                   },
-                   [](PathLimits& l, double by) { *l.normal_max += by; }});
-  }
-  const bool of_centre =
-      limits.curvature.of == CurvatureLimit::Of::Centre && body.rolls();
-  const auto curvature = [=](At p) {
-    return of_centre ? (1.0 - p.motion.fold_margin) / r : p.motion.kappa_b;
-  };
-  const char* kappa =
-      limits.curvature.of == CurvatureLimit::Of::Track ? "κ_b" : "κ_c";
-  PathLimits unfolded = limits;
-  unfolded.fold_margin.reset();
-  const bool folds_first =
-      hump_of_centre(body, limits) < hump_of_centre(body, unfolded);
-  if (const auto K = limits.curvature.hump) {
-    all.push_back({"curvature.hump", K, BoundInWords{kappa, "≤", *K, "1/m"},
-                   [=](At p) { return *K - curvature(p); },
-                   [=](Kind kind, int, bool) {
-                     return kind == Kind::Hump && !folds_first;
-                   },
-                   [](PathLimits& l, double by) { *l.curvature.hump += by; },
-                   units.length});
-  }
-  if (const auto K = limits.curvature.valley) {
-    all.push_back({"curvature.valley", K, BoundInWords{kappa, "≥", -*K, "1/m"},
-                   [=](At p) { return *K + curvature(p); },
-                   [](Kind kind, int, bool) { return kind == Kind::Valley; },
-                   [](PathLimits& l, double by) { *l.curvature.valley += by; },
-                   units.length});
-  }
-  if (const auto m = limits.fold_margin) {
-    all.push_back({"fold_margin", m, BoundInWords{"1 − r κ_c", "≥", *m, ""},
-                   [=](At p) { return p.motion.fold_margin - *m; },
-                   [=](Kind kind, int, bool) {
-                     return kind == Kind::Hump && folds_first;
-                   },
-                   [](PathLimits& l, double by) { *l.fold_margin += by; }});
-  }
-  if (const auto D = limits.floor) {
-    all.push_back({"floor", D, BoundInWords{"floor at z", "=", *D, "m"},
-                   [=](At p) { return *D - r - p.centre.z; },
-                   [](Kind kind, int, bool) { return kind == Kind::Floor; },
-                   [](PathLimits& l, double by) { *l.floor += by; },
-                   1.0 / units.length});
+        {std::string(limit.name()), bound, limit.words(limits, bound),
+         [=, &limit](At p) {
+           return limit.slack(*kept, bound, p.centre, p.motion);
+         },
+         [=, &limit](Kind kind, int, bool lower) {
+           return limit.is(*kept, kind, lower);
+         },
+         [&limit](PathLimits& l, double by) { *limit.bound_in(l) += by; },
+         units.measured(1.0, limit.dimension)});
   }
   for (std::size_t i = 0; i < limits.discs.size(); ++i) {
     const Disc disc = limits.discs[i];

@@ -13,33 +13,20 @@
 #include <vector>
 
 #include "brachisto/trajectory/motion.hpp"
-#include "model/path_inequality.hpp"
+#include "model/limit_table.hpp"
 
 namespace brachisto {
-
-/// A bound in words: "R_n ≥ 0.1 m g".
-struct BoundInWords {
-  std::string_view quantity;  ///< two of one quantity are a range of it
-  std::string_view relation;
-  double number = 0.0;
-  std::string_view unit;
-};
 
 /// One bound of a scene.
 struct StatedLimit {
   std::string name;  ///< as LimitOnPath has it
   std::optional<double> bound;
   std::optional<BoundInWords> words;  ///< nothing of what the body keeps off
-  /// Distance from the bound in its unit, negative beyond it:
-  ///
-  ///     μ R_n − |R_t|,  R_n − ρ_min,  ρ_max − R_n,  K − κ,  K + κ,
-  ///     1 − r κ_c − m,  D − r − z,  |C − P| − R − r,  (C − P)·e − r
-  ///
-  /// with κ the curvature of the track or of the centre's path.
+  /// Distance from the bound in its unit, negative beyond it: as LimitEntry
+  /// has it, or |C − P| − R − r of a disc, (C − P)·e − r of a half-plane.
   std::function<double(const TrajectoryPoint&)> slack;
   /// Whether it is the bound at which one of the path's inequalities is held;
-  /// `index` counts those of its kind from 0. Of a bound on the hump and a fold
-  /// margin the sharper one is in force.
+  /// `index` counts those of its kind from 0.
   std::function<bool(PathInequality::Kind, int index, bool lower)> is;
   /// Adds to the bound, in the units of the limits; a half-plane moves along
   /// its normal.

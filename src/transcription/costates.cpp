@@ -63,7 +63,7 @@ void integrate_to_nodes(const RollingTime& problem, std::span<const double> x,
       std::vector<double>(at(mesh.num_points()), solution.p_x),
       std::vector<double>(at(mesh.num_points()), solution.p_z),
       solution.p_theta_points, solution.p_w_points};
-  if (problem.scene().world.sphere) {
+  if (problem.scene().world.field_varies()) {
     points[0] = at_points(problem, lambda, X);
     points[1] = at_points(problem, lambda, Z);
     solution.p_x_nodes.assign(nodes, solution.p_x);

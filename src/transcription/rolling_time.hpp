@@ -98,7 +98,7 @@ class RollingTime final : public Transcription {
   /// Whether the field depends on the place, so that p_x and p_z are not
   /// constant.
   [[nodiscard]] bool place_matters() const {
-    return scene().world.sphere.has_value();
+    return scene().world.field_varies();
   }
   [[nodiscard]] End world_end(std::span<const double> lambda) const;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Other worlds than a uniform field without air, left from rest.
+/// Other worlds than a uniform field without air, left from rest, and their
+/// numbers.
 
 #pragma once
 
@@ -53,13 +54,107 @@ struct World {
   /// is an unknown and has been chosen; see slope_at_A_is_open().
   std::optional<double> start_slope;
 
+  /// The field depends on the place.
+  [[nodiscard]] bool field_varies() const { return sphere.has_value(); }
   /// Rates of the motion differ from those of a uniform field without air.
   [[nodiscard]] bool changes_rates() const {
-    return sphere.has_value() || air.any();
+    return field_varies() || air.any();
   }
   [[nodiscard]] bool ordinary() const {
     return !changes_rates() && start_speed == 0.0;
   }
+};
+
+/// Powers of the metre and the second.
+struct Dimension {
+  int length = 0;
+  int time = 0;
+};
+
+/// What a number may be.
+enum class Allowed { Any, Positive, NotNegative, Fraction };
+
+/// One number of a World: what units, checks, problem files, words and the way
+/// into a world know of it.
+struct WorldParameter {
+  const char* key;      ///< of problem files
+  const char* meaning;  ///< in the words of their reference
+  const char* unit;     ///< of SI
+  Dimension dimension;
+  Allowed allowed;
+  const char* reason;  ///< why nothing else is
+  /// The number, or nullptr where the world has no such part. One that has no
+  /// part is 0 in an ordinary world, and grows on the way into another one.
+  double* (*find_in)(World&);
+  bool of_part = false;
+  const char* times = "";  ///< of a drag: "v", "v²"
+
+  [[nodiscard]] const double* find(const World& world) const {
+    return find_in(const_cast<World&>(world));  // which changes nothing
+  }
+};
+
+inline constexpr const char* kAirBrakes = "for air takes energy away";
+
+/// Each part's together, in the order of their checks.
+inline constexpr WorldParameter kWorldParameters[] = {
+    {"scene.field.sphere.radius",
+     "R, its radius",
+     "m",
+     {1, 0},
+     Allowed::Positive,
+     "for the radius of a sphere is a length",
+     [](World& w) { return w.sphere ? &w.sphere->radius : nullptr; },
+     true},
+    {"scene.field.sphere.surface_gravity",
+     "its pull at the distance R",
+     "m/s²",
+     {1, -2},
+     Allowed::Positive,
+     "for the sphere attracts",
+     [](World& w) { return w.sphere ? &w.sphere->surface_gravity : nullptr; },
+     true},
+    {"scene.field.sphere.centre.x",
+     "to the right of A",
+     "m",
+     {1, 0},
+     Allowed::Any,
+     "",
+     [](World& w) { return w.sphere ? &w.sphere->centre.x : nullptr; },
+     true},
+    {"scene.field.sphere.centre.z",
+     "below A",
+     "m",
+     {1, 0},
+     Allowed::Any,
+     "",
+     [](World& w) { return w.sphere ? &w.sphere->centre.z : nullptr; },
+     true},
+    {"scene.start.speed",
+     "v_0, speed of the centre at A",
+     "m/s",
+     {1, -1},
+     Allowed::NotNegative,
+     "for its direction is the slope at A, which the extremal chooses",
+     [](World& w) { return &w.start_speed; }},
+    {"scene.air.linear",
+     "c_1",
+     "1/s",
+     {0, -1},
+     Allowed::NotNegative,
+     kAirBrakes,
+     [](World& w) { return &w.air.linear; },
+     false,
+     "v"},
+    {"scene.air.quadratic",
+     "c_2",
+     "1/m",
+     {-1, 0},
+     Allowed::NotNegative,
+     kAirBrakes,
+     [](World& w) { return &w.air.quadratic; },
+     false,
+     "v²"},
 };
 
 }  // namespace brachisto

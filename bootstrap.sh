@@ -9,6 +9,8 @@
 #   ./bootstrap.sh packages
 #                         the same for Debian packages, in build/packages/debs
 #   ./bootstrap.sh page   install Chromium, build, test the pages in it
+#   ./bootstrap.sh site   install pandoc, make a site of these documents that needs no network, in
+#                         build/site
 #   ./bootstrap.sh deps   only install what is missing
 #
 # Running it again is quick: only missing packages are installed and only what
@@ -106,8 +108,26 @@ case "${1:-}" in
     cmake --workflow --preset packages
     ls -l build/packages/debs/*.deb
     ;;
+  site)
+    packages=(pandoc)
+    install_packages
+    site=build/site
+    rm -rf "$site" && mkdir -p "$site"
+    git ls-files 'docs/*' 'problems/*' CITATION.cff LICENSE | grep -v '\.md$' |
+      xargs cp --parents -t "$site"
+    for page in *.md docs/*.md benchmarks/README.md; do
+      up=$(dirname "$page" | sed 's|^\.$||; s|[^/][^/]*|../|')
+      mkdir -p "$site/$(dirname "$page")"
+      pandoc --from=gfm+tex_math_dollars --to=html5 --mathml --standalone \
+        --lua-filter=src/cmake/site/page.lua --include-in-header=<(
+          printf '<style>\n%s\n</style>\n' "$(<src/cmake/site/site.css)") \
+        --include-before-body=<(printf '<nav><a href="%sdocs/index.html">brachisto</a></nav>\n' "$up") \
+        --output="$site/${page%.md}.html" "$page"
+    done
+    say "$site/docs/index.html"
+    ;;
   *)
-    sed -n '2,15s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,17s/^# \{0,1\}//p' "$0" >&2
     exit 2
     ;;
 esac

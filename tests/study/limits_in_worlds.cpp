@@ -76,7 +76,7 @@ std::vector<Row> rows() {
   // Both bounds of a slow start: its slope is the one that lets both hold.
   PathLimits corner = least_force(0.6);
   corner.curvature.valley = 2.0;
-  corner.curvature.of = CurvatureLimits::Of::Centre;
+  corner.curvature.of = CurvatureLimit::Of::Centre;
   const auto slow = [](const Scene& scene) { return with_push(scene, 0.5); };
   return {
       {"floor_in_air", under(in_drag(base), floor_at(1.25))},

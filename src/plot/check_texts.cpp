@@ -33,6 +33,12 @@ constexpr std::array kTexts{
     CheckText{"weierstrass", "no direction at all is better than the track's"},
     CheckText{"start_angle",
               "the slope at the start, against the law for leaving rest"},
+    CheckText{"start_corner",
+              "where a push begins on two limits, how far the second one is "
+              "off its bound"},
+    CheckText{"start_corner_sign",
+              "that the time grows where the slope there turns to the side "
+              "left open"},
     CheckText{"energy_drift", "the energy is what the fall has given"},
     CheckText{"turning_costate",
               "in the field of a sphere, the quantity that turning about its "

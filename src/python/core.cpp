@@ -206,8 +206,12 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("warm_start", &io::SweepFile::warm_start);
 
   py::class_<Solution>(module, "Solution")
-      .def("json", &report::result_json)
-      .def("summary", &report::summary)
+      .def("json",
+           [](const Solution& solution) {
+             return report::result_json(solution);
+           })
+      .def("summary",
+           [](const Solution& solution) { return report::summary(solution); })
       .def("trajectory", &trajectory_of)
       .def("differentiated", &differentiated, py::arg("second"));
 

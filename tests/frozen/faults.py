@@ -56,7 +56,7 @@ FAULTS = [
     ("margin of a fold", "const double along_track = w - r * state.beta_rate;",
      "const double along_track = w + r * state.beta_rate;"),
     # branches
-    ("infeasible is success", "return can_run(solution) ? kSuccess : kInfeasible;",
+    ("infeasible is success", "return can_run(solution, design) ? kSuccess : kInfeasible;",
      "return kSuccess;"),
     ("out of memory is not solved", "case Status::OutOfMemory:\n      return kLimit;",
      "return kLimit;\n    case Status::OutOfMemory:\n      return kNotSolved;"),

@@ -135,9 +135,7 @@ class Picture {
  public:
   Picture(const Edge& edge, const std::vector<Piece>& pieces,
           const SheetFrame& frame)
-      : edge_(edge),
-        out_(frame.sheet("assembly-01", "Assembly, as it hangs")),
-        room_(frame.room()) {
+      : edge_(edge), room_(frame.room()) {
     Box box = box_of(outline(edge, 0.0, edge.length(), 0.0, edge.strip()));
     // Words stand around it.
     constexpr double kAround = 4.0 * kWords;
@@ -145,6 +143,10 @@ class Picture {
                        (room_.height() - 2.0 * kAround) / box.height()});
     origin_ = {room_.low.x + kAround - scale_ * box.low.x,
                room_.low.z + kAround - scale_ * box.low.z};
+    out_ = frame.sheet(
+        "assembly-01",
+        fmt::format("Assembly, as it hangs, {:.3g} % of the size of its parts",
+                    100.0 * scale_));
     for (std::size_t i = 0; i < pieces.size(); ++i) add_piece(pieces[i], i + 1);
     add_ends();
   }
@@ -219,7 +221,7 @@ class Picture {
 
 std::string change_in_words(double seconds) {
   if (std::isinf(seconds)) return "stops the body";
-  return fmt::format("{:+.2g} ms", 1e3 * seconds);
+  return fmt::format("{:+.3g} ms", 1e3 * seconds);
 }
 
 std::vector<Drawing> assembly(const Edge& edge,

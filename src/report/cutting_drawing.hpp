@@ -60,8 +60,8 @@ struct Drawing {
 
 /// As DXF of release 12, which every such program reads, with the axis up, the
 /// layers CUT and ENGRAVE, and millimetres as the unit in its header. Words are
-/// in ASCII, with \U+ before the code of any other character; characters that
-/// control a line become spaces.
+/// in ASCII, with \U+ before four digits of the code of any other character; a
+/// character of more digits is "?", one that controls a line a space.
 [[nodiscard]] std::string as_dxf(const Drawing& drawing);
 
 }  // namespace brachisto::report::cutting

@@ -27,9 +27,9 @@ Pen pen_of(Line line) {
   return line == Line::Cut ? Pen{"CUT", 1} : Pen{"ENGRAVE", 5};
 }
 
-/// The code of a character of UTF-8 of so many bytes.
+/// The code of a character of UTF-8 of two bytes or three.
 unsigned code_of(std::string_view character) {
-  constexpr unsigned kOfFirst[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+  constexpr unsigned kOfFirst[] = {0, 0x7F, 0x1F, 0x0F};
   unsigned code = static_cast<unsigned char>(character.front()) &
                   kOfFirst[character.size()];
   for (const char c : character.substr(1)) {
@@ -44,7 +44,9 @@ std::string in_ascii(std::string_view words) {
   while (!words.empty()) {
     const std::size_t length = io::character_length(words);
     const char c = words.front();
-    if (length > 1) {
+    if (length > 3) {
+      out += '?';  // has no such code
+    } else if (length > 1) {
       fmt::format_to(std::back_inserter(out), "\\U+{:04X}",
                      code_of(words.substr(0, length)));
     } else if (length == 0 || c < ' ' || c > '~') {

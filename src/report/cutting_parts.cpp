@@ -57,7 +57,7 @@ void add_level(Shapes& out, const Edge& edge, const Piece& piece) {
   const EdgePoint on = edge.at(piece.clear_from + 0.25 * clear);
   const Point at = on.at_depth(0.5 * edge.strip());
   const auto arm = [&](double across, double along) {
-    constexpr double kDeep = 0.3, kOn = 0.2;
+    constexpr double kDeep = 0.3, kOn = 0.15;
     return std::min(kDeep * edge.strip() / std::max(std::abs(across), 1e-9),
                     kOn * clear / std::max(std::abs(along), 1e-9));
   };
@@ -133,8 +133,9 @@ Part plate_part(const Edge& edge, const std::vector<Piece>& pieces,
             {at - joint.far, at - joint.near, at + joint.near, at + joint.far},
             build);
   const EdgePoint middle = edge.at(at);
+  // Between two holes.
   const double size =
-      std::min(letter_of(edge), (2.0 * joint.near - build.hole) /
+      std::min(letter_of(edge), 0.7 * (2.0 * joint.near - build.hole) /
                                     width_of(letters(out.name), 1.0));
   out.shapes.labels.push_back({middle.at_depth(0.5 * edge.strip() + 0.4 * size),
                                size, out.name, middle.beta, true});
@@ -241,6 +242,10 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
   Part disc = disc_part("disc", r, letter, build);
   add_line(disc.shapes, {0.0, 0.0},
            {-r * std::sin(start_angle), r * std::cos(start_angle)});
+  disc.shapes.labels.push_back({{-0.8 * r * std::sin(start_angle) + letter,
+                                 0.8 * r * std::cos(start_angle)},
+                                letter,
+                                "on A"});
   if (body.off_centred()) {
     const Point at{r * body.eta_m * std::cos(body.theta_m),
                    r * body.eta_m * std::sin(body.theta_m)};

@@ -69,10 +69,13 @@ Piece piece_between(double from, double to, bool first, bool last,
   std::vector<double> all = piece.holes;
   all.insert(all.end(), piece.slots.begin(), piece.slots.end());
   std::ranges::sort(all);
+  // With room for their rims.
+  const double around = 0.75 * std::max(build.hole, build.thickness);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (all[i] - all[i - 1] > piece.clear_to - piece.clear_from) {
-      piece.clear_from = all[i - 1];
-      piece.clear_to = all[i];
+    if (all[i] - all[i - 1] - 2.0 * around >
+        piece.clear_to - piece.clear_from) {
+      piece.clear_from = all[i - 1] + around;
+      piece.clear_to = all[i] - around;
     }
   }
   return piece;

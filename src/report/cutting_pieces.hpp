@@ -57,7 +57,7 @@ struct Piece {
   double from = 0.0, to = 0.0;              ///< lengths from A [mm]
   std::vector<double> holes = {};           ///< lengths where there is one
   std::vector<double> slots = {};           ///< likewise, for spacers
-  double clear_from = 0.0, clear_to = 0.0;  ///< the longest stretch of neither
+  double clear_from = 0.0, clear_to = 0.0;  ///< the longest of neither
 };
 
 /// The corners of what lies between two lengths and two depths.

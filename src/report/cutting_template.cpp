@@ -60,7 +60,8 @@ std::string built_in_words(const Build& build) {
   }
   return out +
          ". The cross on each piece is level and plumb, the line below "
-         "its rolling edge as deep as a flange.";
+         "its rolling edge as deep as a flange. Plate 1-2 laps pieces 1 and 2 "
+         "from behind.";
 }
 
 std::string load_in_words(const PathDiagnostics& known, const Build& build) {

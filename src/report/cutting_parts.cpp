@@ -193,15 +193,32 @@ Part disc_part(const char* name, double radius, double letter,
   return out;
 }
 
-/// Words beside a mark, which may reach beyond the disc.
-void add_beside(Part& out, Point at, double letter, const std::string& words) {
-  constexpr std::size_t kLongest = 40;
-  const Point from{at.x + 1.5 * letter, at.z + 0.4 * letter};
-  const std::string shown = shortened(io::visible(words), kLongest);
-  out.shapes.labels.push_back({from, letter, shown});
-  out.box.include(from, letter);
-  out.box.include({from.x + width_of(letters(shown), letter), from.z}, 0.0);
-}
+/// A sign beside a mark on a disc, and what it means to the right of the disc,
+/// for words would cross its rim.
+class Legend {
+ public:
+  Legend(Part& disc, double letter)
+      : disc_(disc),
+        letter_(letter),
+        next_{disc.box.high.x + letter, disc.box.low.z + letter} {}
+
+  void add(Point mark, const std::string& sign, const std::string& meaning) {
+    constexpr std::size_t kLongest = 40;
+    disc_.shapes.labels.push_back(
+        {{mark.x + 1.2 * letter_, mark.z - 0.3 * letter_}, letter_, sign});
+    const std::string words =
+        shortened(fmt::format("{} {}", sign, io::visible(meaning)), kLongest);
+    disc_.shapes.labels.push_back({next_, letter_, words});
+    disc_.box.include({next_.x + width_of(letters(words), letter_), next_.z},
+                      0.0);
+    next_.z += 1.5 * letter_;
+  }
+
+ private:
+  Part& disc_;
+  double letter_;
+  Point next_;
+};
 
 }  // namespace
 
@@ -242,21 +259,22 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
   Part disc = disc_part("disc", r, letter, build);
   add_line(disc.shapes, {0.0, 0.0},
            {-r * std::sin(start_angle), r * std::cos(start_angle)});
-  disc.shapes.labels.push_back({{-0.8 * r * std::sin(start_angle) + letter,
-                                 0.8 * r * std::cos(start_angle)},
-                                letter,
-                                "on A"});
+  Legend legend(disc, letter);
+  const double end = r - 2.5 * letter;
+  legend.add({-end * std::sin(start_angle), end * std::cos(start_angle)}, "A",
+             "lies on A at the start");
   if (body.off_centred()) {
     const Point at{r * body.eta_m * std::cos(body.theta_m),
                    r * body.eta_m * std::sin(body.theta_m)};
     add_cross(disc.shapes, at, letter);
-    add_beside(disc, at, letter, "centre of mass");
+    legend.add(at, "G", "centre of mass");
   }
+  int number = 0;
   for (const MassPart& part : made_of) {
     const Point at{build.per_metre() * part.centre.x,
                    build.per_metre() * part.centre.z};
     disc.shapes.circles.push_back({Line::Engrave, at, letter});
-    add_beside(disc, at, letter, part.name);
+    legend.add(at, fmt::format("{}", ++number), part.name);
   }
   const Part flange = disc_part("flange", r + flange_of(build), letter, build);
   return {disc, disc, flange, flange};

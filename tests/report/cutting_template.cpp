@@ -400,7 +400,7 @@ TEST(CuttingTemplate, ABodyShowsItsCentreOfMassAndItsParts) {
   EXPECT_NEAR(cross[0].z, r * body.eta_m * std::sin(body.theta_m), 1e-9);
   EXPECT_NEAR(parts.front().shapes.circles.back().centre.x, 20.0, 1e-9);
   EXPECT_NEAR(parts.front().shapes.circles.back().centre.z, 40.0, 1e-9);
-  EXPECT_EQ(parts.front().shapes.labels.back().text, "lead");
+  EXPECT_EQ(parts.front().shapes.labels.back().text, "1 lead");
 }
 
 TEST(CuttingTemplate, SaysWhatIsRefused) {
@@ -483,7 +483,7 @@ TEST(Drawing, BearsNamesOfAllKinds) {
     EXPECT_EQ(xml_flaw(as_svg(drawing)), "") << name;
     const Dxf dxf = read_dxf(as_dxf(drawing));
     EXPECT_TRUE(dxf.whole);
-    EXPECT_EQ(dxf.entities.back().text(1), shown);
+    EXPECT_EQ(dxf.entities.back().text(1), std::string("1 ") + shown);
   }
 }
 

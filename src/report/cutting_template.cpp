@@ -8,372 +8,162 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
+#include <string>
 
-#include "report/letters.hpp"
-#include "report/path_frame.hpp"
-#include "report/rich_text.hpp"
+#include "report/cutting_assembly.hpp"
+#include "report/cutting_parts.hpp"
+#include "report/cutting_pieces.hpp"
+#include "report/cutting_sheet.hpp"
+#include "trajectory/displacement.hpp"
 #include "trajectory/grip.hpp"
 
 namespace brachisto::report::cutting {
 
 namespace {
 
-// Lengths in mm.
-constexpr double kMillimetres = 1e3;  // in a metre
-constexpr double kStrip = 40.0, kNarrowest = 15.0;
-constexpr double kMargin = 10.0;  ///< at the edges of a sheet
-constexpr double kChord = 0.01;   ///< from the track
-constexpr double kPin = 3.0;      ///< radius of a hole
-constexpr double kPinFromEnd = 12.0, kBetweenPins = 150.0;
-constexpr double kLetter = 5.0;
-constexpr double kLeastLetter = 2.0;
+constexpr double kError = 1e-3;  ///< of a builder [m]
+constexpr int kStretches = 10;
 
-/// A place of the track, and the direction into the strip.
-struct EdgePoint {
-  double sigma;
-  Point place;
-  Point inwards;
-  double along = 0.0;  ///< length of the track up to here
-
-  [[nodiscard]] Point at_depth(double depth) const {
-    return {place.x + depth * inwards.x, place.z + depth * inwards.z};
-  }
-};
-
-EdgePoint edge_point(const TrajectoryPoint& at) {
-  return {
-      at.sigma,
-      {kMillimetres * at.motion.contact.x, kMillimetres * at.motion.contact.z},
-      {-std::sin(at.beta), std::cos(at.beta)}};
+/// Of times: v ~ √length in a uniform field.
+double time_scale(const Build& build) {
+  return std::sqrt(build.scale);
 }
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
+std::string scale_in_words(double scale) {
+  return scale <= 1.0 ? fmt::format("1:{:.6g}", 1.0 / scale)
+                      : fmt::format("{:.6g}:1", scale);
 }
 
-/// How far the middle of an arc is from its chord, at either edge of a strip.
-double sagitta(const EdgePoint& a, const EdgePoint& middle, const EdgePoint& b,
-               double depth) {
-  const auto at = [&](double d) {
-    const Point p = a.at_depth(d), q = b.at_depth(d), m = middle.at_depth(d);
-    const double length = distance(p, q);
-    if (length == 0.0) return distance(p, m);
-    return std::abs((q.x - p.x) * (m.z - p.z) - (q.z - p.z) * (m.x - p.x)) /
-           length;
-  };
-  return std::max(at(0.0), at(depth));
-}
-
-/// The track as chords near enough to it.
-class Edge {
- public:
-  Edge(const Motion& motion, double strip) : motion_(motion), strip_(strip) {
-    // No feature is shorter than these.
-    constexpr int kLeast = 100;
-    const std::vector<TrajectoryPoint> rows = motion.fine_sample(kLeast);
-    points_.push_back(edge_point(rows.front()));
-    for (std::size_t i = 1; i < rows.size(); ++i)
-      refine(edge_point(rows[i]), 0);
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      points_[i].along = points_[i - 1].along +
-                         distance(points_[i].place, points_[i - 1].place);
-    }
-  }
-
-  [[nodiscard]] const std::vector<EdgePoint>& points() const { return points_; }
-
- private:
-  /// Adds what leads from the last point to `next`.
-  void refine(const EdgePoint& next, int depth) {
-    constexpr int kDeepest = 20;
-    const EdgePoint last = points_.back();
-    const EdgePoint middle =
-        edge_point(motion_.at(0.5 * (last.sigma + next.sigma)));
-    if (depth < kDeepest && sagitta(last, middle, next, strip_) > kChord) {
-      refine(middle, depth + 1);
-      refine(next, depth + 1);
-    } else {
-      points_.push_back(next);
-    }
-  }
-
-  const Motion& motion_;
-  double strip_;
-  std::vector<EdgePoint> points_;
-};
-
-/// How wide a strip may be that does not fold on its other side.
-double strip_width(const Solution& solution) {
-  constexpr double kOfRadius = 0.8;
-  const double sharpest =
-      solution.diagnostics ? solution.diagnostics->max_curvature.value : 0.0;
-  const double width =
-      std::min(kStrip, kOfRadius * kMillimetres / std::max(sharpest, 1e-9));
-  if (width < kNarrowest) {
-    throw TemplateError(fmt::format(
-        "a hump of the track has a radius of {:.3g} mm, and a strip below it "
-        "less than {:.3g} mm of width; a larger scene, or "
-        "scene.limits.curvature.hump, makes room",
-        kMillimetres / sharpest, kNarrowest));
-  }
-  return width;
-}
-
-void mark_cross(Drawing& out, Point at, double arm) {
-  out.polylines.push_back(
-      {Line::Mark, {{at.x - arm, at.z}, {at.x + arm, at.z}}});
-  out.polylines.push_back(
-      {Line::Mark, {{at.x, at.z - arm}, {at.x, at.z + arm}}});
-}
-
-/// The piece between two points of the edge.
-Drawing piece(std::span<const EdgePoint> edge, double strip,
-              const Sheet& sheet) {
-  Drawing out;
-  out.width = sheet.width;
-  out.height = sheet.height;
-  Box box{edge.front().place, edge.front().place};
-  Polyline outline{Line::Cut, {}, true};
-  for (const EdgePoint& p : edge) outline.points.push_back(p.place);
-  for (auto p = edge.rbegin(); p != edge.rend(); ++p) {
-    outline.points.push_back(p->at_depth(strip));
-  }
-  for (const Point p : outline.points) box.include(p, 0.0);
-  const Point shift{kMargin - box.low.x, kMargin - box.low.z};
-  const auto moved = [&](Point p) {
-    return Point{p.x + shift.x, p.z + shift.z};
-  };
-  for (Point& p : outline.points) p = moved(p);
-  out.polylines.push_back(std::move(outline));
-
-  const double length = edge.back().along - edge.front().along;
-  const auto hole_at = [&](double along) {
-    const auto next = std::ranges::lower_bound(edge, edge.front().along + along,
-                                               {}, &EdgePoint::along);
-    const EdgePoint& p = next == edge.end() ? edge.back() : *next;
-    out.circles.push_back({Line::Cut, moved(p.at_depth(0.5 * strip)), kPin});
-  };
-  const double between = length - 2.0 * kPinFromEnd;
-  if (between < 4.0 * kPin) {
-    hole_at(0.5 * length);
-  } else {
-    const int gaps = static_cast<int>(std::ceil(between / kBetweenPins));
-    for (int i = 0; i <= gaps; ++i) {
-      hole_at(kPinFromEnd + between * i / gaps);
-    }
+std::string body_in_words(const Body& body, const Build& build) {
+  if (!body.rolls()) return "a bead";
+  std::string out = fmt::format("a cylinder of radius {:.5g} mm, k = {:.4g}",
+                                build.per_metre() * body.radius, body.k);
+  if (body.off_centred()) {
+    fmt::format_to(std::back_inserter(out),
+                   ", its centre of mass {:.4g} mm from the axis, {:.4g} "
+                   "degrees below level at A",
+                   build.per_metre() * body.radius * body.eta_m,
+                   body.theta_m * 180.0 / std::numbers::pi);
   }
   return out;
 }
 
-/// Pieces as long as the sheet allows.
-std::vector<Drawing> pieces(const std::vector<EdgePoint>& edge, double strip,
-                            const Sheet& sheet) {
-  const auto fits = [&](const Box& box) {
-    return box.width() <= sheet.width - 2.0 * kMargin &&
-           box.height() <= sheet.height - 2.0 * kMargin;
+std::string built_in_words(const Build& build) {
+  std::string out = fmt::format(
+      "Strips {:.4g} mm wide of material {:.4g} mm thick, holes of {:.4g} mm",
+      build.strip, build.thickness, build.hole);
+  if (build.gauge) {
+    fmt::format_to(std::back_inserter(out),
+                   "; two strips, L and R, with {:.4g} mm between them",
+                   *build.gauge);
+  }
+  return out +
+         ". The cross on each piece is level and plumb, the line below "
+         "its rolling edge as deep as a flange. Plate 1-2 laps pieces 1 and 2 "
+         "from behind.";
+}
+
+std::string load_in_words(const PathDiagnostics& known, const Build& build) {
+  const auto at = [&](const Extreme& extreme) {
+    return fmt::format("{:.3g} m g at x = {:.4g} mm", told_force(extreme.value),
+                       build.per_metre() * extreme.x);
   };
-  std::vector<Drawing> out;
-  for (std::size_t first = 0; first + 1 < edge.size();) {
-    Box box{edge[first].place, edge[first].place};
-    std::size_t last = first;
-    for (std::size_t i = first; i < edge.size(); ++i) {
-      box.include(edge[i].place, 0.0);
-      box.include(edge[i].at_depth(strip), 0.0);
-      if (!fits(box)) break;
-      last = i;
-    }
-    if (last == first) {
-      throw TemplateError(fmt::format(
-          "no piece of a strip of {:.3g} mm fits on a sheet of {:.6g} × {:.6g} "
-          "mm with {:.3g} mm of margin",
-          strip, sheet.width, sheet.height, kMargin));
-    }
-    out.push_back(
-        piece(std::span(edge).subspan(first, last - first + 1), strip, sheet));
-    first = last;
+  return fmt::format(
+      "Load: least {}{}, greatest {}.", at(known.normal_force_after_rise),
+      known.min_normal_force.at_start ? " after it has risen from 0 at A" : "",
+      at(known.max_normal_force));
+}
+
+std::string care_in_words(const std::vector<DisplacedStretch>& stretches,
+                          const Build& build) {
+  const auto amount = [](const DisplacedStretch& stretch) {
+    return std::abs(stretch.dearer());
+  };
+  const auto [least, most] = std::ranges::minmax_element(stretches, {}, amount);
+  const auto told = [&](const DisplacedStretch& stretch) {
+    const auto x = [&](const TrajectoryPoint& at) {
+      return build.per_metre() * at.motion.contact.x;
+    };
+    return fmt::format("from x = {:.4g} to {:.4g} mm, {}", x(stretch.from),
+                       x(stretch.to), change_in_words(stretch.dearer()));
+  };
+  return fmt::format("Care: 1 mm of error matters most {}; least {}.",
+                     told(*most), told(*least));
+}
+
+/// What every sheet tells, in letters that DXF has.
+std::vector<std::string> facts(const Solution& solution, const Build& build,
+                               const std::vector<DisplacedStretch>& stretches) {
+  const Scene& scene = solution.scene;
+  const double mm = build.per_metre();
+  std::vector<std::string> out{fmt::format(
+      "Track for {}; scale {}; B is {:.5g} mm to the right of A and {:.5g} mm "
+      "below; T = {:.4g} s",
+      body_in_words(scene.body, build), scale_in_words(build.scale),
+      mm * scene.L, mm * scene.H,
+      time_scale(build) * solution.motion()->transit_time())};
+  if (scene.world.start_speed != 0.0) {
+    fmt::format_to(std::back_inserter(out.back()),
+                   " from a start with {:.4g} m/s",
+                   time_scale(build) * scene.world.start_speed);
+  }
+  out.back() += '.';
+  out.push_back(built_in_words(build));
+  if (scene.body.rolls()) {
+    out.push_back(fmt::format("Grip: least friction coefficient {}.",
+                              grip_in_words(solution.diagnostics->least_grip)));
+  }
+  out.push_back(load_in_words(*solution.diagnostics, build));
+  if (!stretches.empty()) out.push_back(care_in_words(stretches, build));
+  if (scene.body.rolls()) {
+    out.push_back(fmt::format(
+        "The two discs and two flanges have k = {:.3g} as they are cut.",
+        k_of_discs(scene.body, build)));
   }
   return out;
 }
 
-Drawing body_drawing(const Motion& motion, std::span<const MassPart> parts) {
-  const Body& body = motion.scene().body;
-  const double r = kMillimetres * body.radius;
-  Drawing out;
-  out.name = "body";
-  out.width = out.height = 2.0 * (r + kMargin);
-  const Point axis{r + kMargin, r + kMargin};
-  const auto placed = [&](Point from_axis) {
-    return Point{axis.x + from_axis.x, axis.z + from_axis.z};
-  };
-  out.circles.push_back({Line::Cut, axis, r});
-  if (r > 2.0 * kPin) out.circles.push_back({Line::Cut, axis, kPin});
-  const double beta = motion.start_angle();
-  out.polylines.push_back(
-      {Line::Mark, {axis, placed({-r * std::sin(beta), r * std::cos(beta)})}});
-  const double arm = std::min(0.1 * r, kLetter);
-  const double r_m = r * body.eta_m;
-  mark_cross(
-      out, placed({r_m * std::cos(body.theta_m), r_m * std::sin(body.theta_m)}),
-      arm);
-  for (const MassPart& part : parts) {
-    const Point at =
-        placed({kMillimetres * part.centre.x, kMillimetres * part.centre.z});
-    out.circles.push_back({Line::Mark, at, arm});
-    out.labels.push_back({{at.x + 1.5 * arm, at.z}, arm, part.name});
+std::vector<DisplacedStretch> stretches_of(const Motion& motion,
+                                           const Build& build) {
+  std::vector<DisplacedStretch> out =
+      displaced_stretches(motion, kStretches, kError / build.scale);
+  for (DisplacedStretch& stretch : out) {
+    stretch.raised *= time_scale(build);
+    stretch.lowered *= time_scale(build);
   }
   return out;
 }
-
-/// A line above what is drawn, as large as there is room for; where that is
-/// less than the least size the sheet is wider.
-void add_line_above(Drawing& out, const std::string& text, double least) {
-  const double room = out.width - 2.0 * kMargin;
-  const std::size_t count = letters(text);
-  const double size =
-      std::clamp(kLetter * room / width_of(count, kLetter), least, kLetter);
-  out.labels.push_back(
-      {{kMargin, 0.5 * (kMargin + kLetter) - 1.0}, size, text});
-  if (size <= least) {
-    out.width = std::max(out.width, 2.0 * kMargin + width_of(count, size));
-  }
-}
-
-/// In letters that DXF has; empty for a bead.
-std::string grip_label(const Solution& solution) {
-  if (!solution.scene.body.rolls()) return {};
-  return "Grip: least friction coefficient " +
-         grip_in_words(solution.diagnostics->least_grip);
-}
-
-/// Class in SVG, layer and colour number in DXF.
-struct Pen {
-  const char* name;
-  const char* layer;
-  int colour;
-};
-Pen pen_of(Line line) {
-  return line == Line::Cut ? Pen{"cut", "CUT", 1} : Pen{"mark", "MARK", 5};
-}
-
-/// DXF: group codes and values, each on a line of its own.
-class Groups {
- public:
-  void add(int code, std::string_view value) {
-    fmt::format_to(std::back_inserter(text_), "{}\n{}\n", code, value);
-  }
-  void add(int code, double value) { add(code, fmt::format("{:.4f}", value)); }
-  void add(int code, int value) { add(code, fmt::format("{}", value)); }
-  void entity(const char* kind, Line line) {
-    add(0, kind);
-    add(8, pen_of(line).layer);
-  }
-  void place(double x, double y) {
-    add(10, x);
-    add(20, y);
-    add(30, 0.0);
-  }
-  [[nodiscard]] std::string text() && { return std::move(text_); }
-
- private:
-  std::string text_;
-};
 
 }  // namespace
 
-std::string as_svg(const Drawing& drawing) {
-  std::string out = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}mm\" "
-      "height=\"{1:.6g}mm\" viewBox=\"0 0 {0:.6g} {1:.6g}\">\n"
-      "<title>{2}</title>\n"
-      "<style>path, circle {{ fill: none; stroke-width: 0.1 }} "
-      ".cut {{ stroke: #ff0000 }} .mark {{ stroke: #0000ff }} "
-      "text {{ fill: #0000ff; font-family: sans-serif }}</style>\n",
-      drawing.width, drawing.height, xml_escaped(drawing.title));
-  const auto to = std::back_inserter(out);
-  for (const Polyline& polyline : drawing.polylines) {
-    fmt::format_to(to, "<path class=\"{}\" d=\"", pen_of(polyline.line).name);
-    char command = 'M';
-    for (const Point p : polyline.points) {
-      fmt::format_to(to, "{}{:.4f} {:.4f}", command, p.x, p.z);
-      command = 'L';
-    }
-    out += polyline.closed ? "Z\"/>\n" : "\"/>\n";
+void check_build(const Build& build, const Scene& scene) {
+  if (build.strip < kStripInHoles * build.hole) {
+    throw TemplateError(fmt::format(
+        "a strip of {:.4g} mm has no room for holes of {:.4g} mm; a --strip is "
+        "{:g} times as wide as a --hole or wider",
+        build.strip, build.hole, kStripInHoles));
   }
-  for (const Circle& circle : drawing.circles) {
-    fmt::format_to(
-        to, "<circle class=\"{}\" cx=\"{:.4f}\" cy=\"{:.4f}\" r=\"{:.4f}\"/>\n",
-        pen_of(circle.line).name, circle.centre.x, circle.centre.z,
-        circle.radius);
+  if (build.scale != 1.0 && scene.world.changes_rates()) {
+    throw TemplateError(
+        "in air, or in the field of a sphere, a model rolls otherwise than its "
+        "scene; --scale is 1:1 there");
   }
-  for (const Label& label : drawing.labels) {
-    fmt::format_to(to,
-                   "<text x=\"{:.4f}\" y=\"{:.4f}\" font-size=\"{:.6g}\">{}"
-                   "</text>\n",
-                   label.at.x, label.at.z, label.size, xml_escaped(label.text));
+  const double across = 2.0 * build.per_metre() * scene.body.radius;
+  const double most = std::min(build.width, build.height) - 2.0 * kMargin;
+  if (across > most) {
+    throw TemplateError(fmt::format(
+        "a body of {:.4g} mm does not fit on a sheet of {:.6g} x {:.6g} mm, "
+        "less {:g} mm at each edge; a larger --sheet or a smaller --scale "
+        "makes room",
+        across, build.width, build.height, kMargin));
   }
-  return out + "</svg>\n";
-}
-
-std::string as_dxf(const Drawing& drawing) {
-  const auto up = [&](double z) { return drawing.height - z; };
-  Groups out;
-  out.add(999, drawing.title);
-  out.add(0, "SECTION");
-  out.add(2, "HEADER");
-  out.add(9, "$ACADVER");
-  out.add(1, "AC1009");
-  out.add(9, "$EXTMIN");
-  out.place(0.0, 0.0);
-  out.add(9, "$EXTMAX");
-  out.place(drawing.width, drawing.height);
-  out.add(0, "ENDSEC");
-  out.add(0, "SECTION");
-  out.add(2, "TABLES");
-  out.add(0, "TABLE");
-  out.add(2, "LAYER");
-  out.add(70, 2);
-  for (const Line line : {Line::Cut, Line::Mark}) {
-    out.add(0, "LAYER");
-    out.add(2, pen_of(line).layer);
-    out.add(70, 0);
-    out.add(62, pen_of(line).colour);
-    out.add(6, "CONTINUOUS");
-  }
-  out.add(0, "ENDTAB");
-  out.add(0, "ENDSEC");
-  out.add(0, "SECTION");
-  out.add(2, "ENTITIES");
-  for (const Polyline& polyline : drawing.polylines) {
-    out.entity("POLYLINE", polyline.line);
-    out.add(66, 1);
-    out.place(0.0, 0.0);
-    out.add(70, polyline.closed ? 1 : 0);
-    for (const Point p : polyline.points) {
-      out.entity("VERTEX", polyline.line);
-      out.place(p.x, up(p.z));
-    }
-    out.entity("SEQEND", polyline.line);
-  }
-  for (const Circle& circle : drawing.circles) {
-    out.entity("CIRCLE", circle.line);
-    out.place(circle.centre.x, up(circle.centre.z));
-    out.add(40, circle.radius);
-  }
-  for (const Label& label : drawing.labels) {
-    out.entity("TEXT", Line::Mark);
-    out.place(label.at.x, up(label.at.z));
-    out.add(40, label.size);
-    out.add(1, label.text);
-  }
-  out.add(0, "ENDSEC");
-  out.add(0, "EOF");
-  return std::move(out).text();
 }
 
 std::vector<Drawing> cutting_template(const Solution& solution,
-                                      std::span<const MassPart> parts,
-                                      const Sheet& sheet) {
+                                      std::span<const MassPart> made_of,
+                                      const Build& build) {
+  check_build(build, solution.scene);
   if (!solution.verified()) {
     throw TemplateError("there is no verified track to be cut");
   }
@@ -381,25 +171,22 @@ std::vector<Drawing> cutting_template(const Solution& solution,
     throw TemplateError("the track cannot be rolled on: " + reason);
   }
   const Motion& motion = *solution.motion();
-  const double strip = strip_width(solution);
-  std::vector<Drawing> out = pieces(Edge(motion, strip).points(), strip, sheet);
-  const std::size_t count = out.size();
-  const std::string grip = grip_label(solution);
-  for (std::size_t i = 0; i < count; ++i) {
-    Drawing& drawing = out[i];
-    drawing.name = fmt::format("track-{:02}", i + 1);
-    drawing.title = fmt::format("Track, piece {} of {} from A", i + 1, count);
-    drawing.labels.push_back(
-        {{kMargin, sheet.height - 0.5 * (kMargin - kLetter) - 1.0},
-         kLetter,
-         drawing.title});
-    if (!grip.empty()) add_line_above(drawing, grip, 0.0);
-  }
-  if (motion.scene().body.rolls()) {
-    out.push_back(body_drawing(motion, parts));
-    out.back().title = "Body at the start, its mark on the track at A";
-    add_line_above(out.back(), grip, kLeastLetter);
-  }
+  Build built = build;
+  built.strip = strip_width(build, solution.diagnostics->max_curvature.value);
+  const std::vector<DisplacedStretch> stretches = stretches_of(motion, built);
+  const SheetFrame frame(built, facts(solution, built, stretches));
+  const Edge edge(motion, built);
+  const std::vector<Piece> pieces =
+      pieces_of(edge, built, [&](const Box& box) { return frame.fits(box); });
+  std::vector<Part> parts = track_parts(edge, pieces, built);
+  std::ranges::move(
+      body_parts(solution.scene.body, motion.start_angle(), made_of, built),
+      std::back_inserter(parts));
+  Arrangement sheets = arranged(parts, frame);
+  std::vector<Drawing> out = std::move(sheets.sheets);
+  std::ranges::move(
+      assembly(edge, pieces, sheets.sheet_of, stretches, built, frame),
+      std::back_inserter(out));
   return out;
 }
 

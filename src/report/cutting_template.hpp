@@ -2,82 +2,38 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// A track to be built: strips of sheet material whose upper edge is the track,
-/// and the body that rolls on it.
+/// A track to be built: sheets with its pieces, whose upper edge is rolled on,
+/// and with the body; and how they are put together.
 
 #pragma once
 
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/study/solution.hpp"
+#include "report/cutting_build.hpp"
+#include "report/cutting_drawing.hpp"
 
 namespace brachisto::report::cutting {
 
-/// What a machine does along a line.
-enum class Line { Cut, Mark };
+/// What can be refused before a scene is solved: holes that a strip has no room
+/// for, a body that is larger than a sheet, a model of a scene whose model
+/// would roll otherwise.
+/// \throws TemplateError
+void check_build(const Build& build, const Scene& scene);
 
-struct Polyline {
-  Line line;
-  std::vector<Point> points;  ///< [mm], z down
-  bool closed = false;
-};
-struct Circle {
-  Line line;
-  Point centre;   ///< [mm], z down
-  double radius;  ///< [mm]
-};
-struct Label {
-  Point at;     ///< left end of its base line [mm], z down
-  double size;  ///< of its letters [mm]
-  std::string text;
-};
-
-/// One sheet of material with its upper left corner at the origin.
-struct Drawing {
-  std::string name;  ///< of its file, without the ending
-  std::string title;
-  double width = 0.0, height = 0.0;  ///< [mm]
-  std::vector<Polyline> polylines;
-  std::vector<Circle> circles;
-  std::vector<Label> labels;
-};
-
-/// As SVG, a user unit being a millimetre: cuts are red hairlines, marks blue.
-[[nodiscard]] std::string as_svg(const Drawing& drawing);
-
-/// As DXF of release 12, which every such program reads, in millimetres with
-/// the axis up: layers CUT and MARK.
-[[nodiscard]] std::string as_dxf(const Drawing& drawing);
-
-/// The sheets of material [mm].
-struct Sheet {
-  double width = 600.0, height = 400.0;
-};
-
-/// A track that cannot be cut from such sheets; what() says why.
-class TemplateError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The track at true scale, a millimetre being one: between the track and a
-/// parallel on its other side lies a strip, cut across into as many pieces as
-/// the sheet asks for. Along its middle are holes for pins of 6 mm, two at the
-/// least in each piece; numbers tell the order. Chords stay within 0.01 mm of
-/// the track. Each piece, and the body, tells the grip that is needed. Where a
-/// hump bends more sharply than the strip is wide, it is narrower. Then, of a
-/// cylinder, its outline with the hole of its axis, the radius that touches the
-/// track at A, the centre of mass, and its parts if they are known.
+/// The sheets to cut, "sheet-01" and so on, then those that tell how parts are
+/// put together, "assembly-01" and so on. All of them tell the body, the grip
+/// that it needs, where it presses least and most, and what an error of 1 mm
+/// does to the time, each as it is built: of a model of scale λ in a uniform
+/// field, times are √λ of those of the scene. docs/building.md says the rest.
 ///
 /// \param solution  verified
-/// \param parts     of the body, in metres; may be empty
+/// \param made_of   the body, in metres; may be empty
 /// \throws TemplateError
 [[nodiscard]] std::vector<Drawing> cutting_template(
-    const Solution& solution, std::span<const MassPart> parts,
-    const Sheet& sheet);
+    const Solution& solution, std::span<const MassPart> made_of,
+    const Build& build);
 
 }  // namespace brachisto::report::cutting

@@ -132,5 +132,15 @@ TEST_P(Starter, EndsAsItsCommentSays) {
   expect_promise(fs::path(BRACHISTO_RACE_DIR) / (GetParam() + ".yaml"));
 }
 
+class BuiltTrack : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(
+    Files, BuiltTrack,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_BUILD_DIR)),
+    testing::file_name);
+
+TEST_P(BuiltTrack, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_BUILD_DIR) / (GetParam() + ".yaml"));
+}
+
 }  // namespace
 }  // namespace brachisto

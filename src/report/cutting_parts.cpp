@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "report/cutting_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/visible_text.hpp"
+#include "report/letters.hpp"
+
+namespace brachisto::report::cutting {
+
+namespace {
+
+constexpr double kLargestLetter = 5.0, kLeastLetter = 1.5;  // [mm]
+
+/// Depths of the plates that lap joints, and of tabs, in the strip.
+constexpr double kPlateTop = 0.25, kPlateBottom = 0.75;
+constexpr double kTab = 1.0 / 3.0;
+
+double letter_of(const Edge& edge) {
+  return std::min(kLargestLetter, edge.strip() / 7.0);
+}
+
+void add_line(Shapes& out, Point from, Point to) {
+  out.polylines.push_back({Line::Engrave, {from, to}});
+}
+
+void add_holes(Shapes& out, const Edge& edge, const std::vector<double>& at,
+               const Build& build) {
+  for (const double along : at) {
+    out.circles.push_back({Line::Cut,
+                           edge.at(along).at_depth(0.5 * edge.strip()),
+                           0.5 * build.hole});
+  }
+}
+
+/// Where a tab of a spacer goes through.
+void add_slot(Shapes& out, const EdgePoint& at, double strip,
+              const Build& build) {
+  const double half = 0.5 * build.thickness;
+  const double top = 0.5 * (1.0 - kTab) * strip;
+  const double bottom = 0.5 * (1.0 + kTab) * strip;
+  out.polylines.push_back({Line::Cut,
+                           {at.beside(top, -half), at.beside(top, half),
+                            at.beside(bottom, half), at.beside(bottom, -half)},
+                           true});
+}
+
+/// Level and plumb through the middle of the strip, as far as there is room.
+void add_level(Shapes& out, const Edge& edge, const Piece& piece) {
+  const double clear = piece.clear_to - piece.clear_from;
+  const EdgePoint on = edge.at(piece.clear_from + 0.25 * clear);
+  const Point at = on.at_depth(0.5 * edge.strip());
+  const auto arm = [&](double across, double along) {
+    constexpr double kDeep = 0.3, kOn = 0.15;
+    return std::min(kDeep * edge.strip() / std::max(std::abs(across), 1e-9),
+                    kOn * clear / std::max(std::abs(along), 1e-9));
+  };
+  const double c = std::cos(on.beta), s = std::sin(on.beta);
+  const double level = arm(s, c), plumb = arm(c, s);
+  add_line(out, {at.x - level, at.z}, {at.x + level, at.z});
+  add_line(out, {at.x, at.z - plumb}, {at.x, at.z + plumb});
+  const double size = std::min(0.5 * letter_of(edge), level / 4.0);
+  out.labels.push_back({{at.x + 0.4 * size, at.z - 0.4 * size}, size, "level"});
+}
+
+/// \param side  of two strips "L" or "R", of one ""
+Part piece_part(const Edge& edge, const std::vector<Piece>& pieces,
+                std::size_t index, const char* side, const Build& build) {
+  const Piece& piece = pieces[index];
+  const double strip = edge.strip();
+  Part out{.name = fmt::format("{}{}", index + 1, side), .shapes = {}};
+  std::vector<Point> corners = outline(edge, piece.from, piece.to, 0.0, strip);
+  out.box = box_of(corners);
+  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
+  add_holes(out.shapes, edge, piece.holes, build);
+  for (const double slot : piece.slots) {
+    add_slot(out.shapes, edge.at(slot), strip, build);
+  }
+
+  // Beside the edge that is rolled on, as far as a flange reaches.
+  const double flange = flange_of(build);
+  Polyline rolled{Line::Engrave, {}};
+  for (const EdgePoint& p : edge.between(piece.from, piece.to)) {
+    rolled.points.push_back(p.at_depth(flange));
+  }
+  out.shapes.polylines.push_back(std::move(rolled));
+  add_level(out.shapes, edge, piece);
+
+  const double clear = piece.clear_to - piece.clear_from;
+  const EdgePoint words = edge.at(piece.clear_from + 0.72 * clear);
+  const std::string number =
+      fmt::format("{} of {} -> B", out.name, pieces.size());
+  const auto fitting = [&](const std::string& text, double size) {
+    return std::min(size, 0.5 * clear / width_of(letters(text), 1.0));
+  };
+  const double size = fitting(number, letter_of(edge));
+  out.shapes.labels.push_back({words.at_depth(0.5 * strip + 0.6 * size), size,
+                               number, words.beta, true});
+  const std::string rolls = "rolling edge";
+  const double small = fitting(rolls, 0.55 * letter_of(edge));
+  out.shapes.labels.push_back(
+      {words.at_depth(flange + 1.3 * small), small, rolls, words.beta, true});
+  const auto add_end = [&](double along, const char* name) {
+    const EdgePoint end = edge.at(along);
+    out.shapes.labels.push_back({end.at_depth(flange + 1.3 * letter_of(edge)),
+                                 letter_of(edge), name, end.beta, true});
+  };
+  const double from_end = 0.8 * letter_of(edge);
+  if (index == 0) add_end(piece.from + from_end, "A");
+  if (index + 1 == pieces.size()) add_end(piece.to - from_end, "B");
+  return out;
+}
+
+/// Of the joint between two pieces.
+Part plate_part(const Edge& edge, const std::vector<Piece>& pieces,
+                std::size_t index, const char* side, const Build& build) {
+  const double at = pieces[index].to;
+  const Joint joint = joint_of(build);
+  Part out{.name = fmt::format("{}-{}{}", index + 1, index + 2, side),
+           .shapes = {}};
+  std::vector<Point> corners =
+      outline(edge, at - joint.end, at + joint.end, kPlateTop * edge.strip(),
+              kPlateBottom * edge.strip());
+  out.box = box_of(corners);
+  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
+  add_holes(out.shapes, edge,
+            {at - joint.far, at - joint.near, at + joint.near, at + joint.far},
+            build);
+  const EdgePoint middle = edge.at(at);
+  // Between two holes.
+  const double size =
+      std::min(letter_of(edge), 0.7 * (2.0 * joint.near - build.hole) /
+                                    width_of(letters(out.name), 1.0));
+  out.shapes.labels.push_back({middle.at_depth(0.5 * edge.strip() + 0.4 * size),
+                               size, out.name, middle.beta, true});
+  return out;
+}
+
+/// Between the strips, with a tab through the slot of either.
+Part spacer_part(double strip, const Build& build) {
+  const double gauge = *build.gauge, t = build.thickness;
+  const double height = (kPlateBottom - kPlateTop) * strip;
+  const double shoulder = 0.5 * (height - kTab * strip);
+  const double low = height - shoulder;
+  Part out{.name = "spacer", .shapes = {}};
+  std::vector<Point> corners{{t, 0.0},
+                             {t + gauge, 0.0},
+                             {t + gauge, shoulder},
+                             {2.0 * t + gauge, shoulder},
+                             {2.0 * t + gauge, low},
+                             {t + gauge, low},
+                             {t + gauge, height},
+                             {t, height},
+                             {t, low},
+                             {0.0, low},
+                             {0.0, shoulder},
+                             {t, shoulder}};
+  out.box = box_of(corners);
+  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
+  const double size =
+      std::min({kLargestLetter, 0.5 * height,
+                0.9 * gauge / width_of(letters(out.name), 1.0)});
+  out.shapes.labels.push_back({{t + 0.5 * gauge, 0.5 * height + 0.4 * size},
+                               size,
+                               out.name,
+                               0.0,
+                               true});
+  return out;
+}
+
+void add_cross(Shapes& out, Point at, double arm) {
+  add_line(out, {at.x - arm, at.z}, {at.x + arm, at.z});
+  add_line(out, {at.x, at.z - arm}, {at.x, at.z + arm});
+}
+
+/// Of a disc that rolls or of its flange, with the axis at the origin.
+Part disc_part(const char* name, double radius, double letter,
+               const Build& build) {
+  Part out{.name = name, .shapes = {}};
+  out.box = {{-radius, -radius}, {radius, radius}};
+  out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, radius});
+  if (radius > build.hole) {
+    out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, 0.5 * build.hole});
+  }
+  out.shapes.labels.push_back(
+      {{0.0, -0.5 * radius}, letter, out.name, 0.0, true});
+  return out;
+}
+
+/// A sign beside a mark on a disc, and what it means to the right of the disc,
+/// for words would cross its rim.
+class Legend {
+ public:
+  Legend(Part& disc, double letter)
+      : disc_(disc),
+        letter_(letter),
+        next_{disc.box.high.x + letter, disc.box.low.z + letter} {}
+
+  void add(Point mark, const std::string& sign, const std::string& meaning) {
+    constexpr std::size_t kLongest = 40;
+    disc_.shapes.labels.push_back(
+        {{mark.x + 1.2 * letter_, mark.z - 0.3 * letter_}, letter_, sign});
+    const std::string words =
+        shortened(fmt::format("{} {}", sign, io::visible(meaning)), kLongest);
+    disc_.shapes.labels.push_back({next_, letter_, words});
+    disc_.box.include({next_.x + width_of(letters(words), letter_), next_.z},
+                      0.0);
+    next_.z += 1.5 * letter_;
+  }
+
+ private:
+  Part& disc_;
+  double letter_;
+  Point next_;
+};
+
+}  // namespace
+
+double flange_of(const Build& build) {
+  return 0.5 * kPlateTop * build.strip;
+}
+
+std::vector<Part> track_parts(const Edge& edge,
+                              const std::vector<Piece>& pieces,
+                              const Build& build) {
+  const std::vector<const char*> sides =
+      build.gauge ? std::vector{"L", "R"} : std::vector{""};
+  std::vector<Part> out;
+  std::size_t spacers = 0;
+  for (const char* side : sides) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      out.push_back(piece_part(edge, pieces, i, side, build));
+      if (side == sides.front()) spacers += pieces[i].slots.size();
+    }
+  }
+  for (const char* side : sides) {
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+      out.push_back(plate_part(edge, pieces, i, side, build));
+    }
+  }
+  for (std::size_t i = 0; i < spacers; ++i) {
+    out.push_back(spacer_part(edge.strip(), build));
+  }
+  return out;
+}
+
+std::vector<Part> body_parts(const Body& body, double start_angle,
+                             std::span<const MassPart> made_of,
+                             const Build& build) {
+  if (!body.rolls()) return {};
+  const double r = build.per_metre() * body.radius;
+  const double letter = std::clamp(r / 12.0, kLeastLetter, kLargestLetter);
+  Part disc = disc_part("disc", r, letter, build);
+  add_line(disc.shapes, {0.0, 0.0},
+           {-r * std::sin(start_angle), r * std::cos(start_angle)});
+  Legend legend(disc, letter);
+  const double end = r - 2.5 * letter;
+  legend.add({-end * std::sin(start_angle), end * std::cos(start_angle)}, "A",
+             "lies on A at the start");
+  if (body.off_centred()) {
+    const Point at{r * body.eta_m * std::cos(body.theta_m),
+                   r * body.eta_m * std::sin(body.theta_m)};
+    add_cross(disc.shapes, at, letter);
+    legend.add(at, "G", "centre of mass");
+  }
+  int number = 0;
+  for (const MassPart& part : made_of) {
+    const Point at{build.per_metre() * part.centre.x,
+                   build.per_metre() * part.centre.z};
+    disc.shapes.circles.push_back({Line::Engrave, at, letter});
+    legend.add(at, fmt::format("{}", ++number), part.name);
+  }
+  const Part flange = disc_part("flange", r + flange_of(build), letter, build);
+  return {disc, disc, flange, flange};
+}
+
+double k_of_discs(const Body& body, const Build& build) {
+  const double r = build.per_metre() * body.radius;
+  const double flange = 1.0 + flange_of(build) / r;
+  // Masses as squares of radii, each disc with k = ½ about its own radius.
+  const double f2 = flange * flange;
+  return 0.5 * (1.0 + f2 * f2) / (1.0 + f2);
+}
+
+}  // namespace brachisto::report::cutting

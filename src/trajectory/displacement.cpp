@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "trajectory/displacement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "brachisto/math/index.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
+#include "model/field.hpp"
+#include "model/inertia.hpp"
+
+namespace brachisto {
+
+namespace {
+
+constexpr int kPoints = 3;  ///< of Gauss in each panel
+
+/// A point of a rule along the motion.
+struct Sample {
+  double s, ds, dt;      ///< place, weights
+  double s_in_panel[3];  ///< of Δs' at the points of its panel, to here
+  double beta, kappa, theta, A, half_w2;
+  Point centre;
+};
+
+double curvature_of_centre(const Body& body, const Kinematics& motion) {
+  return body.rolls() ? (1.0 - motion.fold_margin) / body.radius
+                      : motion.kappa_b;
+}
+
+/// The place that the centre reaches after the length s, between two rows.
+TrajectoryPoint row_at_length(const Motion& motion, double s) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
+    const double middle = 0.5 * (low + high);
+    (motion.at(middle).s < s ? low : high) = middle;
+  }
+  return motion.at(high);
+}
+
+/// The motion between rows that no feature lies between, and that the ends of
+/// stretches are among.
+class SampledMotion {
+ public:
+  SampledMotion(const Motion& motion, const std::vector<TrajectoryPoint>& ends)
+      : scene_(motion.scene()) {
+    constexpr int kPerStretch = 40;
+    std::vector<TrajectoryPoint> rows =
+        motion.fine_sample(kPerStretch * (static_cast<int>(ends.size()) - 1));
+    rows.insert(rows.end(), ends.begin(), ends.end());
+    std::ranges::sort(rows, {}, &TrajectoryPoint::s);
+    const math::QuadratureRule rule = math::gauss_legendre(kPoints);
+    // Lengths and times between two rows as polynomials through both and the
+    // points.
+    std::vector<double> places{0.0};
+    places.insert(places.end(), rule.points.begin(), rule.points.end());
+    places.push_back(1.0);
+    const math::SmallMatrix slopes =
+        math::LagrangeBasis(places).slopes_at(rule.points);
+    const math::SmallMatrix sums =
+        math::LagrangeBasis(rule.points).integrals_to(rule.points, rule);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      add_panel(motion, rows[i - 1], rows[i], rule, slopes, sums);
+    }
+  }
+
+  /// ΔT; see displaced_stretches().
+  [[nodiscard]] double change(double from, double to, double height) const {
+    const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
+    const bool turned = scene_.body.off_centred();
+    double sum = 0.0, longer = 0.0;
+    auto panel = static_cast<std::size_t>(
+        std::ranges::partition_point(
+            samples_, [&](const Sample& at) { return at.s <= from; }) -
+        samples_.begin());
+    for (; panel < samples_.size(); panel += kPoints) {
+      const std::span<const Sample> points =
+          std::span(samples_).subspan(panel, kPoints);
+      const bool within = points.front().s < to;
+      if (!within && !turned) break;
+      Bend bends[kPoints];
+      if (within) {
+        for (int i = 0; i < kPoints; ++i) {
+          bends[i] = bend_at(points[at(i)], (points[at(i)].s - middle) / half,
+                             height, half);
+        }
+      }
+      for (int i = 0; i < kPoints; ++i) {
+        const Sample& here = points[at(i)];
+        double behind = longer;
+        for (int j = 0; j < kPoints; ++j) {
+          behind += here.s_in_panel[j] * (bends[j].stretch - 1.0);
+        }
+        sum += (slower(here, bends[i], behind) - 1.0) * here.dt;
+      }
+      for (int i = 0; i < kPoints; ++i) {
+        longer += points[at(i)].ds * (bends[i].stretch - 1.0);
+      }
+    }
+    return std::isnan(sum) ? std::numeric_limits<double>::infinity() : sum;
+  }
+
+ private:
+  /// What a displacement does at a place.
+  struct Bend {
+    double height = 0.0, stretch = 1.0, turn = 0.0;  ///< ε, ds*/ds, β* − β
+  };
+
+  void add_panel(const Motion& motion, const TrajectoryPoint& from,
+                 const TrajectoryPoint& to, const math::QuadratureRule& rule,
+                 const math::SmallMatrix& slopes,
+                 const math::SmallMatrix& sums) {
+    const double width = to.sigma - from.sigma;
+    if (!(width > 0.0)) return;
+    std::vector<TrajectoryPoint> rows{from};
+    for (const double share : rule.points) {
+      rows.push_back(motion.at(from.sigma + share * width));
+    }
+    rows.push_back(to);
+    double s_slope[kPoints];
+    for (int i = 0; i < kPoints; ++i) {
+      const TrajectoryPoint& row = rows[at(i + 1)];
+      double t_slope = 0.0;
+      s_slope[i] = 0.0;
+      for (int j = 0; j < kPoints + 2; ++j) {
+        s_slope[i] += slopes(i, j) * (rows[at(j)].s - from.s);
+        t_slope += slopes(i, j) * (rows[at(j)].t - from.t);
+      }
+      const double A = inertia_factor(scene_.body, row.theta, row.beta);
+      const double weight = rule.weights[at(i)];
+      samples_.push_back({row.s,
+                          weight * s_slope[i],
+                          weight * t_slope,
+                          {},
+                          row.beta,
+                          curvature_of_centre(scene_.body, row.motion),
+                          row.theta,
+                          A,
+                          0.5 * row.motion.v_c * row.motion.v_c * A,
+                          row.centre});
+    }
+    for (int i = 0; i < kPoints; ++i) {
+      Sample& sample = samples_[samples_.size() - kPoints + at(i)];
+      for (int j = 0; j < kPoints; ++j) {
+        sample.s_in_panel[j] = sums(i, j) * s_slope[j];
+      }
+    }
+  }
+
+  static Bend bend_at(const Sample& here, double x, double height,
+                      double half) {
+    const double q = 1.0 - x * x;
+    const double epsilon = height * q * q * q;
+    const double slope = -6.0 * height * x * q * q / half;
+    const double along = 1.0 - here.kappa * epsilon;
+    return {epsilon, std::hypot(along, slope), std::atan2(slope, along)};
+  }
+
+  /// √(A*/A · w²/w*²) ds*/ds; NaN where the energy is used up.
+  [[nodiscard]] double slower(const Sample& here, const Bend& bend,
+                              double behind) const {
+    const Body& body = scene_.body;
+    const double theta =
+        body.rolls() ? here.theta + behind / body.radius : here.theta;
+    const Point centre{here.centre.x - bend.height * std::sin(here.beta),
+                       here.centre.z + bend.height * std::cos(here.beta)};
+    const double fall =
+        potential_fall(scene_, mass_centre(body, here.centre, here.theta),
+                       mass_centre(body, centre, theta));
+    const double A = inertia_factor(body, theta, here.beta + bend.turn);
+    return bend.stretch *
+           std::sqrt(A / here.A * here.half_w2 / (here.half_w2 + fall));
+  }
+
+  const Scene& scene_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+double DisplacedStretch::dearer() const {
+  return std::abs(raised) > std::abs(lowered) ? raised : lowered;
+}
+
+std::vector<DisplacedStretch> displaced_stretches(const Motion& motion,
+                                                  int count, double height) {
+  if (motion.scene().world.air.any()) return {};
+  const double length = motion.centre_path_length();
+  std::vector<TrajectoryPoint> ends;
+  for (int i = 0; i <= count; ++i) {
+    ends.push_back(i == 0       ? motion.at(0.0)
+                   : i == count ? motion.at(1.0)
+                                : row_at_length(motion, length * i / count));
+  }
+  const SampledMotion sampled(motion, ends);
+  std::vector<DisplacedStretch> out;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const TrajectoryPoint &from = ends[i - 1], &to = ends[i];
+    // The normal dt/dβ points downwards.
+    out.push_back({from, row_at_length(motion, 0.5 * (from.s + to.s)), to,
+                   sampled.change(from.s, to.s, -height),
+                   sampled.change(from.s, to.s, height)});
+  }
+  return out;
+}
+
+}  // namespace brachisto

@@ -27,10 +27,10 @@ packages=(
 )
 # Of the Python module.
 python_packages=(pybind11-dev python3-dev python3-numpy)
-# Of the tests alone: a validator of others for the schemas, a reader of others for .nl files,
+# Of the tests alone: a validator of others for the schemas, readers of others for DXF and .nl files,
 # and who reads the manual and the completions.
 test_packages=(
-  python3-jsonschema python3-yaml "${python_packages[@]}" libamplsolver-dev
+  python3-ezdxf python3-jsonschema python3-yaml "${python_packages[@]}" libamplsolver-dev
   groff-base mandoc man-db zsh fish
 )
 # Of the page checks alone: the browser.

@@ -202,10 +202,11 @@ class Legend {
         letter_(letter),
         next_{disc.box.high.x + letter, disc.box.low.z + letter} {}
 
-  void add(Point mark, const std::string& sign, const std::string& meaning) {
+  /// \param at  the middle of the sign
+  void add(Point at, const std::string& sign, const std::string& meaning) {
     constexpr std::size_t kLongest = 40;
     disc_.shapes.labels.push_back(
-        {{mark.x + 1.2 * letter_, mark.z - 0.3 * letter_}, letter_, sign});
+        {{at.x, at.z + 0.35 * letter_}, letter_, sign, 0.0, true});
     const std::string words =
         shortened(fmt::format("{} {}", sign, io::visible(meaning)), kLongest);
     disc_.shapes.labels.push_back({next_, letter_, words});
@@ -260,21 +261,23 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
   add_line(disc.shapes, {0.0, 0.0},
            {-r * std::sin(start_angle), r * std::cos(start_angle)});
   Legend legend(disc, letter);
-  const double end = r - 2.5 * letter;
-  legend.add({-end * std::sin(start_angle), end * std::cos(start_angle)}, "A",
+  // Beside the end of its radius.
+  const EdgePoint axis{.sigma = 0.0, .place = {0.0, 0.0}, .beta = start_angle};
+  legend.add(axis.beside(r - 2.5 * letter, letter), "A",
              "lies on A at the start");
   if (body.off_centred()) {
     const Point at{r * body.eta_m * std::cos(body.theta_m),
                    r * body.eta_m * std::sin(body.theta_m)};
     add_cross(disc.shapes, at, letter);
-    legend.add(at, "G", "centre of mass");
+    legend.add({at.x + 1.6 * letter, at.z}, "G", "centre of mass");
   }
   int number = 0;
   for (const MassPart& part : made_of) {
     const Point at{build.per_metre() * part.centre.x,
                    build.per_metre() * part.centre.z};
     disc.shapes.circles.push_back({Line::Engrave, at, letter});
-    legend.add(at, fmt::format("{}", ++number), part.name);
+    legend.add({at.x + 1.6 * letter, at.z}, fmt::format("{}", ++number),
+               part.name);
   }
   const Part flange = disc_part("flange", r + flange_of(build), letter, build);
   return {disc, disc, flange, flange};

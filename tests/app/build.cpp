@@ -71,18 +71,18 @@ TEST(Build, RefusesWhatIsNoSizeBeforeAnythingIsWritten) {
     const char* words;
   };
   const Refused all[] = {
-      {{"--scale", "0:5"}, "'0:5' was read; expected two numbers from 0.001"},
-      {{"--scale", "1:0"}, "'1:0' was read"},
-      {{"--scale", "0"}, "'0' was read"},
-      {{"--scale", "1:5x"}, "'1:5x' was read"},
-      {{"--sheet", "600"}, "'600' was read; expected two numbers from 150"},
-      {{"--sheet", "-600x400"}, "'-600x400' was read"},
-      {{"--sheet", "nanx400"}, "'nanx400' was read"},
-      {{"--strip=-40"}, "'-40' was read; expected a number of millimetres"},
-      {{"--hole=-6"}, "'-6' was read"},
-      {{"--thickness", "0"}, "'0' was read"},
-      {{"--rails=-15"}, "'-15' was read"},
-      {{"--hole", "nan"}, "'nan' was read"},
+      {{"--scale", "0:5"}, "\"0:5\" was read; expected two numbers from 0.001"},
+      {{"--scale", "1:0"}, "\"1:0\" was read"},
+      {{"--scale", "0"}, "\"0\" was read"},
+      {{"--scale", "1:5x"}, "\"1:5x\" was read"},
+      {{"--sheet", "600"}, "\"600\" was read; expected two numbers from 150"},
+      {{"--sheet", "-600x400"}, "\"-600x400\" was read"},
+      {{"--sheet", "nanx400"}, "\"nanx400\" was read"},
+      {{"--strip=-40"}, "\"-40\" was read; expected a number of millimetres"},
+      {{"--hole=-6"}, "\"-6\" was read"},
+      {{"--thickness", "0"}, "\"0\" was read"},
+      {{"--rails=-15"}, "\"-15\" was read"},
+      {{"--hole", "nan"}, "\"nan\" was read"},
       {{"--hole", "15"}, "a strip of 40 mm has no room for holes of 15 mm"},
       {{"--scale", "10:1"}, "a body of 800 mm does not fit on a sheet of 600"},
       {{"--sheet", "150x150"}, "longer ones do not fit on a sheet"}};
@@ -155,7 +155,7 @@ TEST(Build, TellsWhereItCannotBeWritten) {
 
 TEST(Build, LeavesNothingOnAFullDisk) {
   const ScratchDirectory scratch;
-  const TinyDisk disk(scratch.path(), "64k");
+  const TinyDisk disk(scratch.path(), "16k");
   if (!disk) GTEST_SKIP() << "mounting a small disk is not allowed";
   const Output output = built(scratch.path() / "sheets");
   EXPECT_EQ(output.code, 6);

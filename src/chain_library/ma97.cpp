@@ -40,9 +40,12 @@ class Matrix {
   }
 
   /// False if the matrix is no chain.
-  [[nodiscard]] bool factorise(const double val[], ma97_info_d& info) {
+  /// \param quality  Ipopt raises it for more accurate pivots
+  [[nodiscard]] bool factorise(const double val[], double quality,
+                               ma97_info_d& info) {
     const std::span<const double> values(val, num_entries_);
     if (!ldlt_ && !find(values)) return false;
+    if (std::exchange(quality_, quality) != quality) ldlt_->forget_pivots();
     ldlt_->set_scale(scale_of(values));
     const std::array<std::span<const double>, 1> arrays = {values};
     const bool factorised = ldlt_->factorise(arrays);
@@ -50,8 +53,12 @@ class Matrix {
     if (!factorised || inertia.zero > 0) info.flag = kMa97Singular;
     info.matrix_rank = size_ - inertia.zero;
     info.num_neg = inertia.negative;
+    // Zeros may have hidden which unknowns have diagonal entries.
+    if (info.flag == kMa97Singular) ldlt_.reset();
     return true;
   }
+  [[nodiscard]] bool factorised() const { return ldlt_ != nullptr; }
+  /// \pre factorised()
   void solve(int count, double x[], int stride) const {
     for (int k = 0; k < count; ++k) {
       ldlt_->solve({x + static_cast<std::ptrdiff_t>(k) * stride, at(size_)});
@@ -108,6 +115,7 @@ class Matrix {
 
   int size_;
   std::size_t num_entries_;
+  double quality_ = 0.0;
   nlp::SparsityPattern pattern_;
   std::unique_ptr<ChainLdlt> ldlt_;
 };
@@ -157,21 +165,37 @@ void ma97_analyse_d(int /*check*/, int n, const int ptr[], const int row[],
 
 void ma97_factor_d(int /*type*/, const int /*ptr*/[], const int /*row*/[],
                    const double val[], void** akeep, void** /*fkeep*/,
-                   const ma97_control_d* /*control*/, ma97_info_d* info,
+                   const ma97_control_d* control, ma97_info_d* info,
                    const double /*scale*/[]) {
   *info = {};
   guarded(info, [&] {
-    if (static_cast<Matrix*>(*akeep)->factorise(val, *info)) return;
+    // Ipopt leaves analyse out where an ordering asks for values.
+    if (*akeep == nullptr) {
+      brachisto::say_once(
+          "matched orderings are not known; ma97_order best is");
+      info->flag = brachisto::kMa97GivenUp;
+      return;
+    }
+    if (static_cast<Matrix*>(*akeep)->factorise(val, control->u, *info)) return;
     brachisto::say_once(
         "the matrix is no chain of small blocks; take another linear solver");
     info->flag = brachisto::kMa97GivenUp;
   });
 }
 
-void ma97_solve_d(int /*job*/, int nrhs, double x[], int ldx, void** akeep,
+void ma97_solve_d(int job, int nrhs, double x[], int ldx, void** akeep,
                   void** /*fkeep*/, const ma97_control_d* /*control*/,
                   ma97_info_d* info) {
-  guarded(info, [&] { static_cast<Matrix*>(*akeep)->solve(nrhs, x, ldx); });
+  // What the factorisation told stays; partial solutions are none of ours.
+  info->flag = 0;
+  guarded(info, [&] {
+    const auto* const matrix = static_cast<const Matrix*>(*akeep);
+    if (job != 0 || matrix == nullptr || !matrix->factorised()) {
+      info->flag = brachisto::kMa97GivenUp;
+      return;
+    }
+    matrix->solve(nrhs, x, ldx);
+  });
 }
 
 void ma97_factor_solve_d(int type, const int ptr[], const int row[],

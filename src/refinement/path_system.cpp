@@ -155,7 +155,20 @@ PathRates PathSystem::along(std::span<const double> rhs,
     PrimalDual point = point_;
     move_along(point, rates.point, by);
     point = turned(std::move(point), changed);
-    LimitedCurve there(problem_of(changed), std::move(point));
+    LimitedTime problem = problem_of(changed);
+    // Next to a singular chain the way there is long: no path moves backwards.
+    bool moves = point.x[at(problem.layout().last())] > 0.0;
+    for (int node = 0; node < problem.layout().num_nodes(); ++node) {
+      moves =
+          moves &&
+          point.x[at(problem.layout().state(node, StateComponent::W))] >= 0.0;
+    }
+    if (!moves) {
+      Eigen::VectorXd none = open_;
+      none.setConstant(std::nan(""));
+      return std::pair(std::nan(""), std::move(none));
+    }
+    LimitedCurve there(problem, std::move(point));
     const double time = there.transit_time();
     return std::pair(time, open_at(std::move(there), changed));
   };

@@ -22,12 +22,13 @@ constexpr int kNone = -1;
 /// levels next to each other.
 class Levels {
  public:
-  explicit Levels(const MatrixGraph& graph)
+  /// \param times  as many neighbours as the mean are those of the border
+  Levels(const MatrixGraph& graph, std::size_t times)
       : graph_(graph), level_(at(graph.size()), kNone) {
-    constexpr std::size_t kFewest = 32, kTimesTheMean = 10;
+    constexpr std::size_t kFewest = 32;
     const std::size_t mean =
         graph.neighbour.size() / std::max<std::size_t>(1, level_.size());
-    const std::size_t many = std::max(kFewest, kTimesTheMean * mean);
+    const std::size_t many = std::max(kFewest, times * mean);
     for (int i = 0; i < graph.size(); ++i) {
       if (graph.of(i).size() > many) level_[at(i)] = ChainStructure::kAbsent;
     }
@@ -92,12 +93,19 @@ class Levels {
   std::vector<std::vector<int>> members_;
 };
 
-/// A matching of some unknowns, the left ones, with others.
+/// A matching of unknowns, the left ones, with neighbours, the right ones. An
+/// unknown may be both, as a row and as a column.
 class Matching {
  public:
-  explicit Matching(int size) : partner_(at(size), kNone), seen_(at(size), 0) {}
+  explicit Matching(int size)
+      : of_left_(at(size), kNone),
+        of_right_(at(size), kNone),
+        seen_(at(size)) {}
 
-  [[nodiscard]] int partner(int unknown) const { return partner_[at(unknown)]; }
+  [[nodiscard]] bool has_partner(int left) const {
+    return of_left_[at(left)] != kNone;
+  }
+  [[nodiscard]] int of_right(int right) const { return of_right_[at(right)]; }
 
   /// Whether a left one can have a partner too, others changing theirs.
   /// \param may  whether an unknown may be a partner
@@ -126,14 +134,13 @@ class Matching {
       }
       seen_[at(found)] = round_;
       through.push_back(found);
-      const int other = partner_[at(found)];
-      if (other != kNone) {
+      if (const int other = of_right_[at(found)]; other != kNone) {
         path.push_back({other, 0});
         continue;
       }
       for (std::size_t i = path.size(); i-- > 0;) {
-        partner_[at(path[i].left)] = through[i];
-        partner_[at(through[i])] = path[i].left;
+        of_left_[at(path[i].left)] = through[i];
+        of_right_[at(through[i])] = path[i].left;
       }
       return true;
     }
@@ -141,47 +148,67 @@ class Matching {
   }
   /// For another one between the same unknowns.
   void forget(std::span<const int> unknowns) {
-    for (const int i : unknowns) partner_[at(i)] = kNone;
+    for (const int i : unknowns) of_left_[at(i)] = of_right_[at(i)] = kNone;
   }
 
  private:
-  std::vector<int> partner_;
+  std::vector<int> of_left_, of_right_;
   std::vector<unsigned> seen_;
   unsigned round_ = 0;
 };
 
 /// The smallest set of unknowns of a level and the next one that all entries
-/// between them have a part in; of several the one farthest to the right.
-std::vector<int> cut_behind(const MatrixGraph& graph, const Levels& levels,
-                            int level, Matching& matching) {
-  const std::vector<int>& left = levels.all()[at(level)];
-  const std::vector<int>& right = levels.all()[at(level + 1)];
-  const auto is_right = [&](int j) { return levels.of(j) == level + 1; };
-  matching.forget(left);
-  matching.forget(right);
-  for (const int i : left) matching.add(graph, i, is_right);
-  // What can be reached by alternating paths from a left one without partner:
-  // of the left ones the others are in the set, of the right ones these.
-  std::vector<int> reached;
-  std::vector<int> lefts;
-  for (const int i : left) {
-    if (matching.partner(i) == kNone) lefts.push_back(i);
-  }
-  for (std::size_t k = 0; k < lefts.size(); ++k) {
-    for (const int j : graph.of(lefts[k])) {
-      if (!is_right(j) || std::ranges::find(reached, j) != reached.end()) {
+/// between them have a part in; of several the one farthest to the left.
+class Cuts {
+ public:
+  Cuts(const MatrixGraph& graph, const Levels& levels)
+      : graph_(graph),
+        levels_(levels),
+        matching_(graph.size()),
+        reached_(at(graph.size()), 0) {}
+
+  [[nodiscard]] std::vector<int> behind(int level) {
+    const std::vector<int>& left = levels_.all()[at(level)];
+    const std::vector<int>& right = levels_.all()[at(level + 1)];
+    const auto is_right = [&](int j) { return levels_.of(j) == level + 1; };
+    matching_.forget(left);
+    matching_.forget(right);
+    for (const int i : left) matching_.add(graph_, i, is_right);
+    // What can be reached by alternating paths from a left one without partner:
+    // of the left ones the others are in the set, of the right ones these.
+    std::vector<int> reached, cut;
+    const auto reach = [&](int i) {
+      reached_[at(i)] = 1;
+      reached.push_back(i);
+    };
+    for (const int i : left) {
+      if (!matching_.has_partner(i)) reach(i);
+    }
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+      const int i = reached[k];
+      if (is_right(i)) {
+        cut.push_back(i);
+        const int partner = matching_.of_right(i);
+        if (reached_[at(partner)] == 0) reach(partner);
         continue;
       }
-      reached.push_back(j);
-      lefts.push_back(matching.partner(j));
+      for (const int j : graph_.of(i)) {
+        if (is_right(j) && reached_[at(j)] == 0) reach(j);
+      }
     }
+    for (const int i : left) {
+      if (reached_[at(i)] == 0) cut.push_back(i);
+    }
+    for (const int i : reached) reached_[at(i)] = 0;
+    return cut;
   }
-  std::vector<int> cut = std::move(reached);
-  for (const int i : left) {
-    if (std::ranges::find(lefts, i) == lefts.end()) cut.push_back(i);
-  }
-  return cut;
-}
+
+ private:
+  const MatrixGraph& graph_;
+  const Levels& levels_;
+  Matching matching_;
+  std::vector<char> reached_;
+};
 
 }  // namespace
 
@@ -225,61 +252,68 @@ MatrixGraph MatrixGraph::of_pattern(int size,
   return graph;
 }
 
-std::optional<ChainStructure> find_chain(const MatrixGraph& graph,
-                                         const std::vector<bool>& no_diagonal) {
+namespace {
+
+constexpr std::size_t kLargest = 1000;  ///< unknowns of a level or an interior
+
+/// Links from cut to cut; separators 0 and N are empty.
+std::optional<ChainStructure> links_of(const MatrixGraph& graph,
+                                       const Levels& levels) {
   constexpr std::size_t kLink = 24;  ///< unknowns in a link, at least
-  constexpr std::size_t kLargest = 1000;
-  constexpr int kFewest = 4;
-  const Levels levels(graph);
   const int num_levels = static_cast<int>(levels.all().size());
   ChainStructure chain;
   chain.block.assign(at(graph.size()), ChainStructure::kBorder);
-  Matching matching(graph.size());
-
-  // Links from cut to cut; separators 0 and N are empty.
+  const auto is_new = [&](int i) {
+    return chain.block[at(i)] == ChainStructure::kBorder;
+  };
   const auto put = [&](int from, int to, int block) {
     for (int l = from; l < to; ++l) {
       for (const int i : levels.all()[at(l)]) {
-        if (chain.block[at(i)] == ChainStructure::kBorder) {
-          chain.block[at(i)] = block;
-        }
+        if (is_new(i)) chain.block[at(i)] = block;
       }
     }
   };
-  int begin = 0, link = 0;
-  while (begin < num_levels) {
+  Cuts cuts(graph, levels);
+  for (int begin = 0; begin < num_levels; ++chain.num_links) {
     std::size_t count = 0;
     std::vector<int> best;
     int best_level = kNone;
-    for (int l = begin; l + 1 < num_levels && count < 2 * kLink; ++l) {
+    for (int l = begin;
+         l + 1 < num_levels && (count < 2 * kLink || best_level == kNone);
+         ++l) {
+      if (levels.all()[at(l)].size() > kLargest) return std::nullopt;
       count += levels.all()[at(l)].size();
       if (count < kLink) continue;
-      std::vector<int> cut = cut_behind(graph, levels, l, matching);
-      if (!cut.empty() && (best.empty() || cut.size() < best.size())) {
+      std::vector<int> cut = cuts.behind(l);
+      // Those of the cut before are taken.
+      if ((best_level == kNone || cut.size() < best.size()) &&
+          std::ranges::all_of(cut, is_new)) {
         best = std::move(cut);
         best_level = l;
       }
     }
-    if (best_level == kNone) break;
-    for (const int i : best) chain.block[at(i)] = 2 * (link + 1);
-    put(begin, best_level + 1, 2 * link + 1);
-    begin = best_level + 1;
-    ++link;
+    const int end = best_level == kNone ? num_levels : best_level + 1;
+    for (const int i : best) chain.block[at(i)] = 2 * (chain.num_links + 1);
+    put(begin, end, 2 * chain.num_links + 1);
+    begin = end;
   }
-  put(begin, num_levels, 2 * link + 1);
-  chain.num_links = link + 1;
-  if (chain.num_links < kFewest) return std::nullopt;
+  return chain;
+}
 
-  // What cannot be eliminated within its link.
+/// Takes what cannot be eliminated within its link out of it; false if a link
+/// is too large.
+bool make_interiors_regular(const MatrixGraph& graph,
+                            const std::vector<bool>& no_diagonal,
+                            ChainStructure& chain) {
   std::vector<std::vector<int>> interior(at(chain.num_links));
   for (int i = 0; i < graph.size(); ++i) {
     const int block = chain.block[at(i)];
     if (block >= 0 && block % 2 == 1) interior[at(block / 2)].push_back(i);
   }
-  matching = Matching(graph.size());
+  Matching matching(graph.size());
   for (int e = 0; e < chain.num_links; ++e) {
     std::vector<int>& inside = interior[at(e)];
-    if (inside.size() > kLargest) return std::nullopt;
+    if (inside.size() > kLargest) return false;
     const int behind = e + 1 < chain.num_links ? 2 * (e + 1) : 2 * e;
     const auto touches = [&](int i) {
       return std::ranges::any_of(
@@ -287,16 +321,31 @@ std::optional<ChainStructure> find_chain(const MatrixGraph& graph,
     };
     // Those that touch it last: they can determine what is there.
     std::ranges::stable_partition(inside, [&](int i) { return !touches(i); });
-    const auto may = [&](int j) {
-      return chain.block[at(j)] == 2 * e + 1 && !no_diagonal[at(j)];
-    };
+    // One with a diagonal entry is its own partner.
+    const auto may = [&](int j) { return chain.block[at(j)] == 2 * e + 1; };
     for (const int i : inside) {
       if (no_diagonal[at(i)] && !matching.add(graph, i, may)) {
         chain.block[at(i)] = behind;
       }
     }
   }
-  return chain;
+  return true;
+}
+
+}  // namespace
+
+std::optional<ChainStructure> find_chain(const MatrixGraph& graph,
+                                         const std::vector<bool>& no_diagonal) {
+  constexpr int kFewest = 4;
+  for (const std::size_t times : {10, 5, 3}) {
+    const Levels levels(graph, times);
+    auto chain = links_of(graph, levels);
+    if (chain && chain->num_links >= kFewest &&
+        make_interiors_regular(graph, no_diagonal, *chain)) {
+      return chain;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace brachisto

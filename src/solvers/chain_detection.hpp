@@ -26,13 +26,15 @@ struct MatrixGraph {
       int size, const nlp::SparsityPattern& pattern);
 };
 
-/// Unknowns with far more neighbours than most are the border. The others are
+/// Unknowns with far more neighbours than most are the border: ten times the
+/// mean, or if that shows no chain five or three times, and more than 32. The
+/// others are
 /// sorted by their distance from one at an end of the graph; between
 /// neighbouring distances the smallest set is found that separates what comes
 /// before from what comes behind (Kőnig), and the small ones of these sets are
 /// the separators. What is between them can only be eliminated if each of its
-/// unknowns without a diagonal entry has one with such an entry to itself
-/// (a maximum matching); the others go to the separator behind them.
+/// unknowns without a diagonal entry has a neighbour to itself (a maximum
+/// matching); the others go to the separator behind them.
 ///
 /// \param no_diagonal  whether the diagonal entry of an unknown is 0, as that
 ///                     of the multiplier of an equation

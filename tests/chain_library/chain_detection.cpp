@@ -76,6 +76,43 @@ TEST(ChainDetection, FindsTheStepsOfAMixedProblem) {
   }
 }
 
+/// Dense blocks of given sizes, each overlapping the next one by some unknowns.
+Eigen::MatrixXd blocks(const std::vector<int>& sizes, int overlap) {
+  int size = overlap;
+  for (const int n : sizes) size += n - overlap;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+  int begin = 0;
+  for (const int n : sizes) {
+    K.block(begin, begin, n, n).setOnes();
+    begin += n - overlap;
+  }
+  K.diagonal().setConstant(2.0);
+  return K;
+}
+
+TEST(ChainDetection, IsRightForBlocksOfAllSizes) {
+  for (const int overlap : {0, 1, 5, 20}) {
+    for (const int wide : {25, 30, 60, 100}) {
+      std::vector<int> sizes;
+      for (int i = 0; i < 20; ++i) sizes.push_back(i % 2 == 0 ? wide : 45);
+      const Found found = chain_of(blocks(sizes, overlap));
+      ASSERT_TRUE(found.chain) << overlap << ' ' << wide;
+      EXPECT_TRUE(is_chain(found)) << overlap << ' ' << wide;
+    }
+  }
+  // Unknowns that nothing couples with.
+  const Found diagonal = chain_of(Eigen::MatrixXd::Identity(400, 400));
+  ASSERT_TRUE(diagonal.chain);
+  EXPECT_TRUE(is_chain(diagonal));
+}
+
+TEST(ChainDetection, FindsABorderBesideWideSteps) {
+  Random random(7);
+  const Found found = chain_of(kkt_matrix(16, 20, 2, random));
+  ASSERT_TRUE(found.chain);
+  EXPECT_TRUE(is_chain(found));
+}
+
 TEST(ChainDetection, FindsNoneWhereEverythingIsClose) {
   // Each unknown beside some twenty others anywhere: a few steps from all.
   Random random(1);

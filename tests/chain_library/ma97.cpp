@@ -40,10 +40,10 @@ class Ma97 {
       for (int j = 0; j <= i; ++j) {
         if (K(i, j) == 0.0 && i != j) continue;
         row_.push_back(j + first);
-        values_.push_back(K(i, j));
       }
       ptr_.push_back(static_cast<int>(row_.size()) + first);
     }
+    set(K);
     ma97_analyse_d(0, n, ptr_.data(), row_.data(), nullptr, &akeep_, &control_,
                    &info, nullptr);
   }
@@ -51,6 +51,15 @@ class Ma97 {
   Ma97(const Ma97&) = delete;
   Ma97& operator=(const Ma97&) = delete;
 
+  /// Another matrix of the pattern.
+  void set(const Eigen::MatrixXd& K) {
+    values_.clear();
+    for (int i = 0; i < K_.rows(); ++i) {
+      for (int j = 0; j <= i; ++j) {
+        if (K_(i, j) != 0.0 || i == j) values_.push_back(K(i, j));
+      }
+    }
+  }
   int factor() {
     ma97_factor_d(4, ptr_.data(), row_.data(), values_.data(), &akeep_, &fkeep_,
                   &control_, &info, nullptr);
@@ -95,13 +104,33 @@ TEST(ChainLibrary, SolvesWithTheInertiaOfTheMatrix) {
     EXPECT_EQ(matrix.info.matrix_rank, n);
     Eigen::VectorXd expected(n);
     for (double& x : expected) x = random.uniform(-1.0, 1.0);
+    // Ipopt 3.14 hands over what happens to be there.
+    matrix.info.flag = -777;
     const Eigen::VectorXd x = matrix.solve(K * expected);
+    EXPECT_EQ(matrix.info.flag, 0);
+    EXPECT_GT(matrix.info.num_neg, 0);
     // Backward stable, so that the error is some n u over the condition.
     constexpr double kRoundoff = 1.1e-16, kGrowth = 64.0;
     EXPECT_LE((x - expected).cwiseAbs().maxCoeff(),
               kGrowth * static_cast<double>(n) * kRoundoff / lu.rcond())
         << seed;
   }
+}
+
+TEST(ChainLibrary, FindsTheChainAnewWhereTheFirstValuesHideIt) {
+  Random random(2);
+  const Eigen::MatrixXd K = kkt_matrix(60, 2, 1, random);
+  Ma97 matrix(K);
+  matrix.set(Eigen::MatrixXd::Zero(K.rows(), K.cols()));
+  EXPECT_EQ(matrix.factor(), kMa97Singular);
+  EXPECT_EQ(matrix.info.matrix_rank, 0);
+  matrix.set(K);
+
+  EXPECT_EQ(matrix.factor(), 0);
+
+  Ma97 fresh(K);
+  EXPECT_EQ(fresh.factor(), 0);
+  EXPECT_EQ(matrix.info.num_neg, fresh.info.num_neg);
 }
 
 TEST(ChainLibrary, SaysWhatIsSingular) {

@@ -216,8 +216,8 @@ class Problem {
   }
   [[nodiscard]] Range variable_range(int index) const;
   [[nodiscard]] Range constraint_range(int index) const;
-  /// Whether a variable that is not fixed has a bound, or a constraint that is
-  /// no equation.
+  /// Whether a variable that is not fixed, or a constraint that is no equation,
+  /// has a bound.
   [[nodiscard]] bool has_inequalities() const;
 
   /// How much of the path each variable, then each constraint stands for, such

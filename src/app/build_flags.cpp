@@ -47,7 +47,7 @@ std::optional<std::array<double, 2>> two_numbers(const std::string& text,
 }
 
 TextCheck checked(char between, double least, double most,
-                  const std::string& expected, const char* placeholder) {
+                  const std::string& expected) {
   return {[=](const std::string& text) -> std::string {
             const auto numbers = two_numbers(text, between);
             const bool fine =
@@ -58,7 +58,7 @@ TextCheck checked(char between, double least, double most,
                         : io::in_quotes(text) + " was read; expected " +
                               expected;
           },
-          placeholder};
+          {}};
 }
 
 TextCheck millimetres() {
@@ -181,16 +181,14 @@ std::vector<Flag> BuildFlags::flags() {
        .text = "Size of the sheets to cut [mm]",
        .placeholder = "WIDTHxHEIGHT",
        .check = checked('x', 150.0, 1e5,
-                        "two numbers from 150 to 100000, as in 600x400",
-                        "WIDTHxHEIGHT"),
+                        "two numbers from 150 to 100000, as in 600x400"),
        .shows_default = true},
       {.name = "--scale",
        .value = &scale_,
        .text = "Lengths as built to those of the scene",
        .placeholder = "BUILT:SCENE",
        .check = checked(':', 1e-3, 1e6,
-                        "two numbers from 0.001 to 1000000, as in 1:5",
-                        "BUILT:SCENE"),
+                        "two numbers from 0.001 to 1000000, as in 1:5"),
        .shows_default = true},
       {.name = "--strip",
        .value = &strip_,

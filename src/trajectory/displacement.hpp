@@ -14,7 +14,8 @@ namespace brachisto {
 
 /// What the time changes by if a stretch of the path is displaced.
 struct DisplacedStretch {
-  TrajectoryPoint from, middle, to;  ///< in the middle of the length of centre
+  TrajectoryPoint from, middle,
+      to;  ///< by the length of the path of the centre
   /// Change of T [s]; ∞ if the body does not get over it.
   double raised = 0.0, lowered = 0.0;
 
@@ -24,7 +25,7 @@ struct DisplacedStretch {
 /// The path of the centre in `count` stretches of equal length, each in turn
 /// displaced along its normal, which displaces the track below it as far, by
 ///
-///     ε(s) = ±δ (1 − x²)³,  x = (s − s_0)/w,  |x| ≤ 1,
+///     ε(s) = ±e (1 − x²)³,  x = (s − s_0)/w,  |x| ≤ 1,
 ///
 /// s_0 its middle and w half its length. The time changes by
 ///
@@ -33,11 +34,11 @@ struct DisplacedStretch {
 ///     θ* = θ + (s* − s)/r,   w*² = w² + 2 (fall from c_m to c_m*),
 ///
 /// over the stretch, and on to B where the body is off-centred, for it comes
-/// there turned otherwise. Nothing is left out; of the first order in δ it is
+/// there turned otherwise. Nothing is left out; of the first order in e it is
 /// zero wherever no limit holds (docs/building.md). Of N rows of the motion it
 /// takes O(count N), O(N) unless the body is off-centred.
 ///
-/// \param height  δ > 0 [m]
+/// \param height  e > 0 [m]
 /// \return of each stretch from A on; empty in air, where w is no function of
 ///         the place
 [[nodiscard]] std::vector<DisplacedStretch> displaced_stretches(

@@ -100,8 +100,8 @@ TEST(Displacement, AgreesWithWholeEvaluationsOfTheDisplacedPaths) {
 }
 
 TEST(Displacement, OfAnExtremalIsOfTheSecondOrder) {
-  // δT is 0 of the first order between fixed ends, and positive of the second
-  // on a minimum. What is odd in δ falls as δ³.
+  // ΔT is 0 of the first order between fixed ends, and positive of the second
+  // on a minimum. What is odd in e falls as e³.
   for (const Scene& scene :
        {bead_scene(), uniform_scene(), off_centred_scene(0.3)}) {
     const Solution solution = solved(scene);
@@ -112,7 +112,7 @@ TEST(Displacement, OfAnExtremalIsOfTheSecondOrder) {
     for (std::size_t i = 0; i < once.size(); ++i) {
       EXPECT_GT(once[i].raised, 0.0);
       EXPECT_GT(once[i].lowered, 0.0);
-      // Of the next even order: relative (δ/w)², with w 150 δ or more and
+      // Of the next even order: relative (e/w)², with w 150 e or more and
       // factors of ε' up to 6: less than 1 %.
       EXPECT_NEAR((once[i].raised + once[i].lowered) /
                       (half[i].raised + half[i].lowered),
@@ -126,7 +126,7 @@ TEST(Displacement, OfAnExtremalIsOfTheSecondOrder) {
 }
 
 TEST(Displacement, OfABeadOnAnInclineIsInClosedForm) {
-  // T = ∫ ds/√(2 g z): dT/dδ = −½ cos φ ∫ (1 − x²)³ ds/(z √(2 g z)) for a
+  // T = ∫ ds/√(2 g z): dT/de = −½ cos φ ∫ (1 − x²)³ ds/(z √(2 g z)) for a
   // displacement downwards, z = s sin φ.
   Scene scene = bead_scene();
   scene.contact = Contact::Centre;
@@ -150,7 +150,7 @@ TEST(Displacement, OfABeadOnAnInclineIsInClosedForm) {
              (z * std::sqrt(2.0 * scene.gravity * z));
     }
     const double slope = -0.5 * cosine * sum;
-    // Of the second order δ/z relative, and the panels' rule of third order on
+    // Of the second order e/z relative, and the panels' rule of third order on
     // forty panels.
     EXPECT_NEAR(stretch.lowered / (height * slope), 1.0, 1e-3);
     EXPECT_NEAR(stretch.raised / (-height * slope), 1.0, 1e-3);

@@ -10,7 +10,7 @@ foreach(intervals IN ITEMS 40 1000)
     execute_process(COMMAND ${PROGRAM} ${solver} ${intervals}
       OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE failed)
     if(failed OR NOT out MATCHES "^0 ([0-9]+) ([0-9.]+) ")
-      message(FATAL_ERROR "${solver} on ${intervals} intervals: ${out}${err}")
+      message(FATAL_ERROR "${solver} on ${intervals} intervals: ${failed} ${out}${err}")
     endif()
     set(iterations_${solver} ${CMAKE_MATCH_1})
     # Ten digits, as many as the tolerance gives.

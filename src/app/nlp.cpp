@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto nlp FILE: the nonlinear program of a scene, for other solvers.
+// brachisto nlp FILE: the nonlinear program of a scene, for other solvers, and
+// what they answer.
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
+#include "program_files/foreign_answer.hpp"
 #include "program_files/program_directory.hpp"
 
 namespace brachisto::app {
@@ -35,6 +37,7 @@ struct NlpFlags : CommonFlags {
   std::string format = "nl";
   std::string out;
   std::string start = "guess";
+  std::string check;
   bool force = false;
 
   [[nodiscard]] ProgramOutput output() const {
@@ -67,10 +70,44 @@ void tell_of(const nlohmann::ordered_json& program, const ProgramOutput& output,
       solution.motion()->tau(), output.directory().string(), names));
 }
 
+/// The answer of another solver against that of the program.
+int run_check(const NlpFlags& flags, const io::ProblemFile& problem) {
+  const program_files::SolFile theirs = program_files::read_sol(flags.check);
+  warn_of(problem);
+  const std::atomic<int>& signal = catch_signals();
+  const Solution solution =
+      solve_in_time(problem, flags.json, {.interrupt = &signal});
+  const auto program = program_files::solved_program(solution);
+  if (!program) {
+    if (flags.json) {
+      print_json({{"status", name(solution.status)},
+                  {"verified", false},
+                  {"message", solution.message}});
+    }
+    tell(fmt::format("brachisto: no program to check it against: {}\n",
+                     solution.message));
+    return exit_code(solution, signal.load());
+  }
+  const program_files::CheckedAnswer checked =
+      program_files::check_answer(solution, *program, theirs, flags.check);
+  if (flags.json) {
+    print_json(checked.to_json());
+  } else if (!flags.quiet) {
+    print(checked.in_words());
+  }
+  return checked.certificate.verified() ? kSuccess : kNotSolved;
+}
+
 int run(const NlpFlags& flags) {
+  if (flags.out.empty() == flags.check.empty()) {
+    throw UsageError("brachisto nlp",
+                     "--out PATH to write the program, or --check FILE.sol to "
+                     "check an answer to it: one of them");
+  }
   const io::ProblemFile problem =
       io::read_problem_file(flags.file, flags.overrides);
   refuse(problem, flags);
+  if (!flags.check.empty()) return run_check(flags, problem);
   const ProgramOutput output = flags.output();
   report::check_writable(output.directory(), output.names(), flags.force);
   warn_of(problem);
@@ -109,7 +146,9 @@ Verb nlp_verb() {
   const auto flags = std::make_shared<NlpFlags>();
   return {
       .name = "nlp",
-      .text = "Write the nonlinear program of one scene for other solvers",
+      .text =
+          "Write the nonlinear program of one scene for other solvers, or "
+          "check their answer",
       .flags = flags->with(
           {{.name = "--format",
             .value = &flags->format,
@@ -123,8 +162,7 @@ Verb nlp_verb() {
             .value = &flags->out,
             .text = "Write there: the .nl file, or a directory for matrices",
             .placeholder = "PATH",
-            .check = not_empty(),
-            .required = true},
+            .check = not_empty()},
            {.name = "--start",
             .value = &flags->start,
             .text = "Where a solver begins: guess (solver.guess), or the "
@@ -132,6 +170,13 @@ Verb nlp_verb() {
             .placeholder = "POINT",
             .check = one_of({"guess", "answer"}),
             .shows_default = true},
+           {.name = "--check",
+            .value = &flags->check,
+            .text = "Check the answer that a solver wrote of the .nl file: its "
+                    "residuals, limits between nodes, second order, and T "
+                    "against that of the program",
+            .placeholder = "FILE.sol",
+            .check = not_empty()},
            {"--force", &flags->force, "Replace files that exist"}}),
       .footer =
           R"(The scene is solved first: the mesh is the one it ends on, which
@@ -141,7 +186,9 @@ Examples:
   brachisto nlp case.yaml --out case.nl
   brachisto nlp case.yaml --set discretisation.elements=40 --out case.nl
   brachisto nlp case.yaml --format matrices --out case
-Exit codes: those of solve; nothing is written if it has no answer.)",
+  brachisto nlp case.yaml --check case.sol
+Exit codes: those of solve; nothing is written if it has no answer.
+With --check 0 if every check passed, 4 if not.)",
       .run = [flags] { return run(*flags); }};
 }
 

@@ -132,9 +132,9 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   }
   if (corner_) {
     const TurningPoint<Scalar> start =
-        held_at(held_->limit, held_->bound, scene_,
-                TurningPoint<Scalar>{v[kX], v[kZ], v[kTheta], v[kW], v[kBeta],
-                                     Scalar(0.0)});
+        with_control_at(held_->limit, held_->bound, scene_,
+                        TurningPoint<Scalar>{v[kX], v[kZ], v[kTheta], v[kW],
+                                             v[kBeta], Scalar(0.0)});
     out.push_back(value_of(corner_->limit, scene_, start) -
                   Scalar(corner_->bound));
     return out;

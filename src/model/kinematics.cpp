@@ -75,6 +75,11 @@ Kinematics moved_by(const Acts& acts, const Body& body, double gravity,
 
 }  // namespace
 
+double curvature_of_centre(const Body& body, const Kinematics& motion) {
+  return body.rolls() ? (1.0 - motion.fold_margin) / body.radius
+                      : motion.kappa_b;
+}
+
 Kinematics kinematics(const Body& body, double gravity,
                       const PathState& state) {
   const auto weight = [&](const Sines& d) {

@@ -13,6 +13,7 @@ namespace {
 using Kind = PathInequality::Kind;
 using Inequalities = std::vector<PathInequality>;
 using Of = CurvatureLimit::Of;
+using Number = std::optional<double>;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
@@ -29,8 +30,8 @@ const char* kappa(const PathLimits& limits) {
 }
 
 double curvature(const Scene& scene, const Kinematics& motion) {
-  return scene.limits.curvature.of == Of::Centre && scene.body.rolls()
-             ? (1.0 - motion.fold_margin) / scene.body.radius
+  return scene.limits.curvature.of == Of::Centre
+             ? curvature_of_centre(scene.body, motion)
              : motion.kappa_b;
 }
 
@@ -51,9 +52,7 @@ constexpr LimitEntry kFrictionEntry{
     .dimension = {},
     .allowed = Allowed::Positive,
     .reason = "for it is friction that turns the body",
-    .bound_in = [](PathLimits & l) -> auto& {return l.friction;
-}  // namespace
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.friction; },
     .words =
         [](const PathLimits&, double mu) {
           return BoundInWords{"|R_t|", "≤", mu, "R_n"};
@@ -74,15 +73,16 @@ constexpr LimitEntry kFrictionEntry{
             all.push_back({.kind = kind, .number = *limits.friction});
           }
         },
-    .widen = [](const Scene&, const FreePath& free, PathInequality& limit) {
-      constexpr double kGreatFriction = 20.0;
-      limit.number = std::max(limit.number, kGreatFriction);
-      // Where the free extremal lifts off no friction is enough.
-      limit.lower = std::min(
-          limit.lower, limit.number * (std::min(0.0, free.min_normal) * 1.2));
-      return true;
-    }
-};  // namespace brachisto
+    .widen =
+        [](const Scene&, const FreePath& free, PathInequality& limit) {
+          constexpr double kGreatFriction = 20.0;
+          limit.number = std::max(limit.number, kGreatFriction);
+          // Where the free extremal lifts off no friction is enough.
+          limit.lower =
+              std::min(limit.lower,
+                       limit.number * (std::min(0.0, free.min_normal) * 1.2));
+          return true;
+        }};
 
 constexpr LimitEntry kLeastForceEntry{
     .key = "scene.limits.normal_force.min",
@@ -91,9 +91,7 @@ constexpr LimitEntry kLeastForceEntry{
     .dimension = {},
     .allowed = Allowed::Any,
     .reason = "",
-    .bound_in = [](PathLimits & l) -> auto& {return l.normal_min;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.normal_min; },
     .words =
         [](const PathLimits&, double least) {
           return BoundInWords{"R_n", "≥", least, "m g"};
@@ -115,13 +113,12 @@ constexpr LimitEntry kLeastForceEntry{
                          .lower = limits.normal_min.value_or(-kNoBound),
                          .upper = limits.normal_max.value_or(kNoBound)});
         },
-    .widen = [](const Scene&, const FreePath& free, PathInequality& limit) {
-      limit.lower = std::min(limit.lower, free.min_normal - 0.5);
-      limit.upper = std::max(limit.upper, free.max_normal + 0.5);
-      return false;
-    }
-}
-;
+    .widen =
+        [](const Scene&, const FreePath& free, PathInequality& limit) {
+          limit.lower = std::min(limit.lower, free.min_normal - 0.5);
+          limit.upper = std::max(limit.upper, free.max_normal + 0.5);
+          return false;
+        }};
 
 constexpr LimitEntry kGreatestForceEntry{
     .key = "scene.limits.normal_force.max",
@@ -130,9 +127,7 @@ constexpr LimitEntry kGreatestForceEntry{
     .dimension = {},
     .allowed = Allowed::Positive,
     .reason = "for the track has to carry the body",
-    .bound_in = [](PathLimits & l) -> auto& {return l.normal_max;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.normal_max; },
     .words =
         [](const PathLimits&, double most) {
           return BoundInWords{"R_n", "≤", most, "m g"};
@@ -143,9 +138,8 @@ constexpr LimitEntry kGreatestForceEntry{
              bool lower) { return kind == Kind::NormalForce && !lower; },
     .loosened = [](const Scene&, double most,
                    double by) { return most + kWeights * by; },
-    .pose = nullptr, .widen = nullptr
-}
-;
+    .pose = nullptr,
+    .widen = nullptr};
 
 constexpr LimitEntry kHumpEntry{
     .key = "scene.limits.curvature.hump",
@@ -154,9 +148,7 @@ constexpr LimitEntry kHumpEntry{
     .dimension = {-1, 0},
     .allowed = Allowed::Positive,
     .reason = kStraight,
-    .bound_in = [](PathLimits & l) -> auto& {return l.curvature.hump;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.curvature.hump; },
     .words =
         [](const PathLimits& limits, double K) {
           return BoundInWords{kappa(limits), "≤", K, "1/m"};
@@ -177,15 +169,13 @@ constexpr LimitEntry kHumpEntry{
           if (hump < kNoBound)
             all.push_back({.kind = Kind::Hump, .number = hump});
         },
-    .widen = [](const Scene& scene, const FreePath& free,
-                PathInequality& limit) {
-      if (scene.contact == Contact::Optimal) return false;
-      limit.number =
-          std::max({limit.number, 2.0 * free.max_hump, 1.0 / scene.H});
-      return true;
-    }
-}
-;
+    .widen =
+        [](const Scene& scene, const FreePath& free, PathInequality& limit) {
+          if (scene.contact == Contact::Optimal) return false;
+          limit.number =
+              std::max({limit.number, 2.0 * free.max_hump, 1.0 / scene.H});
+          return true;
+        }};
 
 constexpr LimitEntry kValleyEntry{
     .key = "scene.limits.curvature.valley",
@@ -194,9 +184,7 @@ constexpr LimitEntry kValleyEntry{
     .dimension = {-1, 0},
     .allowed = Allowed::Positive,
     .reason = kStraight,
-    .bound_in = [](PathLimits & l) -> auto& {return l.curvature.valley;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.curvature.valley; },
     .words =
         [](const PathLimits& limits, double K) {
           return BoundInWords{kappa(limits), "≥", -K, "1/m"};
@@ -222,13 +210,12 @@ constexpr LimitEntry kValleyEntry{
           if (valley == kNoBound) return;
           all.push_back({.kind = Kind::Valley, .number = valley});
         },
-    .widen = [](const Scene& scene, const FreePath&, PathInequality& limit) {
-      constexpr double kSharpValley = 60.0;  // per H
-      limit.number = std::max(limit.number, kSharpValley / scene.H);
-      return true;
-    }
-}
-;
+    .widen =
+        [](const Scene& scene, const FreePath&, PathInequality& limit) {
+          constexpr double kSharpValley = 60.0;  // per H
+          limit.number = std::max(limit.number, kSharpValley / scene.H);
+          return true;
+        }};
 
 constexpr LimitEntry kFoldMarginEntry{
     .key = "scene.limits.fold_margin",
@@ -237,9 +224,7 @@ constexpr LimitEntry kFoldMarginEntry{
     .dimension = {},
     .allowed = Allowed::Fraction,
     .reason = "for m = 1 − r κ_c is 1 on a straight track and 0 where it folds",
-    .bound_in = [](PathLimits & l) -> auto& {return l.fold_margin;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.fold_margin; },
     .words =
         [](const PathLimits&, double m) {
           return BoundInWords{"1 − r κ_c", "≥", m, ""};
@@ -252,9 +237,8 @@ constexpr LimitEntry kFoldMarginEntry{
         [](const Scene& scene, double m, double by) {
           return scene.contact == Contact::Optimal ? m : m * (1.0 - by);
         },
-    .pose = nullptr, .widen = nullptr
-}
-;
+    .pose = nullptr,
+    .widen = nullptr};
 
 constexpr LimitEntry kFloorEntry{
     .key = "scene.limits.floor",
@@ -263,9 +247,7 @@ constexpr LimitEntry kFloorEntry{
     .dimension = {1, 0},
     .allowed = Allowed::Any,
     .reason = "",
-    .bound_in = [](PathLimits & l) -> auto& {return l.floor;
-}
-,
+    .bound_in = [](PathLimits& l) -> Number& { return l.floor; },
     .words =
         [](const PathLimits&, double D) {
           return BoundInWords{"floor at z", "=", D, "m"};
@@ -281,13 +263,11 @@ constexpr LimitEntry kFloorEntry{
           all.push_back(
               {.kind = Kind::Floor, .number = *limits.floor - body.radius});
         },
-    .widen = [](const Scene& scene, const FreePath& free,
-                PathInequality& limit) {
-      limit.number = std::max(limit.number, free.deepest + 0.1 * scene.H);
-      return false;
-    }
-}
-;
+    .widen =
+        [](const Scene& scene, const FreePath& free, PathInequality& limit) {
+          limit.number = std::max(limit.number, free.deepest + 0.1 * scene.H);
+          return false;
+        }};
 
 constexpr LimitEntry kEntries[] = {
     kFrictionEntry, kLeastForceEntry, kGreatestForceEntry, kHumpEntry,

@@ -187,9 +187,10 @@ template <class Scalar>
 /// The point with the control at which a limit of the control, affine in it,
 /// reaches a bound.
 template <class Scalar>
-[[nodiscard]] TurningPoint<Scalar> held_at(const PathInequality& limit,
-                                           double bound, const Scene& scene,
-                                           TurningPoint<Scalar> at) {
+[[nodiscard]] TurningPoint<Scalar> with_control_at(const PathInequality& limit,
+                                                   double bound,
+                                                   const Scene& scene,
+                                                   TurningPoint<Scalar> at) {
   at.q = Scalar(0.0);
   const Scalar without = value_of(limit, scene, at);
   at.q = Scalar(1.0);

@@ -158,7 +158,7 @@ Figure curvature(const Cases& cases) {
   const Case& one = cases[kOffCentred];
   const PathDiagnostics& found = *one.fine.diagnostics;
   const auto kappa_c = [](const At& at, const Motion& m) {
-    return (1.0 - at.motion.fold_margin) / m.scene().body.radius;
+    return curvature_of_centre(m.scene().body, at.motion);
   };
   report::Chart chart = along(
       cases, "curvature", "Curvatures along the extremal", "x_b / H",

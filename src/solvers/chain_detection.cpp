@@ -37,9 +37,6 @@ class Levels {
     }
   }
 
-  [[nodiscard]] bool in_border(int unknown) const {
-    return level_[at(unknown)] == ChainStructure::kAbsent;
-  }
   [[nodiscard]] int of(int unknown) const { return level_[at(unknown)]; }
   [[nodiscard]] const std::vector<std::vector<int>>& all() const {
     return members_;

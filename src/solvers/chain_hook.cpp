@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <IpoptConfig.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,18 +14,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "solvers/chain_ldlt.hpp"
-#include "solvers/ma97.hpp"
-
-#if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
-    IPOPT_VERSION_RELEASE == 9 && __has_include(<HSLLoader.h>)
-#define BRACHISTO_HAS_CHAIN_HOOK 1
-#else
-#define BRACHISTO_HAS_CHAIN_HOOK 0
-#endif
-
-#if BRACHISTO_HAS_CHAIN_HOOK
-#include <HSLLoader.h>
-#endif
+#include "solvers/ma97_functions.hpp"
 
 namespace brachisto {
 
@@ -35,8 +22,6 @@ namespace {
 
 /// The hook in force; OneAtATime keeps other threads from it.
 ChainHook* current = nullptr;
-
-#if BRACHISTO_HAS_CHAIN_HOOK
 
 /// What MA97 keeps between its calls.
 struct Matrix {
@@ -131,13 +116,7 @@ static void chain_analyse(int, int n, const int ptr[], const int row[],
     auto matrix = std::make_unique<Matrix>();
     matrix->size = n;
     matrix->num_entries = static_cast<std::size_t>(ptr[n] - 1);
-    nlp::SparsityPattern pattern;
-    pattern.reserve(matrix->num_entries);
-    for (int i = 0; i < n; ++i) {
-      for (int e = ptr[i] - 1; e < ptr[i + 1] - 1; ++e) {
-        pattern.add(i, row[e] - 1);
-      }
-    }
+    const nlp::SparsityPattern pattern = triangle_pattern(n, ptr, row, 1);
     const std::array<EntryPositions, 1> positions = {
         EntryPositions{pattern, 0}};
     matrix->ldlt = ChainLdlt::make(current->structure, positions);
@@ -204,10 +183,12 @@ static void chain_factor(int, const int[], const int[], const double val[],
 }
 
 static void chain_solve(int, int nrhs, double x[], int ldx, void** akeep,
-                        void**, const ma97_control_d*, ma97_info_d*) {
+                        void**, const ma97_control_d*, ma97_info_d* info) {
   const PhaseTimer timer(Phase::Solution);
-  // What Ipopt read from the info struct before must stay. A solution has no
-  // other way to fail: the next evaluation or factorisation ends the run.
+  // What Ipopt read from the info struct before must stay, but 3.14 hands over
+  // a flag that nobody set. A solution has no other way to fail: the next
+  // evaluation or factorisation ends the run.
+  info->flag = 0;
   Matrix& matrix = matrix_of(akeep);
   kept([&] {
     for (int k = 0; k < nrhs; ++k) {
@@ -240,12 +221,10 @@ static void chain_finalise(void** akeep, void**) {
 
 }  // extern "C"
 
-#endif
-
 }  // namespace
 
 bool ChainHook::available() {
-  return BRACHISTO_HAS_CHAIN_HOOK != 0;
+  return takes_ma97_functions();
 }
 
 ChainHook::ChainHook(const nlp::Problem& problem, std::string_view wanted)
@@ -290,10 +269,9 @@ ChainHook::ChainHook(const nlp::Problem& problem, std::string_view wanted)
     inequalities[i].multiplier = next();
     put_unknown(limited[i]);
   }
-#if BRACHISTO_HAS_CHAIN_HOOK
-  LSL_setMA97(chain_default_control, chain_analyse, chain_factor,
-              chain_factor_solve, chain_solve, chain_finalise, chain_free);
-#endif
+  set_ma97_functions({chain_default_control, chain_analyse, chain_factor,
+                      chain_factor_solve, chain_solve, chain_finalise,
+                      chain_free});
   current = this;
 }
 

@@ -19,13 +19,11 @@ namespace brachisto {
 /// Puts the chain factorisation of one problem in the place of MA97 as long as
 /// it lives; Ipopt uses it if its option linear_solver says ma97.
 ///
-/// Ipopt's HSLLoader lets a program set the functions of MA97 but hands no
-/// pointer of ours to them, so the hook in force is a variable of the process:
-/// it lives within a OneAtATime, as MUMPS has to.
+/// Ipopt lets a program set the functions of MA97 (set_ma97_functions()) but
+/// hands no pointer of ours to them, so the hook in force is a variable of the
+/// process: it lives within a OneAtATime, as MUMPS has to.
 struct ChainHook {
-  /// The release of Ipopt whose structs are known here, and whose KKT matrix.
-  static constexpr std::string_view kRelease = "3.11.9";
-  /// Whether the Ipopt this was compiled against is that release.
+  /// Whether the Ipopt this was compiled against lets it in.
   [[nodiscard]] static bool available();
 
   /// \pre available(), the problem states a chain structure, and no other hook
@@ -35,7 +33,7 @@ struct ChainHook {
   ChainHook(const ChainHook&) = delete;
   ChainHook& operator=(const ChainHook&) = delete;
 
-  /// The release to insist on, kRelease but in tests.
+  /// The release to insist on, ipopt_release() but in tests.
   std::string_view wanted_release;
   /// That of the Ipopt that runs, by its own words; empty until then.
   std::string release;

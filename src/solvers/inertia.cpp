@@ -3,75 +3,22 @@
 
 #include "solvers/inertia.hpp"
 
-#include <dmumps_c.h>
-
 #include <array>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
 #include "solvers/chain_ldlt.hpp"
+#include "solvers/mumps.hpp"
 #include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {
 
 namespace {
-
-/// A MUMPS instance for a general symmetric matrix, sequential.
-class Mumps {
- public:
-  Mumps() {
-    data_.job = -1;
-    data_.par = 1;
-    data_.sym = 2;
-    data_.comm_fortran = -987654;  // MPI_COMM_WORLD, in MUMPS' own words
-    dmumps_c(&data_);
-    // No output; QAMD ordering, as in the solver; rows and columns scaled
-    // together, which keeps the inertia and lets pivots next to a start where
-    // lengths vanish be told from null ones; report these; room for delayed
-    // pivots.
-    icntl(1) = icntl(2) = icntl(3) = -1;
-    icntl(4) = 0;
-    icntl(6) = 0;
-    icntl(7) = 6;
-    icntl(8) = 7;
-    icntl(13) = 1;  // count negative pivots of the root exactly
-    icntl(14) = 100;
-    icntl(24) = 1;
-  }
-  ~Mumps() {
-    data_.job = -2;
-    dmumps_c(&data_);
-  }
-  Mumps(const Mumps&) = delete;
-  Mumps& operator=(const Mumps&) = delete;
-
-  /// Lower or upper triangle by 1-based coordinates.
-  Inertia factorise(int size, std::vector<int>& rows, std::vector<int>& cols,
-                    std::vector<double>& values) {
-    data_.n = size;
-    data_.nz = static_cast<int>(rows.size());
-    data_.irn = rows.data();
-    data_.jcn = cols.data();
-    data_.a = values.data();
-    data_.job = 4;
-    dmumps_c(&data_);
-    Inertia inertia;
-    inertia.known = data_.infog[0] >= 0;
-    inertia.negative = data_.infog[12 - 1];
-    inertia.zero = data_.infog[28 - 1];
-    inertia.positive = size - inertia.negative - inertia.zero;
-    return inertia;
-  }
-
- private:
-  MUMPS_INT& icntl(int number) { return data_.icntl[number - 1]; }
-
-  DMUMPS_STRUC_C data_ = {};
-};
 
 /// The inertia from the two arrays of values, by MUMPS.
 Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
@@ -102,7 +49,8 @@ Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
   problem.jac_g_pattern().for_each([&](std::size_t entry, int i, int j) {
     put(row[at(i)], variable[at(j)], jac[entry]);
   });
-  return Mumps().factorise(size, rows, cols, values);
+  return Mumps(dmumps_c).factorise(size, std::move(rows), std::move(cols),
+                                   std::move(values));
 }
 
 }  // namespace

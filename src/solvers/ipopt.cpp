@@ -3,7 +3,6 @@
 
 #include "brachisto/solvers/program_solvers.hpp"
 
-#include <IpoptConfig.h>
 #include <dmumps_c.h>
 #include <fmt/format.h>
 #include <mumps_compat.h>
@@ -25,6 +24,7 @@
 #include "brachisto/nlp/problem.hpp"
 #include "solvers/chain_hook.hpp"
 #include "solvers/ipopt_adapter.hpp"
+#include "solvers/ma97_functions.hpp"
 #include "solvers/one_at_a_time.hpp"
 
 namespace brachisto {
@@ -392,7 +392,7 @@ SolverResult solve(nlp::Problem& problem, const PrimalDual& start,
 
 SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
                               const IpoptOptions& options) {
-  return solve_with_ipopt(problem, start, options, ChainHook::kRelease);
+  return solve_with_ipopt(problem, start, options, ipopt_release());
 }
 
 SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
@@ -412,7 +412,7 @@ SolverResult solve_with_ipopt(nlp::Problem& problem, const PrimalDual& start,
 }
 
 std::string ipopt_version() {
-  return IPOPT_VERSION;
+  return std::string(ipopt_release());
 }
 std::string mumps_version() {
   return MUMPS_VERSION;

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include "brachisto/nlp/problem.hpp"
+
 // NOLINTBEGIN: names and layout are those of the C interface.
 struct ma97_control_d {
   int f_arrays;  ///< whether indices count from 1
@@ -40,5 +42,11 @@ namespace brachisto {
 /// Values of ma97_info_d::flag.
 inline constexpr int kMa97Singular = -7;
 inline constexpr int kMa97GivenUp = -1;
+
+/// The rows of a triangle as MA97 gets them.
+/// \param first  0 or 1, from which places and indices count
+/// \throws std::invalid_argument  if they are no rows, or of no such matrix
+[[nodiscard]] nlp::SparsityPattern triangle_pattern(int size, const int ptr[],
+                                                    const int row[], int first);
 
 }  // namespace brachisto

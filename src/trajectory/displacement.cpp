@@ -27,11 +27,6 @@ struct Sample {
   Point centre;
 };
 
-double curvature_of_centre(const Body& body, const Kinematics& motion) {
-  return body.rolls() ? (1.0 - motion.fold_margin) / body.radius
-                      : motion.kappa_b;
-}
-
 /// The place that the centre reaches after the length s, between two rows.
 TrajectoryPoint row_at_length(const Motion& motion, double s) {
   double low = 0.0, high = 1.0;

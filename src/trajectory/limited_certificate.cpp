@@ -47,7 +47,8 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
       certificate.add("start_corner", std::abs(curve.off_corner()), kSlope,
                       name(curve.problem().limits()[corner->limit].kind));
       certificate.add("start_corner_sign",
-                      std::max(0.0, -curve.corner_multiplier()), kSlope);
+                      // In this order a NaN remains one.
+                      std::max(-curve.corner_multiplier(), 0.0), kSlope);
     }
     certificate.add(
         "start_angle",

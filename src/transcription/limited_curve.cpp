@@ -199,7 +199,7 @@ double LimitedCurve::corner_multiplier() const {
           problem.layout().state(0, StateComponent::Beta))]);
   const TurningPoint<double> start = at(0, 0.0).state;
   const PathInequality& holds = problem.limits()[brachisto::at(control)];
-  const TurningPoint<Jet> turned = held_at(
+  const TurningPoint<Jet> turned = with_control_at(
       holds, bound_of(holds, held[brachisto::at(control)]), problem.scene(),
       TurningPoint<Jet>{Jet(start.x), Jet(start.z), Jet(start.theta),
                         Jet(start.w), Jet::variable(start.beta, 0),

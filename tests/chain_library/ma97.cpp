@@ -165,7 +165,7 @@ TEST(ChainLibrary, RefusesWhatIsNoChain) {
   EXPECT_EQ(matrix.factor(), kMa97GivenUp);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(),
             "brachisto-chain: the matrix is no chain of small blocks; take "
-            "another linear solver\n");
+            "another linear solver, or set BRACHISTO_CHAIN_FALLBACK=mumps\n");
 }
 
 }  // namespace

@@ -35,6 +35,12 @@ struct Kinematics {
                              ///< fold
 };
 
+/// κ_c in the unit of kappa_b, positive where the centre's path turns downwards;
+/// of a bead that of its track. Where r κ_c is small, digits beyond those of
+/// fold_margin are lost.
+[[nodiscard]] double curvature_of_centre(const Body& body,
+                                         const Kinematics& motion);
+
 /// All of Kinematics. With κ_c = dβ/ds = β_u / w the centre accelerates with
 ///
 ///     v̇ t + w β_u / A n_⊥,   v̇ = g a / A − w A_u / (2 A²),

@@ -53,9 +53,8 @@ struct IpoptOptions {
 /// Bounds are not relaxed: an interior has to exist.
 ///
 /// The chain factorisation is used if the problem states a chain structure and
-/// Ipopt is a release with a way in, 3.11.9, where this was compiled and where
-/// it runs; else LinearSolver::Auto means
-/// MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
+/// Ipopt is a release with a way in, 3.11.9 or 3.14, and the same where this
+/// was compiled and where it runs; else LinearSolver::Auto means MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
 /// that says why. The result tells which one it was, the verbose log why not
 /// the chain.
 ///

@@ -101,7 +101,9 @@ CheckedAnswer check_answer(const Solution& solution,
   // Of rounding, where our own error is less.
   constexpr double kRounding = 1e-13;
   Transcription& problem = *program.problem;
-  CheckedAnswer out{.solver = theirs.message, .code = theirs.code};
+  CheckedAnswer out;
+  out.solver = theirs.message;
+  out.code = theirs.code;
   const PrimalDual point = in_program_order(problem, theirs, source);
   if (!problem.set_point(program.answer.x)) {
     throw std::runtime_error("the answer is no point of its program: " +

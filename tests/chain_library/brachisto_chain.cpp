@@ -26,8 +26,8 @@ using Chain =
 
 /// Rows of a lower triangle, counted from `first`.
 struct Rows {
-  std::vector<int> ptr, col;
-  std::vector<double> values;
+  std::vector<int> ptr, col = {};
+  std::vector<double> values = {};
   int first = 0;
 
   [[nodiscard]] int size() const { return static_cast<int>(ptr.size()) - 1; }

@@ -4,10 +4,14 @@
 // What the AMPL Solver Library reads from an .nl file is the program, and Ipopt
 // finds the same answer there.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +19,7 @@
 #include "brachisto/solvers/program_solvers.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/asl_program.hpp"
+#include "program_files/foreign_answer.hpp"
 #include "program_files/nl_file.hpp"
 #include "program_files/program_directory.hpp"
 #include "program_files/programs.hpp"
@@ -291,6 +296,159 @@ TEST(NlOptimum, IsOurAnswerFromTheGuessAndFromTheAnswer) {
       EXPECT_LE(found.result.iterations, kAFew);
     }
   }
+}
+
+/// What is said of an answer that somebody wrote with AMPL's own function.
+class ForeignAnswer : public ::testing::Test {
+ protected:
+  void solve_case(const Scene& scene, const SolveOptions& options) {
+    solution_ = solve(scene, options);
+    ASSERT_TRUE(solution_.verified()) << solution_.message;
+    program_.emplace(*program_files::solved_program(solution_));
+    write_program(*program_, {.path = file("case.nl"), .force = true});
+  }
+  /// What Ipopt finds in the file, to a tolerance.
+  void answer_to(double tolerance) {
+    AslProgram theirs(file("case.nl"));
+    IpoptOptions options;
+    options.tolerance = tolerance;
+    options.complementarity = 1e-2 * tolerance;
+    const SolverResult found =
+        solve_with_ipopt(theirs, theirs.start(), options);
+    ASSERT_EQ(found.status, Status::Solved) << found.message;
+    theirs.write_solution("a solver\nof others", found.point);
+  }
+  [[nodiscard]] program_files::CheckedAnswer check() const {
+    return check_answer(solution_, *program_,
+                        program_files::read_sol(file("case.sol")), "case.sol");
+  }
+  /// The first mistake that is found.
+  [[nodiscard]] std::string refusal() const {
+    try {
+      static_cast<void>(check());
+    } catch (const io::InputError& error) {
+      return to_string(error.diagnostics().front());
+    }
+    return "none";
+  }
+  [[nodiscard]] fs::path file(const char* name) const {
+    return directory_.path() / name;
+  }
+  /// Replaces the line that follows `before` by `line`.
+  void change_line_after(const std::string& before, const std::string& line) {
+    std::vector<std::string> lines;
+    {
+      std::ifstream in(file("case.sol"));
+      for (std::string one; std::getline(in, one);) lines.push_back(one);
+    }
+    const auto found = std::ranges::find(lines, before);
+    ASSERT_LT(std::distance(lines.begin(), found) + 1, std::ssize(lines));
+    *(found + 1) = line;
+    std::ofstream out(file("case.sol"));
+    for (const std::string& one : lines) out << one << '\n';
+  }
+
+  ScratchDirectory directory_;
+  Solution solution_;
+  std::optional<SolvedProgram> program_;
+};
+
+TEST_F(ForeignAnswer, IsVerifiedIfItIsAsExactAsOurs) {
+  solve_case(testing::off_centred_scene(-testing::kPi / 6.0), {});
+  answer_to(kTolerance);
+
+  const program_files::CheckedAnswer checked = check();
+
+  EXPECT_TRUE(checked.certificate.verified())
+      << not_verified_because(checked.certificate).front();
+  EXPECT_EQ(checked.solver, "a solver; of others");
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_LE(std::abs(checked.difference), kSame);
+  EXPECT_LE(checked.farthest, kSame);
+  EXPECT_NEAR(checked.transit_time, solution_.motion()->transit_time(),
+              kSame * checked.transit_time);
+}
+
+/// As the file has it the junctions of arcs are not known: what keeps the
+/// limits at all points need not keep them between.
+TEST_F(ForeignAnswer, IsHeldToTheLimitsBetweenNodes) {
+  Scene scene = testing::off_centred_scene(0.0);
+  scene.limits = testing::friction(0.5);
+  solve_case(scene, {});
+  answer_to(kTolerance);
+  const program_files::CheckedAnswer inside = check();
+  AslProgram theirs(file("case.nl"));
+  const Places places(*program_->problem, theirs);
+  theirs.write_solution(
+      "ours", {Places::moved(program_->answer.x, places.variable),
+               Places::moved(program_->answer.lambda, places.constraint)});
+
+  const program_files::CheckedAnswer ours = check();
+
+  EXPECT_TRUE(ours.certificate.verified())
+      << not_verified_because(ours.certificate).front();
+  EXPECT_EQ(ours.difference, 0.0);
+  EXPECT_FALSE(inside.certificate.verified());
+  EXPECT_FALSE(inside.certificate.find("limits")->passed);
+  EXPECT_TRUE(inside.certificate.find("defects")->passed);
+}
+
+TEST_F(ForeignAnswer, IsNotVerifiedIfItIsBentOrCoarse) {
+  solve_case(testing::off_centred_scene(-testing::kPi / 6.0), {});
+  answer_to(1e-3);
+  const program_files::CheckedAnswer coarse = check();
+  AslProgram theirs(file("case.nl"));
+  PrimalDual bent{Places::moved(program_->answer.x,
+                                Places(*program_->problem, theirs).variable),
+                  std::vector<double>(at(theirs.num_constraints()))};
+  const int moved = Places(*program_->problem, theirs).variable[40];
+  bent.x[at(moved)] += 1e-4;
+  theirs.write_solution("bent", bent);
+
+  const program_files::CheckedAnswer checked = check();
+
+  EXPECT_FALSE(coarse.certificate.verified());
+  EXPECT_FALSE(checked.certificate.verified());
+  EXPECT_FALSE(checked.certificate.find("defects")->passed);
+  EXPECT_FALSE(checked.certificate.find("kkt_residual")->passed);
+  EXPECT_NEAR(checked.farthest, 1e-4, 1e-12);
+  EXPECT_EQ(word_of(checked.farthest_variable), theirs.variable_name(moved));
+}
+
+TEST_F(ForeignAnswer, IsNamedForWhatItIsIfItIsNone) {
+  solve_case(testing::off_centred_scene(-testing::kPi / 6.0), {});
+  answer_to(kTolerance);
+  const SolvedProgram same_size = std::move(*program_);
+  const Solution solution = solution_;
+
+  // Of another mesh, and of another end.
+  SolveOptions coarse;
+  coarse.use<Collocation>().discretisation.elements = 3;
+  solve_case(testing::off_centred_scene(-testing::kPi / 6.0), coarse);
+  EXPECT_THAT(refusal(),
+              ::testing::HasSubstr("an answer to another program: "));
+  solution_ = solution;
+  Scene longer = testing::off_centred_scene(-testing::kPi / 6.0);
+  longer.L *= 1.01;
+  SolveOptions as_many;
+  Discretisation& mesh = as_many.use<Collocation>().discretisation;
+  mesh.degree = same_size.problem->mesh().degree;
+  mesh.elements = same_size.problem->mesh().num_elements();
+  solve_case(longer, as_many);
+  EXPECT_THAT(refusal(), ::testing::HasSubstr("and the program fixes it at"));
+
+  change_line_after("Options", "three");
+  EXPECT_THAT(
+      refusal(),
+      ::testing::HasSubstr(
+          ":5:1: expected the number of options, a number; read \"three\""));
+  std::ofstream(file("case.sol")) << "no solution\n";
+  EXPECT_THAT(refusal(), ::testing::HasSubstr("no .sol file in text"));
+  std::ofstream(file("case.sol")) << "\nOptions\n3\n1\n1\n0\n5\n";
+  EXPECT_THAT(refusal(), ::testing::HasSubstr(
+                             "the file ends before the number of multipliers"));
+  fs::remove(file("case.sol"));
+  EXPECT_THROW(static_cast<void>(check()), io::IoError);
 }
 
 /// Through the surface, outside, and inside.

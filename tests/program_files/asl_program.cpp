@@ -77,6 +77,15 @@ AslProgram::AslProgram(const std::filesystem::path& nl_file)
 
 AslProgram::~AslProgram() = default;
 
+void AslProgram::write_solution(const std::string& message,
+                                PrimalDual answer) const {
+  ASL* asl = library_->asl;
+  std::string text = message;
+  for (double& multiplier : answer.lambda) multiplier = -multiplier;
+  solve_result_num = 0;
+  write_sol(text.data(), answer.x.data(), answer.lambda.data(), nullptr);
+}
+
 int AslProgram::num_variables() const {
   const ASL* asl = library_->asl;
   return n_var;

@@ -51,6 +51,9 @@ class AslProgram final : public nlp::Problem {
   }
   /// x, and λ with the sign of PrimalDual, as far as the file has it.
   [[nodiscard]] const PrimalDual& start() const { return start_; }
+  /// Writes the .sol file of an answer, with that sign too, beside the .nl
+  /// file, as solvers do.
+  void write_solution(const std::string& message, PrimalDual answer) const;
 
  private:
   struct Library;

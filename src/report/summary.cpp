@@ -372,6 +372,13 @@ std::string found(const Solution& solution) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// Whether Ipopt had to do without the chain though it was not told to.
+bool fell_back(const Solution& solution) {
+  const auto* program = solution.options.of<Collocation>();
+  return program != nullptr && program->linear_solver != LinearSolver::Mumps &&
+         solution.effort.final_mesh().linear_solver == LinearSolver::Mumps;
+}
+
 /// What one would do now.
 std::string next(const Solution& solution, bool designed) {
   const std::string advice = solution.advice();
@@ -417,6 +424,10 @@ std::string summary(const Solution& solution, const DesignAnswer* design) {
   add_branches(out, solution);
   if (design != nullptr) add_design(out, *design);
   add_line(out, "found", found(solution));
+  if (fell_back(solution)) {
+    add_line(out, "linear solver",
+             "MUMPS in place of the chain; --verbose says why");
+  }
   if (const std::string what = next(solution, design != nullptr);
       !what.empty()) {
     add_line(out, "to try", what);

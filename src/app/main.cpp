@@ -86,11 +86,13 @@ CommandLine command_line() {
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.",
       version_text,
-      {solve_verb(), design_verb(), validate_verb(), schema_verb(),
-       sweep_verb(), export_verb(), merge_verb(), report_verb(), show_verb(),
-       race_verb(), paper_verb(), body_verb(), compare_verb(),
-       work_precision_verb(), nlp_verb(), new_verb(), worker_verb(),
-       measure_verb(), complete_verb(command_line)},
+      {solve_verb(),  design_verb(),      validate_verb(),
+       schema_verb(), sweep_verb(),       export_verb(),
+       merge_verb(),  report_verb(),      show_verb(),
+       race_verb(),   paper_verb(),       body_verb(),
+       table_verb(),  compare_verb(),     work_precision_verb(),
+       nlp_verb(),    derivatives_verb(), new_verb(),
+       worker_verb(), measure_verb(),     complete_verb(command_line)},
       {{.name = "--color",
         .value = &colour,
         .text = "Colours for verdicts, warnings and errors; auto: on a "

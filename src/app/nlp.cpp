@@ -47,15 +47,6 @@ struct NlpFlags : CommonFlags {
   }
 };
 
-/// \throws io::InputError  if what is asked for does not exist
-void refuse(const io::ProblemFile& problem, const NlpFlags& flags) {
-  const std::string reason =
-      program_files::no_program_because(problem.scene, problem.options);
-  if (reason.empty()) return;
-  throw io::InputError(
-      {{flags.file, 0, 0, "", "no program to write: " + reason}});
-}
-
 void tell_of(const nlohmann::ordered_json& program, const ProgramOutput& output,
              const Solution& solution) {
   std::string names;
@@ -106,7 +97,7 @@ int run(const NlpFlags& flags) {
   }
   const io::ProblemFile problem =
       io::read_problem_file(flags.file, flags.overrides);
-  refuse(problem, flags);
+  program_files::require_program(problem, flags.file);
   if (!flags.check.empty()) return run_check(flags, problem);
   const ProgramOutput output = flags.output();
   report::check_writable(output.directory(), output.names(), flags.force);

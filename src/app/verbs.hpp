@@ -35,9 +35,11 @@ struct CommonFlags {
 [[nodiscard]] Verb race_verb();
 [[nodiscard]] Verb paper_verb();
 [[nodiscard]] Verb body_verb();
+[[nodiscard]] Verb table_verb();
 [[nodiscard]] Verb compare_verb();
 [[nodiscard]] Verb work_precision_verb();
 [[nodiscard]] Verb nlp_verb();
+[[nodiscard]] Verb derivatives_verb();
 [[nodiscard]] Verb new_verb();
 /// \param whole  the command line that it speaks of
 [[nodiscard]] Verb complete_verb(CommandLine (*whole)());  ///< for shells

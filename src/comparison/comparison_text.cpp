@@ -11,6 +11,7 @@
 
 #include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
+#include "comparison/measurement_text.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/statistics.hpp"
 #include "comparison/work_precision.hpp"
@@ -47,36 +48,6 @@ std::string kernel() {
                      system.machine);
 }
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
-
-/// Outcome, cause, times and effort of a run; what there is not is null.
-Json to_json(const Measurement& run) {
-  Json json = {{"outcome", name(run.outcome)},
-               {"cause", run.cause.empty() ? Json() : Json(run.cause)},
-               {"tau", run.solved() ? Json(run.tau) : Json()},
-               {"verified", run.solved() && run.verified},
-               {"estimated_error", or_null(run.estimated_error)}};
-  if (run.cpu.empty()) {
-    json["cpu_seconds"] = nullptr;
-  } else {
-    const Spread spread = spread_of(run.cpu);
-    json["cpu_seconds"] = {{"median", spread.median},
-                           {"least", spread.least},
-                           {"greatest", spread.greatest},
-                           {"all", run.cpu}};
-  }
-  json["unknowns"] = or_null(run.unknowns);
-  json["iterations"] = or_null(run.iterations);
-  json["newton_steps"] = or_null(run.newton_steps);
-  json["evaluations"] = or_null(run.evaluations);
-  json["peak_memory_bytes"] = run.peak_memory;
-  json["process_seconds"] = run.seconds;
-  return json;
-}
-
 Json to_json(const std::optional<Reference>& reference) {
   if (!reference) return nullptr;
   return {{"method", "extremal"},
@@ -108,14 +79,6 @@ std::string reference_text(const Reference& reference) {
 std::string error_text(double error, const Reference& reference) {
   return error < reference.error ? fmt::format("< {:.1e}", reference.error)
                                  : fmt::format("{:.1e}", error);
-}
-
-/// "17 + 12": iterations of the solver and Newton steps, where there are any.
-std::string iterations_text(const Measurement& run) {
-  const int steps = run.newton_steps.value_or(0);
-  if (steps == 0) return or_dash(run.iterations);
-  if (run.iterations.value_or(0) == 0) return fmt::format("+ {}", steps);
-  return fmt::format("{} + {}", *run.iterations, steps);
 }
 
 /// As far as the reference tells; without one as the method itself sees its
@@ -201,7 +164,7 @@ Json line_json(const PrecisionLine& line) {
                  {"error", or_null(point.error)},
                  {"path_error", or_null(point.path_error)},
                  {"energy_drift", or_null(point.run.energy_drift)}};
-    json.update(to_json(point.run));
+    json.update(document_of(point.run));
     points.push_back(std::move(json));
   }
   return {{"method", label(line.method)},
@@ -249,7 +212,7 @@ std::string to_json(const MethodComparison& comparison) {
   Json rows = Json::array();
   for (const ComparisonRow& row : comparison.rows) {
     Json json = {{"method", row.label}};
-    json.update(to_json(row.run));
+    json.update(document_of(row.run));
     json["error"] = or_null(row.error);
     json["verdict"] = verdict(row);
     rows.push_back(std::move(json));

@@ -68,6 +68,13 @@ std::string no_program_because(const Scene& scene,
   return {};
 }
 
+void require_program(const io::ProblemFile& problem,
+                     const std::string& source) {
+  const std::string reason = no_program_because(problem.scene, problem.options);
+  if (reason.empty()) return;
+  throw io::InputError({{source, 0, 0, "", "it has no program: " + reason}});
+}
+
 std::optional<SolvedProgram> solved_program(const Solution& solution) {
   const PosedProblem posed = pose(solution.scene, solution.options, {});
   if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {

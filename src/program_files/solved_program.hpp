@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solution.hpp"
 #include "model/units.hpp"
 #include "transcription/transcription.hpp"
@@ -34,6 +35,10 @@ struct SolvedProgram {
 /// Why a scene with these options ends on no program; empty if it does.
 [[nodiscard]] std::string no_program_because(const Scene& scene,
                                              const SolveOptions& options);
+
+/// \param source  the name of the file
+/// \throws io::InputError  with that reason, if there is one
+void require_program(const io::ProblemFile& problem, const std::string& source);
 
 /// The program of an answer; under limits that which has them as inequalities.
 /// Nothing if there is no answer.

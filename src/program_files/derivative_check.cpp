@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "program_files/derivative_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <stdexcept>
+
+#include "brachisto/math/index.hpp"
+#include "nlp/active_set.hpp"
+
+namespace brachisto::program_files {
+
+namespace {
+
+using Vector = std::vector<double>;
+
+/// Moves the free variables only, each in proportion to its size.
+class Directions {
+ public:
+  Directions(const nlp::Problem& problem, const Vector& x) : size_(x.size()) {
+    constexpr double kSmallest = 1e-3;
+    double largest = 0.0;
+    for (const double value : x) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (problem.variable_range(static_cast<int>(i)).single())
+        size_[i] = 0.0;
+      else
+        size_[i] = std::max(std::abs(x[i]), kSmallest * largest);
+    }
+  }
+  [[nodiscard]] Vector next() {
+    Vector d(size_);
+    for (double& value : d) value = engine_() % 2 == 0 ? value : -value;
+    return d;
+  }
+
+ private:
+  Vector size_;
+  std::mt19937 engine_{1};
+};
+
+/// Sums, over the entries of a row, of D_ij d_j and of its absolute values.
+struct RowSums {
+  Vector value, absolute;
+
+  explicit RowSums(int rows) : value(at(rows)), absolute(at(rows)) {}
+  void add(int row, double term) {
+    value[at(row)] += term;
+    absolute[at(row)] += std::abs(term);
+  }
+};
+
+class Checker {
+ public:
+  Checker(nlp::Problem& problem, const PrimalDual& point)
+      : problem_(problem), point_(point), directions_(problem, point.x) {}
+
+  /// \param function    F at the point the problem is at
+  /// \param derivative  D d there
+  /// \param row_name    of F
+  void check(DerivativeCheck& out, const std::function<Vector()>& function,
+             const std::function<RowSums(const Vector& d)>& derivative,
+             const std::function<std::string(int)>& row_name) {
+    constexpr int kDirections = 8;
+    for (int k = 0; k < kDirections; ++k) {
+      const Vector d = directions_.next();
+      move_to(point_.x);
+      const RowSums ours = derivative(d);
+      const Vector theirs = difference_along(d, function);
+      double most = 0.0;
+      for (std::size_t i = 0; i < theirs.size(); ++i) {
+        most = std::max({most, ours.absolute[i], std::abs(theirs[i])});
+      }
+      out.largest = std::max(out.largest, most);
+      // Of a row whose terms are all small rounding is that of the largest.
+      constexpr double kOfLargest = 1e-3;
+      for (std::size_t i = 0; i < theirs.size(); ++i) {
+        const double size = std::max(ours.absolute[i], kOfLargest * most);
+        const double off = std::abs(ours.value[i] - theirs[i]) / size;
+        // Written so that a NaN is the worst of all.
+        if (size == 0.0 || off <= out.difference) continue;
+        out.difference = off;
+        out.worst_row = row_name(static_cast<int>(i));
+      }
+    }
+  }
+
+ private:
+  void move_to(const Vector& x) {
+    if (!problem_.set_point(x)) {
+      throw std::domain_error("not evaluable next to the point: " +
+                              problem_.refusal());
+    }
+  }
+  [[nodiscard]] Vector difference_along(
+      const Vector& d, const std::function<Vector()>& function) {
+    constexpr double kStep = 1e-3;
+    const auto at_steps = [&](double steps) {
+      Vector x = point_.x;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += steps * kStep * d[i];
+      move_to(x);
+      return function();
+    };
+    const Vector ahead = at_steps(1.0), behind = at_steps(-1.0);
+    const Vector far_ahead = at_steps(2.0), far_behind = at_steps(-2.0);
+    Vector out(ahead.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = (8.0 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) /
+               (12.0 * kStep);
+    }
+    return out;
+  }
+
+  nlp::Problem& problem_;
+  const PrimalDual& point_;
+  Directions directions_;
+};
+
+Vector gradient_of(nlp::Problem& problem) {
+  Vector out(at(problem.num_variables()));
+  problem.eval_grad_f(out);
+  return out;
+}
+
+void read_chain(const nlp::Problem& problem, ProgramCheck& out) {
+  const nlp::ChainStructure chain = problem.chain_structure();
+  out.links = chain.num_links;
+  std::vector<int> inside(at(chain.num_links));
+  for (const int block : chain.block) {
+    if (block == nlp::ChainStructure::kBorder) ++out.border;
+    if (block > 0 && block % 2 == 1) ++inside[at(block / 2)];
+  }
+  if (!inside.empty()) out.largest_link = *std::ranges::max_element(inside);
+}
+
+}  // namespace
+
+ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
+  ProgramCheck out;
+  const int n = problem.num_variables(), m = problem.num_constraints();
+  out.variables = n;
+  out.constraints = m;
+  for (int i = 0; i < n; ++i) out.fixed += problem.variable_range(i).single();
+  for (int i = 0; i < m; ++i) {
+    out.inequalities += !problem.constraint_range(i).single();
+  }
+  Checker checker(problem, point);
+  const auto variable = [&](int i) { return problem.variable_name(i); };
+  const auto constraint = [&](int i) { return problem.constraint_name(i); };
+
+  DerivativeCheck gradient{.name = "gradient",
+                           .entries = at(n),
+                           .rows = 1,
+                           .columns = n,
+                           .worst_row = {}};
+  checker.check(
+      gradient, [&] { return Vector{problem.eval_f()}; },
+      [&](const Vector& d) {
+        RowSums sums(1);
+        const Vector values = gradient_of(problem);
+        for (std::size_t i = 0; i < d.size(); ++i)
+          sums.add(0, values[i] * d[i]);
+        return sums;
+      },
+      [](int) { return std::string("the objective"); });
+
+  const nlp::SparsityPattern& jacobian = problem.jac_g_pattern();
+  Vector values(jacobian.num_entries());
+  DerivativeCheck first{.name = "Jacobian",
+                        .entries = values.size(),
+                        .rows = m,
+                        .columns = n,
+                        .worst_row = {}};
+  checker.check(
+      first,
+      [&] {
+        Vector g(at(m));
+        problem.eval_g(g);
+        return g;
+      },
+      [&](const Vector& d) {
+        RowSums sums(m);
+        problem.eval_jac_g(values);
+        jacobian.for_each([&](std::size_t entry, int i, int j) {
+          sums.add(i, values[entry] * d[at(j)]);
+        });
+        return sums;
+      },
+      constraint);
+
+  const nlp::SparsityPattern& hessian = problem.hess_lag_pattern();
+  Vector curvatures(hessian.num_entries());
+  DerivativeCheck second{.name = "Hessian",
+                         .entries = curvatures.size(),
+                         .rows = n,
+                         .columns = n,
+                         .worst_row = {}};
+  checker.check(
+      second,
+      [&] {
+        Vector out_of = gradient_of(problem);
+        problem.eval_jac_g(values);
+        jacobian.for_each([&](std::size_t entry, int i, int j) {
+          out_of[at(j)] += values[entry] * point.lambda[at(i)];
+        });
+        return out_of;
+      },
+      [&](const Vector& d) {
+        RowSums sums(n);
+        problem.eval_hess_lag(1.0, point.lambda, curvatures);
+        hessian.for_each([&](std::size_t entry, int i, int j) {
+          sums.add(i, curvatures[entry] * d[at(j)]);
+          if (i != j) sums.add(j, curvatures[entry] * d[at(i)]);
+        });
+        return sums;
+      },
+      variable);
+  out.derivatives = {gradient, first, second};
+
+  read_chain(problem, out);
+  out.inertia = kkt_inertia(problem, point);
+  const nlp::ActiveSet active = nlp::active_set(problem, point);
+  out.wanted_positive = active.num_free();
+  out.wanted_negative = active.num_equations();
+  return out;
+}
+
+bool ProgramCheck::agrees() const {
+  return std::ranges::all_of(derivatives, &DerivativeCheck::agrees);
+}
+
+bool ProgramCheck::minimum() const {
+  return inertia.known && inertia.positive == wanted_positive &&
+         inertia.negative == wanted_negative;
+}
+
+std::string ProgramCheck::in_words() const {
+  std::string out = fmt::format(
+      "{} variables, {} of them fixed; {} constraints, {} of them "
+      "inequalities\n",
+      variables, fixed, constraints, inequalities);
+  for (const DerivativeCheck& one : derivatives) {
+    out += fmt::format(
+        "{:<9} {} x {}, {} entries; differs from differences by {:.1e}{}{}\n",
+        one.name, one.rows, one.columns, one.entries, one.difference,
+        one.worst_row.empty() ? "" : ", most at " + one.worst_row,
+        one.agrees() ? "" : ": WRONG");
+  }
+  out += links > 0 ? fmt::format(
+                         "chain     {} links, the largest with {} "
+                         "unknowns; {} in the border\n",
+                         links, largest_link, border)
+                   : "chain     none\n";
+  out += inertia.known ? fmt::format(
+                             "inertia   ({}, {}, {}), of a strict minimum ({}, "
+                             "{}, 0)\n",
+                             inertia.positive, inertia.negative, inertia.zero,
+                             wanted_positive, wanted_negative)
+                       : "inertia   unknown\n";
+  return out;
+}
+
+nlohmann::ordered_json ProgramCheck::to_json() const {
+  nlohmann::ordered_json each = nlohmann::ordered_json::array();
+  for (const DerivativeCheck& one : derivatives) {
+    each.push_back({{"name", one.name},
+                    {"rows", one.rows},
+                    {"columns", one.columns},
+                    {"entries", one.entries},
+                    {"largest", one.largest},
+                    {"difference", one.difference},
+                    {"allowed", DerivativeCheck::kAllowed},
+                    {"worst_row", one.worst_row},
+                    {"agrees", one.agrees()}});
+  }
+  return {
+      {"agrees", agrees()},
+      {"variables", variables},
+      {"fixed", fixed},
+      {"constraints", constraints},
+      {"inequalities", inequalities},
+      {"derivatives", std::move(each)},
+      {"chain",
+       {{"links", links}, {"largest_link", largest_link}, {"border", border}}},
+      {"inertia",
+       {{"known", inertia.known},
+        {"positive", inertia.positive},
+        {"negative", inertia.negative},
+        {"zero", inertia.zero},
+        {"wanted_positive", wanted_positive},
+        {"wanted_negative", wanted_negative},
+        {"minimum", minimum()}}}};
+}
+
+}  // namespace brachisto::program_files

@@ -31,11 +31,18 @@ using testing::run;
 using testing::tree;
 
 /// The lines of a page's blocks of code, fenced or indented, that begin with
-/// `brachisto` or `./`; a line that ends in a backslash goes on.
+/// `brachisto` or `./`; a line that ends in a backslash goes on. The last cell
+/// of a table's row, if it is such a line in quotes.
 std::vector<std::string> commands_of(const std::string& page) {
+  const std::regex last_cell(R"(\| `((?:brachisto |\./)[^`]+)` \|$)");
   std::vector<std::string> commands;
   bool fenced = false, goes_on = false;
   for (const std::string& line : lines_of(page)) {
+    std::smatch cell;
+    if (!fenced && std::regex_search(line, cell, last_cell)) {
+      commands.push_back(cell[1]);
+      continue;
+    }
     const std::size_t indent = line.find_first_not_of(' ');
     if (indent == std::string::npos) continue;
     std::string code = line.substr(indent);

@@ -141,7 +141,7 @@ def limited_tracks(program):
                      arcs_in_words(answer),
                      "closed form" if mark is None else "indirect, over arcs" + mark])
     return table(["body", "contact", "limit", "τ, reference", "τ, here", "difference",
-                  "τ − witness", "φ", "arcs", "source"], rows)
+                  "τ − indirect", "φ", "arcs", "source"], rows)
 
 
 def tau_over_friction(program):
@@ -255,7 +255,7 @@ def worlds(program):
 
 
 def limits_in_worlds(program):
-    """problems/limits_in_worlds by the program, with its witness."""
+    """problems/limits_in_worlds by the program and the indirect method."""
     names = sorted(path.stem for path in LIMITS_IN_WORLDS.glob("*.yaml"))
     answers = program.solve_all([f"limits_in_worlds/{name}.yaml" for name in names],
                                 "--certify", "extremal", may_fail=True)
@@ -270,7 +270,7 @@ def limits_in_worlds(program):
                      small(value["reintegration_error"]),
                      f"{sum(check['passed'] for check in checks)} of {len(checks)}",
                      ", ".join(reasons) or "yes"])
-    return table(["scene", "arcs", "τ", "witness", "residual", "integrated again", "checks",
+    return table(["scene", "arcs", "τ", "indirect", "residual", "integrated again", "checks",
                   "can be rolled on"], rows)
 
 

@@ -25,7 +25,7 @@ RATES = {"rates": "paper/fig04_reference_case.yaml"}
 SENTENCES = {
     "README.md": [
         "τ = {reference.tau:.4f}. brachisto computes this one",
-        "τ = {coaster.tau:.4f}. Here the question has a plain answer",
+        "τ = {coaster.tau:.4f}. With bounds on curvature and load",
     ],
     "docs/theory.md": [
         "where the answer is $\\tau={reference.tau:.4f}$, following",

@@ -71,11 +71,12 @@ Verb table_verb() {
                 {"--quiet", &flags->quiet, "Do not tell what is solved next"}},
       .footer =
           R"(Every scene is solved in a process of its own, by the method that its
-file asks for. One that fails is a row, with the reason below the table.
+file asks for. One that fails or is refused is a row, with the reason
+below the table.
 Example:
   brachisto table problems/hard/*.yaml
-Exit codes: 0 all verified, 3 bad input file, 4 not all verified, 6 I/O,
-130/143 after SIGINT/SIGTERM.)",
+Exit codes: 0 all verified, 4 not all verified, 6 I/O, 130/143 after
+SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }
 

@@ -34,21 +34,25 @@ std::string tau_of(const Measurement& run) {
 std::vector<SolvedScene> solve_scenes(const std::vector<std::string>& files,
                                       const std::vector<std::string>& overrides,
                                       double seconds, const Hooks& hooks) {
-  std::vector<Experiment> experiments;
-  for (const std::string& file : files) {
-    const io::ProblemFile problem = io::read_problem_file(file, overrides);
-    experiments.push_back({.file = file,
-                           .overrides = overrides,
-                           .options = problem.options,
-                           .seconds = seconds});
-  }
   std::vector<SolvedScene> out;
-  for (const Experiment& experiment : experiments) {
+  for (const std::string& file : files) {
     if (hooks.announce) {
-      hooks.announce(fmt::format("{} of {}: {}", out.size() + 1, files.size(),
-                                 experiment.file));
+      hooks.announce(
+          fmt::format("{} of {}: {}", out.size() + 1, files.size(), file));
     }
-    out.push_back({experiment.file, measure(experiment, hooks.interrupt)});
+    Measurement run;
+    try {
+      const io::ProblemFile problem = io::read_problem_file(file, overrides);
+      run = measure({.file = file,
+                     .overrides = overrides,
+                     .options = problem.options,
+                     .seconds = seconds},
+                    hooks.interrupt);
+    } catch (const io::InputError& error) {
+      run.outcome = Measurement::Outcome::Refused;
+      run.cause = io::to_string(error.diagnostics().front());
+    }
+    out.push_back({file, std::move(run)});
   }
   return out;
 }

@@ -20,10 +20,10 @@ struct SolvedScene {
   Measurement run;
 };
 
-/// Each in a process of its own, one after the other.
+/// Each in a process of its own, one after the other. A file with mistakes is
+/// one that is refused.
 /// \param seconds  wall-clock limit of each
-/// \throws io::InputError, io::IoError  before any is solved
-/// \throws Interrupted
+/// \throws io::IoError, Interrupted
 [[nodiscard]] std::vector<SolvedScene> solve_scenes(
     const std::vector<std::string>& files,
     const std::vector<std::string>& overrides, double seconds,

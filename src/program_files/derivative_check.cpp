@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -21,7 +24,11 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// Moves the free variables only, each in proportion to its size.
+/// Of a row that no step told anything of: more than all.
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+/// Moves the free variables only, each in proportion to its size, and by no
+/// more than one, which angles are large against.
 class Directions {
  public:
   Directions(const nlp::Problem& problem, const Vector& x) : size_(x.size()) {
@@ -32,7 +39,7 @@ class Directions {
       if (problem.variable_range(static_cast<int>(i)).single())
         size_[i] = 0.0;
       else
-        size_[i] = std::max(std::abs(x[i]), kSmallest * largest);
+        size_[i] = std::clamp(std::abs(x[i]), kSmallest * largest, 1.0);
     }
   }
   [[nodiscard]] Vector next() {
@@ -69,24 +76,32 @@ class Checker {
              const std::function<RowSums(const Vector& d)>& derivative,
              const std::function<std::string(int)>& row_name) {
     constexpr int kDirections = 8;
+    constexpr std::array kSteps = {1e-3, 1e-4, 1e-5};
     for (int k = 0; k < kDirections; ++k) {
       const Vector d = directions_.next();
       move_to(point_.x);
       const RowSums ours = derivative(d);
-      const Vector theirs = difference_along(d, function);
-      double most = 0.0;
-      for (std::size_t i = 0; i < theirs.size(); ++i) {
-        most = std::max({most, ours.absolute[i], std::abs(theirs[i])});
-      }
-      out.largest = std::max(out.largest, most);
       // Of a row whose terms are all small rounding is that of the largest.
       constexpr double kOfLargest = 1e-3;
-      for (std::size_t i = 0; i < theirs.size(); ++i) {
-        const double size = std::max(ours.absolute[i], kOfLargest * most);
-        const double off = std::abs(ours.value[i] - theirs[i]) / size;
-        // Written so that a NaN is the worst of all.
-        if (size == 0.0 || off <= out.difference) continue;
-        out.difference = off;
+      const double most = std::ranges::max(ours.absolute);
+      out.largest = std::max(out.largest, most);
+      Vector least(ours.value.size(), kUnknown);
+      for (const double h : kSteps) {
+        const auto theirs = difference_along(d, h, function);
+        if (!theirs) continue;
+        for (std::size_t i = 0; i < least.size(); ++i) {
+          const double size = std::max(ours.absolute[i], kOfLargest * most);
+          if (size == 0.0) {
+            least[i] = std::min(least[i], std::abs((*theirs)[i]));
+            continue;
+          }
+          const double off = std::abs(ours.value[i] - (*theirs)[i]) / size;
+          least[i] = std::min(least[i], off);
+        }
+      }
+      for (std::size_t i = 0; i < least.size(); ++i) {
+        if (least[i] <= out.difference) continue;
+        out.difference = least[i];
         out.worst_row = row_name(static_cast<int>(i));
       }
     }
@@ -99,21 +114,21 @@ class Checker {
                               problem_.refusal());
     }
   }
-  [[nodiscard]] Vector difference_along(
-      const Vector& d, const std::function<Vector()>& function) {
-    constexpr double kStep = 1e-3;
-    const auto at_steps = [&](double steps) {
+  /// Nothing where F is not defined at one of the places.
+  [[nodiscard]] std::optional<Vector> difference_along(
+      const Vector& d, double h, const std::function<Vector()>& function) {
+    constexpr std::array kAt = {1.0, -1.0, 2.0, -2.0};
+    constexpr std::array kWeights = {8.0, -8.0, -1.0, 1.0};
+    Vector out;
+    for (std::size_t k = 0; k < kAt.size(); ++k) {
       Vector x = point_.x;
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += steps * kStep * d[i];
-      move_to(x);
-      return function();
-    };
-    const Vector ahead = at_steps(1.0), behind = at_steps(-1.0);
-    const Vector far_ahead = at_steps(2.0), far_behind = at_steps(-2.0);
-    Vector out(ahead.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = (8.0 * (ahead[i] - behind[i]) - (far_ahead[i] - far_behind[i])) /
-               (12.0 * kStep);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += kAt[k] * h * d[i];
+      if (!problem_.set_point(x)) return std::nullopt;
+      const Vector F = function();
+      out.resize(F.size());
+      for (std::size_t i = 0; i < F.size(); ++i) {
+        out[i] += kWeights[k] * F[i] / (12.0 * h);
+      }
     }
     return out;
   }

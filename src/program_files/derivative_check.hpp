@@ -20,9 +20,10 @@ namespace brachisto::program_files {
 ///
 ///     (8 (F(x + h d) − F(x − h d)) − (F(x + 2 h d) − F(x − 2 h d))) / (12 h),
 ///
-/// F what it derives. The formula errs by h⁴ F⁽⁵⁾/30 and by rounding over h.
-/// Directions touch all free variables at once, each in proportion to its size,
-/// so that an entry that is wrong or missing shows in its row.
+/// F what it derives. The formula errs by some h⁴ F⁽⁵⁾ and by rounding over h:
+/// of three steps h the one that agrees best is taken, row by row, for an entry
+/// that is wrong or missing disagrees with all. Directions touch all free
+/// variables at once, each in proportion to its size but by no more than h.
 struct DerivativeCheck {
   std::string name;         ///< "gradient", "Jacobian", "Hessian"
   std::size_t entries = 0;  ///< of the pattern

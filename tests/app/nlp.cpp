@@ -137,5 +137,50 @@ TEST(Nlp, IsToldWhatToWriteAndWhere) {
   EXPECT_EQ(run({"nlp", kScene, "--out", "x", "--format", "mps"}).code, 2);
 }
 
+TEST(Nlp, ChecksAFileOrSaysWhyNot) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch.path() / "case.sol";
+  std::ofstream(file) << "no answer\n";
+  const Output no_answer = run({"nlp", kScene, "--check", file.string()});
+  EXPECT_EQ(no_answer.code, 3);
+  EXPECT_NE(no_answer.err.find("case.sol:1:1: no .sol file in text"),
+            std::string::npos)
+      << no_answer.err;
+
+  EXPECT_EQ(run({"nlp", kScene, "--check", "nothing.sol"}).code, 6);
+  const Output both =
+      run({"nlp", kScene, "--check", file.string(), "--out", "case.nl"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.err.find("one of them"), std::string::npos) << both.err;
+}
+
+TEST(Derivatives, AgreeAndTellOfTheProgram) {
+  const Output output = run({"derivatives", kScene, "--json"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json told = json::parse(output.out);
+  const json solved = json::parse(run({"solve", kScene, "--json"}).out);
+  EXPECT_EQ(told.at("variables"), solved.at("variables"));
+  EXPECT_EQ(told.at("constraints"), solved.at("constraints"));
+  EXPECT_EQ(told.at("inertia").at("minimum"), true);
+  EXPECT_GT(told.at("chain").at("links").get<int>(), 0);
+}
+
+TEST(Table, HasARowForEachScene) {
+  const std::string refused = BRACHISTO_PROBLEMS_DIR "/hard/eta_m_1.yaml";
+
+  const Output output = run({"table", kScene, refused, "--json", "--quiet"});
+
+  EXPECT_EQ(output.code, 4) << output.err;
+  const json rows = json::parse(output.out);
+  ASSERT_EQ(rows.size(), 2u);
+  const json solved = json::parse(run({"solve", kScene, "--json"}).out);
+  EXPECT_EQ(rows[0].at("tau"), solved.at("tau"));
+  EXPECT_EQ(rows[0].at("verified"), true);
+  EXPECT_EQ(rows[1].at("outcome"), "refused");
+  EXPECT_EQ(run({"table", kScene, "--quiet"}).code, 0);
+  EXPECT_EQ(run({"table", "nothing.yaml", "--quiet"}).code, 6);
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -20,9 +20,11 @@ namespace brachisto::testing {
 /// point is (1, 1, 2).
 class TinyProblem final : public nlp::Problem {
  public:
-  /// Added to ∂f/∂x_i and g_i, to stand for mistakes.
+  /// Added to ∂f/∂x_i, g_i, and entries of derivatives, to stand for mistakes.
   std::vector<double> spoil_grad_f{0.0, 0.0, 0.0};
   std::vector<double> spoil_g{0.0, 0.0};
+  std::vector<double> spoil_jac_g = std::vector<double>(5);
+  std::vector<double> spoil_hess_lag = std::vector<double>(4);
   /// Whether a point need not be evaluated again, as of a problem that follows
   /// from x alone.
   bool remembers = false;
@@ -89,6 +91,7 @@ class TinyProblem final : public nlp::Problem {
     values[2] = -1.0;
     values[3] = x_[1];
     values[4] = x_[0];
+    for (std::size_t i = 0; i < 5; ++i) values[i] += spoil_jac_g[i];
   }
   void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
                         std::span<double> values) const override {
@@ -96,6 +99,7 @@ class TinyProblem final : public nlp::Problem {
     values[1] = objective_factor;
     values[2] = lambda[1];
     values[3] = 2.0 * objective_factor;
+    for (std::size_t i = 0; i < 4; ++i) values[i] += spoil_hess_lag[i];
   }
 
   static constexpr double kFree = std::numeric_limits<double>::infinity();

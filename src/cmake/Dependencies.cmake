@@ -20,3 +20,13 @@ if(NOT TARGET SuiteSparse::KLU)
     IMPORTED_LOCATION ${KLU_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${SUITESPARSE_INCLUDE_DIR})
 endif()
+
+# Debian's own way to MUMPS; Ipopt of Debian 13 does not hand on what it links.
+if(NOT TARGET MUMPS::MUMPS)
+  find_path(MUMPS_INCLUDE_DIR dmumps_c.h REQUIRED)
+  find_library(MUMPS_LIBRARY dmumps_seq REQUIRED)
+  add_library(MUMPS::MUMPS UNKNOWN IMPORTED)
+  set_target_properties(MUMPS::MUMPS PROPERTIES
+    IMPORTED_LOCATION ${MUMPS_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${MUMPS_INCLUDE_DIR})
+endif()

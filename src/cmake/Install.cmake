@@ -30,7 +30,7 @@ file(RELATIVE_PATH prefix_from_pc
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 if(NOT BUILD_SHARED_LIBS)
   set(pc_packages "ipopt, fmt, yaml-cpp, muparser")
-  set(pc_libraries "-lklu")
+  set(pc_libraries "-lklu -ldmumps_seq")
 endif()
 configure_file(${PROJECT_SOURCE_DIR}/src/cmake/brachisto.pc.in
   ${PROJECT_BINARY_DIR}/brachisto.pc @ONLY)

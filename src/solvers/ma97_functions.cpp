@@ -6,7 +6,8 @@
 #include <IpoptConfig.h>
 
 // 3.11.9 has a loader of its own with a function for it. 3.14 has a member of a
-// class whose header is not installed: it is declared here as it stands there.
+// class whose header is not installed: it is declared here as it stands there,
+// with scales that are not const.
 #if IPOPT_VERSION_MAJOR == 3 && IPOPT_VERSION_MINOR == 11 && \
     IPOPT_VERSION_RELEASE == 9 && __has_include(<HSLLoader.h>)
 #define BRACHISTO_MA97_BY 11
@@ -16,13 +17,16 @@
 namespace Ipopt {
 class Ma97SolverInterface {
  public:
-  static void SetFunctions(decltype(brachisto::Ma97Functions::default_control),
-                           decltype(brachisto::Ma97Functions::analyse),
-                           decltype(brachisto::Ma97Functions::factor),
-                           decltype(brachisto::Ma97Functions::factor_solve),
-                           decltype(brachisto::Ma97Functions::solve),
-                           decltype(brachisto::Ma97Functions::finalise),
-                           decltype(brachisto::Ma97Functions::free_akeep));
+  using Functions = brachisto::Ma97Functions;
+  static void SetFunctions(
+      decltype(Functions::default_control), decltype(Functions::analyse),
+      void (*factor)(int, const int*, const int*, const double*, void**, void**,
+                     const ma97_control_d*, ma97_info_d*, double*),
+      void (*factor_solve)(int, const int*, const int*, const double*, int,
+                           double*, int, void**, void**, const ma97_control_d*,
+                           ma97_info_d*, double*),
+      decltype(Functions::solve), decltype(Functions::finalise),
+      decltype(Functions::free_akeep));
 };
 }  // namespace Ipopt
 #else
@@ -39,16 +43,38 @@ std::string_view ipopt_release() {
   return IPOPT_VERSION;
 }
 
+#if BRACHISTO_MA97_BY == 14
+namespace {
+
+Ma97Functions in_force;
+
+void factor(int type, const int ptr[], const int row[], const double val[],
+            void** akeep, void** fkeep, const ma97_control_d* control,
+            ma97_info_d* info, double scale[]) {
+  in_force.factor(type, ptr, row, val, akeep, fkeep, control, info, scale);
+}
+
+void factor_solve(int type, const int ptr[], const int row[],
+                  const double val[], int nrhs, double x[], int ldx,
+                  void** akeep, void** fkeep, const ma97_control_d* control,
+                  ma97_info_d* info, double scale[]) {
+  in_force.factor_solve(type, ptr, row, val, nrhs, x, ldx, akeep, fkeep,
+                        control, info, scale);
+}
+
+}  // namespace
+#endif
+
 void set_ma97_functions([[maybe_unused]] const Ma97Functions& functions) {
 #if BRACHISTO_MA97_BY == 11
   LSL_setMA97(functions.default_control, functions.analyse, functions.factor,
               functions.factor_solve, functions.solve, functions.finalise,
               functions.free_akeep);
 #elif BRACHISTO_MA97_BY == 14
+  in_force = functions;
   Ipopt::Ma97SolverInterface::SetFunctions(
-      functions.default_control, functions.analyse, functions.factor,
-      functions.factor_solve, functions.solve, functions.finalise,
-      functions.free_akeep);
+      functions.default_control, functions.analyse, factor, factor_solve,
+      functions.solve, functions.finalise, functions.free_akeep);
 #endif
 }
 

@@ -361,7 +361,7 @@ std::map<double, double> marks(const std::string& svg,
 TEST(SweepCells, AreOneForEachSceneOfAPicture) {
   const auto data = testing::data_of(page(plane()));
 
-  const auto& cells = cells_of(data, "map-1");
+  const auto cells = cells_of(data, "map-1");
   std::vector<std::size_t> scenes = cells["scenes"];
   std::ranges::sort(scenes);
   ASSERT_EQ(scenes.size(), 132u);
@@ -381,7 +381,7 @@ void expect_cells_under_crosses(SweepTable table, const std::string& name) {
   const auto svg = std::ranges::find(files, name + ".svg", &OutputFile::name);
   const auto crosses = marks(svg->content, "gpPt1");
   const auto data = testing::data_of(files.back().content);
-  const auto& cells = cells_of(data, name);
+  const auto cells = cells_of(data, name);
   ASSERT_GE(crosses.size(), 11u);
   for (std::size_t i = 0; i < cells["scenes"].size(); ++i) {
     if (cells["scenes"][i] !=
@@ -416,7 +416,7 @@ TEST(SweepCells, OfACurveAreItsPoints) {
   const auto files = sweep_report(table);
   const auto data = testing::data_of(files.back().content);
 
-  const auto& cells = cells_of(data, "curve-1");
+  const auto cells = cells_of(data, "curve-1");
   EXPECT_EQ(cells["row"], 9);
   EXPECT_EQ(cells["meet"], false);
   ASSERT_EQ(files[2].name, "curve-1.svg");

@@ -20,8 +20,7 @@ namespace brachisto::testing {
   const XML_Status status = XML_Parse(parser.get(), text.data(),
                                       static_cast<int>(text.size()), XML_TRUE);
   if (status == XML_STATUS_OK) return "";
-  return "line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) +
-         ": " + XML_ErrorString(XML_GetErrorCode(parser.get()));
+  return XML_ErrorString(XML_GetErrorCode(parser.get()));
 }
 
 }  // namespace brachisto::testing

@@ -211,7 +211,7 @@ TEST_P(Price, IsTheSlopeOfTheTimeOfWholeSolves) {
 
   const Solution solution = solve(bound.scene);
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const LimitOnPath& limit = limit_named(solution, bound.limit);
+  const LimitOnPath limit = limit_named(solution, bound.limit);
   ASSERT_FALSE(limit.active.empty());
   ASSERT_TRUE(limit.price);
 
@@ -264,7 +264,7 @@ TEST(PriceAtRest, IsTheSlopeOfTheTimeOfWholeSolves) {
   };
   const Solution solution = solved(kBound);
   ASSERT_TRUE(solution.verified()) << solution.message;
-  const LimitOnPath& limit = limit_named(solution, "normal_force.min");
+  const LimitOnPath limit = limit_named(solution, "normal_force.min");
   EXPECT_TRUE(limit.active.empty());
   const double slope = (solved(kBound + kStep).motion()->tau() -
                         solved(kBound - kStep).motion()->tau()) /
@@ -288,8 +288,8 @@ TEST(PriceUnits, AreThoseOfTheBound) {
     const Solution small = solve(scene);
     const Solution large = solve(enlarged(scene, kLength, kGravity));
     ASSERT_TRUE(small.verified() && large.verified()) << limit;
-    const LimitOnPath& a = limit_named(small, limit);
-    const LimitOnPath& b = limit_named(large, limit);
+    const LimitOnPath a = limit_named(small, limit);
+    const LimitOnPath b = limit_named(large, limit);
 
     const double scale = std::pow(kLength, power);
     EXPECT_NEAR(*b.price, scale * *a.price, 1e-7) << limit;

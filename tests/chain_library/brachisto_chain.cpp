@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "chain_library/kkt_matrix.hpp"
+#include "solvers/mumps.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -106,6 +107,69 @@ TEST(BrachistoChain, KnowsTheInertiaOfSecondDifferences) {
       }
     }
   }
+}
+
+/// A row as another one, but for `apart` in its first entry.
+Eigen::MatrixXd with_row_twice(const Eigen::MatrixXd& K, double apart) {
+  const Eigen::Index n = K.rows();
+  Eigen::Index one = 0;
+  while (K(one, one) != 0.0) ++one;  // of an equation
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  out.topLeftCorner(n, n) = K;
+  out.bottomLeftCorner(1, n) = K.row(one);
+  Eigen::Index entry = 0;
+  while (K(one, entry) == 0.0) ++entry;
+  out(n, entry) += apart;
+  out.topRightCorner(n, 1) = out.bottomLeftCorner(1, n).transpose();
+  return out;
+}
+
+/// Regular, nearly singular, and singular; with up to five dense columns.
+TEST(BrachistoChain, KnowsTheInertiaOfTwoHundredMatricesAsMumpsDoes) {
+  int singular = 0;
+  for (std::uint32_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    Eigen::MatrixXd K =
+        kkt_matrix(80, 1 + static_cast<int>(seed % 3), 1, random);
+    const auto n = K.rows();
+    const Eigen::Index dense = seed % 6;
+    Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + dense, n + dense);
+    bordered.topLeftCorner(n, n) = K;
+    for (Eigen::Index j = n; j < n + dense; ++j) {
+      for (Eigen::Index i = 0; i < j; ++i) {
+        bordered(i, j) = bordered(j, i) = random.uniform(-0.1, 0.1);
+      }
+      bordered(j, j) = 3.0;
+    }
+    constexpr double kNearly = 1e-5;
+    if (seed % 3 == 1) bordered = with_row_twice(bordered, kNearly);
+    if (seed % 3 == 2) bordered = with_row_twice(bordered, 0.0);
+    const Rows rows = rows_of(bordered, 1);
+    const Chain chain = rows.make();
+    brachisto_chain_inertia ours{};
+
+    const auto status =
+        brachisto_chain_factorise(chain.get(), rows.values.data(), &ours);
+
+    std::vector<int> row, col;
+    for (int i = 0; i < rows.size(); ++i) {
+      for (int e = rows.ptr[static_cast<std::size_t>(i)];
+           e < rows.ptr[static_cast<std::size_t>(i) + 1]; ++e) {
+        row.push_back(i + 1);
+        col.push_back(rows.col[static_cast<std::size_t>(e) - 1]);
+      }
+    }
+    const Inertia theirs =
+        Mumps(dmumps_c).factorise(rows.size(), row, col, rows.values);
+    SCOPED_TRACE(seed);
+    EXPECT_EQ(status,
+              theirs.zero > 0 ? BRACHISTO_CHAIN_SINGULAR : BRACHISTO_CHAIN_OK);
+    singular += theirs.zero > 0 ? 1 : 0;
+    EXPECT_EQ(ours.zero, theirs.zero);
+    EXPECT_EQ(ours.negative, theirs.negative);
+    EXPECT_EQ(ours.positive, theirs.positive);
+  }
+  EXPECT_EQ(singular, 67);
 }
 
 TEST(BrachistoChain, RefusesWhatIsNoPattern) {

@@ -120,7 +120,8 @@ TEST_F(PaperCommand, TheDocumentationHasEveryStatementAndItsVerdict) {
     const auto row = rows.find(claim["statement"]);
     ASSERT_NE(row, rows.end()) << claim["statement"];
     ASSERT_GE(row->second.size(), 3U) << claim["statement"];
-    EXPECT_EQ(row->second[1], claim["verdict"]) << claim["statement"];
+    EXPECT_EQ(row->second[1], claim["verdict"].get<std::string>())
+        << claim["statement"];
   }
 }
 

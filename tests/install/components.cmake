@@ -29,6 +29,7 @@ set(command
   share/fish/vendor_completions[.]d/brachisto[.]fish)
 set(development
   include/brachisto/brachisto[.]hpp
+  include/brachisto_chain[.]h
   include/brachisto/version[.]hpp
   include/brachisto/.+[.]hpp
   ${lib}/cmake/brachisto/brachistoConfig[.]cmake

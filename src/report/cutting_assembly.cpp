@@ -230,16 +230,14 @@ std::vector<Drawing> assembly(const Edge& edge,
                               const std::vector<DisplacedStretch>& stretches,
                               const Build& build, const SheetFrame& frame) {
   Picture picture(edge, pieces, frame);
-  if (!stretches.empty()) {
-    picture.add_dearest(*std::ranges::max_element(
-        stretches, {}, [](const DisplacedStretch& stretch) {
-          return std::abs(stretch.dearer());
-        }));
-  }
+  picture.add_dearest(*std::ranges::max_element(
+      stretches, {}, [](const DisplacedStretch& stretch) {
+        return std::abs(stretch.dearer());
+      }));
   std::vector<Drawing> out{std::move(picture).drawing()};
   TableSheets tables(frame, out);
   tables.add(table_of_pieces(edge, pieces, sheet_of));
-  if (!stretches.empty()) tables.add(table_of_errors(stretches, build));
+  tables.add(table_of_errors(stretches, build));
   return out;
 }
 

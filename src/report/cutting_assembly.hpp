@@ -19,7 +19,7 @@ namespace brachisto::report::cutting {
 /// piece hangs from A, and what an error costs along the track. Engraved alone.
 ///
 /// \param sheet_of   of each piece
-/// \param stretches  times as built; empty if they are not known
+/// \param stretches  times as built, one or more
 [[nodiscard]] std::vector<Drawing> assembly(
     const Edge& edge, const std::vector<Piece>& pieces,
     const std::vector<int>& sheet_of,

@@ -115,7 +115,7 @@ std::vector<std::string> facts(const Solution& solution, const Build& build,
                               grip_in_words(solution.diagnostics->least_grip)));
   }
   out.push_back(load_in_words(*solution.diagnostics, build));
-  if (!stretches.empty()) out.push_back(care_in_words(stretches, build));
+  out.push_back(care_in_words(stretches, build));
   if (scene.body.rolls()) {
     out.push_back(fmt::format(
         "The two discs and two flanges have k = {:.3g} as they are cut.",

@@ -100,6 +100,22 @@ TEST(Build, RefusesWhatIsNoSizeBeforeAnythingIsWritten) {
   }
 }
 
+TEST(Build, FlagsAreRefusedWithoutADirectoryForTheSheets) {
+  const std::vector<std::string> all[] = {
+      {"--scale", "1:5"},     {"--strip", "20"}, {"--thickness", "4"},
+      {"--sheet", "600x400"}, {"--hole", "4"},   {"--rails", "15"}};
+  for (const std::vector<std::string>& flags : all) {
+    const Output output = run({"solve", kProblem, flags[0], flags[1]});
+    EXPECT_EQ(output.code, 2) << flags[0];
+    EXPECT_THAT(output.err, HasSubstr("brachisto solve: " + flags[0] +
+                                      " requires --track-svg or --track-dxf"));
+    EXPECT_TRUE(output.out.empty());
+  }
+  // A flag that nobody knows comes first.
+  EXPECT_THAT(run({"solve", kProblem, "--rails", "15", "--strp", "3"}).err,
+              HasSubstr("--strp is not a flag of solve"));
+}
+
 TEST(Build, IsNothingForATrackThatCannotBeRolledOn) {
   const ScratchDirectory scratch;
   const Output output = built(scratch.path() / "sheets", {"--scale", "1:5"},

@@ -77,6 +77,7 @@ Part piece_part(const Edge& edge, const std::vector<Piece>& pieces,
   Part out{.name = fmt::format("{}{}", index + 1, side), .shapes = {}};
   std::vector<Point> corners = outline(edge, piece.from, piece.to, 0.0, strip);
   out.box = box_of(corners);
+  out.turns = turns_of(edge, piece.from, piece.to);
   out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge, piece.holes, build);
   for (const double slot : piece.slots) {
@@ -128,6 +129,7 @@ Part plate_part(const Edge& edge, const std::vector<Piece>& pieces,
       outline(edge, at - joint.end, at + joint.end, kPlateTop * edge.strip(),
               kPlateBottom * edge.strip());
   out.box = box_of(corners);
+  out.turns = turns_of(edge, at - joint.end, at + joint.end);
   out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge,
             {at - joint.far, at - joint.near, at + joint.near, at + joint.far},
@@ -222,6 +224,13 @@ class Legend {
 };
 
 }  // namespace
+
+Part Part::turned(double angle) const {
+  if (angle == 0.0) return *this;
+  Part out{.name = name, .shapes = shapes.turned(angle)};
+  out.box = box_of(out.shapes.polylines.front().points);
+  return out;
+}
 
 double flange_of(const Build& build) {
   return 0.5 * kPlateTop * build.strip;

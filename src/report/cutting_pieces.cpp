@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "report/cutting_drawing.hpp"
 
 namespace brachisto::report::cutting {
 
@@ -179,6 +182,12 @@ Box box_of(const std::vector<Point>& points) {
   return box;
 }
 
+std::vector<double> turns_of(const Edge& edge, double from, double to) {
+  const Point a = edge.at(from).place, b = edge.at(to).place;
+  const double level = -std::atan2(b.z - a.z, b.x - a.x);
+  return {0.0, level, level + 0.5 * std::numbers::pi};
+}
+
 Joint joint_of(const Build& build) {
   return {2.0 * build.hole, 5.0 * build.hole, 6.5 * build.hole};
 }
@@ -214,7 +223,15 @@ std::vector<Piece> pieces_of(const Edge& edge, const Build& build,
                        : "too short for the holes of their joints, and longer "
                          "ones do not fit on a sheet"));
       }
-      if (!fits(box_of(outline(edge, from, to, 0.0, edge.strip())))) break;
+      const std::vector<Point> corners =
+          outline(edge, from, to, 0.0, edge.strip());
+      const bool somehow =
+          std::ranges::any_of(turns_of(edge, from, to), [&](double angle) {
+            std::vector<Point> lying = corners;
+            for (Point& p : lying) p = turned(p, angle);
+            return fits(box_of(lying));
+          });
+      if (!somehow) break;
       pieces.push_back(piece_between(from, to, first, last, build));
     }
     if (pieces.size() == static_cast<std::size_t>(count)) return pieces;

@@ -199,6 +199,8 @@ std::vector<Drawing> cutting_template(const Solution& solution,
       body_parts(solution.scene.body, motion.start_angle(), made_of, built),
       std::back_inserter(parts));
   Arrangement sheets = arranged(parts, frame);
+  // Pieces come first.
+  sheets.sheet_of.resize(pieces.size() * (built.gauge ? 2 : 1));
   std::vector<Drawing> out = std::move(sheets.sheets);
   std::ranges::move(
       assembly(edge, pieces, sheets.sheet_of, stretches, built, frame),

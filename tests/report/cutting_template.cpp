@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -411,6 +412,54 @@ TEST(CuttingTemplate, RailsAreTwoStripsAndASpacerForEachPairOfSlots) {
     }
   }
   EXPECT_EQ(slots, spacers);
+}
+
+TEST(CuttingTemplate, TheAssemblyTellsTheSheetsOfBothRails) {
+  const std::vector<Drawing> drawings =
+      drawings_of(off_centred_solution(), small_rails());
+  std::map<std::string, int> sheets;  // of each piece, as engraved
+  for (const Drawing& drawing : drawings) {
+    if (!is_cut(drawing)) continue;
+    for (const CutPiece& piece : pieces_in(read_dxf(as_dxf(drawing)))) {
+      sheets[std::to_string(piece.number) + piece.side] =
+          std::stoi(drawing.name.substr(drawing.name.find('-') + 1));
+    }
+  }
+  const std::string words = words_on(drawings.back());
+  for (int i = 1; sheets.contains(std::to_string(i) + "L"); ++i) {
+    const std::string number = std::to_string(i);
+    EXPECT_THAT(words, HasSubstr(" " + number + " " +
+                                 std::to_string(sheets[number + "L"]) + " L, " +
+                                 std::to_string(sheets[number + "R"]) + " R "));
+  }
+}
+
+TEST(CuttingTemplate, WordsOfAnAssemblyDoNotOverlap) {
+  // Level ones, as wide as width_of() says, between base line and height.
+  for (const Build& build : {fifth(), small_rails()}) {
+    for (const Solution* solution :
+         {&bead_solution(), &uniform_solution(), &off_centred_solution()}) {
+      for (const Drawing& drawing : drawings_of(*solution, build)) {
+        if (drawing.name != "assembly-01") continue;
+        const auto& labels = drawing.shapes.labels;
+        const auto box = [](const Label& label) {
+          const double width =
+              report::width_of(report::letters(label.text), label.size);
+          const double left = label.at.x - (label.centred ? 0.5 * width : 0.0);
+          return report::Box{{left, label.at.z - label.size},
+                             {left + width, label.at.z}};
+        };
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+          for (std::size_t j = 0; j < i; ++j) {
+            const report::Box a = box(labels[i]), b = box(labels[j]);
+            EXPECT_TRUE(a.high.x <= b.low.x || b.high.x <= a.low.x ||
+                        a.high.z <= b.low.z || b.high.z <= a.low.z)
+                << labels[i].text << " and " << labels[j].text;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(CuttingTemplate, TheBodyIsTwoDiscsAndTwoFlanges) {

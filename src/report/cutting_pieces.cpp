@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "report/cutting_drawing.hpp"
 
@@ -215,13 +216,17 @@ std::vector<Piece> pieces_of(const Edge& edge, const Build& build,
       const double from = length * i / count, to = length * (i + 1) / count;
       const bool first = i == 0, last = i == count - 1;
       if (to - from < least_length(first, last, build)) {
-        throw TemplateError(fmt::format(
-            "{} pieces of {:.4g} mm are {}; a larger --sheet, a smaller "
-            "--strip or --hole, or another --scale makes room",
-            count, length / count,
-            count == 1 ? "too short for their holes"
-                       : "too short for the holes of their joints, and longer "
-                         "ones do not fit on a sheet"));
+        const std::string why =
+            count == 1
+                ? fmt::format("a track of {:.4g} mm is too short for its holes",
+                              length)
+                : fmt::format(
+                      "{} pieces of {:.4g} mm are too short for the holes of "
+                      "their joints, and longer ones do not fit on a sheet",
+                      count, length / count);
+        throw TemplateError(why +
+                            "; a larger --sheet, a smaller --strip or --hole, "
+                            "or another --scale makes room");
       }
       const std::vector<Point> corners =
           outline(edge, from, to, 0.0, edge.strip());

@@ -84,6 +84,7 @@ TEST(Build, RefusesWhatIsNoSizeBeforeAnythingIsWritten) {
       {{"--hole", "nan"}, "\"nan\" was read"},
       {{"--hole", "15"}, "a strip of 40 mm has no room for holes of 15 mm"},
       {{"--scale", "10:1"}, "a body of 800 mm does not fit on a sheet of 600"},
+      {{"--scale", "1:1000"}, "a track of 1.374 mm is too short for its holes"},
       {{"--sheet", "150x150", "--strip", "60"},
        "longer ones do not fit on a sheet"}};
   for (const Refused& one : all) {

@@ -28,7 +28,7 @@ constexpr int kPoints = 4;
 struct Sample {
   double s, ds, dt;            ///< place, weights
   double s_in_panel[kPoints];  ///< of Δs' at the points of its panel, to here
-  double beta, kappa, theta, A, half_w2;
+  double beta, kappa, theta, A, half_w2, drag;
   Point centre;
 };
 
@@ -160,6 +160,7 @@ class SampledMotion {
                           row.theta,
                           A,
                           0.5 * row.motion.v_c * row.motion.v_c * A,
+                          drag(scene_.world.air, row.motion.v_c),
                           row.centre});
     }
     for (int i = 0; i < kPoints; ++i) {
@@ -205,24 +206,21 @@ class SampledMotion {
     constexpr double kConverged = 1e-9;  // relative; the next step squares it
     using Jet = math::Jet1<double, 1>;
     using Vector = Eigen::Vector<double, kPoints>;
-    const auto drag_at = [&](const Jet& w, double A) {
-      return drag(scene_.world.air, Jet(w * (1.0 / std::sqrt(A))));
-    };
     Vector w, known;
     for (int i = 0; i < kPoints; ++i) {
       const Sample& here = points[at(i)];
       w[i] = std::sqrt(2.0 * here.half_w2);
       known[i] = displaced[at(i)].half_w2 - lost;
       for (int j = 0; j < kPoints; ++j) {
-        const Sample& there = points[at(j)];
-        known[i] += here.s_in_panel[j] *
-                    drag_at(Jet(std::sqrt(2.0 * there.half_w2)), there.A).value;
+        known[i] += here.s_in_panel[j] * points[at(j)].drag;
       }
     }
     Vector loss, by_w;
     for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
       for (int i = 0; i < kPoints; ++i) {
-        const Jet found = drag_at(Jet::variable(w[i], 0), displaced[at(i)].A);
+        const Jet speed =
+            Jet::variable(w[i], 0) * (1.0 / std::sqrt(displaced[at(i)].A));
+        const Jet found = drag(scene_.world.air, speed);
         loss[i] = bends[at(i)].stretch * found.value;
         by_w[i] = bends[at(i)].stretch * found.gradient[0];
       }
@@ -245,9 +243,7 @@ class SampledMotion {
       for (int i = 0; i < kPoints; ++i) {
         const Sample& here = points[at(i)];
         displaced[at(i)].half_w2 = 0.5 * w[i] * w[i];
-        lost += here.ds *
-                (loss[i] + by_w[i] * by[i] -
-                 drag_at(Jet(std::sqrt(2.0 * here.half_w2)), here.A).value);
+        lost += here.ds * (loss[i] + by_w[i] * by[i] - here.drag);
       }
       return;
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "io/visible_text.hpp"
@@ -185,23 +186,51 @@ void add_cross(Shapes& out, Point at, double arm) {
 }
 
 /// Of a disc that rolls or of its flange, with the axis at the origin.
-Part disc_part(const char* name, double radius, double letter,
-               const Build& build) {
+Part disc_part(const char* name, double radius, const Build& build) {
   Part out{.name = name, .shapes = {}};
   out.box = {{-radius, -radius}, {radius, radius}};
   out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, radius});
   if (radius > build.hole) {
     out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, 0.5 * build.hole});
   }
-  out.shapes.labels.push_back(
-      {{0.0, -0.5 * radius}, letter, out.name, 0.0, true});
   return out;
 }
 
-/// A sign on a disc, with its middle there.
+/// A sign on a disc, with its middle there, or so far to the right that it
+/// covers no other.
 void add_sign(Part& disc, Point at, double letter, const std::string& sign) {
-  disc.shapes.labels.push_back(
-      {{at.x, at.z + 0.35 * letter}, letter, sign, 0.0, true});
+  const double down = 0.35 * letter;
+  const auto covered = [&](const Label& other) {
+    return std::abs(other.at.x - at.x) < 1.1 * letter &&
+           std::abs(other.at.z - down - at.z) < 1.1 * letter;
+  };
+  while (std::ranges::any_of(disc.shapes.labels, covered)) at.x += 0.5 * letter;
+  disc.shapes.labels.push_back({{at.x, at.z + down}, letter, sign, 0.0, true});
+}
+
+/// Half a radius from the axis, where it is farthest from all marks.
+void add_name(Part& disc, double radius, double letter) {
+  constexpr int kPlaces = 8;
+  std::vector<Point> marks;
+  for (const Label& sign : disc.shapes.labels) marks.push_back(sign.at);
+  for (const Circle& circle : disc.shapes.circles) {
+    if (circle.line == Line::Engrave) marks.push_back(circle.centre);
+  }
+  Point best{};
+  double farthest = -1.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const Point at =
+        turned({0.0, -0.5 * radius}, 2.0 * std::numbers::pi * i / kPlaces);
+    double nearest = radius;
+    for (const Point mark : marks) {
+      nearest = std::min(nearest, std::hypot(mark.x - at.x, mark.z - at.z));
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = at;
+    }
+  }
+  disc.shapes.labels.push_back({best, letter, disc.name, 0.0, true});
 }
 
 /// The parts of a body where they are on its disc, by numbers, and their names
@@ -268,7 +297,7 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
   if (!body.rolls()) return {};
   const double r = build.per_metre() * body.radius;
   const double letter = std::clamp(r / 8.0, kLeastLetter, kLargestLetter);
-  Part disc = disc_part("disc", r, letter, build);
+  Part disc = disc_part("disc", r, build);
   add_line(disc.shapes, {0.0, 0.0},
            {-r * std::sin(start_angle), r * std::cos(start_angle)});
   // Beside the end of its radius.
@@ -281,7 +310,10 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
     add_sign(disc, {at.x + 1.6 * letter, at.z}, letter, "G");
   }
   add_parts(disc, made_of, letter, build);
-  const Part flange = disc_part("flange", r + flange_of(build), letter, build);
+  add_name(disc, r, letter);
+  const double rim = r + flange_of(build);
+  Part flange = disc_part("flange", rim, build);
+  add_name(flange, rim, letter);
   return {disc, disc, flange, flange};
 }
 

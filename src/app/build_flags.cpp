@@ -171,48 +171,57 @@ void BuildFlags::write(const std::vector<Drawing>& drawings, bool force) const {
 }
 
 std::vector<Flag> BuildFlags::flags() {
+  const std::vector<const char*> directories{"--track-svg", "--track-dxf"};
   return {
       directory_flag("--track-svg", svg_,
                      "Write the track there in parts to cut, with all that a "
                      "builder has to know, if it is verified and feasible"),
-      directory_flag("--track-dxf", dxf_, "The same as DXF"),
+      directory_flag(
+          "--track-dxf", dxf_,
+          "The same as DXF; the six flags that follow need one of these two"),
       {.name = "--sheet",
        .value = &sheet_,
        .text = "Size of the sheets to cut [mm]",
        .placeholder = "WIDTHxHEIGHT",
        .check = checked('x', 150.0, 1e5,
                         "two numbers from 150 to 100000, as in 600x400"),
-       .shows_default = true},
+       .shows_default = true,
+       .needs = directories},
       {.name = "--scale",
        .value = &scale_,
        .text = "Lengths as built to those of the scene",
        .placeholder = "BUILT:SCENE",
        .check = checked(':', 1e-3, 1e6,
                         "two numbers from 0.001 to 1000000, as in 1:5"),
-       .shows_default = true},
+       .shows_default = true,
+       .needs = directories},
       {.name = "--strip",
        .value = &strip_,
        .text = "Width of the strips, at most [mm]",
        .placeholder = "WIDTH",
        .check = millimetres(),
-       .shows_default = true},
+       .shows_default = true,
+       .needs = directories},
       {.name = "--thickness",
        .value = &thickness_,
        .text = "Thickness of the material [mm]",
        .placeholder = "THICKNESS",
        .check = millimetres(),
-       .shows_default = true},
+       .shows_default = true,
+       .needs = directories},
       {.name = "--hole",
        .value = &hole_,
        .text = "Diameter of the holes [mm]",
        .placeholder = "DIAMETER",
        .check = millimetres(),
-       .shows_default = true},
+       .shows_default = true,
+       .needs = directories},
       {.name = "--rails",
        .value = &gauge_,
        .text = "Two strips with so much between them, and spacers [mm]",
        .placeholder = "GAUGE",
-       .check = millimetres()}};
+       .check = millimetres(),
+       .needs = directories}};
 }
 
 }  // namespace brachisto::app

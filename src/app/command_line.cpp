@@ -164,8 +164,22 @@ void describe(const Flag& flag, CLI::App& verb) {
       },
       flag.value);
   if (flag.hidden) option->group("");
-  if (flag.needs != nullptr) option->needs(flag.needs);
+  if (flag.needs.size() == 1) option->needs(flag.needs.front());
   if (flag.excludes != nullptr) option->excludes(flag.excludes);
+}
+
+/// The library knows no flag that needs one of several.
+/// \throws CLI::RequiresError
+void refuse_alone(const Verb& verb, const CLI::App& read) {
+  for (const Flag& flag : verb.flags) {
+    if (flag.needs.size() < 2 || read.count(flag.name) == 0) continue;
+    if (std::ranges::none_of(flag.needs, [&](const char* other) {
+          return read.count(other) > 0;
+        })) {
+      throw CLI::RequiresError(
+          flag.name, fmt::format("{}", fmt::join(flag.needs, " or ")));
+    }
+  }
 }
 
 void describe_flags(const Verb& verb, const std::vector<Flag>& everywhere,
@@ -184,6 +198,7 @@ void describe_flags(const Verb& verb, const std::vector<Flag>& everywhere,
     describe(flag, *group);
   }
   for (const Flag& flag : everywhere) describe(flag, *out);
+  out->parse_complete_callback([&verb, out] { refuse_alone(verb, *out); });
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ struct Flag {
   bool required = false;
   bool shows_default = false;
   bool hidden = false;
-  const char* needs = nullptr;     ///< another flag
-  const char* excludes = nullptr;  ///< another flag
+  std::vector<const char*> needs = {};  ///< flags one of which has to be there
+  const char* excludes = nullptr;       ///< another flag
   /// Of the flags that name the same choice one has to be given.
   const char* choice = nullptr;
 

@@ -98,7 +98,7 @@ Verb solve_verb() {
       {.name = "--gif",
        .value = &flags->gif,
        .text = "Write the motion as motion.gif there too",
-       .needs = "--out"},
+       .needs = {"--out"}},
       {.name = "--certify",
        .value = &flags->certify,
        .text = "Cross-check: none or extremal (solver.certify)",

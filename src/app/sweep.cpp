@@ -159,7 +159,7 @@ Verb sweep_verb() {
            {.name = "--retry-failed",
             .value = &flags->retry,
             .text = "Solve scenes again that no worker answered for",
-            .needs = "--resume"},
+            .needs = {"--resume"}},
            unless_resumed(flags->force),
            {.name = "--timeout",
             .value = &flags->timeout,

@@ -33,6 +33,14 @@ void add_place(std::vector<std::string>& row, Point at) {
   row.push_back(in_mm(at.z));
 }
 
+/// Of two strips both pieces have one, first all L.
+std::string sheets_in_words(std::size_t piece, std::size_t pieces,
+                            const std::vector<int>& sheet_of) {
+  const int sheet = sheet_of[piece];
+  if (sheet_of.size() == pieces) return fmt::format("{}", sheet);
+  return fmt::format("{} L, {} R", sheet, sheet_of[pieces + piece]);
+}
+
 Table table_of_pieces(const Edge& edge, const std::vector<Piece>& pieces,
                       const std::vector<int>& sheet_of) {
   Table out{"Where each piece hangs: mm to the right of A (x) and below it (z)",
@@ -41,7 +49,7 @@ Table table_of_pieces(const Edge& edge, const std::vector<Piece>& pieces,
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
     std::vector<std::string> row{fmt::format("{}", i + 1),
-                                 fmt::format("{}", sheet_of[i])};
+                                 sheets_in_words(i, pieces.size(), sheet_of)};
     const double middle = 0.5 * edge.strip();
     add_place(row, edge.at(piece.from).place);
     add_place(row, edge.at(piece.to).place);
@@ -163,8 +171,13 @@ class Picture {
       line.points.push_back(on_sheet(p.at_depth(above)));
     }
     out_.shapes.polylines.push_back(std::move(line));
+    // Beside it on the side that is higher than the track.
     const EdgePoint middle = edge_.at(along(stretch.middle));
-    add_words(on_sheet(middle.at_depth(2.0 * above)), "most care", middle.beta);
+    const std::string words = "most care";
+    const double to_middle = half_width(words) + 0.3 * kWords;
+    const Point at = on_sheet(middle.at_depth(2.0 * above));
+    add_words({at.x + (middle.beta < 0.0 ? -to_middle : to_middle), at.z},
+              words);
   }
 
   [[nodiscard]] Drawing drawing() && { return std::move(out_); }
@@ -173,8 +186,11 @@ class Picture {
   [[nodiscard]] Point on_sheet(Point p) const {
     return {origin_.x + scale_ * p.x, origin_.z + scale_ * p.z};
   }
-  void add_words(Point at, const std::string& words, double angle = 0.0) {
-    out_.shapes.labels.push_back({at, kWords, words, angle, true});
+  static double half_width(const std::string& words) {
+    return 0.5 * width_of(letters(words), kWords);
+  }
+  void add_words(Point at, const std::string& words) {
+    out_.shapes.labels.push_back({at, kWords, words, 0.0, true});
   }
   void add_piece(const Piece& piece, std::size_t number) {
     std::vector<Point> corners =
@@ -200,14 +216,12 @@ class Picture {
     };
     add_line({room_.low.x, a.z}, {room_.high.x, a.z});
     add_line({a.x, room_.low.z}, {a.x, room_.high.z});
-    add_words({a.x + kWords, a.z - 0.5 * kWords}, "A");
+    add_words({a.x - kWords, a.z - 0.5 * kWords}, "A");
     add_words({b.x, b.z - kWords}, "B");
     const std::string level = "level through A", plumb = "plumb through A";
-    const auto half = [](const std::string& words) {
-      return 0.5 * width_of(letters(words), kWords);
-    };
-    add_words({room_.high.x - half(level), a.z - 0.5 * kWords}, level);
-    add_words({a.x + half(plumb) + 0.5 * kWords, room_.high.z - 1.0}, plumb);
+    add_words({room_.high.x - half_width(level), a.z - 0.5 * kWords}, level);
+    add_words({a.x + half_width(plumb) + 0.5 * kWords, room_.high.z - 1.0},
+              plumb);
   }
 
   const Edge& edge_;
@@ -230,16 +244,14 @@ std::vector<Drawing> assembly(const Edge& edge,
                               const std::vector<DisplacedStretch>& stretches,
                               const Build& build, const SheetFrame& frame) {
   Picture picture(edge, pieces, frame);
-  if (!stretches.empty()) {
-    picture.add_dearest(*std::ranges::max_element(
-        stretches, {}, [](const DisplacedStretch& stretch) {
-          return std::abs(stretch.dearer());
-        }));
-  }
+  picture.add_dearest(*std::ranges::max_element(
+      stretches, {}, [](const DisplacedStretch& stretch) {
+        return std::abs(stretch.dearer());
+      }));
   std::vector<Drawing> out{std::move(picture).drawing()};
   TableSheets tables(frame, out);
   tables.add(table_of_pieces(edge, pieces, sheet_of));
-  if (!stretches.empty()) tables.add(table_of_errors(stretches, build));
+  tables.add(table_of_errors(stretches, build));
   return out;
 }
 

@@ -18,8 +18,8 @@ namespace brachisto::report::cutting {
 /// through A and where an error costs most; those that follow tell where each
 /// piece hangs from A, and what an error costs along the track. Engraved alone.
 ///
-/// \param sheet_of   of each piece
-/// \param stretches  times as built; empty if they are not known
+/// \param sheet_of   of each piece, of two strips first those of one
+/// \param stretches  times as built, one or more
 [[nodiscard]] std::vector<Drawing> assembly(
     const Edge& edge, const std::vector<Piece>& pieces,
     const std::vector<int>& sheet_of,

@@ -3,7 +3,29 @@
 
 #include "report/cutting_drawing.hpp"
 
+#include <cmath>
+
 namespace brachisto::report::cutting {
+
+Point turned(Point p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p.x - s * p.z, s * p.x + c * p.z};
+}
+
+Shapes Shapes::turned(double angle) const {
+  Shapes out = *this;
+  for (Polyline& polyline : out.polylines) {
+    for (Point& p : polyline.points) p = cutting::turned(p, angle);
+  }
+  for (Circle& circle : out.circles) {
+    circle.centre = cutting::turned(circle.centre, angle);
+  }
+  for (Label& label : out.labels) {
+    label.at = cutting::turned(label.at, angle);
+    label.angle += angle;
+  }
+  return out;
+}
 
 void Shapes::add(const Shapes& others, Point by) {
   const auto moved = [&](Point p) { return Point{p.x + by.x, p.z + by.z}; };

@@ -36,6 +36,9 @@ struct Label {
   bool centred = false;
 };
 
+/// About the origin, from right to down positive [rad].
+[[nodiscard]] Point turned(Point p, double angle);
+
 /// Lines and words.
 struct Shapes {
   std::vector<Polyline> polylines;
@@ -44,6 +47,8 @@ struct Shapes {
 
   /// Adds others, moved by so much [mm].
   void add(const Shapes& others, Point by);
+  /// About the origin, from right to down positive [rad].
+  [[nodiscard]] Shapes turned(double angle) const;
 };
 
 /// One sheet of material with its upper left corner at the origin.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "io/visible_text.hpp"
@@ -16,11 +17,14 @@ namespace brachisto::report::cutting {
 
 namespace {
 
-constexpr double kLargestLetter = 5.0, kLeastLetter = 1.5;  // [mm]
+constexpr double kLargestLetter = 5.0, kLeastLetter = 2.0;  // [mm]
 
 /// Depths of the plates that lap joints, and of tabs, in the strip.
 constexpr double kPlateTop = 0.25, kPlateBottom = 0.75;
 constexpr double kTab = 1.0 / 3.0;
+
+/// Of words beside a number, to its letters.
+constexpr double kSmall = 0.7;
 
 double letter_of(const Edge& edge) {
   return std::min(kLargestLetter, edge.strip() / 7.0);
@@ -65,7 +69,7 @@ void add_level(Shapes& out, const Edge& edge, const Piece& piece) {
   const double level = arm(s, c), plumb = arm(c, s);
   add_line(out, {at.x - level, at.z}, {at.x + level, at.z});
   add_line(out, {at.x, at.z - plumb}, {at.x, at.z + plumb});
-  const double size = std::min(0.5 * letter_of(edge), level / 4.0);
+  const double size = std::min(kSmall * letter_of(edge), level / 4.0);
   out.labels.push_back({{at.x + 0.4 * size, at.z - 0.4 * size}, size, "level"});
 }
 
@@ -77,6 +81,7 @@ Part piece_part(const Edge& edge, const std::vector<Piece>& pieces,
   Part out{.name = fmt::format("{}{}", index + 1, side), .shapes = {}};
   std::vector<Point> corners = outline(edge, piece.from, piece.to, 0.0, strip);
   out.box = box_of(corners);
+  out.turns = turns_of(edge, piece.from, piece.to);
   out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge, piece.holes, build);
   for (const double slot : piece.slots) {
@@ -103,7 +108,7 @@ Part piece_part(const Edge& edge, const std::vector<Piece>& pieces,
   out.shapes.labels.push_back({words.at_depth(0.5 * strip + 0.6 * size), size,
                                number, words.beta, true});
   const std::string rolls = "rolling edge";
-  const double small = fitting(rolls, 0.55 * letter_of(edge));
+  const double small = fitting(rolls, kSmall * letter_of(edge));
   out.shapes.labels.push_back(
       {words.at_depth(flange + 1.3 * small), small, rolls, words.beta, true});
   const auto add_end = [&](double along, const char* name) {
@@ -128,6 +133,7 @@ Part plate_part(const Edge& edge, const std::vector<Piece>& pieces,
       outline(edge, at - joint.end, at + joint.end, kPlateTop * edge.strip(),
               kPlateBottom * edge.strip());
   out.box = box_of(corners);
+  out.turns = turns_of(edge, at - joint.end, at + joint.end);
   out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge,
             {at - joint.far, at - joint.near, at + joint.near, at + joint.far},
@@ -180,48 +186,82 @@ void add_cross(Shapes& out, Point at, double arm) {
 }
 
 /// Of a disc that rolls or of its flange, with the axis at the origin.
-Part disc_part(const char* name, double radius, double letter,
-               const Build& build) {
+Part disc_part(const char* name, double radius, const Build& build) {
   Part out{.name = name, .shapes = {}};
   out.box = {{-radius, -radius}, {radius, radius}};
   out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, radius});
   if (radius > build.hole) {
     out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, 0.5 * build.hole});
   }
-  out.shapes.labels.push_back(
-      {{0.0, -0.5 * radius}, letter, out.name, 0.0, true});
   return out;
 }
 
-/// A sign beside a mark on a disc, and what it means to the right of the disc,
-/// for words would cross its rim.
-class Legend {
- public:
-  Legend(Part& disc, double letter)
-      : disc_(disc),
-        letter_(letter),
-        next_{disc.box.high.x + letter, disc.box.low.z + letter} {}
+/// A sign on a disc, with its middle there, or so far to the right that it
+/// covers no other.
+void add_sign(Part& disc, Point at, double letter, const std::string& sign) {
+  const double down = 0.35 * letter;
+  const auto covered = [&](const Label& other) {
+    return std::abs(other.at.x - at.x) < 1.1 * letter &&
+           std::abs(other.at.z - down - at.z) < 1.1 * letter;
+  };
+  while (std::ranges::any_of(disc.shapes.labels, covered)) at.x += 0.5 * letter;
+  disc.shapes.labels.push_back({{at.x, at.z + down}, letter, sign, 0.0, true});
+}
 
-  /// \param at  the middle of the sign
-  void add(Point at, const std::string& sign, const std::string& meaning) {
-    constexpr std::size_t kLongest = 40;
-    disc_.shapes.labels.push_back(
-        {{at.x, at.z + 0.35 * letter_}, letter_, sign, 0.0, true});
-    const std::string words =
-        shortened(fmt::format("{} {}", sign, io::visible(meaning)), kLongest);
-    disc_.shapes.labels.push_back({next_, letter_, words});
-    disc_.box.include({next_.x + width_of(letters(words), letter_), next_.z},
-                      0.0);
-    next_.z += 1.5 * letter_;
+/// Half a radius from the axis, where it is farthest from all marks.
+void add_name(Part& disc, double radius, double letter) {
+  constexpr int kPlaces = 8;
+  std::vector<Point> marks;
+  for (const Label& sign : disc.shapes.labels) marks.push_back(sign.at);
+  for (const Circle& circle : disc.shapes.circles) {
+    if (circle.line == Line::Engrave) marks.push_back(circle.centre);
   }
+  Point best{};
+  double farthest = -1.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const Point at =
+        turned({0.0, -0.5 * radius}, 2.0 * std::numbers::pi * i / kPlaces);
+    double nearest = radius;
+    for (const Point mark : marks) {
+      nearest = std::min(nearest, std::hypot(mark.x - at.x, mark.z - at.z));
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = at;
+    }
+  }
+  disc.shapes.labels.push_back({best, letter, disc.name, 0.0, true});
+}
 
- private:
-  Part& disc_;
-  double letter_;
-  Point next_;
-};
+/// The parts of a body where they are on its disc, by numbers, and their names
+/// to the right of it, for they would cross its rim.
+void add_parts(Part& disc, std::span<const MassPart> made_of, double letter,
+               const Build& build) {
+  constexpr std::size_t kLongest = 40;
+  Point next{disc.box.high.x + letter, disc.box.low.z + letter};
+  int number = 0;
+  for (const MassPart& part : made_of) {
+    const Point at{build.per_metre() * part.centre.x,
+                   build.per_metre() * part.centre.z};
+    const std::string sign = fmt::format("{}", ++number);
+    disc.shapes.circles.push_back({Line::Engrave, at, letter});
+    add_sign(disc, {at.x + 1.6 * letter, at.z}, letter, sign);
+    const std::string words =
+        shortened(fmt::format("{} {}", sign, io::visible(part.name)), kLongest);
+    disc.shapes.labels.push_back({next, letter, words});
+    disc.box.include({next.x + width_of(letters(words), letter), next.z}, 0.0);
+    next.z += 1.5 * letter;
+  }
+}
 
 }  // namespace
+
+Part Part::turned(double angle) const {
+  if (angle == 0.0) return *this;
+  Part out{.name = name, .shapes = shapes.turned(angle)};
+  out.box = box_of(out.shapes.polylines.front().points);
+  return out;
+}
 
 double flange_of(const Build& build) {
   return 0.5 * kPlateTop * build.strip;
@@ -256,30 +296,24 @@ std::vector<Part> body_parts(const Body& body, double start_angle,
                              const Build& build) {
   if (!body.rolls()) return {};
   const double r = build.per_metre() * body.radius;
-  const double letter = std::clamp(r / 12.0, kLeastLetter, kLargestLetter);
-  Part disc = disc_part("disc", r, letter, build);
+  const double letter = std::clamp(r / 8.0, kLeastLetter, kLargestLetter);
+  Part disc = disc_part("disc", r, build);
   add_line(disc.shapes, {0.0, 0.0},
            {-r * std::sin(start_angle), r * std::cos(start_angle)});
-  Legend legend(disc, letter);
   // Beside the end of its radius.
   const EdgePoint axis{.sigma = 0.0, .place = {0.0, 0.0}, .beta = start_angle};
-  legend.add(axis.beside(r - 2.5 * letter, letter), "A",
-             "lies on A at the start");
+  add_sign(disc, axis.beside(r - 2.5 * letter, letter), letter, "A");
   if (body.off_centred()) {
     const Point at{r * body.eta_m * std::cos(body.theta_m),
                    r * body.eta_m * std::sin(body.theta_m)};
     add_cross(disc.shapes, at, letter);
-    legend.add({at.x + 1.6 * letter, at.z}, "G", "centre of mass");
+    add_sign(disc, {at.x + 1.6 * letter, at.z}, letter, "G");
   }
-  int number = 0;
-  for (const MassPart& part : made_of) {
-    const Point at{build.per_metre() * part.centre.x,
-                   build.per_metre() * part.centre.z};
-    disc.shapes.circles.push_back({Line::Engrave, at, letter});
-    legend.add({at.x + 1.6 * letter, at.z}, fmt::format("{}", ++number),
-               part.name);
-  }
-  const Part flange = disc_part("flange", r + flange_of(build), letter, build);
+  add_parts(disc, made_of, letter, build);
+  add_name(disc, r, letter);
+  const double rim = r + flange_of(build);
+  Part flange = disc_part("flange", rim, build);
+  add_name(flange, rim, letter);
   return {disc, disc, flange, flange};
 }
 

@@ -23,6 +23,11 @@ struct Part {
   std::string name;  ///< "3", "3-4" of the plate that laps their joint
   Shapes shapes;     ///< [mm]
   Box box{};         ///< around them, words included
+  /// How it may be turned on a sheet [rad].
+  std::vector<double> turns = {0.0};
+
+  /// Turned so; other words than those within its outline only by 0.
+  [[nodiscard]] Part turned(double angle) const;
 };
 
 /// What is on a sheet beside the strip: how far a flange of the body reaches

@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+
+#include "report/cutting_drawing.hpp"
 
 namespace brachisto::report::cutting {
 
@@ -179,6 +183,12 @@ Box box_of(const std::vector<Point>& points) {
   return box;
 }
 
+std::vector<double> turns_of(const Edge& edge, double from, double to) {
+  const Point a = edge.at(from).place, b = edge.at(to).place;
+  const double level = -std::atan2(b.z - a.z, b.x - a.x);
+  return {0.0, level, level + 0.5 * std::numbers::pi};
+}
+
 Joint joint_of(const Build& build) {
   return {2.0 * build.hole, 5.0 * build.hole, 6.5 * build.hole};
 }
@@ -206,15 +216,27 @@ std::vector<Piece> pieces_of(const Edge& edge, const Build& build,
       const double from = length * i / count, to = length * (i + 1) / count;
       const bool first = i == 0, last = i == count - 1;
       if (to - from < least_length(first, last, build)) {
-        throw TemplateError(fmt::format(
-            "{} pieces of {:.4g} mm are {}; a larger --sheet, a smaller "
-            "--strip or --hole, or another --scale makes room",
-            count, length / count,
-            count == 1 ? "too short for their holes"
-                       : "too short for the holes of their joints, and longer "
-                         "ones do not fit on a sheet"));
+        const std::string why =
+            count == 1
+                ? fmt::format("a track of {:.4g} mm is too short for its holes",
+                              length)
+                : fmt::format(
+                      "{} pieces of {:.4g} mm are too short for the holes of "
+                      "their joints, and longer ones do not fit on a sheet",
+                      count, length / count);
+        throw TemplateError(why +
+                            "; a larger --sheet, a smaller --strip or --hole, "
+                            "or another --scale makes room");
       }
-      if (!fits(box_of(outline(edge, from, to, 0.0, edge.strip())))) break;
+      const std::vector<Point> corners =
+          outline(edge, from, to, 0.0, edge.strip());
+      const bool somehow =
+          std::ranges::any_of(turns_of(edge, from, to), [&](double angle) {
+            std::vector<Point> lying = corners;
+            for (Point& p : lying) p = turned(p, angle);
+            return fits(box_of(lying));
+          });
+      if (!somehow) break;
       pieces.push_back(piece_between(from, to, first, last, build));
     }
     if (pieces.size() == static_cast<std::size_t>(count)) return pieces;

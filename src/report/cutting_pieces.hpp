@@ -66,6 +66,11 @@ struct Piece {
 
 [[nodiscard]] Box box_of(const std::vector<Point>& points);
 
+/// How what lies between two lengths may be turned on a sheet [rad]: as it
+/// hangs, with its ends level, with its ends plumb.
+[[nodiscard]] std::vector<double> turns_of(const Edge& edge, double from,
+                                           double to);
+
 /// From a joint to the holes beside it, and to the end of the plate that laps
 /// it [mm].
 struct Joint {
@@ -79,7 +84,8 @@ struct Joint {
 /// \throws TemplateError
 [[nodiscard]] double strip_width(const Build& build, double sharpest);
 
-/// As few pieces as fit, all of the same length, cut across the track.
+/// As few pieces as fit, turned if need be, all of the same length, cut across
+/// the track.
 /// \param fits  whether there is room for a box
 /// \throws TemplateError
 [[nodiscard]] std::vector<Piece> pieces_of(

@@ -36,6 +36,53 @@ struct Row {
   double top, height, used;  ///< [mm], from the corner of the room
 };
 
+/// In rows, the highest first.
+Arrangement in_rows(const std::vector<Part>& parts, const SheetFrame& frame) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
+    return parts[i].box.height();
+  });
+  const Box& room = frame.room();
+  std::vector<Row> rows;
+  std::vector<double> bottoms;  // of what is used of each sheet
+  std::vector<Shapes> sheets;
+  Arrangement out{{}, std::vector<int>(parts.size())};
+  for (const std::size_t i : order) {
+    const Box& box = parts[i].box;
+    auto row = std::ranges::find_if(rows, [&](const Row& r) {
+      return r.used + box.width() <= room.width() && box.height() <= r.height;
+    });
+    if (row == rows.end()) {
+      const auto free = std::ranges::find_if(bottoms, [&](double bottom) {
+        return bottom + box.height() <= room.height();
+      });
+      const auto sheet = static_cast<std::size_t>(free - bottoms.begin());
+      if (free == bottoms.end()) {
+        bottoms.push_back(0.0);
+        sheets.emplace_back();
+      }
+      rows.push_back({sheet, bottoms[sheet], box.height(), 0.0});
+      bottoms[sheet] += box.height() + kApart;
+      row = rows.end() - 1;
+    }
+    sheets[row->sheet].add(parts[i].shapes,
+                           {room.low.x + row->used - box.low.x,
+                            room.low.z + row->top - box.low.z});
+    row->used += box.width() + kApart;
+    out.sheet_of[i] = static_cast<int>(row->sheet) + 1;
+  }
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    Drawing sheet =
+        frame.sheet(fmt::format("sheet-{:02}", i + 1),
+                    fmt::format("Sheet {} of {}: red is cut, blue is engraved",
+                                i + 1, sheets.size()));
+    sheet.shapes.add(sheets[i], {0.0, 0.0});
+    out.sheets.push_back(std::move(sheet));
+  }
+  return out;
+}
+
 }  // namespace
 
 SheetFrame::SheetFrame(const Build& build,
@@ -72,57 +119,28 @@ Drawing SheetFrame::sheet(const std::string& name,
 }
 
 Arrangement arranged(const std::vector<Part>& parts, const SheetFrame& frame) {
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
-    return parts[i].box.height();
-  });
-  const Box& room = frame.room();
-  std::vector<Row> rows;
-  std::vector<double> bottoms;  // of what is used of each sheet
-  std::vector<Shapes> sheets;
-  Arrangement out{{}, std::vector<int>(parts.size())};
-  for (const std::size_t i : order) {
-    const Box& box = parts[i].box;
-    if (!frame.fits(box)) {
+  std::vector<Part> hanging, low;
+  for (const Part& part : parts) {
+    std::vector<Part> fitting;
+    for (const double angle : part.turns) {
+      Part lying = part.turned(angle);
+      if (frame.fits(lying.box)) fitting.push_back(std::move(lying));
+    }
+    if (fitting.empty()) {
+      const Box &box = part.box, &room = frame.room();
       throw TemplateError(fmt::format(
           "part {} takes {:.4g} x {:.4g} mm, and a sheet has room for {:.4g} x "
           "{:.4g} mm beside its words; a larger --sheet or a smaller --scale "
           "makes room",
-          parts[i].name, box.width(), box.height(), std::max(0.0, room.width()),
+          part.name, box.width(), box.height(), std::max(0.0, room.width()),
           std::max(0.0, room.height())));
     }
-    auto row = std::ranges::find_if(rows, [&](const Row& r) {
-      return r.used + box.width() <= room.width() && box.height() <= r.height;
-    });
-    if (row == rows.end()) {
-      const auto free = std::ranges::find_if(bottoms, [&](double bottom) {
-        return bottom + box.height() <= room.height();
-      });
-      const auto sheet = static_cast<std::size_t>(free - bottoms.begin());
-      if (free == bottoms.end()) {
-        bottoms.push_back(0.0);
-        sheets.emplace_back();
-      }
-      rows.push_back({sheet, bottoms[sheet], box.height(), 0.0});
-      bottoms[sheet] += box.height() + kApart;
-      row = rows.end() - 1;
-    }
-    sheets[row->sheet].add(parts[i].shapes,
-                           {room.low.x + row->used - box.low.x,
-                            room.low.z + row->top - box.low.z});
-    row->used += box.width() + kApart;
-    out.sheet_of[i] = static_cast<int>(row->sheet) + 1;
+    low.push_back(*std::ranges::min_element(
+        fitting, {}, [](const Part& lying) { return lying.box.height(); }));
+    hanging.push_back(std::move(fitting.front()));
   }
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    Drawing sheet =
-        frame.sheet(fmt::format("sheet-{:02}", i + 1),
-                    fmt::format("Sheet {} of {}: red is cut, blue is engraved",
-                                i + 1, sheets.size()));
-    sheet.shapes.add(sheets[i], {0.0, 0.0});
-    out.sheets.push_back(std::move(sheet));
-  }
-  return out;
+  Arrangement out = in_rows(hanging, frame), lower = in_rows(low, frame);
+  return lower.sheets.size() < out.sheets.size() ? lower : out;
 }
 
 }  // namespace brachisto::report::cutting

@@ -37,7 +37,8 @@ class SheetFrame {
   Box room_;
 };
 
-/// Parts on sheets, the highest first, in rows.
+/// Parts on sheets, the highest first, in rows; as they hang where they fit, or
+/// all of them as low as they may lie if that takes fewer sheets.
 struct Arrangement {
   std::vector<Drawing> sheets;  ///< "sheet-01" and so on
   std::vector<int> sheet_of;    ///< of each part, from 1 on

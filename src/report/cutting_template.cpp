@@ -59,9 +59,27 @@ std::string built_in_words(const Build& build) {
                    *build.gauge);
   }
   return out +
-         ". The cross on each piece is level and plumb, the line below "
-         "its rolling edge as deep as a flange. Plate 1-2 laps pieces 1 and 2 "
+         ". The cross on each piece is level and plumb once it hangs, the line "
+         "below its rolling edge as deep as a flange. Plate 1-2 laps pieces 1 "
+         "and 2 "
          "from behind.";
+}
+
+/// Discs with another k than the body of the track are another body.
+std::string discs_in_words(const Body& body, const Build& build) {
+  const auto told = [](double k) { return fmt::format("{:.3g}", k); };
+  const std::string as_cut = told(k_of_discs(body, build));
+  std::string out = fmt::format(
+      "The two discs and two flanges have k = {} as they are cut", as_cut);
+  if (as_cut != told(body.k)) {
+    fmt::format_to(std::back_inserter(out),
+                   ", and the track is for k = {}: weights on them, or another "
+                   "body, have to make up for it",
+                   told(body.k));
+  }
+  out += ". A of a disc touches A of the track at the start";
+  if (body.off_centred()) out += ", G is the centre of mass";
+  return out + '.';
 }
 
 std::string load_in_words(const PathDiagnostics& known, const Build& build) {
@@ -115,11 +133,9 @@ std::vector<std::string> facts(const Solution& solution, const Build& build,
                               grip_in_words(solution.diagnostics->least_grip)));
   }
   out.push_back(load_in_words(*solution.diagnostics, build));
-  if (!stretches.empty()) out.push_back(care_in_words(stretches, build));
+  out.push_back(care_in_words(stretches, build));
   if (scene.body.rolls()) {
-    out.push_back(fmt::format(
-        "The two discs and two flanges have k = {:.3g} as they are cut.",
-        k_of_discs(scene.body, build)));
+    out.push_back(discs_in_words(scene.body, build));
   }
   return out;
 }
@@ -183,6 +199,8 @@ std::vector<Drawing> cutting_template(const Solution& solution,
       body_parts(solution.scene.body, motion.start_angle(), made_of, built),
       std::back_inserter(parts));
   Arrangement sheets = arranged(parts, frame);
+  // Pieces come first.
+  sheets.sheet_of.resize(pieces.size() * (built.gauge ? 2 : 1));
   std::vector<Drawing> out = std::move(sheets.sheets);
   std::ranges::move(
       assembly(edge, pieces, sheets.sheet_of, stretches, built, frame),

@@ -3,12 +3,15 @@
 
 #include "trajectory/displacement.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
 
 #include "brachisto/math/index.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/math/polynomial_basis.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
@@ -17,13 +20,15 @@ namespace brachisto {
 
 namespace {
 
-constexpr int kPoints = 3;  ///< of Gauss in each panel
+/// Of Radau in each panel, whose last one is its end: what relaxes within a
+/// panel, as the speed in thick air, is gone at its end.
+constexpr int kPoints = 4;
 
 /// A point of a rule along the motion.
 struct Sample {
-  double s, ds, dt;      ///< place, weights
-  double s_in_panel[3];  ///< of Δs' at the points of its panel, to here
-  double beta, kappa, theta, A, half_w2;
+  double s, ds, dt;            ///< place, weights
+  double s_in_panel[kPoints];  ///< of Δs' at the points of its panel, to here
+  double beta, kappa, theta, A, half_w2, drag;
   Point centre;
 };
 
@@ -48,12 +53,11 @@ class SampledMotion {
         motion.fine_sample(kPerStretch * (static_cast<int>(ends.size()) - 1));
     rows.insert(rows.end(), ends.begin(), ends.end());
     std::ranges::sort(rows, {}, &TrajectoryPoint::s);
-    const math::QuadratureRule rule = math::gauss_legendre(kPoints);
-    // Lengths and times between two rows as polynomials through both and the
-    // points.
+    const math::QuadratureRule rule = math::radau_right(kPoints);
+    // Lengths and times between two rows as polynomials through the first and
+    // the points.
     std::vector<double> places{0.0};
     places.insert(places.end(), rule.points.begin(), rule.points.end());
-    places.push_back(1.0);
     const math::SmallMatrix slopes =
         math::LagrangeBasis(places).slopes_at(rule.points);
     const math::SmallMatrix sums =
@@ -66,8 +70,9 @@ class SampledMotion {
   /// ΔT; see displaced_stretches().
   [[nodiscard]] double change(double from, double to, double height) const {
     const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
-    const bool turned = scene_.body.off_centred();
-    double sum = 0.0, longer = 0.0;
+    // Beyond the stretch the body may be turned otherwise, or be slower.
+    const bool to_the_end = scene_.body.off_centred() || scene_.world.air.any();
+    double sum = 0.0, longer = 0.0, lost = 0.0;
     auto panel = static_cast<std::size_t>(
         std::ranges::partition_point(
             samples_, [&](const Sample& at) { return at.s <= from; }) -
@@ -76,24 +81,33 @@ class SampledMotion {
       const std::span<const Sample> points =
           std::span(samples_).subspan(panel, kPoints);
       const bool within = points.front().s < to;
-      if (!within && !turned) break;
-      Bend bends[kPoints];
+      if (!within && !to_the_end) break;
+      std::array<Bend, kPoints> bends;
       if (within) {
         for (int i = 0; i < kPoints; ++i) {
-          bends[i] = bend_at(points[at(i)], (points[at(i)].s - middle) / half,
-                             height, half);
+          bends[at(i)] = bend_at(
+              points[at(i)], (points[at(i)].s - middle) / half, height, half);
         }
       }
+      std::array<Displaced, kPoints> displaced;
       for (int i = 0; i < kPoints; ++i) {
         const Sample& here = points[at(i)];
         double behind = longer;
         for (int j = 0; j < kPoints; ++j) {
-          behind += here.s_in_panel[j] * (bends[j].stretch - 1.0);
+          behind += here.s_in_panel[j] * (bends[at(j)].stretch - 1.0);
         }
-        sum += (slower(here, bends[i], behind) - 1.0) * here.dt;
+        displaced[at(i)] = displaced_at(here, bends[at(i)], behind);
+      }
+      if (scene_.world.air.any()) brake(points, bends, displaced, lost);
+      for (int i = 0; i < kPoints; ++i) {
+        const Sample& here = points[at(i)];
+        const auto& [A, half_w2] = displaced[at(i)];
+        const double slower = bends[at(i)].stretch *
+                              std::sqrt(A / here.A * here.half_w2 / half_w2);
+        sum += (slower - 1.0) * here.dt;
       }
       for (int i = 0; i < kPoints; ++i) {
-        longer += points[at(i)].ds * (bends[i].stretch - 1.0);
+        longer += points[at(i)].ds * (bends[at(i)].stretch - 1.0);
       }
     }
     return std::isnan(sum) ? std::numeric_limits<double>::infinity() : sum;
@@ -104,6 +118,10 @@ class SampledMotion {
   struct Bend {
     double height = 0.0, stretch = 1.0, turn = 0.0;  ///< ε, ds*/ds, β* − β
   };
+  /// A* and ½ w*².
+  struct Displaced {
+    double A, half_w2;
+  };
 
   void add_panel(const Motion& motion, const TrajectoryPoint& from,
                  const TrajectoryPoint& to, const math::QuadratureRule& rule,
@@ -112,16 +130,17 @@ class SampledMotion {
     const double width = to.sigma - from.sigma;
     if (!(width > 0.0)) return;
     std::vector<TrajectoryPoint> rows{from};
-    for (const double share : rule.points) {
-      rows.push_back(motion.at(from.sigma + share * width));
+    for (int i = 0; i + 1 < kPoints; ++i) {
+      rows.push_back(motion.at(from.sigma + rule.points[at(i)] * width));
     }
+    // As it is on this side of a junction of arcs.
     rows.push_back(to);
     double s_slope[kPoints];
     for (int i = 0; i < kPoints; ++i) {
       const TrajectoryPoint& row = rows[at(i + 1)];
       double t_slope = 0.0;
       s_slope[i] = 0.0;
-      for (int j = 0; j < kPoints + 2; ++j) {
+      for (int j = 0; j < kPoints + 1; ++j) {
         s_slope[i] += slopes(i, j) * (rows[at(j)].s - from.s);
         t_slope += slopes(i, j) * (rows[at(j)].t - from.t);
       }
@@ -136,6 +155,7 @@ class SampledMotion {
                           row.theta,
                           A,
                           0.5 * row.motion.v_c * row.motion.v_c * A,
+                          drag(scene_.world.air, row.motion.v_c),
                           row.centre});
     }
     for (int i = 0; i < kPoints; ++i) {
@@ -155,9 +175,9 @@ class SampledMotion {
     return {epsilon, std::hypot(along, slope), std::atan2(slope, along)};
   }
 
-  /// √(A*/A · w²/w*²) ds*/ds; NaN where the energy is used up.
-  [[nodiscard]] double slower(const Sample& here, const Bend& bend,
-                              double behind) const {
+  /// As if there were no air.
+  [[nodiscard]] Displaced displaced_at(const Sample& here, const Bend& bend,
+                                       double behind) const {
     const Body& body = scene_.body;
     const double theta =
         body.rolls() ? here.theta + behind / body.radius : here.theta;
@@ -166,9 +186,63 @@ class SampledMotion {
     const double fall =
         potential_fall(scene_, mass_centre(body, here.centre, here.theta),
                        mass_centre(body, centre, theta));
-    const double A = inertia_factor(body, theta, here.beta + bend.turn);
-    return bend.stretch *
-           std::sqrt(A / here.A * here.half_w2 / (here.half_w2 + fall));
+    return {inertia_factor(body, theta, here.beta + bend.turn),
+            here.half_w2 + fall};
+  }
+
+  /// Takes from the energies at the points of a panel what more than on the
+  /// path itself is lost to air until there, NaN where it stops the body.
+  ///
+  /// \param lost  until the panel; on return until its end
+  void brake(std::span<const Sample> points,
+             const std::array<Bend, kPoints>& bends,
+             std::array<Displaced, kPoints>& displaced, double& lost) const {
+    constexpr int kMostSteps = 60;
+    constexpr double kConverged = 1e-9;  // relative; the next step squares it
+    using Jet = math::Jet1<double, 1>;
+    using Vector = Eigen::Vector<double, kPoints>;
+    Vector w, known;
+    for (int i = 0; i < kPoints; ++i) {
+      const Sample& here = points[at(i)];
+      w[i] = std::sqrt(2.0 * here.half_w2);
+      known[i] = displaced[at(i)].half_w2 - lost;
+      for (int j = 0; j < kPoints; ++j) {
+        known[i] += here.s_in_panel[j] * points[at(j)].drag;
+      }
+    }
+    Vector loss, by_w;
+    for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
+      for (int i = 0; i < kPoints; ++i) {
+        const Jet speed =
+            Jet::variable(w[i], 0) * (1.0 / std::sqrt(displaced[at(i)].A));
+        const Jet found = drag(scene_.world.air, speed);
+        loss[i] = bends[at(i)].stretch * found.value;
+        by_w[i] = bends[at(i)].stretch * found.gradient[0];
+      }
+      // ½ w*_i² + Σ a_ij D*_j (ds*/ds)_j is known: convex in w*.
+      Eigen::Matrix<double, kPoints, kPoints> matrix;
+      Vector miss;
+      for (int i = 0; i < kPoints; ++i) {
+        miss[i] = known[i] - 0.5 * w[i] * w[i];
+        for (int j = 0; j < kPoints; ++j) {
+          const double weight = points[at(i)].s_in_panel[j];
+          miss[i] -= weight * loss[j];
+          matrix(i, j) = weight * by_w[j];
+        }
+        matrix(i, i) += w[i];
+      }
+      const Vector by = matrix.partialPivLu().solve(miss);
+      const double change = (by.array() / w.array()).abs().maxCoeff();
+      w = (w + by).cwiseMax(0.1 * w).eval();
+      if (!(change <= kConverged)) continue;
+      for (int i = 0; i < kPoints; ++i) {
+        const Sample& here = points[at(i)];
+        displaced[at(i)].half_w2 = 0.5 * w[i] * w[i];
+        lost += here.ds * (loss[i] + by_w[i] * by[i] - here.drag);
+      }
+      return;
+    }
+    displaced.fill({1.0, std::numeric_limits<double>::quiet_NaN()});
   }
 
   const Scene& scene_;
@@ -183,7 +257,6 @@ double DisplacedStretch::dearer() const {
 
 std::vector<DisplacedStretch> displaced_stretches(const Motion& motion,
                                                   int count, double height) {
-  if (motion.scene().world.air.any()) return {};
   const double length = motion.centre_path_length();
   std::vector<TrajectoryPoint> ends;
   for (int i = 0; i <= count; ++i) {

@@ -31,16 +31,18 @@ struct DisplacedStretch {
 ///
 ///     ΔT = ∫ (√(A*/A · w²/w*²) ds*/ds − 1) dt,
 ///     ds*/ds = √((1 − κ_c ε)² + ε'²),   β* = β + atan2(ε', 1 − κ_c ε),
-///     θ* = θ + (s* − s)/r,   w*² = w² + 2 (fall from c_m to c_m*),
+///     θ* = θ + (s* − s)/r,
+///     w*² = w² + 2 (fall from c_m to c_m*) − 2 ∫ (D* ds*/ds − D) ds,
 ///
-/// over the stretch, and on to B where the body is off-centred, for it comes
-/// there turned otherwise. Nothing is left out; of the first order in e it is
-/// zero wherever no limit holds (docs/building.md). Of N rows of the motion it
-/// takes O(count N), O(N) unless the body is off-centred.
+/// D the drag on the centre per mass, at its speed w/√A or w*/√A*. The integral
+/// is over the stretch, and on to B where the body is off-centred or in air,
+/// for there it comes to B turned otherwise or slower. Nothing is left out; of
+/// the first order in e it is zero wherever no limit holds (docs/building.md).
+/// Of N rows of the motion it takes O(count N), O(N) if every integral ends
+/// with its stretch.
 ///
 /// \param height  e > 0 [m]
-/// \return of each stretch from A on; empty in air, where w is no function of
-///         the place
+/// \return of each stretch from A on
 [[nodiscard]] std::vector<DisplacedStretch> displaced_stretches(
     const Motion& motion, int count, double height);
 

@@ -50,8 +50,7 @@ Output built(const fs::path& directory, std::vector<std::string> flags = {},
 }
 
 const std::set<std::string> kSheets{"assembly-01.svg", "assembly-02.svg",
-                                    "sheet-01.svg", "sheet-02.svg",
-                                    "sheet-03.svg"};
+                                    "sheet-01.svg"};
 
 TEST(Build, WritesSheetsAndAnAssembly) {
   const ScratchDirectory scratch;
@@ -85,7 +84,9 @@ TEST(Build, RefusesWhatIsNoSizeBeforeAnythingIsWritten) {
       {{"--hole", "nan"}, "\"nan\" was read"},
       {{"--hole", "15"}, "a strip of 40 mm has no room for holes of 15 mm"},
       {{"--scale", "10:1"}, "a body of 800 mm does not fit on a sheet of 600"},
-      {{"--sheet", "150x150"}, "longer ones do not fit on a sheet"}};
+      {{"--scale", "1:1000"}, "a track of 1.374 mm is too short for its holes"},
+      {{"--sheet", "150x150", "--strip", "60"},
+       "longer ones do not fit on a sheet"}};
   for (const Refused& one : all) {
     const ScratchDirectory scratch;
     std::vector<std::string> flags = one.flags;
@@ -98,6 +99,22 @@ TEST(Build, RefusesWhatIsNoSizeBeforeAnythingIsWritten) {
     EXPECT_TRUE(output.out.empty());
     EXPECT_TRUE(fs::is_empty(scratch.path())) << one.words;
   }
+}
+
+TEST(Build, FlagsAreRefusedWithoutADirectoryForTheSheets) {
+  const std::vector<std::string> all[] = {
+      {"--scale", "1:5"},     {"--strip", "20"}, {"--thickness", "4"},
+      {"--sheet", "600x400"}, {"--hole", "4"},   {"--rails", "15"}};
+  for (const std::vector<std::string>& flags : all) {
+    const Output output = run({"solve", kProblem, flags[0], flags[1]});
+    EXPECT_EQ(output.code, 2) << flags[0];
+    EXPECT_THAT(output.err, HasSubstr("brachisto solve: " + flags[0] +
+                                      " requires --track-svg or --track-dxf"));
+    EXPECT_TRUE(output.out.empty());
+  }
+  // A flag that nobody knows comes first.
+  EXPECT_THAT(run({"solve", kProblem, "--rails", "15", "--strp", "3"}).err,
+              HasSubstr("--strp is not a flag of solve"));
 }
 
 TEST(Build, IsNothingForATrackThatCannotBeRolledOn) {

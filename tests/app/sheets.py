@@ -5,9 +5,9 @@
 
     sheets.py BRACHISTO PROBLEMS
 
-Of each scene of problems/build, with and without rails: units, layers and sizes are as
-docs/building.md says, and pieces joined are as long as the track of the result. Without ezdxf
-it ends with 77, which skips the test; tests/report reads the same text by its own reader.
+Of each scene of problems/build, with and without rails, and of two coasters: units, layers and sizes are as
+docs/building.md says, and pieces joined, each turned until the word "level" on it is level, are as
+long as the track of the result and end at B. Without ezdxf it ends with 77, which skips the test; tests/report reads the same text by its own reader.
 """
 
 import json
@@ -41,6 +41,12 @@ def within(p, area):
 
 def length(points):
     return sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+
+
+def hanging(points, degrees):
+    """Turned back to how they hang."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [(c * x + s * y, c * y - s * x) for x, y in points]
 
 
 def corners(polyline):
@@ -79,7 +85,10 @@ def read(path, sheet, wrong):
         if match:
             at = tuple(words.dxf.insert)[:2]
             outline = next(area for area in outlines if within(at, area))
-            edges[match[2], int(match[1])] = outline[:len(outline) // 2]
+            level = next(mark for mark in space.query('TEXT[text=="level"]')
+                         if within(tuple(mark.dxf.insert)[:2], outline))
+            edges[match[2], int(match[1])] = hanging(outline[:len(outline) // 2],
+                                                     level.dxf.rotation)
     return edges
 
 
@@ -99,10 +108,17 @@ def check(command, problem, flags, sheet, scale, wrong):
         lengths = [length(edges[key]) for key in sorted(edges) if key[0] == side]
         if abs(sum(lengths) - expected) > ALLOWED:
             wrong.append(f"{problem.name} {side}: {sum(lengths)} mm of {expected}")
+        pieces = [edges[key] for key in sorted(edges) if key[0] == side]
+        end = [sum(piece[-1][i] - piece[0][i] for piece in pieces) for i in (0, 1)]
+        at_b = math.dist(end, [1e3 * built / of * result["scene"]["finish"]["L"],
+                               -1e3 * built / of * result["scene"]["finish"]["H"]])
+        if at_b > ALLOWED:
+            wrong.append(f"{problem.name} {side}: it ends {at_b} mm from B")
         if min(lengths) < 0.5 * max(lengths):
             wrong.append(f"{problem.name} {side}: pieces of {lengths} mm")
         print(f"{problem.name} {scale} {side}: {len(lengths)} pieces, "
-              f"{sum(lengths) - expected:+.4f} mm of {expected:.3f}")
+              f"{sum(lengths) - expected:+.4f} mm of {expected:.3f}, "
+              f"{at_b:.4f} mm from B")
     if not edges:
         wrong.append(f"{problem.name}: no pieces")
 
@@ -115,6 +131,8 @@ def main():
         check(command, problem, ["--rails", "15", "--strip", "30", "--hole", "4"],
               (297, 210), "1:1", wrong)
         check(command, problem, ["--strip", "12", "--hole", "2"], (297, 210), "1:3", wrong)
+    check(command, problems / "limits/coaster.yaml", [], (600, 400), "1:5", wrong)
+    check(command, problems / "limits/coaster_with_a_push.yaml", [], (1200, 800), "1:1", wrong)
     for objection in wrong:
         print(objection)
     return 1 if wrong else 0

@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PICTURES = {"sheet-02": "build_sheet", "assembly-01": "build_assembly",
+PICTURES = {"sheet-01": "build_sheet", "assembly-01": "build_assembly",
             "assembly-02": "build_numbers"}
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
 ALLOWED = 5e-3

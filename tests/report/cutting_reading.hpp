@@ -101,13 +101,15 @@ struct Dxf {
   return within;
 }
 
-/// A piece as a machine cuts it, with the axis up [mm].
+/// A piece as it hangs, the word "level" on it being level, with the axis up
+/// [mm].
 struct CutPiece {
   int number = 0, of = 0;
   std::string side;
   std::vector<Point> edge;   ///< that is rolled on, from A to B
   std::vector<Point> holes;  ///< their middles
   int slots = 0;
+  double turned = 0.0;  ///< on its sheet, to the left [rad]
 };
 
 [[nodiscard]] inline double length_of(const std::vector<Point>& points) {
@@ -149,6 +151,19 @@ struct CutPiece {
         }
       }
     }
+    const auto level =
+        std::ranges::find_if(dxf.entities, [&](const DxfEntity& entity) {
+          return entity.text(1) == "level" &&
+                 is_within({entity.number(10), entity.number(20)}, outline);
+        });
+    if (level == dxf.entities.end()) continue;
+    piece.turned = level->number(50) * std::numbers::pi / 180.0;
+    const auto hang = [&](Point& p) {
+      const double c = std::cos(piece.turned), s = std::sin(piece.turned);
+      p = {c * p.x + s * p.z, c * p.z - s * p.x};
+    };
+    std::ranges::for_each(outline, hang);
+    std::ranges::for_each(piece.holes, hang);
     // From A to B along the track, and back along its parallel.
     piece.edge.assign(
         outline.begin(),

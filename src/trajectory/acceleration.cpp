@@ -30,7 +30,15 @@ double acceleration(const Scene& scene, double s, double v, Point place,
   const double force = G.x * (along.cosine - eta * sine) +
                        G.z * (along.sine + eta * cosine) -
                        drag(scene.world.air, v);
-  return (force - 0.5 * A_s_v2) / A;
+  const double without = (force - 0.5 * A_s_v2) / A;
+  const Losses& lost = scene.world.losses;
+  if (!lost.any()) return without;
+  // g R_n⁰ by Newton's law across the track, and v̇ = v̇⁰ − c g R_n/A.
+  const double across = cosine * along.cosine + sine * along.sine;   // cos δ
+  const double inwards = sine * along.cosine - cosine * along.sine;  // sin δ
+  const double R = G.z * along.cosine - G.x * along.sine - v * v_kappa -
+                   eta * (without * across - v * v * turning * inwards);
+  return without - lost.factor() * R / (A - lost.factor() * eta * across);
 }
 
 }  // namespace brachisto

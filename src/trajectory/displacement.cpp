@@ -188,7 +188,7 @@ double DisplacedStretch::dearer() const {
 
 std::vector<DisplacedStretch> displaced_stretches(const Motion& motion,
                                                   int count, double height) {
-  if (motion.scene().world.air.any()) return {};
+  if (motion.scene().world.brakes()) return {};
   const double length = motion.centre_path_length();
   std::vector<TrajectoryPoint> ends;
   for (int i = 0; i <= count; ++i) {

@@ -20,9 +20,9 @@ namespace brachisto {
 struct Stall {
   enum class Reason {
     DoesNotStart,  ///< at rest it is not drawn along the path
-    Stops,         ///< its energy is used up on the way, by air too
+    Stops,         ///< its energy is used up on the way, by what brakes too
     DoesNotFit,    ///< a valley of the track is narrower than the body
-    NotFollowed,   ///< air brakes it within no time
+    NotFollowed,   ///< it is braked within no time
   };
   Reason reason = Reason::Stops;
   double q = 0.0;  ///< where
@@ -38,7 +38,7 @@ struct Stall {
 ///
 /// integrated over the curve's own parameter q by Gauss rules on cells that are
 /// halved until T does not change; they end where the centre of mass passes the
-/// surface of a sphere. In air ½ w² is the solution of
+/// surface of a sphere. In air and with losses ½ w² is the solution of
 ///
 ///     d(½ w²)/dq = w' ds/dq,  w' = speed_gain(),
 ///
@@ -93,7 +93,7 @@ class PrescribedMotion final : public Motion {
     double s = 0.0;       ///< arc length [m]
     double t = 0.0;       ///< time [s]
     double u = 0.0;       ///< rolling time [s]
-    double energy = 0.0;  ///< ½ w² [m²/s²], in air
+    double energy = 0.0;  ///< ½ w² [m²/s²], where something brakes
   };
   /// The points of a Gauss rule between two places.
   struct Points;

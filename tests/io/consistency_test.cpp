@@ -329,8 +329,8 @@ TEST(OtherWorlds, AreRefusedByWhatIsDerivedForTheOrdinaryOne) {
         "solver: {search: global}", "solver: {guess: straight}"}) {
     EXPECT_NE(
         errors(scene + stated + "\n")
-            .find("is not allowed with a sphere's field, a start speed or "
-                  "air: "),
+            .find("is not allowed with a sphere's field, a start speed, "
+                  "air or losses: "),
         std::string::npos)
         << stated;
   }

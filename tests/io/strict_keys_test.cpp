@@ -59,7 +59,7 @@ TEST(StrictKeys, RequiredOnesAreMissed) {
             "p.yaml:2:3: scene.finish.H: missing; expected a number in m, > 0 "
             "(H, drop from A to B)\n"
             "p.yaml:4:3: scene.body.shape: missing; expected cylinder or bead "
-            "(a cylinder rolls without slip, a bead slides without friction)");
+            "(a cylinder rolls without slip, a bead slides)");
 }
 
 TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {

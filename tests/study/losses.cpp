@@ -291,9 +291,11 @@ TEST(LossesOnAGivenPath, KeepTheLawsOfAnOffCentredBody) {
   auto path = std::make_shared<GivenPath>();
   path->curve = GivenPath::Curve::Track;
   path->shape = GivenPath::Shape::Parabola;
+  path->start_angle = kPi / 3.0;
   scene.path = std::move(path);
 
   const Solution solution = verified(scene);
+  ASSERT_TRUE(solution.verified());
 
   const LeftOver left = left_over(*solution.motion(), rigid_body_of(scene));
   EXPECT_LE(left.largest(), 1e-9) << left;
@@ -339,7 +341,7 @@ struct Refused {
 TEST(LossesThatAreRefused, SayWhy) {
   const Scene rolls = with_rolling(uniform_scene(), 0.1);
   Scene brisk = with_rolling(off_centred_scene(), 3.0);
-  brisk.limits.normal_min = 0.0;
+  brisk.path = std::make_shared<GivenPath>();
   Scene pulls = with_sliding(bead_scene(), 0.1);
   pulls.limits.normal_min = -0.5;
   const std::vector<Refused> scenes{

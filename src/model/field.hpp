@@ -137,10 +137,9 @@ template <class Scalar>
 ///
 /// \param root  √A(θ, β)
 template <class Scalar>
-[[nodiscard]] Scalar work_gain(const Scene& scene, const Scalar& x,
-                               const Scalar& z, const Scalar& theta,
-                               const Scalar& w, const Scalar& beta,
-                               const Scalar& root) {
+[[nodiscard, gnu::always_inline]] inline Scalar work_gain(
+    const Scene& scene, const Scalar& x, const Scalar& z, const Scalar& theta,
+    const Scalar& w, const Scalar& beta, const Scalar& root) {
   using std::cos;
   using std::sin;
   const Body& body = scene.body;
@@ -157,6 +156,20 @@ template <class Scalar>
   return gain;
 }
 
+/// The same of the state that stands for w with losses.
+template <class Scalar>
+[[nodiscard, gnu::noinline, gnu::cold]] Scalar braked_gain(
+    const Scene& scene, const Scalar& x, const Scalar& z, const Scalar& theta,
+    const Scalar& w, const Scalar& beta, const Scalar& root) {
+  using std::cos;
+  using std::sin;
+  const Pull<Scalar> G = pull_on(scene, x, z, theta);
+  return losses::speed_gain(scene.body, scene.world.losses.factor(), theta,
+                            beta, w, root,
+                            work_gain(scene, x, z, theta, w, beta, root),
+                            Scalar(G.z * cos(beta) - G.x * sin(beta)));
+}
+
 /// dw/du: work_gain(), and with losses the rate of the state that stands for w
 /// there; see model/losses.hpp.
 ///
@@ -166,14 +179,10 @@ template <class Scalar>
                                 const Scalar& z, const Scalar& theta,
                                 const Scalar& w, const Scalar& beta,
                                 const Scalar& root) {
-  using std::cos;
-  using std::sin;
-  const Scalar gain = work_gain(scene, x, z, theta, w, beta, root);
-  if (!scene.world.losses.any()) return gain;
-  const Pull<Scalar> G = pull_on(scene, x, z, theta);
-  return losses::speed_gain(scene.body, scene.world.losses.factor(), theta,
-                            beta, w, root, gain,
-                            Scalar(G.z * cos(beta) - G.x * sin(beta)));
+  if (scene.world.losses.any()) {
+    return braked_gain(scene, x, z, theta, w, beta, root);
+  }
+  return work_gain(scene, x, z, theta, w, beta, root);
 }
 
 /// √A of a scene's body; θ is of no matter unless it is off-centred.

@@ -25,6 +25,9 @@
 
 namespace brachisto::losses {
 
+// What only scenes with losses call stands out of line: within the loops of
+// other scenes it would cost instructions.
+
 /// What a unit of turning costs, of W over itself,
 ///
 ///     m = ∂M/∂β = c (q̂² + k)/(A D),   D = A − c η cos δ,   δ = θ − β,
@@ -61,8 +64,8 @@ struct Turning {
 /// √A*: with an offset D^ν e^{2 (ρ/Q) arctan(D'/(D + Q)) − m̄ β}, otherwise
 /// √(1 + k) e^{−c β/(1 + k)}.
 template <class Scalar>
-[[nodiscard]] Scalar root_of_inertia(const Body& body, double c,
-                                     const Scalar& theta, const Scalar& beta) {
+[[nodiscard, gnu::noinline, gnu::cold]] Scalar root_of_inertia(
+    const Body& body, double c, const Scalar& theta, const Scalar& beta) {
   using std::atan;
   using std::cos;
   using std::exp;
@@ -103,10 +106,10 @@ template <class Scalar>
 /// \param gain      w' from the field and the air
 /// \param pressing  g R_n of a body at rest without an offset
 template <class Scalar>
-[[nodiscard]] Scalar speed_gain(const Body& body, double c, const Scalar& theta,
-                                const Scalar& beta, const Scalar& W,
-                                const Scalar& root, const Scalar& gain,
-                                const Scalar& pressing) {
+[[nodiscard, gnu::noinline, gnu::cold]] Scalar speed_gain(
+    const Body& body, double c, const Scalar& theta, const Scalar& beta,
+    const Scalar& W, const Scalar& root, const Scalar& gain,
+    const Scalar& pressing) {
   using std::cos;
   using std::sin;
   if (!body.off_centred()) {

@@ -55,8 +55,8 @@ struct ContactForce {
 ///
 /// v_c ω = w²/(A r): affine in q, and regular at rest. Without losses.
 template <class Scalar>
-[[nodiscard]] ContactForce<Scalar> lossless_contact_force(
-    const Scene& scene, const TurningPoint<Scalar>& at) {
+[[nodiscard, gnu::always_inline]] inline ContactForce<Scalar>
+lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -98,10 +98,9 @@ template <class Scalar>
 ///
 ///     R_n = R_n⁰ A/D,   R_t = R_t⁰ − q̂ c R_n/A.
 template <class Scalar>
-[[nodiscard]] ContactForce<Scalar> contact_force(
-    const Scene& scene, const TurningPoint<Scalar>& at) {
+[[nodiscard, gnu::noinline, gnu::cold]] ContactForce<Scalar>
+braked_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::sin;
-  if (!scene.world.losses.any()) return lossless_contact_force(scene, at);
   const Body& body = scene.body;
   const double c = scene.world.losses.factor();
   // w and q of ds = w du from those of ds = W du.
@@ -116,6 +115,14 @@ template <class Scalar>
   if (!body.off_centred()) return {normal, without.tangential - brakes};
   const Scalar lever = Scalar(1.0) - sin(at.theta - at.beta) * body.eta_m;
   return {normal, without.tangential - lever * brakes};
+}
+
+/// Of either.
+template <class Scalar>
+[[nodiscard]] ContactForce<Scalar> contact_force(
+    const Scene& scene, const TurningPoint<Scalar>& at) {
+  if (scene.world.losses.any()) return braked_contact_force(scene, at);
+  return lossless_contact_force(scene, at);
 }
 
 /// One inequality lower ≤ value ≤ upper along the path.

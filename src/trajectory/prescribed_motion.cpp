@@ -18,8 +18,7 @@
 #include "brachisto/math/polynomial_basis.hpp"
 #include "math/roots.hpp"
 #include "model/energy.hpp"
-#include "model/field.hpp"
-#include "model/inertia.hpp"
+#include "model/path_inequality.hpp"
 
 namespace brachisto {
 
@@ -48,14 +47,6 @@ double theta_after(const Body& body, double s) {
   return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
 }
 
-/// Of the kinetic energy ½ w² what a state with losses has there, ½ W².
-double kept(const Scene& scene, double theta, double beta) {
-  if (!scene.world.losses.any()) return 1.0;
-  const double share = root_of_inertia(scene, theta, beta) /
-                       root_of_inertia(scene.body, theta, beta);
-  return share * share;
-}
-
 /// ∫ f dq from `from` to `to`.
 template <class Function>
 double integral(double from, double to, Function&& f) {
@@ -80,8 +71,7 @@ std::string Stall::message() const {
     case Reason::DoesNotFit:
       return "the body does not fit into a valley of the given track; " + place;
     case Reason::NotFollowed:
-      return "the body is braked too hard for its motion to be followed; " +
-             place;
+      return "the body is braked too hard to be followed; " + place;
   }
   return {};
 }
@@ -96,6 +86,10 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
   const double w = pushed_w(scene_, start_.beta);
   start_energy_ = 0.5 * w * w;
+  const double pushed =
+      root_of_inertia(scene_.body, scene_.body.theta_m, start_.beta) *
+      scene_.world.start_speed;
+  start_kinetic_ = 0.5 * pushed * pushed;
   // s = ½ s'' q² and ½ w² = w' s at the start: from rest w = q √(w' s'').
   const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
@@ -135,17 +129,15 @@ double PrescribedMotion::energy(const CurvePlace& place, double s) const {
                                       std::sin(half + body.theta_m),
                  energy_height(body, place.offset.z, theta)};
   const Point from = mass_centre(body, curve_->start(), body.theta_m);
-  const double E =
-      start_energy_ / kept(scene_, body.theta_m, start_.beta) +
-      potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
-  return E * kept(scene_, theta, place.beta);
+  return start_kinetic_ +
+         potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
 }
 
 double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {
   const Point centre = point_of(*curve_, place);
   const double theta = theta_after(scene_.body, s);
-  return speed_gain(scene_, centre.x, centre.z, theta, 0.0, place.beta,
-                    root_of_inertia(scene_, theta, place.beta));
+  return speed_gain(scene_, TurningPoint<double>{centre.x, centre.z, theta, 0.0,
+                                                 place.beta, 0.0});
 }
 
 double PrescribedMotion::start_w() const {
@@ -237,19 +229,17 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
       return Stall{fits_here ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
                    from.q + width * rule().points[i], point_of(*curve_, place)};
     }
-    const double root =
-        root_of_inertia(scene_, theta_after(body, s[i]), place.beta);
     const double du =
         rule().weights[i] * width * place.speed / std::sqrt(2.0 * energies[i]);
     to.u += du;
-    to.t += root * du;
+    const double theta = theta_after(body, s[i]);
+    to.t += root_of_inertia(scene_, theta, place.beta) * du;
     to.s += rule().weights[i] * width * place.speed;
   }
   return to;
 }
 
-/// Joints of the curve, passages of a surface, and where something brakes what
-/// divide() adds.
+/// Joints of the curve, passages of a surface, and what divide() adds.
 void PrescribedMotion::end_pieces() {
   ends_ = curve_->joints();
   ends_.push_back(1.0);

@@ -105,6 +105,7 @@ class PrescribedMotion final : public Motion {
   void divide(Sums& from, double to, std::vector<double>& ends);
   void integrate(int cells_per_piece);
   [[nodiscard]] Sums sums_at(double q) const;
+  /// Without what brakes.
   [[nodiscard]] double energy(const CurvePlace& place, double s) const;
   /// w' of a body that stands there [m/s²].
   [[nodiscard]] double gain_at_rest(const CurvePlace& place, double s) const;
@@ -114,9 +115,10 @@ class PrescribedMotion final : public Motion {
   Scene scene_;
   PlaneCurvePtr curve_;
   CurvePlace start_;
-  double start_rate_ = 0.0;    ///< du/dq at the start from rest [s]
-  double start_energy_ = 0.0;  ///< ½ w² there [m²/s²]
-  std::vector<double> ends_;   ///< of pieces on which the motion is smooth
+  double start_rate_ = 0.0;     ///< du/dq at the start from rest [s]
+  double start_energy_ = 0.0;   ///< ½ w² there [m²/s²]
+  double start_kinetic_ = 0.0;  ///< the same without losses
+  std::vector<double> ends_;    ///< of pieces on which the motion is smooth
   std::vector<Sums> cells_{Sums{}};
   std::optional<Stall> stall_;
   double error_ = 0.0;

@@ -200,7 +200,6 @@ double PrescribedMotion::brake(const Sums& from, double width,
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const Sums& from, double q) const {
-  const Body& body = scene_.body;
   const math::SmallMatrix& to_point = integration_to_points();
   const double width = q - from.q;
   Points points;
@@ -232,7 +231,7 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const double du =
         rule().weights[i] * width * place.speed / std::sqrt(2.0 * energies[i]);
     to.u += du;
-    const double theta = theta_after(body, s[i]);
+    const double theta = theta_after(scene_.body, s[i]);
     to.t += root_of_inertia(scene_, theta, place.beta) * du;
     to.s += rule().weights[i] * width * place.speed;
   }

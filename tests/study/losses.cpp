@@ -302,7 +302,7 @@ TEST(LossesOnAGivenPath, KeepTheLawsOfAnOffCentredBody) {
 }
 
 /// Of whole solves, over steps of 1e-4.
-TEST(LossesAndLimits, HavePricesThatAreSlopesOfTheTime) {
+TEST(LossesAndLimits, HavePricesAndSensitivitiesThatAreSlopesOfTheTime) {
   constexpr double kStep = 1e-4, kAllowed = 1e-6;
   PathLimits loads = friction(0.6);
   loads.normal_max = 2.2;
@@ -313,7 +313,17 @@ TEST(LossesAndLimits, HavePricesThatAreSlopesOfTheTime) {
     return tau_of(verified(changed));
   };
 
-  const Solution solution = verified(scene);
+  Collocation program;
+  program.sensitivities = SensitivityOrder::First;
+  SolveOptions options;
+  options.method = program;
+  const Solution solution = verified(scene, options);
+  ASSERT_TRUE(solution.sensitivities);
+  const auto with_eta = [&](double by) {
+    return tau_with([&](Scene& s) { s.body.eta_m += by; });
+  };
+  EXPECT_NEAR(solution.sensitivities->by[SceneParameter::EtaM].tau,
+              (with_eta(kStep) - with_eta(-kStep)) / (2.0 * kStep), kAllowed);
 
   int active = 0;
   for (const LimitOnPath& limit : solution.limits) {

@@ -92,7 +92,7 @@ double start_angle(const Scene& scene) {
 
 bool slope_at_A_is_open(const Scene& scene) {
   return scene.world.start_speed > 0.0 &&
-         (scene.body.off_centred() ||
+         (scene.body.off_centred() || scene.world.losses.any() ||
           (scene.body.rolls() && scene.contact != Contact::Centre));
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -177,6 +178,56 @@ TEST(LossesOfACylinder, MakeTheStaticConeNarrower) {
   EXPECT_NEAR(solution.motion()->start_angle(),
               std::atan((mu * (1.0 + k) - c) / k), 1e-9);
 }
+
+struct Row {
+  std::string name;
+  Scene scene;
+};
+
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+  return out << row.name;
+}
+
+/// Pushed, in a sphere's field and in air, with every contact.
+std::vector<Row> rows() {
+  const Scene bead = with_sliding(bead_scene(), 0.1);
+  const Scene uniform = with_rolling(uniform_scene(), 0.05);
+  const Scene base = with_rolling(off_centred_scene(), 0.03);
+  PathLimits ride = bends(2.7, 4.0);
+  ride.normal_min = 0.2;
+  ride.normal_max = 5.0;
+  Scene level = under(base, bends(2.5, 3.0), Contact::EndSlope);
+  level.limits.normal_min = 0.0;
+  level.end_slope = 0.0;
+  return {
+      {"bead_with_a_push", with_push(bead, 1.0)},
+      {"bead_on_a_floor", under(bead, floor_at(1.1))},
+      {"cylinder_with_a_push", under(with_push(uniform, 1.0), friction(0.6))},
+      {"friction_on_a_planet",
+       under(about_sphere(base, {{1.0, 10.0}, 8.0, 9.81}), friction(1.0))},
+      {"ride_in_air", under(in_air(base, 0.1, 0.05), ride, Contact::Optimal)},
+      {"given_slope", level},
+  };
+}
+
+class LossesInAWorld : public ::testing::TestWithParam<Row> {};
+
+TEST_P(LossesInAWorld, AreTheSameByBothMethodsAndByTheLaws) {
+  const Scene& scene = GetParam().scene;
+
+  const Solution program = verified(scene);
+  const Solution shot = verified(scene, by_shooting());
+  ASSERT_TRUE(program.verified() && shot.verified());
+
+  EXPECT_NEAR(tau_of(program) / tau_of(shot), 1.0,
+              *program.estimated_error + *shot.estimated_error);
+  EXPECT_LE(*program.estimated_error, 1e-9);
+  const LeftOver left = left_over(*program.motion(), rigid_body_of(scene));
+  EXPECT_LE(left.largest(), allowed_along(program)) << left;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, LossesInAWorld, ::testing::ValuesIn(rows()),
+                         [](const auto& row) { return row.param.name; });
 
 /// Loads bounded from both sides, little friction or a floor, whatever else.
 Scene random_scene(std::mt19937& random) {

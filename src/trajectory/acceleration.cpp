@@ -10,6 +10,33 @@
 
 namespace brachisto {
 
+namespace {
+
+struct Instant {
+  const Body& body;
+  double loss;
+  const Pull<double>& G;
+  const Direction& along;
+  double cosine, sine;  ///< of θ
+  double A, v, v_kappa;
+};
+
+/// v̇ = v̇⁰ − c g R_n/A, g R_n⁰ by Newton's law across the track; out of line,
+/// for most bodies are not braked.
+[[gnu::noinline, gnu::cold]] double braked(const Instant& at, double without) {
+  const Direction& along = at.along;
+  const double eta = at.body.eta_m;
+  const double turning = rotation_per_length(at.body);
+  const double cos_delta = at.cosine * along.cosine + at.sine * along.sine;
+  const double sin_delta = at.sine * along.cosine - at.cosine * along.sine;
+  const double R =
+      at.G.z * along.cosine - at.G.x * along.sine - at.v * at.v_kappa -
+      eta * (without * cos_delta - at.v * at.v * turning * sin_delta);
+  return without - at.loss * R / (at.A - at.loss * eta * cos_delta);
+}
+
+}  // namespace
+
 double rotation_per_length(const Body& body) {
   return body.rolls() ? 1.0 / body.radius : 0.0;
 }
@@ -31,14 +58,10 @@ double acceleration(const Scene& scene, double s, double v, Point place,
                        G.z * (along.sine + eta * cosine) -
                        drag(scene.world.air, v);
   const double without = (force - 0.5 * A_s_v2) / A;
-  const Losses& lost = scene.world.losses;
-  if (!lost.any()) return without;
-  // g R_n⁰ by Newton's law across the track, and v̇ = v̇⁰ − c g R_n/A.
-  const double across = cosine * along.cosine + sine * along.sine;   // cos δ
-  const double inwards = sine * along.cosine - cosine * along.sine;  // sin δ
-  const double R = G.z * along.cosine - G.x * along.sine - v * v_kappa -
-                   eta * (without * across - v * v * turning * inwards);
-  return without - lost.factor() * R / (A - lost.factor() * eta * across);
+  if (!scene.world.losses.any()) return without;
+  return braked({body, scene.world.losses.factor(), G, along, cosine, sine, A,
+                 v, v_kappa},
+                without);
 }
 
 }  // namespace brachisto

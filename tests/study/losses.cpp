@@ -279,6 +279,22 @@ TEST(LossesOfRandomScenes, AreTheSameByBothMethodsAndByTheLaws) {
   }
 }
 
+/// A loss that is left out of the laws, or counted twice.
+TEST(LossesOfAnAnswer, AreMissedWhereTheyAreForgotten) {
+  constexpr double kSeen = 1e-3;
+  for (const Scene& scene :
+       {with_sliding(bead_scene(), 0.1),
+        under(with_rolling(off_centred_scene(), 0.05), friction(1.0))}) {
+    const Solution solution = verified(scene);
+    for (const double factor : {0.0, 2.0}) {
+      RigidBody body = rigid_body_of(scene);
+      body.loss *= factor;
+
+      EXPECT_GE(left_over(*solution.motion(), body).energy, kSeen);
+    }
+  }
+}
+
 Scene on_path(Scene scene, GivenPath::Shape shape) {
   auto path = std::make_shared<GivenPath>();
   path->shape = shape;

@@ -12,27 +12,23 @@ namespace brachisto {
 
 namespace {
 
-struct Instant {
-  const Body& body;
-  double loss;
-  const Pull<double>& G;
-  const Direction& along;
-  double cosine, sine;  ///< of θ
-  double A, v, v_kappa;
-};
-
-/// v̇ = v̇⁰ − c g R_n/A, g R_n⁰ by Newton's law across the track; out of line,
-/// for most bodies are not braked.
-[[gnu::noinline, gnu::cold]] double braked(const Instant& at, double without) {
-  const Direction& along = at.along;
-  const double eta = at.body.eta_m;
-  const double turning = rotation_per_length(at.body);
-  const double cos_delta = at.cosine * along.cosine + at.sine * along.sine;
-  const double sin_delta = at.sine * along.cosine - at.cosine * along.sine;
-  const double R =
-      at.G.z * along.cosine - at.G.x * along.sine - at.v * at.v_kappa -
-      eta * (without * cos_delta - at.v * at.v * turning * sin_delta);
-  return without - at.loss * R / (at.A - at.loss * eta * cos_delta);
+/// v̇ = v̇⁰ − c g R_n/A, g R_n⁰ by Newton's law across the track; out of line
+/// with all that it needs, for most bodies are not braked.
+[[gnu::noinline, gnu::cold]] double braked(const Scene& scene, double s,
+                                           double v, Point place,
+                                           const Direction& along,
+                                           double v_kappa, double without) {
+  const Body& body = scene.body;
+  const double c = scene.world.losses.factor(), eta = body.eta_m;
+  const double turning = rotation_per_length(body);
+  const double theta = body.theta_m + s * turning;
+  const double A = inertia_factor(body, theta, along.beta);
+  const double eta_cos = eta * std::cos(theta - along.beta);
+  const double eta_sin = eta * std::sin(theta - along.beta);
+  const Pull<double> G = pull_on(scene, place.x, place.z, theta);
+  const double R = G.z * along.cosine - G.x * along.sine - v * v_kappa -
+                   eta_cos * without + eta_sin * v * v * turning;
+  return without - c * R / (A - c * eta_cos);
 }
 
 }  // namespace
@@ -59,9 +55,7 @@ double acceleration(const Scene& scene, double s, double v, Point place,
                        drag(scene.world.air, v);
   const double without = (force - 0.5 * A_s_v2) / A;
   if (!scene.world.losses.any()) return without;
-  return braked({body, scene.world.losses.factor(), G, along, cosine, sine, A,
-                 v, v_kappa},
-                without);
+  return braked(scene, s, v, place, along, v_kappa, without);
 }
 
 }  // namespace brachisto

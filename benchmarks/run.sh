@@ -86,6 +86,8 @@ long() {
   step limits "${program}limits" --jobs 2 --out "$results/limits.csv"
   step limits_in_worlds "${program}limits" --worlds --witness --count 200 \
     --jobs 2 --out "$results/random_limits_in_worlds.csv"
+  step limits_with_losses "${program}limits" --worlds --losses --witness \
+    --count 50 --jobs 2 --out "$results/random_limits_with_losses.csv"
   step limited_worlds "${program}limited_worlds" --jobs 2 \
     --out "$results/limited_worlds.csv"
   step honesty_limited "${program}honesty" --limited --jobs 2 \

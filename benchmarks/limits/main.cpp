@@ -101,6 +101,7 @@ void hear(const Solution& found, Record& record) {
 struct Campaign {
   std::uint64_t seed = 1;
   bool worlds = false;
+  bool losses = false;
   bool witness = false;
   std::string problems;  ///< folder for files, empty: none
 };
@@ -115,13 +116,14 @@ Record examine(const Campaign& campaign, int index) {
   Record record;
   const Scene free = free_scene(campaign, index);
   record.world = FixedText<160>(described_world(free));
-  const auto limited = validate(free).empty()
-                           ? under_random_limits(free, campaign.seed, index)
-                           : std::nullopt;
+  auto limited = validate(free).empty()
+                     ? under_random_limits(free, campaign.seed, index)
+                     : std::nullopt;
   if (!limited) {
     record.fate = Fate::NoFree;
     return record;
   }
+  if (campaign.losses) add_losses(limited->scene, campaign.seed, index);
   const Scene& scene = limited->scene;
   record.free_tau = limited->free_tau;
   record.limits = FixedText<160>(described(scene));
@@ -192,6 +194,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--worlds", campaign.worlds,
                "Each in a random world, around what is free there");
+  app.add_flag("--losses", campaign.losses,
+               "With rolling resistance");
   app.add_flag("--witness", campaign.witness,
                "Solve once more by the indirect method what is verified");
   app.add_option("--problems", campaign.problems,

@@ -114,6 +114,17 @@ std::optional<LimitedScene> under_random_limits(Scene scene, std::uint64_t seed,
   return LimitedScene{std::move(scene), free.motion()->tau()};
 }
 
+void add_losses(Scene& scene, std::uint64_t seed, int index) {
+  // Another stream than that of the limits.
+  SplitMix64 random(SplitMix64::scrambled(seed + 1) +
+                    static_cast<std::uint64_t>(index));
+  scene.world.losses.rolling = random.uniform(0.002, 0.05);
+  PathLimits& limits = scene.limits;
+  if (!limits.friction || limits.normal_min) {
+    limits.normal_min = std::max(0.0, limits.normal_min.value_or(0.0));
+  }
+}
+
 std::optional<LimitedScene> random_limited_scene(std::uint64_t seed,
                                                  int index) {
   return under_random_limits(random_scene(seed, index), seed, index);
@@ -123,6 +134,9 @@ std::string described(const Scene& scene) {
   std::string text = scene.contact == Contact::Optimal ? "optimal" : "smooth";
   for (const StatedLimit& limit : stated_limits(scene)) {
     text += fmt::format(" {} {:.4g}", limit.name, *limit.bound);
+  }
+  if (scene.world.losses.any()) {
+    text += fmt::format(" rolling {:.4g}", scene.world.losses.rolling);
   }
   return text;
 }

@@ -27,11 +27,15 @@ struct LimitedScene {
 [[nodiscard]] std::optional<LimitedScene> under_random_limits(
     Scene scene, std::uint64_t seed, int index);
 
+/// Gives it rolling resistance c from 0.002 to 0.05, and R_n ≥ 0 where
+/// neither friction nor a least load keeps it.
+void add_losses(Scene& scene, std::uint64_t seed, int index);
+
 /// The same of random_scene().
 [[nodiscard]] std::optional<LimitedScene> random_limited_scene(
     std::uint64_t seed, int index);
 
-/// "optimal hump 1.2 valley 2": contact and limits.
+/// "optimal hump 1.2 valley 2 rolling 0.01": contact, limits and losses.
 [[nodiscard]] std::string described(const Scene& scene);
 
 }  // namespace brachisto::benchmarks

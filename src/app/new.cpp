@@ -70,6 +70,7 @@ constexpr Stated kUnderLimits[] = {
     {"scene.finish.L", "3"},
     {"scene.finish.H", "1"},
     {"scene.contact", "optimal"},
+    {"scene.losses.rolling", "0.01", kOff},
     {"scene.limits.friction", "2", kOff},
     {"scene.limits.normal_force.min", "0.2"},
     {"scene.limits.normal_force.max", "5"},

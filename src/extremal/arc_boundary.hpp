@@ -123,8 +123,7 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   const Body& body = scene_.body;
   out = off_place(scene_, {0.0, 0.0}, v);
   out.push_back(v[kTheta] - Scalar(body.theta_m));
-  out.push_back(v[kW] - root_of_inertia(body, Scalar(body.theta_m), v[kBeta]) *
-                            Scalar(scene_.world.start_speed));
+  out.push_back(v[kW] - pushed_w(scene_, v[kBeta]));
   if (kind_ == Kind::Free) return out;
   if (slope_) {
     out.push_back(v[kBeta] - Scalar(*slope_));
@@ -141,10 +140,10 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   }
   out.push_back(transversality(scene_, v));
   if (has_optimal_ends(scene_) && scene_.world.start_speed > 0.0) {
-    // w = v₀ √A turns with the contact too.
-    const Scalar root = root_of_inertia(body, v[kTheta], v[kBeta]);
-    out.back() += v[kPW] * cos(v[kTheta] - v[kBeta]) / root *
-                  Scalar(body.eta_m * scene_.world.start_speed);
+    // w turns with the contact too.
+    using On = math::Jet1<Scalar, 1>;
+    out.back() +=
+        v[kPW] * pushed_w(scene_, On::variable(v[kBeta], 0)).gradient[0];
   }
   return out;
 }

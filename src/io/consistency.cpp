@@ -156,7 +156,7 @@ constexpr std::array<Excluded, 8> kOfExtremals{
      {"solver.guess", "straight", kEvaluated},
      {"solver.guess", "random", kEvaluated}}};
 
-/// What is derived for a uniform field without air, left from rest.
+/// What is derived for a uniform field without air and losses, left from rest.
 constexpr std::string_view kOrdinaryStarts =
     "starts elsewhere are made for a body that leaves rest in a uniform field";
 constexpr std::array<Excluded, 5> kOfOrdinaryWorld{
@@ -190,7 +190,8 @@ void check_world(const Check& check) {
         "scene.gravity, scene.field.uniform and scene.field.sphere");
   }
   if (check.problem.scene.world.ordinary()) return;
-  exclude(check, kOfOrdinaryWorld, "a sphere's field, a start speed or air");
+  exclude(check, kOfOrdinaryWorld,
+          "a sphere's field, a start speed, air or losses");
 }
 
 void check_arc_length(const Check& check) {

@@ -46,10 +46,11 @@ struct Draft : ProblemFile {
            program.discretisation.formulation == Formulation::ArcLength;
   }
 
-  /// The problem with the options of its method alone, and with the gravity at
-  /// A of its field.
+  /// The problem with the options of its method alone, with the gravity at A of
+  /// its field and the limits that it implies.
   [[nodiscard]] ProblemFile problem() const {
     ProblemFile out = *this;
+    out.scene = with_implied_limits(scene);
     if (const auto& sphere = scene.world.sphere) {
       out.scene.gravity = sphere->strength_at({0.0, 0.0});
     }

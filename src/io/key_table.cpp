@@ -73,7 +73,10 @@ constexpr auto kDifferences = place(reading, [](const Draft& d) {
 constexpr auto kIterations = place(
     [](auto& p) -> auto& { return p.options.limits; },
     // Under limits shooting has its arcs from a program.
-    [](const Draft& d) { return !is_shooting(d) || d.scene.limits.any(); });
+    [](const Draft& d) {
+      return !is_shooting(d) || d.scene.limits.any() ||
+             d.scene.world.losses.any();
+    });
 constexpr auto kPlan = place([](auto& p) -> auto& { return p.work_precision; });
 constexpr auto kDesign = place([](auto& p) -> auto& { return p.design; });
 
@@ -251,12 +254,16 @@ constexpr bool has_speed(const World& world) {
 bool has_air(const World& world) {
   return world.air.any();
 }
+bool has_losses(const World& world) {
+  return world.losses.any();
+}
 constexpr auto world = [](auto& p) -> auto& {
   return p.scene.world;
 };
 constexpr auto kField = stated_place<has_sphere>(world);
 constexpr auto kStart = stated_place<has_speed>(world);
 constexpr auto kHasAir = stated_place<has_air>(world);
+constexpr auto kHasLosses = stated_place<has_losses>(world);
 
 Binding world_number(const WorldParameter& parameter) {
   return {.type = KeyType::Number,
@@ -304,6 +311,9 @@ Keys world_keys() {
       {"scene.start", silent_map(kStart), "how the motion begins"},
       {"scene.air", silent_map(kHasAir),
        "drag on the centre, against its motion: c_1 v + c_2 v² per mass"},
+      {"scene.losses", silent_map(kHasLosses),
+       "what the track takes in proportion to the load R_n; see "
+       "[Losses](#losses)"},
   };
   // Behind the last key of its map.
   for (const WorldParameter& parameter : kWorldParameters) {
@@ -330,8 +340,7 @@ Keys scene_keys() {
       {"scene.body.shape",
        choice(kBody, &Body::shape,
               {{"cylinder", Shape::Cylinder}, {"bead", Shape::Bead}}),
-       "a cylinder rolls without slip, a bead slides without friction",
-       required()},
+       "a cylinder rolls without slip, a bead slides", required()},
       {"scene.body.radius",
        number(kBody, &Body::radius),
        "r, radius of the cylinder",

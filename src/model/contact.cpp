@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "brachisto/math/jet.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
 
@@ -26,13 +27,11 @@ Point start_of_centre(const Scene& scene) {
 }
 
 StartRates start_rates(const Scene& scene) {
-  const Body& body = scene.body;
   const double alpha = start_angle(scene);
   const double r = contact_radius(scene);
-  const double root = root_of_inertia(body, body.theta_m, alpha);
-  const double d_root = body.eta_m * std::cos(body.theta_m - alpha) / root;
+  using On = math::Jet1<double, 1>;
   return {r * std::cos(alpha), r * std::sin(alpha),
-          scene.world.start_speed * d_root};
+          pushed_w(scene, On::variable(alpha, 0)).gradient[0]};
 }
 
 Point end_of_centre(const Scene& scene, double phi) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The field, the drag, and what they do to the speed, in any world: for
+/// The field, the drag, and what they and losses do to the speed: for
 /// numbers and jets.
 
 #pragma once
@@ -11,6 +11,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "model/inertia.hpp"
+#include "model/losses.hpp"
 
 namespace brachisto {
 
@@ -127,8 +128,8 @@ template <class Scalar>
   return v * (v * air.quadratic + Scalar(air.linear));
 }
 
-/// dw/du, from the work of the field G at the centre of mass and of the drag
-/// on the way ds = w du, which the kinetic energy ½ w² gains:
+/// dw/du without losses, from the work of the field G at the centre of mass and
+/// of the drag on the way ds = w du, which the kinetic energy ½ w² gains:
 ///
 ///     w' = G·(cos β − η sin θ, sin β + η cos θ) − c₁ w/√A − c₂ w²/A :
 ///
@@ -136,10 +137,9 @@ template <class Scalar>
 ///
 /// \param root  √A(θ, β)
 template <class Scalar>
-[[nodiscard]] Scalar speed_gain(const Scene& scene, const Scalar& x,
-                                const Scalar& z, const Scalar& theta,
-                                const Scalar& w, const Scalar& beta,
-                                const Scalar& root) {
+[[nodiscard, gnu::always_inline]] inline Scalar work_gain(
+    const Scene& scene, const Scalar& x, const Scalar& z, const Scalar& theta,
+    const Scalar& w, const Scalar& beta, const Scalar& root) {
   using std::cos;
   using std::sin;
   const Body& body = scene.body;
@@ -156,6 +156,35 @@ template <class Scalar>
   return gain;
 }
 
+/// The same of the state that stands for w with losses.
+template <class Scalar>
+[[nodiscard, gnu::noinline, gnu::cold]] Scalar braked_gain(
+    const Scene& scene, const Scalar& x, const Scalar& z, const Scalar& theta,
+    const Scalar& w, const Scalar& beta, const Scalar& root) {
+  using std::cos;
+  using std::sin;
+  const Pull<Scalar> G = pull_on(scene, x, z, theta);
+  return losses::speed_gain(scene.body, scene.world.losses.factor(), theta,
+                            beta, w, root,
+                            work_gain(scene, x, z, theta, w, beta, root),
+                            Scalar(G.z * cos(beta) - G.x * sin(beta)));
+}
+
+/// dw/du: work_gain(), and with losses the rate of the state that stands for w
+/// there; see model/losses.hpp.
+///
+/// \param root  root_of_inertia() of the scene
+template <class Scalar>
+[[nodiscard]] Scalar speed_gain(const Scene& scene, const Scalar& x,
+                                const Scalar& z, const Scalar& theta,
+                                const Scalar& w, const Scalar& beta,
+                                const Scalar& root) {
+  if (scene.world.losses.any()) {
+    return braked_gain(scene, x, z, theta, w, beta, root);
+  }
+  return work_gain(scene, x, z, theta, w, beta, root);
+}
+
 /// √A of a scene's body; θ is of no matter unless it is off-centred.
 template <class Scalar>
 [[nodiscard]] Scalar root_of_inertia(const Body& body, const Scalar& theta,
@@ -167,10 +196,20 @@ template <class Scalar>
   return sqrt(inertia_factor(body, theta, beta));
 }
 
+/// dt/du, by which v_c = w/root: √A, and with losses what stands for it.
+template <class Scalar>
+[[nodiscard]] Scalar root_of_inertia(const Scene& scene, const Scalar& theta,
+                                     const Scalar& beta) {
+  const Losses& lost = scene.world.losses;
+  return lost.any()
+             ? losses::root_of_inertia(scene.body, lost.factor(), theta, beta)
+             : root_of_inertia(scene.body, theta, beta);
+}
+
 /// w where a body is pushed off in the direction β: v₀ √A(θ_m, β).
 template <class Scalar>
 [[nodiscard]] Scalar pushed_w(const Scene& scene, const Scalar& beta) {
-  return root_of_inertia(scene.body, Scalar(scene.body.theta_m), beta) *
+  return root_of_inertia(scene, Scalar(scene.body.theta_m), beta) *
          scene.world.start_speed;
 }
 

@@ -92,17 +92,29 @@ Kinematics kinematics(const Scene& scene, const PathState& state) {
   const Body& body = scene.body;
   const double g = scene.gravity;
   if (!scene.world.changes_rates()) return kinematics(body, g, state);
+  const double root = root_of_inertia(body, state.theta, state.beta);
+  PathState moving = state;
+  double taken = 0.0;  // by losses, of dw/du
   const auto world = [&](const Sines& d) {
-    const double root = root_of_inertia(body, state.theta, state.beta);
     const Point heavy = mass_centre(body, state.centre, state.theta);
     const Pull<double> G = field_at(scene, heavy.x, heavy.z);
-    const double brakes = drag(scene.world.air, state.w / root);
+    const double brakes = drag(scene.world.air, moving.w / root);
     return Acting{(G.x - brakes * d.cos_beta) / g,
                   (G.z - brakes * d.sin_beta) / g,
-                  speed_gain(scene, state.centre.x, state.centre.z, state.theta,
-                             state.w, state.beta, root)};
+                  work_gain(scene, state.centre.x, state.centre.z, state.theta,
+                            moving.w, state.beta, root) -
+                      taken};
   };
-  return moved_by(world, body, g, state);
+  const Losses& lost = scene.world.losses;
+  if (lost.any()) {
+    const double share = root / root_of_inertia(scene, state.theta, state.beta);
+    moving.w *= share;
+    moving.beta_rate *= share;
+    taken = lost.factor() * g *
+            losses::load(body, lost.factor(), state.theta, state.beta,
+                         moved_by(world, body, g, moving).R_n);
+  }
+  return moved_by(world, body, g, moving);
 }
 
 }  // namespace brachisto

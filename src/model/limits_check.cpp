@@ -72,7 +72,9 @@ void check_body(const Scene& scene, SceneChecker& check) {
   const double r = scene.body.radius;
   if (!scene.body.rolls()) {
     if (limits.friction) {
-      check.add(kFriction, "not allowed of a bead, which slides without any");
+      check.add(kFriction,
+                "not allowed of a bead, which slides: its friction is "
+                "scene.losses.sliding");
     }
     if (limits.fold_margin) {
       check.add(kFoldMargin,
@@ -130,7 +132,8 @@ void check_start(const Scene& scene, SceneChecker& check) {
     // Where it begins to hold, in a field that pulls down and without a drag
     // that helps to hold the body.
     if (limits.friction && scene.world.ordinary()) check_grade(scene, check);
-    return;
+    // Losses hold a body on flat slopes.
+    if (!scene.world.losses.any() || !check.sound()) return;
   }
   const auto starts = [&](bool under_friction, bool under_force) {
     PathLimits some;

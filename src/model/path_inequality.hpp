@@ -36,7 +36,7 @@ template <class Scalar>
 [[nodiscard]] Scalar speed_gain(const Scene& scene,
                                 const TurningPoint<Scalar>& at) {
   return speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                    root_of_inertia(scene.body, at.theta, at.beta));
+                    root_of_inertia(scene, at.theta, at.beta));
 }
 
 /// Force of the track on the body, per m g.
@@ -53,10 +53,10 @@ struct ContactForce {
 ///     R_t = (q̂ v̇ − η v_c ω cos δ − G·(cos β, sin β) + D)/g,
 ///     R_n = (G·(−sin β, cos β) − w q/A − η v̇ cos δ + η v_c ω sin δ)/g,
 ///
-/// v_c ω = w²/(A r): affine in q, and regular at rest.
+/// v_c ω = w²/(A r): affine in q, and regular at rest. Without losses.
 template <class Scalar>
-[[nodiscard]] ContactForce<Scalar> contact_force(
-    const Scene& scene, const TurningPoint<Scalar>& at) {
+[[nodiscard, gnu::always_inline]] inline ContactForce<Scalar>
+lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -67,8 +67,8 @@ template <class Scalar>
   const Scalar pressing = G.z * cos_beta - G.x * sin_beta;
   if (!body.off_centred()) {
     const double A = axisymmetric_inertia_factor(body);
-    const Scalar gain = speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                                   Scalar(std::sqrt(A)));
+    const Scalar gain = work_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
+                                  Scalar(std::sqrt(A)));
     return {(pressing - at.w * at.q * (1.0 / A)) * per_g,
             gain * ((1.0 / A - 1.0) * per_g)};
   }
@@ -80,7 +80,7 @@ template <class Scalar>
   const Scalar A = inertia_factor(body, at.theta, at.beta);
   const Scalar root = air ? sqrt(A) : Scalar(1.0);  // of matter in air alone
   const Scalar gain =
-      speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
+      work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
   Scalar pulling = G.x * cos_beta + G.z * sin_beta;
   if (air) pulling = pulling - drag(scene.world.air, Scalar(at.w / root));
   const Scalar per_A = Scalar(1.0) / A;
@@ -92,6 +92,37 @@ template <class Scalar>
               per_g,
           ((Scalar(1.0) - eta_sin) * v_dot - eta_cos * centripetal - pulling) *
               per_g};
+}
+
+/// The same with losses, which brake by c g R_n/A:
+///
+///     R_n = R_n⁰ A/D,   R_t = R_t⁰ − q̂ c R_n/A.
+template <class Scalar>
+[[nodiscard, gnu::noinline, gnu::cold]] ContactForce<Scalar>
+braked_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
+  using std::sin;
+  const Body& body = scene.body;
+  const double c = scene.world.losses.factor();
+  // w and q of ds = w du from those of ds = W du.
+  const Scalar root = root_of_inertia(body, at.theta, at.beta);
+  const Scalar share = root / root_of_inertia(scene, at.theta, at.beta);
+  const ContactForce<Scalar> without = lossless_contact_force(
+      scene, TurningPoint<Scalar>{at.x, at.z, at.theta, at.w * share, at.beta,
+                                  at.q * share});
+  const Scalar normal =
+      losses::load(body, c, at.theta, at.beta, without.normal);
+  const Scalar brakes = normal / (root * root) * c;
+  if (!body.off_centred()) return {normal, without.tangential - brakes};
+  const Scalar lever = Scalar(1.0) - sin(at.theta - at.beta) * body.eta_m;
+  return {normal, without.tangential - lever * brakes};
+}
+
+/// Of either.
+template <class Scalar>
+[[nodiscard]] ContactForce<Scalar> contact_force(
+    const Scene& scene, const TurningPoint<Scalar>& at) {
+  if (scene.world.losses.any()) return braked_contact_force(scene, at);
+  return lossless_contact_force(scene, at);
 }
 
 /// One inequality lower ≤ value ≤ upper along the path.

@@ -136,6 +136,14 @@ void check_path(const Scene& scene, SceneChecker& check) {
 
 }  // namespace
 
+Scene with_implied_limits(Scene scene) {
+  if (scene.world.losses.sliding > 0.0 && !scene.path &&
+      !scene.limits.normal_min) {
+    scene.limits.normal_min = 0.0;
+  }
+  return scene;
+}
+
 Scene without_whole_turns(const Scene& scene) {
   Scene reduced = scene;
   reduced.body.theta_m = math::within_a_turn(scene.body.theta_m);

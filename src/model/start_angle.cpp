@@ -3,16 +3,37 @@
 
 #include "model/start_angle.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "brachisto/math/jet.hpp"
+#include "math/nearest_minimum.hpp"
 #include "math/roots.hpp"
 #include "model/contact.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
+#include "model/start_under_limits.hpp"
 
 namespace brachisto {
+
+namespace {
+
+/// Where the growth of speed from rest, w'/root_of_inertia(), is largest next
+/// to a direction.
+double fastest_direction(const Scene& scene, double near) {
+  using On = math::Jet2<double, 1>;
+  const auto lack = [&](double beta) {
+    const TurningPoint<On> at = resting_at(scene, On::variable(beta, 0));
+    const On growth =
+        speed_gain(scene, at) / root_of_inertia(scene, at.theta, at.beta);
+    return std::array{-growth.value, -growth.gradient[0], -growth.hessian[0]};
+  };
+  return math::nearest_minimum(lack, near);
+}
+
+}  // namespace
 
 double start_angle(const Body& body) {
   constexpr double kHalfPi = std::numbers::pi / 2.0;
@@ -40,6 +61,13 @@ double start_angle(const Body& body) {
 double start_angle(const Scene& scene) {
   const World& world = scene.world;
   if (world.start_slope) return *world.start_slope;
+  if (world.losses.any()) {
+    Scene without = scene;
+    without.world.losses = {};
+    const double near = start_angle(without);
+    // A bead that falls presses on nothing.
+    return scene.body.rolls() ? fastest_direction(scene, near) : near;
+  }
   if (!world.field_varies()) return start_angle(scene.body);
   // Fast, for the body is small beside the sphere; where it is not, bisecting
   // steps would not help either, and the certificate tells.
@@ -64,7 +92,7 @@ double start_angle(const Scene& scene) {
 
 bool slope_at_A_is_open(const Scene& scene) {
   return scene.world.start_speed > 0.0 &&
-         (scene.body.off_centred() ||
+         (scene.body.off_centred() || scene.world.losses.any() ||
           (scene.body.rolls() && scene.contact != Contact::Centre));
 }
 

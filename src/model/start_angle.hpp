@@ -31,7 +31,8 @@ namespace brachisto {
 /// Start angle in any world: the one that the start was built from, if that was
 /// chosen; otherwise the same law with the field's direction at the centre of
 /// mass in place of the vertical, which in the field of a sphere depends on
-/// where the centre stands above A and so on β₀ again.
+/// where the centre stands above A and so on β₀ again. Where losses take their
+/// part it is the largest growth of what is left.
 [[nodiscard]] double start_angle(const Scene& scene);
 
 /// Whether the slope at A is an unknown that the start is built from: with an

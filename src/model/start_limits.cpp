@@ -74,6 +74,17 @@ StartLimits start_limits(const Scene& scene, const PathState& start) {
                           body.eta_m * scene.world.air.linear * a *
                               std::cos(turned.theta_m - beta) /
                               (A * std::sqrt(A));
+  if (scene.world.losses.any()) {
+    const double theta = body.theta_m;
+    const double root = root_of_inertia(body, theta, start.beta);
+    const auto with = [&](double& force, double per_u) {
+      force = per_u * losses::load(body, scene.world.losses.factor(), theta,
+                                   start.beta, force);
+    };
+    with(out.normal_force, 1.0);
+    with(out.normal_force_rate,
+         root_of_inertia(scene, theta, start.beta) / root);
+  }
   return out;
 }
 

@@ -27,7 +27,8 @@ std::optional<double> start_angle_under(
   const double free = start_angle(scene);
   const auto growth = [&](double beta) {
     const double a = speed_gain(scene, resting_at(scene, beta));
-    return a * a / inertia_factor(body, body.theta_m, beta);
+    const double root = root_of_inertia(scene, body.theta_m, beta);
+    return a * a / (root * root);
   };
   constexpr double kRounding = 1e-12;
   if (allowed(free) >= -kRounding) return free;

@@ -10,6 +10,7 @@
 #include "model/contact.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
+#include "model/losses.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -18,6 +19,9 @@ namespace {
 
 constexpr const char* kCentre = "scene.field.sphere.centre";
 constexpr const char* kSpeed = "scene.start.speed";
+constexpr const char* kSliding = "scene.losses.sliding";
+constexpr const char* kRolling = "scene.losses.rolling";
+constexpr const char* kLeastForce = "scene.limits.normal_force.min";
 
 /// Each number by itself: those of optional parts, or the others.
 void check_numbers(const World& world, bool of_parts, SceneChecker& check) {
@@ -38,7 +42,7 @@ void check_sphere(const Scene& scene, SceneChecker& check) {
   }
 }
 
-/// A scene's energy per mass at best, less what the air takes [m²/s²].
+/// A scene's energy per mass at best, less what brakes it takes [m²/s²].
 struct EnergyBound {
   double fall;      ///< of the potential from A to B, at most
   double at_start;  ///< ½ v₀² A(θ_m, β₀), at most
@@ -106,11 +110,48 @@ void check_energy(const Scene& scene, SceneChecker& check) {
           scene.body.rolls() ? "whatever its slope and angle there, the"
                              : "the",
           -most.fall, most.at_start,
-          scene.world.air.any() ? ", of which the air takes more" : "", missing,
+          scene.world.brakes() ? ", of which more is lost" : "", missing,
           least_speed > 0.0 ? fmt::format("it takes a start.speed of more than "
                                           "{:.6g} m/s, if not of yet more",
                                           least_speed)
                             : "a start.speed can help"));
+}
+
+/// What only a body of the other kind loses by, and what would gain by pulling
+/// at its track.
+void check_losses(const Scene& scene, SceneChecker& check) {
+  const Losses& lost = scene.world.losses;
+  const PathLimits& limits = scene.limits;
+  if (!lost.any() || !check.sound()) return;
+  if (scene.body.rolls() && lost.sliding != 0.0) {
+    check.add(kSliding,
+              "not allowed of a body that rolls, whose track takes energy by "
+              "scene.losses.rolling alone");
+  } else if (!scene.body.rolls() && lost.rolling != 0.0) {
+    check.add(kRolling,
+              "not allowed of a bead, which slides; its friction is "
+              "scene.losses.sliding");
+  } else if (!losses::bounded(scene.body, lost.factor())) {
+    check.add(
+        kRolling,
+        fmt::format("{} is not allowed: less than √(((1 + η_m² + k)/η_m)² "
+                    "− 4), or there are angles at which the load, which "
+                    "brakes the body and so swings its centre of mass "
+                    "against the track, has no bound",
+                    lost.rolling));
+  } else if (!scene.path && limits.normal_min && *limits.normal_min < 0.0) {
+    check.add(kLeastForce,
+              fmt::format("{} m g is not allowed with scene.losses: 0 or more, "
+                          "for a track that pulls at the body would give it "
+                          "energy",
+                          *limits.normal_min));
+  } else if (!scene.path && lost.rolling != 0.0 && !limits.friction &&
+             !limits.normal_min) {
+    check.add(kRolling,
+              "not allowed without scene.limits.friction, or "
+              "scene.limits.normal_force.min of 0 or more: a track that pulls "
+              "at the body would give it energy, and the fastest one would");
+  }
 }
 
 /// At a cusp the path bends without bound, and a body that moves there would
@@ -133,6 +174,7 @@ void check_world(const Scene& scene, SceneChecker& check) {
   check_numbers(world, true, check);
   if (world.sphere) check_sphere(scene, check);
   check_numbers(world, false, check);
+  check_losses(scene, check);
   // A given path tells itself where energy does not suffice.
   scene.path ? check_given_path(scene, check) : check_energy(scene, check);
 }

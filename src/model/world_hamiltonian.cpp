@@ -71,7 +71,7 @@ double gain_of_other_directions(const Scene& scene, const MovingState& state,
     // Written so that a NaN stays.
     gain = better <= gain ? gain : better;
   }
-  return gain / root_of_inertia(scene.body, state.theta, beta);
+  return gain / root_of_inertia(scene, state.theta, beta);
 }
 
 double slope_rate_along(const Scene& scene, const MovingState& state,

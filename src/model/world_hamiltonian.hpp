@@ -36,7 +36,7 @@ template <class Scalar>
                                     const PhasePoint<Scalar>& at) {
   using std::cos;
   using std::sin;
-  const Scalar root = root_of_inertia(scene.body, at.theta, at.beta);
+  const Scalar root = root_of_inertia(scene, at.theta, at.beta);
   const Scalar gain =
       speed_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
   return root +

@@ -177,4 +177,19 @@ Formula sqrt(const Formula& a) {
   return Formula::applied(Formula::Operation::Root, a);
 }
 
+Formula exp(const Formula& a) {
+  if (a.is_constant()) return std::exp(a.constant_);
+  return Formula::applied(Formula::Operation::Power, a);
+}
+
+Formula log(const Formula& a) {
+  if (a.is_constant()) return std::log(a.constant_);
+  return Formula::applied(Formula::Operation::Logarithm, a);
+}
+
+Formula atan(const Formula& a) {
+  if (a.is_constant()) return std::atan(a.constant_);
+  return Formula::applied(Formula::Operation::Arctangent, a);
+}
+
 }  // namespace brachisto::program_files

@@ -32,7 +32,10 @@ class Formula {
     If = 35,
     Root = 39,
     Sine = 41,
+    Logarithm = 43,
+    Power = 44,
     Cosine = 46,
+    Arctangent = 49,
   };
   struct Token {
     enum class Kind { Operation, Constant, Unknown, Quantity };
@@ -72,6 +75,9 @@ class Formula {
   friend Formula sin(const Formula& a);
   friend Formula cos(const Formula& a);
   friend Formula sqrt(const Formula& a);
+  friend Formula exp(const Formula& a);
+  friend Formula log(const Formula& a);
+  friend Formula atan(const Formula& a);
 
  private:
   [[nodiscard]] bool is_constant() const {

@@ -160,7 +160,8 @@ void check_build(const Build& build, const Scene& scene) {
         "{:g} times as wide as a --hole or wider",
         build.strip, build.hole, kStripInHoles));
   }
-  if (build.scale != 1.0 && scene.world.changes_rates()) {
+  if (build.scale != 1.0 &&
+      (scene.world.field_varies() || scene.world.air.any())) {
     throw TemplateError(
         "in air, or in the field of a sphere, a model rolls otherwise than its "
         "scene; --scale is 1:1 there");

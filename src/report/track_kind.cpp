@@ -36,6 +36,12 @@ std::string world_in_words(const World& world) {
   if (world.start_speed != 0.0) {
     text += fmt::format(", v_0 = {:.6g} m/s", world.start_speed);
   }
+  if (world.losses.sliding != 0.0) {
+    text += fmt::format(", sliding friction {:.6g}", world.losses.sliding);
+  }
+  if (world.losses.rolling != 0.0) {
+    text += fmt::format(", rolling resistance {:.6g}", world.losses.rolling);
+  }
   if (!world.air.any()) return text;
   std::vector<std::string> drags;
   for (const WorldParameter& parameter : kWorldParameters) {

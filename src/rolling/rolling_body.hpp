@@ -107,7 +107,7 @@ class Moving {
                                                     const Scalar& beta) const {
     using std::cos;
     using std::sin;
-    const Scalar root = root_of_inertia(scene_.body, theta, beta);
+    const Scalar root = root_of_inertia(scene_, theta, beta);
     return {root,
             {w * cos(beta), w * sin(beta), w * rotation_per_length_,
              speed_gain(scene_, x, z, theta, w, beta, root)}};

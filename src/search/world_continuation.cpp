@@ -50,6 +50,7 @@ std::string asked_for(const World& world) {
   std::vector<std::string_view> parts;
   if (world.start_speed != 0.0) parts.emplace_back("the start speed");
   if (world.air.any()) parts.emplace_back("the drag");
+  if (world.losses.any()) parts.emplace_back("the losses");
   if (world.sphere) parts.emplace_back("the field of the sphere");
   return fmt::format("{}", fmt::join(parts, " and "));
 }
@@ -72,6 +73,9 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
       left < 0.0 ? "lack" : "have", std::abs(left),
       scene.world.air.any()
           ? "before the air takes its part; or no slope makes 𝓗 minimal all "
+            "along"
+      : scene.world.losses.any()
+          ? "before the losses take theirs; or no slope makes 𝓗 minimal all "
             "along"
       : left < 0.0 ? "which a larger start speed can give"
                    : "but no slope may make 𝓗 minimal all along");

@@ -173,9 +173,9 @@ std::vector<std::string> world_errors(const Scene& scene,
         program->discretisation.formulation == Formulation::RollingTime));
   if (known) return {};
   return {
-      "in a sphere's field, with a start speed or in air the formulation is "
-      "rolling_time, the search principal, the guess cycloid, and the "
-      "method not the discrete system"};
+      "in a sphere's field, with a start speed, in air or with losses the "
+      "formulation is rolling_time, the search principal, the guess cycloid, "
+      "and the method not the discrete system"};
 }
 
 Collocation program_of(const SolveOptions& options) {
@@ -222,7 +222,12 @@ PosedProblem pose(const Scene& scene, const SolveOptions& options,
   refuse("the scene is not valid", errors_of(scene));
   refuse("the options are not valid", option_errors(options));
   refuse("the options do not fit the scene", world_errors(scene, options));
-  PosedProblem out{PosedScene(scene), options, program_of(options), {}, {}, {},
+  PosedProblem out{PosedScene(with_implied_limits(scene)),
+                   options,
+                   program_of(options),
+                   {},
+                   {},
+                   {},
                    warnings_of(scene)};
   MeshOptions& mesh = out.mesh_options;
   mesh.ipopt.tolerance = out.program.tolerance;

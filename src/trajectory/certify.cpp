@@ -130,8 +130,7 @@ Seen look_along(const ExtremalCurve& curve) {
     for (const ElementPlace& place : places) {
       const double sigma = mesh.sigma(e, place.t);
       const ExtremalPoint at = curve.at(e, place);
-      const double root =
-          std::sqrt(inertia_factor(scene.body, at.theta, at.beta));
+      const double root = root_of_inertia(scene, at.theta, at.beta);
       const SlopeHamiltonian h =
           slope_hamiltonian(scene, at.state(), at.p, at.beta);
       const SlopeHamiltonian interpolated = slope_hamiltonian(
@@ -171,7 +170,7 @@ void check_energy(const ExtremalCurve& curve, double threshold,
     for (std::size_t i = 0; i < rule.points.size() && scene.world.air.any();
          ++i) {
       const ExtremalPoint at = curve.at(e, places[i]);
-      const double v = at.w / root_of_inertia(scene.body, at.theta, at.beta);
+      const double v = at.w / root_of_inertia(scene, at.theta, at.beta);
       lost += rule.weights[i] * mesh.length(e) * curve.rolling_time() * at.w *
               drag(scene.world.air, v);
     }

@@ -257,6 +257,7 @@ double DisplacedStretch::dearer() const {
 
 std::vector<DisplacedStretch> displaced_stretches(const Motion& motion,
                                                   int count, double height) {
+  if (motion.scene().world.losses.any()) return {};
   const double length = motion.centre_path_length();
   std::vector<TrajectoryPoint> ends;
   for (int i = 0; i <= count; ++i) {

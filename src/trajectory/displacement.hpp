@@ -42,7 +42,7 @@ struct DisplacedStretch {
 /// with its stretch.
 ///
 /// \param height  e > 0 [m]
-/// \return of each stretch from A on
+/// \return of each stretch from A on; empty with losses
 [[nodiscard]] std::vector<DisplacedStretch> displaced_stretches(
     const Motion& motion, int count, double height);
 

@@ -16,7 +16,9 @@
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "model/field.hpp"
 #include "model/path_inequality.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
@@ -68,6 +70,47 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
       std::abs(curve.at(0.0).state.beta -
                start_angle_under(scene, limits).value_or(kUnmeasured)),
       kSlope);
+}
+
+/// What the kinetic energy has gained against the fall of the potential at the
+/// centre of mass less the work of the drag and of the losses, over g H.
+void check_energy(const LimitedCurve& curve, double threshold,
+                  Certificate& certificate) {
+  const Scene& scene = curve.problem().scene();
+  const World& world = scene.world;
+  if (!world.losses.any()) return;
+  const Mesh& mesh = curve.problem().mesh();
+  const math::QuadratureRule rule = math::gauss_legendre(mesh.degree + 3);
+  const auto speed = [&](const TurningPoint<double>& at) {
+    return at.w / root_of_inertia(scene, at.theta, at.beta);
+  };
+  const auto kinetic = [&](const TurningPoint<double>& at) {
+    return 0.5 * inertia_factor(scene.body, at.theta, at.beta) *
+           std::pow(speed(at), 2);
+  };
+  const auto heavy = [&](const TurningPoint<double>& at) {
+    return mass_centre(scene.body, {at.x, at.z}, at.theta);
+  };
+  const TurningPoint<double> start = curve.at(0.0).state;
+  double lost = 0.0;
+  Largest drift;
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    check_stop(e);
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      const TurningPoint<double> at = curve.at(e, rule.points[i]).state;
+      const double ds =
+          rule.weights[i] * mesh.length(e) * curve.rolling_time() * at.w;
+      lost += ds * (drag(world.air, speed(at)) +
+                    world.losses.factor() * scene.gravity *
+                        contact_force(scene, at).normal);
+    }
+    const TurningPoint<double> at = curve.at(e, 1.0).state;
+    const double gained = kinetic(at) - kinetic(start);
+    const double work = potential_fall(scene, heavy(start), heavy(at)) - lost;
+    drift.see(std::abs(gained - work) / (scene.gravity * scene.H),
+              mesh.sigma(e, 1.0));
+  }
+  certificate.add("energy_drift", drift.value, threshold, drift.where());
 }
 
 /// By how much the solution exceeds the limit that it exceeds most, with its
@@ -181,9 +224,11 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
   }
   certificate.add("slope_angle", steepest.value, std::numbers::pi);
   constexpr double kRounding = 1e-12;
+  const double reached =
+      kThresholds.interior_factor * std::max(error, kRounding);
+  check_energy(curve, reached, certificate);
   const Reintegration motion = reintegrate(curve);
-  certificate.add("reintegration_error", motion.worst(),
-                  kThresholds.interior_factor * std::max(error, kRounding));
+  certificate.add("reintegration_error", motion.worst(), reached);
   certificate.add("reintegrated_limits", motion.excess, kAllowed,
                   fmt::format("at u/U = {:.6g}", motion.excess_at));
   return certificate;

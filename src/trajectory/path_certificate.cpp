@@ -31,12 +31,12 @@ double relative_contact_error(const PrescribedMotion& motion) {
 
 /// What ½ w² has gained against the work done, at worst: over itself or, if it
 /// is less, g H. Each part is counted in the way that the motion did not come
-/// from: without air, where the speed is that of the potential, the work of the
-/// field's force; in air, where it is that of the force, the fall of the
-/// potential less the work of the drag.
+/// from: where nothing brakes and the speed is that of the potential, the work
+/// of the field's force; otherwise, where it is that of the force, the fall of
+/// the potential less the work of the drag and of the losses.
 double energy_drift(const PrescribedMotion& motion) {
   const Scene& scene = motion.scene();
-  const Air& air = scene.world.air;
+  const World& world = scene.world;
   const std::vector<TrajectoryPoint> cells = motion.at_nodes();
   // Of more points than the motion itself has in a cell.
   const math::QuadratureRule rule = math::gauss_legendre(15);
@@ -44,11 +44,13 @@ double energy_drift(const PrescribedMotion& motion) {
     const double v = at.motion.v_c;
     return 0.5 * inertia_factor(scene.body, at.theta, at.beta) * v * v;
   };
-  // Along the way of the centre. Without air no speed matters to it.
+  // Along the way of the centre. Where nothing brakes no speed matters to it.
   const auto force = [&](const TrajectoryPoint& at) {
-    return air.any() ? -drag(air, at.motion.v_c)
-                     : speed_gain(scene, at.centre.x, at.centre.z, at.theta,
-                                  0.0, at.beta, 1.0);
+    return world.brakes()
+               ? -(drag(world.air, at.motion.v_c) +
+                   world.losses.factor() * scene.gravity * at.motion.R_n)
+               : speed_gain(scene, at.centre.x, at.centre.z, at.theta, 0.0,
+                            at.beta, 1.0);
   };
   const TrajectoryPoint& start = cells.front();
   double forced = 0.0, worst = 0.0;
@@ -59,7 +61,7 @@ double energy_drift(const PrescribedMotion& motion) {
       forced += rule.weights[i] * width * motion.curve().pace(q).speed *
                 force(motion.at(q));
     }
-    const double fallen = air.any()
+    const double fallen = world.brakes()
                               ? potential_fall(scene, start.motion.mass_centre,
                                                cells[c].motion.mass_centre)
                               : 0.0;

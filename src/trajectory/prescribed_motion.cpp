@@ -18,8 +18,7 @@
 #include "brachisto/math/polynomial_basis.hpp"
 #include "math/roots.hpp"
 #include "model/energy.hpp"
-#include "model/field.hpp"
-#include "model/inertia.hpp"
+#include "model/path_inequality.hpp"
 
 namespace brachisto {
 
@@ -72,8 +71,7 @@ std::string Stall::message() const {
     case Reason::DoesNotFit:
       return "the body does not fit into a valley of the given track; " + place;
     case Reason::NotFollowed:
-      return "air brakes the body too hard for its motion to be followed; " +
-             place;
+      return "the body is braked too hard to be followed; " + place;
   }
   return {};
 }
@@ -88,6 +86,10 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
   const double w = pushed_w(scene_, start_.beta);
   start_energy_ = 0.5 * w * w;
+  const double pushed =
+      root_of_inertia(scene_.body, scene_.body.theta_m, start_.beta) *
+      scene_.world.start_speed;
+  start_kinetic_ = 0.5 * pushed * pushed;
   // s = ½ s'' q² and ½ w² = w' s at the start: from rest w = q √(w' s'').
   const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
@@ -127,14 +129,15 @@ double PrescribedMotion::energy(const CurvePlace& place, double s) const {
                                       std::sin(half + body.theta_m),
                  energy_height(body, place.offset.z, theta)};
   const Point from = mass_centre(body, curve_->start(), body.theta_m);
-  return start_energy_ +
+  return start_kinetic_ +
          potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
 }
 
 double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {
   const Point centre = point_of(*curve_, place);
-  return speed_gain(scene_, centre.x, centre.z, theta_after(scene_.body, s),
-                    0.0, place.beta, 1.0);
+  const double theta = theta_after(scene_.body, s);
+  return speed_gain(scene_, TurningPoint<double>{centre.x, centre.z, theta, 0.0,
+                                                 place.beta, 0.0});
 }
 
 double PrescribedMotion::start_w() const {
@@ -146,8 +149,8 @@ double PrescribedMotion::start_curvature() const {
   return next.turning / next.speed;
 }
 
-/// Puts the energies in air in place of those without, NaN if it stops the
-/// body; returns that at the end.
+/// Puts the energies with what brakes in place of those without, NaN if it
+/// stops the body; returns that at the end.
 double PrescribedMotion::brake(const Sums& from, double width,
                                Points& points) const {
   constexpr int kMostSteps = 60;
@@ -168,7 +171,7 @@ double PrescribedMotion::brake(const Sums& from, double width,
       const Jet found =
           speed_gain(scene_, Jet(centre.x), Jet(centre.z), Jet(theta),
                      Jet::variable(w[i], 0), Jet(place.beta),
-                     Jet(root_of_inertia(body, theta, place.beta)));
+                     Jet(root_of_inertia(scene_, theta, place.beta)));
       gain[i] = width * place.speed * found.value;
       by_w[i] = width * place.speed * found.gradient[0];
     }
@@ -197,7 +200,6 @@ double PrescribedMotion::brake(const Sums& from, double width,
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const Sums& from, double q) const {
-  const Body& body = scene_.body;
   const math::SmallMatrix& to_point = integration_to_points();
   const double width = q - from.q;
   Points points;
@@ -218,7 +220,7 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
   }
   Sums to = from;
   to.q = q;
-  if (fits && scene_.world.air.any()) to.energy = brake(from, width, points);
+  if (fits && scene_.world.brakes()) to.energy = brake(from, width, points);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const CurvePlace& place = places[i];
     const bool fits_here = place.speed > 0.0;
@@ -226,17 +228,17 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
       return Stall{fits_here ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
                    from.q + width * rule().points[i], point_of(*curve_, place)};
     }
-    const double A = inertia_factor(body, theta_after(body, s[i]), place.beta);
     const double du =
         rule().weights[i] * width * place.speed / std::sqrt(2.0 * energies[i]);
     to.u += du;
-    to.t += std::sqrt(A) * du;
+    const double theta = theta_after(scene_.body, s[i]);
+    to.t += root_of_inertia(scene_, theta, place.beta) * du;
     to.s += rule().weights[i] * width * place.speed;
   }
   return to;
 }
 
-/// Joints of the curve, passages of a surface, and in air what divide() adds.
+/// Joints of the curve, passages of a surface, and what divide() adds.
 void PrescribedMotion::end_pieces() {
   ends_ = curve_->joints();
   ends_.push_back(1.0);
@@ -276,7 +278,7 @@ void PrescribedMotion::end_pieces() {
     }
     ends_ = std::move(ends);
   }
-  if (!scene_.world.air.any()) return;
+  if (!scene_.world.brakes()) return;
   std::vector<double> divided;
   Sums from;
   from.energy = start_energy_;
@@ -314,7 +316,7 @@ void PrescribedMotion::divide(Sums& from, double to,
     const CurvePlace place = curve_->at(to);
     stall_ = Stall{Stall::Reason::Stops, to, point_of(*curve_, place)};
     if (const Stall* found = std::get_if<Stall>(&halves)) stall_ = *found;
-    // What is drawn along moves on in any air.
+    // What is drawn along moves on whatever brakes.
     if (stall_->reason == Stall::Reason::Stops &&
         gain_at_rest(place, from.s) > 0.0) {
       stall_->reason = Stall::Reason::NotFollowed;
@@ -403,7 +405,7 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
   out.theta = theta_after(body, sums.s);
   out.beta = place.beta;
   PathState state{out.centre, out.theta, place.beta, 0.0, 0.0};
-  const double E = scene_.world.air.any() ? sums.energy : energy(place, sums.s);
+  const double E = scene_.world.brakes() ? sums.energy : energy(place, sums.s);
   if (sums.q > 0.0 && E > 0.0) {
     state.w = std::sqrt(2.0 * E);
     // dβ/du; at the start the limit of dq/du.

@@ -20,9 +20,9 @@ namespace brachisto {
 struct Stall {
   enum class Reason {
     DoesNotStart,  ///< at rest it is not drawn along the path
-    Stops,         ///< its energy is used up on the way, by air too
+    Stops,         ///< its energy is used up on the way, by what brakes too
     DoesNotFit,    ///< a valley of the track is narrower than the body
-    NotFollowed,   ///< air brakes it within no time
+    NotFollowed,   ///< it is braked within no time
   };
   Reason reason = Reason::Stops;
   double q = 0.0;  ///< where
@@ -38,7 +38,7 @@ struct Stall {
 ///
 /// integrated over the curve's own parameter q by Gauss rules on cells that are
 /// halved until T does not change; they end where the centre of mass passes the
-/// surface of a sphere. In air ½ w² is the solution of
+/// surface of a sphere. In air and with losses ½ w² is the solution of
 ///
 ///     d(½ w²)/dq = w' ds/dq,  w' = speed_gain(),
 ///
@@ -93,7 +93,7 @@ class PrescribedMotion final : public Motion {
     double s = 0.0;       ///< arc length [m]
     double t = 0.0;       ///< time [s]
     double u = 0.0;       ///< rolling time [s]
-    double energy = 0.0;  ///< ½ w² [m²/s²], in air
+    double energy = 0.0;  ///< ½ w² [m²/s²], where something brakes
   };
   /// The points of a Gauss rule between two places.
   struct Points;
@@ -105,6 +105,7 @@ class PrescribedMotion final : public Motion {
   void divide(Sums& from, double to, std::vector<double>& ends);
   void integrate(int cells_per_piece);
   [[nodiscard]] Sums sums_at(double q) const;
+  /// Without what brakes.
   [[nodiscard]] double energy(const CurvePlace& place, double s) const;
   /// w' of a body that stands there [m/s²].
   [[nodiscard]] double gain_at_rest(const CurvePlace& place, double s) const;
@@ -114,9 +115,10 @@ class PrescribedMotion final : public Motion {
   Scene scene_;
   PlaneCurvePtr curve_;
   CurvePlace start_;
-  double start_rate_ = 0.0;    ///< du/dq at the start from rest [s]
-  double start_energy_ = 0.0;  ///< ½ w² there [m²/s²]
-  std::vector<double> ends_;   ///< of pieces on which the motion is smooth
+  double start_rate_ = 0.0;     ///< du/dq at the start from rest [s]
+  double start_energy_ = 0.0;   ///< ½ w² there [m²/s²]
+  double start_kinetic_ = 0.0;  ///< the same without losses
+  std::vector<double> ends_;    ///< of pieces on which the motion is smooth
   std::vector<Sums> cells_{Sums{}};
   std::optional<Stall> stall_;
   double error_ = 0.0;

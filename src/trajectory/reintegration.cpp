@@ -210,8 +210,8 @@ MotionEnd Journey<Path>::cross(int e, const Look& look) {
 }
 
 /// v of w there.
-double speed_at(const Body& body, double w, double theta, double beta) {
-  return w / root_of_inertia(body, theta, beta);
+double speed_at(const Scene& scene, double w, double theta, double beta) {
+  return w / root_of_inertia(scene, theta, beta);
 }
 
 /// Beside what the solution says of its end.
@@ -225,7 +225,7 @@ Reintegration compared(const Journey<Path>& journey, MotionEnd end,
   out.integration_error = kTolerance * out.steps;
   if (!out.arrived()) return out;
   const auto [time, speed, s, x, z] = journey.state();
-  const double v = speed_at(scene.body, last.w, last.theta, beta);
+  const double v = speed_at(scene, last.w, last.theta, beta);
   const Point beyond{x - last.centre.x, z - last.centre.z};
   out.time_error = std::abs(time - T) / T;
   // p = −∂T/∂(x, z): what arriving elsewhere costs or saves.
@@ -296,7 +296,7 @@ State started(const LimitedCurve& curve, double place) {
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
     const auto at = curve.at(0, place * rule.points[i]).state;
     const double du = hU * place * rule.weights[i];
-    y[kT] += du * root_of_inertia(body, at.theta, at.beta);
+    y[kT] += du * root_of_inertia(scene, at.theta, at.beta);
     y[kS] += du * at.w;
     y[kX] += du * at.w * std::cos(at.beta);
     fallen += du * at.w * std::sin(at.beta);
@@ -309,7 +309,7 @@ State started(const LimitedCurve& curve, double place) {
       : scene.world.changes_rates()
           ? std::sqrt(2.0 * work)
           : fall_speed(scene.gravity, energy_height(body, fallen, here.theta));
-  y[kV] = speed_at(body, w, here.theta, here.beta);
+  y[kV] = speed_at(scene, w, here.theta, here.beta);
   return y;
 }
 
@@ -326,7 +326,7 @@ Reintegration reintegrate(const LimitedCurve& curve) {
   const MotionEnd end = journey.travel(begin, [&](int e, double t) {
     const State& y = journey.state();
     TurningPoint<double> place = curve.at(e, t).state;
-    place.w = y[kV] * root_of_inertia(scene.body, place.theta, place.beta);
+    place.w = y[kV] * root_of_inertia(scene, place.theta, place.beta);
     place.x = y[kX];
     place.z = y[kZ];
     const double excess = worst_excess(problem.limits(), scene, place).value;

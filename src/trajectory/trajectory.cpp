@@ -9,7 +9,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
-#include "model/inertia.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 
 namespace brachisto {
@@ -146,8 +146,7 @@ LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
   for (std::size_t i = 0; i < rule_.points.size(); ++i) {
     const auto state = curve_.at(element, t * rule_.points[i]).state;
     const double weight = hU * t * rule_.weights[i];
-    sum.t += weight *
-             std::sqrt(inertia_factor(natural().body, state.theta, state.beta));
+    sum.t += weight * root_of_inertia(natural(), state.theta, state.beta);
     sum.s += weight * state.w;
   }
   return sum;

@@ -6,9 +6,40 @@
 #include <cmath>
 #include <limits>
 
-#include "model/hamiltonian.hpp"
+#include "model/world_hamiltonian.hpp"
 
 namespace brachisto {
+
+namespace {
+
+/// ∂𝓗/∂β with its derivatives by β and θ.
+struct AtSlope {
+  double value, by_beta, by_theta;
+};
+
+/// At B, where p_w = 0: of the world losses alone matter.
+AtSlope at_slope(const Scene& scene, const RollingState& state,
+                 const Costates& p, double beta) {
+  if (scene.world.losses.any()) {
+    constexpr int kTheta = 2;
+    const double inverse_radius =
+        scene.body.rolls() ? 1.0 / scene.body.radius : 0.0;
+    const PhaseJet h = hamiltonian_jet(
+        scene, inverse_radius,
+        {0.0, 0.0, state.theta, state.w, p.p_x, p.p_z, 0.0, 0.0, beta});
+    return {h.gradient[kPhaseBeta],
+            h.hessian[PhaseJet::pair(kPhaseBeta, kPhaseBeta)],
+            h.hessian[PhaseJet::pair(kPhaseBeta, kTheta)]};
+  }
+  const SlopeHamiltonian h =
+      slope_hamiltonian(scene.body, scene.gravity, state, p, beta);
+  // ∂²√A/∂β∂θ = −∂²√A/∂β²
+  const double along =
+      state.w * (p.p_x * std::cos(beta) + p.p_z * std::sin(beta));
+  return {h.d_beta, h.d2_beta, -(h.d2_beta + along)};
+}
+
+}  // namespace
 
 ContactEquation::ContactEquation(Transcription& problem) : problem_(problem) {
   const VariableLayout& layout = problem.layout();
@@ -35,16 +66,12 @@ const nlp::TangencyCondition::Linearisation& ContactEquation::linearise(
   }
   const Costates& p = end->p;
   const double w = end->state.w;
-  const SlopeHamiltonian h = slope_hamiltonian(
-      problem_.scene().body, problem_.scene().gravity, end->state, p, phi_);
+  const AtSlope h = at_slope(problem_.scene(), end->state, p, phi_);
   const double cos_phi = std::cos(phi_);
   const double sin_phi = std::sin(phi_);
   const double by_w = p.p_z * cos_phi - p.p_x * sin_phi;
-  // ∂²√A/∂β∂θ = −∂²√A/∂β²
-  const double along = w * (p.p_x * cos_phi + p.p_z * sin_phi);
-  const double by_theta = -(h.d2_beta + along);
-  at_.residual = h.d_beta;
-  at_.by_parameter = h.d2_beta;
+  at_.residual = h.value;
+  at_.by_parameter = h.by_beta;
   const auto fill = [&](const std::vector<Transcription::End::Rate>& rates,
                         nlp::SparseVector& out) {
     out.index.clear();
@@ -53,7 +80,7 @@ const nlp::TangencyCondition::Linearisation& ContactEquation::linearise(
       out.index.push_back(rate.index);
       out.value.push_back(w * (rate.p_z * cos_phi - rate.p_x * sin_phi) /
                               end->divisor +
-                          (by_w * rate.w + by_theta * rate.theta));
+                          (by_w * rate.w + h.by_theta * rate.theta));
     }
   };
   fill(end->by_x, at_.by_x);

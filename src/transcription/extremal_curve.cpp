@@ -112,9 +112,7 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
       }
       w_points_.push_back(w);
       ds[at_index(j)] = hU * w;
-      dt[at_index(j)] =
-          hU * std::sqrt(has_theta_ ? inertia_factor(scene_.body, theta, beta)
-                                    : axisymmetric_inertia_factor(scene_.body));
+      dt[at_index(j)] = hU * root_of_inertia(scene_, theta, beta);
     }
     const Node& before = nodes_[at_index(e * p)];
     for (int n = 1; n <= p; ++n) {

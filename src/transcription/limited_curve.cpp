@@ -12,7 +12,7 @@
 
 #include "brachisto/math/index.hpp"
 #include "math/minima.hpp"
-#include "model/inertia.hpp"
+#include "model/field.hpp"
 #include "nlp/active_set.hpp"
 #include "transcription/held_control.hpp"
 
@@ -68,7 +68,7 @@ bool LimitedCurve::holds_control(int point) const {
 double LimitedCurve::time_on(int element) const {
   const VariableLayout& layout = problem_.layout();
   const CollocationScheme& scheme = problem_.scheme();
-  const Body& body = problem_.scene().body;
+  const Scene& scene = problem_.scene();
   double sum = 0.0;
   for (int j = 0; j < scheme.degree; ++j) {
     const int node = element * scheme.degree + j + 1;
@@ -77,7 +77,7 @@ double LimitedCurve::time_on(int element) const {
         layout.has_theta() ? point_.x[brachisto::at(layout.state(node, Theta))]
                            : 0.0;
     sum += scheme.rule.weights[brachisto::at(j)] *
-           std::sqrt(inertia_factor(body, theta, beta));
+           root_of_inertia(scene, theta, beta);
   }
   return problem_.mesh().length(element) * rolling_time() * sum;
 }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/world_hamiltonian.hpp"
+
 namespace brachisto {
 
 Transcription::Transcription(const Scene& scene, Mesh mesh,
@@ -35,8 +37,14 @@ double Transcription::end_slope(std::span<const double> x,
                                 std::span<const double> lambda) {
   const std::optional<End> at_end = end(x, lambda);
   if (!at_end) return std::numeric_limits<double>::quiet_NaN();
-  return minimising_slope(scene_.body, scene_.gravity, at_end->state,
-                          end_costates(lambda), at_end->last_slope);
+  const Costates p = end_costates(lambda);
+  // p_w = 0, so that of the world losses alone matter.
+  if (scene_.world.losses.any()) {
+    return minimising_slope(scene_, {{}, at_end->state.theta, at_end->state.w},
+                            p, at_end->last_slope);
+  }
+  return minimising_slope(scene_.body, scene_.gravity, at_end->state, p,
+                          at_end->last_slope);
 }
 
 double Transcription::rounding(std::span<const double> x) const {

@@ -7,6 +7,7 @@ import re
 
 SUPPORT = pathlib.Path(__file__).resolve().parents[1] / "support"
 LIMITS_IN_WORLDS = SUPPORT.parents[1] / "problems/limits_in_worlds"
+LOSSES = SUPPORT.parents[1] / "problems/losses"
 
 
 def minus(text):
@@ -255,9 +256,17 @@ def worlds(program):
 
 
 def limits_in_worlds(program):
-    """problems/limits_in_worlds by the program and the indirect method."""
-    names = sorted(path.stem for path in LIMITS_IN_WORLDS.glob("*.yaml"))
-    answers = program.solve_all([f"limits_in_worlds/{name}.yaml" for name in names],
+    return with_witness(program, LIMITS_IN_WORLDS)
+
+
+def losses(program):
+    return with_witness(program, LOSSES)
+
+
+def with_witness(program, folder):
+    """A folder of limited scenes by the program, with its witness."""
+    names = sorted(path.stem for path in folder.glob("*.yaml"))
+    answers = program.solve_all([f"{folder.name}/{name}.yaml" for name in names],
                                 "--certify", "extremal", may_fail=True)
     rows = []
     for name, answer in zip(names, answers):
@@ -276,4 +285,4 @@ def limits_in_worlds(program):
 
 BLOCKS = {maker.__name__: maker for maker in (
     reference_values, limited_tracks, tau_over_friction, prices, sensitivities,
-    straight_pieces, worlds, limits_in_worlds)}
+    straight_pieces, worlds, limits_in_worlds, losses)}

@@ -327,11 +327,10 @@ TEST(OtherWorlds, AreRefusedByWhatIsDerivedForTheOrdinaryOne) {
   for (const std::string stated :
        {"discretisation: {formulation: arc_length}", "solver: {method: fsolve}",
         "solver: {search: global}", "solver: {guess: straight}"}) {
-    EXPECT_NE(
-        errors(scene + stated + "\n")
-            .find("is not allowed with a sphere's field, a start speed or "
-                  "air: "),
-        std::string::npos)
+    EXPECT_NE(errors(scene + stated + "\n")
+                  .find("is not allowed with a sphere's field, a start speed, "
+                        "air or losses: "),
+              std::string::npos)
         << stated;
   }
 }

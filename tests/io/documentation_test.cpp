@@ -76,7 +76,8 @@ TEST(Documentation, ExampleHasEveryKey) {
                                    ? limits
                                : spec.path.starts_with("scene.field") ||
                                        spec.path.starts_with("scene.start") ||
-                                       spec.path.starts_with("scene.air")
+                                       spec.path.starts_with("scene.air") ||
+                                       spec.path.starts_with("scene.losses")
                                    ? worlds
                                    : example;
     EXPECT_NE(place.find(std::string(spec.name()) + ":"), std::string::npos)
@@ -87,6 +88,14 @@ TEST(Documentation, ExampleHasEveryKey) {
 TEST(Documentation, LimitsAreRead) {
   const std::string example = between(
       between(documentation(), "## Limits", "\n## "), "```yaml\n", "```");
+
+  ASSERT_FALSE(example.empty());
+  EXPECT_EQ(errors(example), "");
+}
+
+TEST(Documentation, LossesAreRead) {
+  const std::string example = between(
+      between(documentation(), "### Losses", "\n## "), "```yaml\n", "```");
 
   ASSERT_FALSE(example.empty());
   EXPECT_EQ(errors(example), "");

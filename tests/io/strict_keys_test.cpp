@@ -36,7 +36,7 @@ TEST(StrictKeys, MisplacedOnesAreSentHome) {
       "p.yaml:1:9: scene.eta_m: misplaced key; it belongs in scene.body or "
       "design.bounds; "
       "allowed in scene: body, finish, gravity, contact, path, field, start, "
-      "air, limits");
+      "air, losses, limits");
   EXPECT_EQ(errors(kBead + "tolerance: 1e-8\n"),
             "p.yaml:2:1: tolerance: misplaced key; it belongs in "
             "discretisation or solver; allowed at the top level: version, "
@@ -53,13 +53,13 @@ TEST(StrictKeys, DottedOnesAreForOverridesOnly) {
 TEST(StrictKeys, RequiredOnesAreMissed) {
   EXPECT_EQ(errors("version: 1\n"),
             "p.yaml:1:1: scene: missing; expected a map with the keys body, "
-            "finish, gravity, contact, path, field, start, air, limits (what "
-            "is to roll where)");
+            "finish, gravity, contact, path, field, start, air, losses, limits "
+            "(what is to roll where)");
   EXPECT_EQ(errors("scene:\n  finish:\n    L: 3\n  body: {}\n"),
             "p.yaml:2:3: scene.finish.H: missing; expected a number in m, > 0 "
             "(H, drop from A to B)\n"
             "p.yaml:4:3: scene.body.shape: missing; expected cylinder or bead "
-            "(a cylinder rolls without slip, a bead slides without friction)");
+            "(a cylinder rolls without slip, a bead slides)");
 }
 
 TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {

@@ -37,7 +37,7 @@ TEST(StrictValues, MapsAreMaps) {
   EXPECT_EQ(errors("scene: 3\n"),
             "p.yaml:1:8: scene: a single value was read; expected a map with "
             "the keys body, finish, gravity, contact, path, field, start, air, "
-            "limits");
+            "losses, limits");
   EXPECT_EQ(
       errors("- scene\n"),
       "p.yaml:1:1: a list was read; expected a map with the keys "

@@ -18,7 +18,8 @@ using testing::ulps;
 template <class Jet>
 Jet formula(const Jet& x, const Jet& y) {
   Jet sum = sin(x * y) + cos(x) / (y - Jet(3.0));
-  sum += -sqrt(x * x + y * y);
+  sum += -sqrt(x * x + y * y) * atan(x + y);
+  sum += exp(x) * log(x * x + Jet(1.0));
   return sum;
 }
 

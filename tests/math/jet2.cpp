@@ -88,6 +88,35 @@ TEST_F(Jet2Operations, SquareRoot) {
                       kX * kX / cube});
 }
 
+TEST_F(Jet2Operations, Exponential) {
+  const double e = std::exp(kX * kY);
+
+  expect_derivatives(
+      "exp(x y)", exp(x * y),
+      {e, kY * e, kX * e, kY * kY * e, (1.0 + kX * kY) * e, kX * kX * e});
+}
+
+TEST_F(Jet2Operations, Logarithm) {
+  // ln(x² + y²) = 2 ln ρ.
+  const double square = kX * kX + kY * kY, fourth = square * square;
+
+  expect_derivatives(
+      "ln ρ²", log(x * x + y * y),
+      {std::log(square), 2.0 * kX / square, 2.0 * kY / square,
+       2.0 * (kY * kY - kX * kX) / fourth, -4.0 * kX * kY / fourth,
+       2.0 * (kX * kX - kY * kY) / fourth});
+}
+
+TEST_F(Jet2Operations, Arctangent) {
+  // The polar angle of (x, y), x > 0.
+  const double square = kX * kX + kY * kY, fourth = square * square;
+
+  expect_derivatives("arctan y/x", atan(y / x),
+                     {std::atan(kY / kX), -kY / square, kX / square,
+                      2.0 * kX * kY / fourth, (kY * kY - kX * kX) / fourth,
+                      -2.0 * kX * kY / fourth});
+}
+
 TEST_F(Jet2Operations, AssignmentsInPlace) {
   Jet sum = x;
   sum += y;

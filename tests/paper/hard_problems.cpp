@@ -122,6 +122,16 @@ TEST_P(WorldProblem, EndsAsItsCommentSays) {
   expect_promise(fs::path(BRACHISTO_WORLDS_DIR) / (GetParam() + ".yaml"));
 }
 
+class LossProblem : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(
+    Files, LossProblem,
+    ::testing::ValuesIn(testing::problem_files(BRACHISTO_LOSSES_DIR)),
+    testing::file_name);
+
+TEST_P(LossProblem, EndsAsItsCommentSays) {
+  expect_promise(fs::path(BRACHISTO_LOSSES_DIR) / (GetParam() + ".yaml"));
+}
+
 class Starter : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(
     Files, Starter,

@@ -485,6 +485,20 @@ TEST(NlOptimum, IsOurAnswerUnderLimits) {
   EXPECT_NEAR(found.f, T, kSame * T);
 }
 
+TEST(NlOptimum, IsOurAnswerWithLosses) {
+  Scene scene = testing::off_centred_scene(0.0);
+  scene.world.losses.rolling = 0.05;
+  scene.limits = testing::friction(0.6);
+  const SolvedProgram program = program_of(scene, {});
+  ASSERT_TRUE(program.problem->set_point(program.answer.x));
+  const double T = program.problem->eval_f();
+
+  const Found found = found_in_file(program, ProgramStart::Guess);
+
+  EXPECT_EQ(found.result.status, Status::Solved) << found.result.message;
+  EXPECT_NEAR(found.f, T, kSame * T);
+}
+
 TEST(NlOptimum, IsOurAnswerInThePapersVariables) {
   SolveOptions options;
   auto& mesh = options.use<Collocation>().discretisation;

@@ -72,6 +72,12 @@ class Reader {
         return std::sin(a);
       case Cosine:
         return std::cos(a);
+      case Power:
+        return std::exp(a);
+      case Logarithm:
+        return std::log(a);
+      case Arctangent:
+        return std::atan(a);
       case Greater:
       case If:
         break;

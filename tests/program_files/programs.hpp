@@ -87,13 +87,20 @@ template <class Problem>
           }));
     }
   }
-  // At rest in a field that depends on the place, and pushed off through air.
+  // At rest in a field that depends on the place, pushed off through air, and
+  // with losses.
   const Scene body = off_centred_scene(-kPi / 6.0);
+  Scene braked = with_push(body, 1.0), bead = bead_scene();
+  braked.world.losses.rolling = 0.05;
+  bead.world.losses.sliding = 0.1;
   const std::pair<const char*, Scene> worlds[] = {
+      {"WithRollingResistance", natural(braked)},
+      {"WithSlidingFriction", natural(bead)},
       {"OnAPlanet", natural(about_sphere(body, below()))},
       {"PushedInAir", natural(in_air(with_push(body, 1.0), 0.3, 0.2))}};
   for (const auto& [name, scene] : worlds) {
     for (const bool free : {false, true}) {
+      if (free && !scene.body.rolls()) continue;
       cases.push_back(program_case<LimitedTime>(
           std::string("Limited") + name + (free ? "FreeContacts" : ""),
           [scene, free] {

@@ -31,6 +31,7 @@ struct RigidBody {
   double inertia = 0.0;  ///< I_cm/m [m²]
   double weight = 0.0;   ///< what forces are told in, g [m/s²]
   double linear_drag = 0.0, quadratic_drag = 0.0;  ///< [1/s], [1/m]
+  double loss = 0.0;  ///< of the load: force of a bead, moment/r of a cylinder
   double start_speed = 0.0;                        ///< of the centre [m/s]
   std::function<Vector(const Vector&)> field;      ///< [m/s²]
   std::function<double(const Vector&)> potential;  ///< [m²/s²]
@@ -48,6 +49,8 @@ struct RigidBody {
   out.weight = scene.gravity;
   out.linear_drag = scene.world.air.linear;
   out.quadratic_drag = scene.world.air.quadratic;
+  out.loss =
+      body.rolls() ? scene.world.losses.rolling : scene.world.losses.sliding;
   out.start_speed = scene.world.start_speed;
   if (!scene.world.sphere) {
     const double g = scene.gravity;
@@ -113,7 +116,9 @@ struct LeftOver {
 /// (cos β, sin β), n = (sin β, −cos β) away from the track, D the drag,
 ///
 ///     m a_cm = m G(x_cm) + R_n n + R_t t − D t,
-///     I_cm ω̇ = (x_b − x_cm) × (R_n n + R_t t) − (x_c − x_cm) × D t.
+///     I_cm ω̇ = (x_b − x_cm) × (R_n n + R_t t) − (x_c − x_cm) × D t − c r R_n,
+///
+/// and of a bead with friction R_t = −μ R_n, by what it loses.
 ///
 /// \param body  at rest or with its speed at the first of the rows
 /// \param read  what is made of a point of the motion before it is judged
@@ -196,13 +201,14 @@ struct LeftOver {
                                           p.motion.R_n * across(p.beta));
       const Vector drag =
           -(body.linear_drag * v + body.quadratic_drag * v * v) * forward;
+      const double lost = body.loss * body.weight * p.motion.R_n;
       const Vector contact = centre(p) + r * across(p.beta);
       impulse += dt * (body.field(heavy(p)) + track + drag);
       twist += dt * (cross(contact - heavy(p), track) +
-                     cross(centre(p) - heavy(p), drag));
+                     cross(centre(p) - heavy(p), drag) - r * lost);
       way += dt * v * forward;
       length += dt * v;
-      braked -= dt * v * drag.dot(forward);
+      braked += dt * v * (lost - drag.dot(forward));
     }
     see(out.force, (velocity(to) - velocity(let_go) - impulse).norm() / V);
     see(out.place, (centre(to) - centre(first) - way).norm() / H);

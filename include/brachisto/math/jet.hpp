@@ -104,6 +104,25 @@ template <class Real, int Size>
   return a.chain(root, Real(0.5) / root);
 }
 
+template <class Real, int Size>
+[[nodiscard]] Jet1<Real, Size> exp(const Jet1<Real, Size>& a) {
+  using std::exp;
+  const Real power = exp(a.value);
+  return a.chain(power, power);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet1<Real, Size> log(const Jet1<Real, Size>& a) {
+  using std::log;
+  return a.chain(log(a.value), Real(1) / a.value);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet1<Real, Size> atan(const Jet1<Real, Size>& a) {
+  using std::atan;
+  return a.chain(atan(a.value), Real(1) / (Real(1) + a.value * a.value));
+}
+
 /// Value, gradient and Hessian (lower triangle, row by row) with respect to
 /// `Size` independent variables.
 ///
@@ -237,6 +256,27 @@ template <class Real, int Size>
   return a.chain(root, slope, -slope / (Real(2) * a.value));
 }
 
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> exp(const Jet2<Real, Size>& a) {
+  using std::exp;
+  const Real power = exp(a.value);
+  return a.chain(power, power, power);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> log(const Jet2<Real, Size>& a) {
+  using std::log;
+  const Real slope = Real(1) / a.value;
+  return a.chain(log(a.value), slope, -slope * slope);
+}
+
+template <class Real, int Size>
+[[nodiscard]] Jet2<Real, Size> atan(const Jet2<Real, Size>& a) {
+  using std::atan;
+  const Real slope = Real(1) / (Real(1) + a.value * a.value);
+  return a.chain(atan(a.value), slope, Real(-2) * a.value * slope * slope);
+}
+
 /// On which of `Size` independent variables a formula depends, whatever their
 /// values: a derivative by any other is zero everywhere.
 template <int Size>
@@ -288,6 +328,9 @@ struct Dependence {
   friend Dependence sin(const Dependence& a) { return a.bent(); }
   friend Dependence cos(const Dependence& a) { return a.bent(); }
   friend Dependence sqrt(const Dependence& a) { return a.bent(); }
+  friend Dependence exp(const Dependence& a) { return a.bent(); }
+  friend Dependence log(const Dependence& a) { return a.bent(); }
+  friend Dependence atan(const Dependence& a) { return a.bent(); }
   /// Of both, for the place of the bound is nobody's.
   template <class Above, class Below>
   friend Dependence where_above(const Dependence&, double, const Above& above,

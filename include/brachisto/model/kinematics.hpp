@@ -17,7 +17,7 @@ struct PathState {
   Point centre;            ///< (x_c, z_c)
   double theta = 0.0;      ///< θ [rad]
   double beta = 0.0;       ///< slope angle β [rad]
-  double w = 0.0;          ///< √(2 g E)
+  double w = 0.0;          ///< √(2 g E); with losses the state in its place
   double beta_rate = 0.0;  ///< dβ/du, u the rolling time: dt = √A du
 };
 
@@ -53,7 +53,8 @@ struct Kinematics {
                                     const PathState& state);
 
 /// The same in any world: with the field G at the centre of mass in place of
-/// (0, g), and less the drag on the centre, which is no force of the track.
+/// (0, g), and less the drag on the centre, which is no force of the track, and
+/// what losses take.
 /// Forces stay in m g, g being the scene's.
 [[nodiscard]] Kinematics kinematics(const Scene& scene, const PathState& state);
 

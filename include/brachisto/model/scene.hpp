@@ -75,6 +75,10 @@ struct Scene {
 /// The same scene with θ_m within a turn: whole turns only cost digits.
 [[nodiscard]] Scene without_whole_turns(const Scene& scene);
 
+/// The same with what it implies: a bead with friction keeps R_n ≥ 0, unless it
+/// is on a given path.
+[[nodiscard]] Scene with_implied_limits(Scene scene);
+
 /// One reason why a scene is refused.
 struct SceneError {
   std::string key;      ///< dotted key of the problem file, "scene.body.k"

@@ -35,6 +35,17 @@ struct Air {
   [[nodiscard]] bool any() const { return linear != 0.0 || quadratic != 0.0; }
 };
 
+/// What the track takes beside, in proportion to the load R_n. None is a gain:
+/// paths keep R_n ≥ 0.
+struct Losses {
+  double sliding = 0.0;  ///< μ, Coulomb friction of a bead: the force μ R_n
+  double rolling = 0.0;  ///< c, of what rolls: the moment c r R_n
+
+  /// Power per g R_n v_c: of either, for a body has but one of them.
+  [[nodiscard]] double factor() const { return sliding + rolling; }
+  [[nodiscard]] bool any() const { return sliding != 0.0 || rolling != 0.0; }
+};
+
 /// What acts on the body beside its track and a uniform field, and how fast it
 /// sets out. As it stands, nothing and from rest.
 struct World {
@@ -42,6 +53,7 @@ struct World {
   /// the whole body: that it differs over the body is left out.
   std::optional<Sphere> sphere;
   Air air;
+  Losses losses;
   double start_speed = 0.0;  ///< v₀ of the centre at A [m/s]
 
   /// Of the field, the rest being uniform: on the way from the uniform field to
@@ -56,9 +68,12 @@ struct World {
 
   /// The field depends on the place.
   [[nodiscard]] bool field_varies() const { return sphere.has_value(); }
-  /// Rates of the motion differ from those of a uniform field without air.
+  /// Energy is lost on the way.
+  [[nodiscard]] bool brakes() const { return air.any() || losses.any(); }
+  /// Rates of the motion differ from those of a uniform field without air and
+  /// losses.
   [[nodiscard]] bool changes_rates() const {
-    return field_varies() || air.any();
+    return field_varies() || brakes();
   }
   [[nodiscard]] bool ordinary() const {
     return !changes_rates() && start_speed == 0.0;
@@ -95,6 +110,7 @@ struct WorldParameter {
 };
 
 inline constexpr const char* kAirBrakes = "for air takes energy away";
+inline constexpr const char* kTrackBrakes = "for the track takes energy away";
 
 /// Each part's together, in the order of their checks.
 inline constexpr WorldParameter kWorldParameters[] = {
@@ -155,6 +171,20 @@ inline constexpr WorldParameter kWorldParameters[] = {
      [](World& w) { return &w.air.quadratic; },
      false,
      "v²"},
+    {"scene.losses.sliding",
+     "μ, Coulomb friction of a bead",
+     "",
+     {},
+     Allowed::NotNegative,
+     kTrackBrakes,
+     [](World& w) { return &w.losses.sliding; }},
+    {"scene.losses.rolling",
+     "c, rolling resistance of a cylinder: its moment is c r R_n",
+     "",
+     {},
+     Allowed::NotNegative,
+     kTrackBrakes,
+     [](World& w) { return &w.losses.rolling; }},
 };
 
 }  // namespace brachisto

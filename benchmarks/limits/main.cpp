@@ -194,8 +194,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--worlds", campaign.worlds,
                "Each in a random world, around what is free there");
-  app.add_flag("--losses", campaign.losses,
-               "With rolling resistance");
+  app.add_flag("--losses", campaign.losses, "With rolling resistance");
   app.add_flag("--witness", campaign.witness,
                "Solve once more by the indirect method what is verified");
   app.add_option("--problems", campaign.problems,

@@ -15,7 +15,7 @@ namespace {
 /// v̇ = v̇⁰ − c g R_n/A, g R_n⁰ by Newton's law across the track; out of line
 /// with all that it needs, for most bodies are not braked.
 [[gnu::noinline, gnu::cold]] double braked(const Scene& scene, double s,
-                                           double v, Point place,
+                                           double v, Pull<double> G,
                                            const Direction& along,
                                            double v_kappa, double without) {
   const Body& body = scene.body;
@@ -25,7 +25,6 @@ namespace {
   const double A = inertia_factor(body, theta, along.beta);
   const double eta_cos = eta * std::cos(theta - along.beta);
   const double eta_sin = eta * std::sin(theta - along.beta);
-  const Pull<double> G = pull_on(scene, place.x, place.z, theta);
   const double R = G.z * along.cosine - G.x * along.sine - v * v_kappa -
                    eta_cos * without + eta_sin * v * v * turning;
   return without - c * R / (A - c * eta_cos);
@@ -55,7 +54,7 @@ double acceleration(const Scene& scene, double s, double v, Point place,
                        drag(scene.world.air, v);
   const double without = (force - 0.5 * A_s_v2) / A;
   if (!scene.world.losses.any()) return without;
-  return braked(scene, s, v, place, along, v_kappa, without);
+  return braked(scene, s, v, G, along, v_kappa, without);
 }
 
 }  // namespace brachisto

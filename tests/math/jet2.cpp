@@ -111,10 +111,10 @@ TEST_F(Jet2Operations, Arctangent) {
   // The polar angle of (x, y), x > 0.
   const double square = kX * kX + kY * kY, fourth = square * square;
 
-  expect_derivatives("arctan y/x", atan(y / x),
-                     {std::atan(kY / kX), -kY / square, kX / square,
-                      2.0 * kX * kY / fourth, (kY * kY - kX * kX) / fourth,
-                      -2.0 * kX * kY / fourth});
+  expect_derivatives(
+      "arctan y/x", atan(y / x),
+      {std::atan(kY / kX), -kY / square, kX / square, 2.0 * kX * kY / fourth,
+       (kY * kY - kX * kX) / fourth, -2.0 * kX * kY / fourth});
 }
 
 TEST_F(Jet2Operations, AssignmentsInPlace) {

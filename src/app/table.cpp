@@ -3,7 +3,6 @@
 
 // brachisto table FILE…: many scenes, a row each.
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,10 +36,7 @@ int run(const TableFlags& flags) {
     print(comparison::summary(
         scenes, flags.markdown ? TableForm::Markdown : TableForm::Text));
   }
-  const bool all = std::ranges::all_of(scenes, [](const SolvedScene& scene) {
-    return scene.run.solved() && scene.run.verified;
-  });
-  return all ? kSuccess : kNotSolved;
+  return kSuccess;
 }
 
 }  // namespace
@@ -75,8 +71,8 @@ file asks for. One that fails or is refused is a row, with the reason
 below the table.
 Example:
   brachisto table problems/hard/*.yaml
-Exit codes: 0 all verified, 4 not all verified, 6 I/O, 130/143 after
-SIGINT/SIGTERM.)",
+Exit codes: 0 if there is a table, whatever stands in it, 6 I/O, 130/143
+after SIGINT/SIGTERM.)",
       .run = [flags] { return run(*flags); }};
 }
 

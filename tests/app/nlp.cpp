@@ -171,14 +171,13 @@ TEST(Table, HasARowForEachScene) {
 
   const Output output = run({"table", kScene, refused, "--json", "--quiet"});
 
-  EXPECT_EQ(output.code, 4) << output.err;
+  ASSERT_EQ(output.code, 0) << output.err;
   const json rows = json::parse(output.out);
   ASSERT_EQ(rows.size(), 2u);
   const json solved = json::parse(run({"solve", kScene, "--json"}).out);
   EXPECT_EQ(rows[0].at("tau"), solved.at("tau"));
   EXPECT_EQ(rows[0].at("verified"), true);
   EXPECT_EQ(rows[1].at("outcome"), "refused");
-  EXPECT_EQ(run({"table", kScene, "--quiet"}).code, 0);
   EXPECT_EQ(run({"table", "nothing.yaml", "--quiet"}).code, 6);
 }
 

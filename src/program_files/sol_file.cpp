@@ -15,6 +15,12 @@ namespace brachisto::program_files {
 
 namespace {
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
 /// The lines of a .sol file, one after the other.
 class Lines {
  public:
@@ -41,9 +47,7 @@ class Lines {
   template <class Number>
   [[nodiscard]] Number number(const char* what) {
     if (!next()) refuse(fmt::format("the file ends before {}", what));
-    std::string_view word = text_;
-    while (!word.empty() && word.front() == ' ') word.remove_prefix(1);
-    while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
+    std::string_view word = trimmed(text_);
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     Number value{};
     const auto [end, error] =
@@ -84,8 +88,9 @@ SolFile read_sol(const std::filesystem::path& file) {
     }
     options = lines.text() == "Options";
     if (options) break;
-    if (!out.message.empty() && !lines.text().empty()) out.message += "; ";
-    out.message += lines.text();
+    const std::string_view line = trimmed(lines.text());
+    if (!out.message.empty() && !line.empty()) out.message += "; ";
+    out.message += line;
   }
   // Where there are more than four, two of them stand for one number behind
   // the counts.

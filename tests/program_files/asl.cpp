@@ -316,7 +316,7 @@ class ForeignAnswer : public ::testing::Test {
     const SolverResult found =
         solve_with_ipopt(theirs, theirs.start(), options);
     ASSERT_EQ(found.status, Status::Solved) << found.message;
-    theirs.write_solution("a solver\nof others", found.point);
+    theirs.write_solution(" \na solver\nof others ", found.point);
   }
   [[nodiscard]] program_files::CheckedAnswer check() const {
     return check_answer(solution_, *program_,

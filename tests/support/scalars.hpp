@@ -91,6 +91,15 @@ struct Lanes {
 [[nodiscard]] inline Lanes sqrt(const Lanes& a) {
   return Lanes::each(a, a, [](double x, double) { return std::sqrt(x); });
 }
+[[nodiscard]] inline Lanes exp(const Lanes& a) {
+  return Lanes::each(a, a, [](double x, double) { return std::exp(x); });
+}
+[[nodiscard]] inline Lanes log(const Lanes& a) {
+  return Lanes::each(a, a, [](double x, double) { return std::log(x); });
+}
+[[nodiscard]] inline Lanes atan(const Lanes& a) {
+  return Lanes::each(a, a, [](double x, double) { return std::atan(x); });
+}
 
 /// All numbers between two; what rounding does is put outside.
 struct Interval {
@@ -143,6 +152,16 @@ struct Interval {
 }
 [[nodiscard]] inline Interval sqrt(const Interval& a) {
   return {std::sqrt(a.low), std::sqrt(a.high)};
+}
+// These rise with a.
+[[nodiscard]] inline Interval exp(const Interval& a) {
+  return {std::exp(a.low), std::exp(a.high)};
+}
+[[nodiscard]] inline Interval log(const Interval& a) {
+  return {std::log(a.low), std::log(a.high)};
+}
+[[nodiscard]] inline Interval atan(const Interval& a) {
+  return {std::atan(a.low), std::atan(a.high)};
 }
 [[nodiscard]] inline double plain(const Interval& a) {
   return 0.5 * (a.low + a.high);

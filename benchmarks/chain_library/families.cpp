@@ -194,15 +194,13 @@ SeparableProgram make_program(const std::string& family, int size) {
   }
   if (family == "dense") {
     // Elements of eight at random, nine for each variable.
-    const std::vector<Element> once = out.elements;
-    for (int more = 0; more < 8; ++more) {
-      for (Element e : once) {
-        e.count = SeparableProgram::kWidth;
-        for (int& variable : e.variables) {
-          variable = static_cast<int>(random() % static_cast<unsigned>(size));
-        }
-        out.elements.push_back(e);
+    SeparableProgram out = make_others(size, 0, [](int, int) { return 0; });
+    for (int i = 0; i < 9 * size; ++i) {
+      Element e{{}, SeparableProgram::kWidth, 0, 0.0};
+      for (int& variable : e.variables) {
+        variable = static_cast<int>(random() % static_cast<unsigned>(size));
       }
+      out.elements.push_back(e);
     }
     return out;
   }

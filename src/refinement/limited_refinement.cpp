@@ -94,6 +94,7 @@ class LimitedSolve {
   }
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
+    const PhaseTimer timer(Phase::Start);
     std::optional<FittedPath> path;
     const bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
@@ -247,6 +248,7 @@ class LimitedSolve {
   [[nodiscard]] Followed follow(
       std::optional<FittedPath> path,
       const std::function<Stage(double share)>& stage_at, Steps steps) {
+    const PhaseTimer timer(Phase::Start);
     Followed reached{std::move(path)};
     double step = steps.first;
     while (reached.path && reached.share < 1.0) {
@@ -318,6 +320,7 @@ class LimitedSolve {
 
   /// With the iterations that are left.
   [[nodiscard]] std::optional<FittedPath> path_under(const Scene& looser) {
+    const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     for (const MeshRecord& mesh : protocol_.meshes) {
       options.ipopt.max_iterations -= mesh.iterations;

@@ -45,9 +45,8 @@ struct Times {
 
 /// Those of up to so many solves. Of slow ones there are as many as fit into
 /// half the time.
-Times repeat(const io::ProblemFile& problem,
-                           const MeasureFlags& flags, const Solution& first,
-                           WallClock::time_point begin) {
+Times repeat(const io::ProblemFile& problem, const MeasureFlags& flags,
+             const Solution& first, WallClock::time_point begin) {
   constexpr double kShare = 0.5;
   Times times;
   if (first.status != Status::Solved || first.effort.cpu_seconds > kSlow) {

@@ -93,10 +93,10 @@ std::vector<Referee> referees_of(const Subject& subject) {
 }
 
 std::string no_reference(const Referee& referee, const Measurement& run) {
-  return fmt::format("{} {}: {}", referee.name,
-                     run.solved() ? "is not verified"
-                                  : std::string(name(run.outcome)),
-                     run.cause);
+  return fmt::format(
+      "{} {}: {}", referee.name,
+      run.solved() ? "is not verified" : std::string(name(run.outcome)),
+      run.cause);
 }
 
 std::optional<Reference> Referee::reference_in(const Measurement& run) const {

@@ -57,9 +57,9 @@ std::optional<ObservedOrder> observed_order(std::span<const SizeError> points,
   if (!(nn > 0.0)) return std::nullopt;
   const auto& [n0, error0] = logs[logs.size() - 2];
   const auto& [n1, error1] = logs.back();
-  ObservedOrder fit{-ne / nn, static_cast<int>(logs.size()), std::nullopt,
-                    -(error1 - error0) / (n1 - n0), sizes.low,
-                    sizes.high};
+  ObservedOrder fit{-ne / nn,     static_cast<int>(logs.size()),
+                    std::nullopt, -(error1 - error0) / (n1 - n0),
+                    sizes.low,    sizes.high};
   if (logs.size() > 2) {
     double squares = 0.0;
     for (const auto& [n, error] : logs) {
@@ -88,9 +88,8 @@ bool follow(std::span<const SizeError> points, const ObservedOrder& fit) {
   const bool near = std::ranges::all_of(constants, [&](double constant) {
     return std::abs(constant - mean) <= std::log(kOff);
   });
-  const bool falls =
-      fit.order * std::log(points.back().n / points.front().n) >=
-      std::log(kFall);
+  const bool falls = fit.order * std::log(points.back().n / points.front().n) >=
+                     std::log(kFall);
   if (!near || !falls) return false;
   // They share what is in the middle.
   const std::size_t half = points.size() / 2 + 1;
@@ -123,10 +122,11 @@ AsymptoticOrder asymptotic_order(std::span<const SizeError> points,
     const auto between = observed_order(above.subspan(i - 1, 2), 0.0);
     orders.push_back(between ? fmt::format("{:.1f}", between->order) : "–");
   }
-  return {{},
-          fmt::format("the errors of its finest meshes follow no power: between "
-                      "neighbours the order is {}",
-                      fmt::join(orders, ", "))};
+  return {
+      {},
+      fmt::format("the errors of its finest meshes follow no power: between "
+                  "neighbours the order is {}",
+                  fmt::join(orders, ", "))};
 }
 
 }  // namespace brachisto::comparison

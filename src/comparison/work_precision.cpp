@@ -92,8 +92,7 @@ WorkPrecision run_work_precision(const Subject& subject,
                     repetitions, plan.seconds_per_point},
                    hooks.interrupt);
   };
-  WorkPrecision out{
-      subject, plan, find_reference(referees_of(subject), run)};
+  WorkPrecision out{subject, plan, find_reference(referees_of(subject), run)};
   for (const ComparedMethod& method : plan.methods) {
     if (subject.limited() && method.kind == ComparedMethod::Kind::Extremal) {
       out.left_out.push_back(

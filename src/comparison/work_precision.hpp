@@ -15,7 +15,7 @@
 #include "comparison/comparison.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/statistics.hpp"
-#include "report/figure.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
 
@@ -82,15 +82,6 @@ struct WorkPrecision {
                                                const WorkPrecisionPlan& plan,
                                                const Hooks& hooks);
 
-/// Names of the files that there may be, of which the last one is written last.
-[[nodiscard]] std::vector<std::string> work_precision_file_names();
-/// Processor time against the errors of τ and of the path and the energy drift,
-/// each as a diagram with its numbers and script, and a document with all there
-/// is.
-/// \param interrupt  nonzero: stop; may be null
-/// \throws Stopped
-[[nodiscard]] report::DrawnFigure drawn(const WorkPrecision& found,
-                                        const std::atomic<int>* interrupt);
 [[nodiscard]] std::string summary(
     const WorkPrecision& found,
     report::TableForm form = report::TableForm::Text);

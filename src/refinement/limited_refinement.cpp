@@ -286,7 +286,6 @@ class LimitedSolve {
 
   /// From the loosest limits.
   [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
-    constexpr double kFirstStep = 0.05;
     const LimitRelaxation& relaxation = tightening_->relaxation();
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
@@ -296,7 +295,7 @@ class LimitedSolve {
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
             kDegree),
         [&](double share) { return Stage{relaxation.at(share)}; },
-        {.first = kFirstStep});
+        {.first = 0.05});
     reached_ = way.share;
     if (!way.arrived()) return std::nullopt;
     return std::move(way.path);

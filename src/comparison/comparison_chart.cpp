@@ -29,9 +29,10 @@ std::vector<Picture> pictures_of(const MethodComparison& made) {
   constexpr double kRoom = 4.0;  // factors at the sides, for names
   constexpr double kBar = 0.9;   // of a range of times [px]
   if (!made.reference) return {};
-  report::Chart chart{.name = "compare",
-                      .title = "Processor time against error, method by method",
-                      .subtitle = in_words(made.subject)};
+  report::Chart chart;
+  chart.name = "compare";
+  chart.title = "Processor time against error, method by method";
+  chart.subtitle = in_words(made.subject);
   chart.x.label = "relative error of τ";
   chart.y.label = "processor time [s]";
   chart.x.scale = chart.y.scale = report::Scale::Logarithmic;
@@ -44,11 +45,13 @@ std::vector<Picture> pictures_of(const MethodComparison& made) {
     const double x = std::max({*row.error, made.reference->error,
                                std::numeric_limits<double>::epsilon()});
     const std::string name = report::as_rich_text(row.label);
-    chart.curves.push_back({.points = {{x, times.least}, {x, times.greatest}},
+    chart.curves.push_back({.name = {},
+                            .points = {{x, times.least}, {x, times.greatest}},
                             .colour = look.colour,
                             .width = kBar,
                             .id = row.label + " spread"});
-    chart.curves.push_back({.points = {{x, times.median}},
+    chart.curves.push_back({.name = {},
+                            .points = {{x, times.median}},
                             .colour = look.colour,
                             .width = 0.0,
                             .mark = look.mark,

@@ -129,7 +129,9 @@ class Page {
     if (!drawn.missing.empty()) out_.missing = drawn.missing;
     std::ranges::move(drawn.files, std::back_inserter(out_.files));
   }
-  void add(report::OutputFile file) { out_.files.push_back(std::move(file)); }
+  void add_file(std::string name, std::string content) {
+    out_.files.push_back({std::move(name), std::move(content)});
+  }
 
   [[nodiscard]] ComparisonFiles finished() && {
     html_ += fmt::format("<footer>Written by brachisto {}.</footer>\n",
@@ -182,7 +184,7 @@ ComparisonFiles files_of(const WorkPrecision& found,
                          const std::atomic<int>* interrupt) {
   const std::vector<Party> parties = parties_of(found);
   Page page(in_a_sentence(parties), found.subject, interrupt);
-  page.add({kDocument, to_json(found)});
+  page.add_file(kDocument, to_json(found));
   const std::vector<Picture> pictures = pictures_of(found);
   page.add(pictures.front());
   Failures failures;
@@ -225,8 +227,8 @@ ComparisonFiles files_of(const MethodComparison& made,
                          const std::atomic<int>* interrupt) {
   const std::vector<Party> parties = parties_of(made);
   Page page(in_a_sentence(parties), made.subject, interrupt);
-  page.add({"compare.txt", summary(made)});
-  page.add({"compare.json", to_json(made)});
+  page.add_file("compare.txt", summary(made));
+  page.add_file("compare.json", to_json(made));
   for (const Picture& picture : pictures_of(made)) page.add(picture);
   Failures failures;
   for (const ComparisonRow& row : made.rows) {

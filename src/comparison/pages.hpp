@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
 #include "comparison/work_precision.hpp"
 

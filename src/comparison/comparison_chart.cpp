@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "comparison/finding.hpp"
 #include "comparison/looks.hpp"
 #include "comparison/pictures.hpp"
 #include "comparison/statistics.hpp"
@@ -64,10 +65,12 @@ std::vector<Picture> pictures_of(const MethodComparison& made) {
     ys.include(times.greatest);
   }
   if (chart.curves.empty()) return {};
+  xs.include(kSpokenError);
   chart.x.low = xs.low / kRoom;
   chart.x.high = xs.high * kRoom;
   chart.y.low = ys.low / kRoom;
   chart.y.high = ys.high * kRoom;
+  chart.curves.push_back(line_of_spoken_error(*chart.y.low, *chart.y.high));
   if (made.reference->error > *chart.x.low) {
     chart.areas.push_back({.name = "error of the reference",
                            .outline = {{*chart.x.low, *chart.y.low},

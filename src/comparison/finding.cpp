@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparison/comparison.hpp"
 #include "comparison/methods.hpp"
@@ -54,6 +55,10 @@ class Parties {
 
   std::vector<Party> all_;
 };
+
+std::string with_sign(int power) {
+  return power < 0 ? fmt::format("−{}", -power) : fmt::format("{}", power);
+}
 
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words) {
@@ -119,6 +124,15 @@ std::vector<Party> parties_of(const MethodComparison& made) {
   return std::move(parties).all();
 }
 
+std::string error_words(double error) {
+  if (!(error > 0.0)) return printed(error);
+  // As one with its power of ten, whatever its size.
+  const int power = static_cast<int>(std::floor(std::log10(error)));
+  const std::string digits = printed(error / std::pow(10.0, power), kDigits);
+  if (digits == "10") return fmt::format("1e{}", with_sign(power + 1));
+  return fmt::format("{}e{}", digits, with_sign(power));
+}
+
 std::string duration(double seconds) {
   constexpr double kMilli = 1e-3;
   return seconds < 1.0 ? printed(seconds / kMilli, kDigits) + " ms"
@@ -135,7 +149,7 @@ std::string in_a_sentence(const std::vector<Party>& parties, double error) {
                                   duration(trial->seconds)));
     } else if (const Trial* least = party.nearest()) {
       short_of.push_back(party.name);
-      errors.push_back(printed(least->error, kDigits));
+      errors.push_back(error_words(least->error));
       if (nearest == nullptr || least->error < nearest->nearest()->error) {
         nearest = &party;
       }
@@ -144,7 +158,7 @@ std::string in_a_sentence(const std::vector<Party>& parties, double error) {
     }
   }
   std::vector<std::string> parts;
-  const std::string to = fmt::format("an error of {}", printed(error, kDigits));
+  const std::string to = fmt::format("an error of {}", error_words(error));
   if (!times.empty()) {
     parts.push_back(fmt::format("To {} {}", to, listed(times)));
     if (!short_of.empty()) {
@@ -155,10 +169,9 @@ std::string in_a_sentence(const std::vector<Party>& parties, double error) {
     }
   } else if (nearest != nullptr) {
     const Trial* least = nearest->nearest();
-    parts.push_back(
-        fmt::format("No method reaches {}: {} comes nearest, to {} in {}", to,
-                    nearest->name, printed(least->error, kDigits),
-                    duration(least->seconds)));
+    parts.push_back(fmt::format(
+        "No method reaches {}: {} comes nearest, to {} in {}", to,
+        nearest->name, error_words(least->error), duration(least->seconds)));
   }
   if (!without.empty()) {
     parts.push_back(of_all(without, "finds no answer", "find no answer"));

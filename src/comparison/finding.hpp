@@ -46,6 +46,9 @@ inline constexpr double kSpokenError = 1e-6;
 [[nodiscard]] std::string in_a_sentence(const std::vector<Party>& parties,
                                         double error = kSpokenError);
 
+/// "8.8e−5", "1e−6": two digits at most.
+[[nodiscard]] std::string error_words(double error);
+
 /// "4.1 ms", "12 s": two digits.
 [[nodiscard]] std::string duration(double seconds);
 

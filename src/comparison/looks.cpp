@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "comparison/finding.hpp"
 #include "comparison/methods.hpp"
 #include "math/enum_table.hpp"
 
@@ -44,6 +45,17 @@ std::string words(const ComparedMethod& method) {
   std::string text = label(method);
   std::ranges::replace(text, '_', ' ');
   return text;
+}
+
+report::Curve line_of_spoken_error(double low, double high) {
+  report::Curve line;
+  line.name = "error of " + error_words(kSpokenError);
+  line.points = {{kSpokenError, low}, {kSpokenError, high}};
+  line.stroke = Stroke::Dashed;
+  line.colour = "#1f5fa8";
+  line.width = 1.2;
+  line.id = "spoken_error";
+  return line;
 }
 
 }  // namespace brachisto::comparison

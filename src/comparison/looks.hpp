@@ -28,4 +28,7 @@ struct Look {
 /// Its label without what rich text would lower.
 [[nodiscard]] std::string words(const ComparedMethod& method);
 
+/// Upright at kSpokenError, from one time to another.
+[[nodiscard]] report::Curve line_of_spoken_error(double low, double high);
+
 }  // namespace brachisto::comparison

@@ -78,7 +78,7 @@ std::string wanted_table(const std::vector<Party>& parties) {
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     for (const Party& party : parties) {
       const Trial* trial = party.quickest_to(error);
-      rows.push_back({report::printed(error), party.name,
+      rows.push_back({error_words(error), party.name,
                       trial != nullptr ? duration(trial->seconds) : "—",
                       trial != nullptr ? trial->how : ""});
     }
@@ -112,7 +112,8 @@ class Page {
   Page(const std::string& sentence, const Subject& subject,
        const std::atomic<int>* interrupt)
       : interrupt_(interrupt), html_(report::page_head(xml_escaped(sentence))) {
-    html_ += paragraph(in_words(subject) + ".");
+    html_ += fmt::format("<p class=\"about\">{}.</p>\n",
+                         report::html_words(in_words(subject)));
   }
 
   Page& operator+=(const std::string& html) {
@@ -147,6 +148,15 @@ class Page {
   int number_ = 0;
   ComparisonFiles out_;
 };
+
+/// What names in the sentence and the picture mean.
+std::string names_in_words() {
+  return paragraph(
+      "The program is collocation in the rolling time, by its degree p or on "
+      "meshes of its own; arc_length is the program in the paper's variables, "
+      "fsolve the paper's discrete system, the extremal method multiple "
+      "shooting. The sentence above has the quickest run of each.");
+}
 
 /// Of the start of all runs on meshes.
 std::string start_in_words(const WorkPrecision& found) {
@@ -199,7 +209,7 @@ ComparisonFiles files_of(const WorkPrecision& found,
       failures.add(label(line.method), text(point.fineness), point.run.cause);
     }
   }
-  page += failures.html();
+  page += names_in_words() + failures.html();
   page += "<h2>Numbers</h2>\n";
   page += folded_html("What errors cost", wanted_table(parties));
   page += folded_html(
@@ -234,7 +244,7 @@ ComparisonFiles files_of(const MethodComparison& made,
   for (const ComparisonRow& row : made.rows) {
     if (!row.run.solved()) failures.add(row.label, "", row.run.cause);
   }
-  page += failures.html();
+  page += names_in_words() + failures.html();
   page += "<h2>Numbers</h2>\n";
   page += folded_html(fmt::format("All {} methods", made.rows.size()),
                       html_table(method_rows(made)));

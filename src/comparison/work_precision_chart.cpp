@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "comparison/finding.hpp"
 #include "comparison/looks.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/pictures.hpp"
@@ -107,6 +108,8 @@ class Diagram {
     if (failures_ > 0) add_failures();
     add_reference();
     add_floor();
+    chart_.curves.push_back(
+        line_of_spoken_error(*chart_.y.low, *chart_.y.high));
     return std::move(chart_);
   }
 
@@ -124,9 +127,9 @@ class Diagram {
     std::string key = words(line.method);
     const std::optional<ObservedOrder>& order = line.order.order;
     if (!measure_.of_tau || !order) return key;
-    key += fmt::format(", order {:.1f}", order->order);
+    key += fmt::format(", order {:.2f}", order->order);
     if (order->uncertainty) {
-      key += fmt::format(" ± {:.1f}", *order->uncertainty);
+      key += fmt::format(" ± {:.2f}", *order->uncertainty);
     }
     return key;
   }
@@ -184,6 +187,7 @@ class Diagram {
         }
       }
       xs_.include(found_.tolerance());
+      xs_.include(kSpokenError);
     }
     if (!(xs_.low <= xs_.high)) return;  // nothing to show
     constexpr double kRoom = 2.5;

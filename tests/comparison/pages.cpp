@@ -152,7 +152,7 @@ TEST(ComparisonPage, OfMethodsHasANameAtEachMark) {
   expect_alone(page);
   EXPECT_TRUE(has(page,
                   "<h1>To an error of 1e−6 the program needs 4 ms; fsolve does "
-                  "not reach it (at best 0.001); arc_length does not take such "
+                  "not reach it (at best 1e−3); arc_length does not take such "
                   "a scene.</h1>"))
       << page.substr(page.find("<h1>"), 300);
   const std::string script = content(made, "compare.gp");

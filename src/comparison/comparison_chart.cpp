@@ -79,10 +79,15 @@ std::vector<Picture> pictures_of(const MethodComparison& made) {
                                        {*chart.x.low, *chart.y.high}},
                            .fill = "#d9e6f2"});
   }
-  return {{report::chart_figure(chart),
-           fmt::format("Each mark is a method, those with a mesh on {} nodes; "
-                       "the nearer to the lower left, the better.",
-                       made.options.nodes)}};
+  return {
+      {report::chart_figure(chart),
+       fmt::format("Each mark is a method, those with a mesh on {} nodes; "
+                   "the nearer to the lower left, the better.",
+                   made.options.nodes) +
+           (made.subject.limited()
+                ? " The extremal method begins on the arcs that the program "
+                  "found, whose time is part of its own."
+                : "")}};
 }
 
 }  // namespace brachisto::comparison

@@ -60,6 +60,14 @@ std::string with_sign(int power) {
   return power < 0 ? fmt::format("−{}", -power) : fmt::format("{}", power);
 }
 
+/// "rolling_time p = 3, mesh of 8", "adaptive, to 1e-06", "extremal".
+std::string how(const ComparedMethod& method, const Fineness& fineness) {
+  const std::string point = text(fineness);
+  if (point.empty()) return label(method);
+  return fmt::format("{}, {} {}", label(method),
+                     fineness.mesh > 0 ? "mesh of" : "to", point);
+}
+
 /// "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words) {
   std::string out;
@@ -97,11 +105,8 @@ std::vector<Party> parties_of(const WorkPrecision& found) {
   Parties parties;
   for (const PrecisionLine& line : found.lines) {
     for (const PrecisionPoint& point : line.points) {
-      const std::string fineness = text(point.fineness);
-      parties.add(
-          line.method,
-          label(line.method) + (fineness.empty() ? "" : ", " + fineness),
-          point.run, point.error, found.reference);
+      parties.add(line.method, how(line.method, point.fineness), point.run,
+                  point.error, found.reference);
     }
   }
   for (const LeftOut& one : found.left_out) {

@@ -17,7 +17,7 @@ struct MethodComparison;
 
 /// A solve that has an answer.
 struct Trial {
-  std::string how;       ///< "rolling_time p = 3, 8"
+  std::string how;       ///< "rolling_time p = 3, mesh of 8"
   double seconds = 0.0;  ///< processor time
   double error = 0.0;    ///< relative, of τ
 };

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "brachisto/version.hpp"
@@ -37,27 +36,41 @@ std::string paragraph(const std::string& words) {
   return fmt::format("<p class=\"about\">{}</p>\n", xml_escaped(words));
 }
 
-/// What has no result, and why.
+/// What has no result, and why, once for each reason.
 class Failures {
  public:
   void add(const std::string& method, const std::string& mesh,
            const std::string& reason) {
-    auto& meshes = reasons_[{method, reason}];
-    if (!mesh.empty()) meshes.push_back(mesh);
+    auto& methods = of(of(reasons_, reason).second, method).second;
+    if (!mesh.empty()) methods.push_back(mesh);
   }
   [[nodiscard]] std::string html() const {
     if (reasons_.empty()) return {};
     std::string out = "<h2>Without a result</h2>\n<ul class=\"failures\">\n";
-    for (const auto& [what, meshes] : reasons_) {
-      out += fmt::format(
-          "<li>{}{}: {}</li>\n", xml_escaped(what.first),
-          meshes.empty() ? std::string() : " on " + xml_escaped(listed(meshes)),
-          xml_escaped(what.second));
+    for (const auto& [reason, methods] : reasons_) {
+      std::string names;
+      for (const auto& [method, meshes] : methods) {
+        names += (names.empty() ? "" : ", ") + method;
+        if (!meshes.empty()) names += " on " + listed(meshes);
+      }
+      out += fmt::format("<li>{}: {}</li>\n", xml_escaped(names),
+                         xml_escaped(reason));
     }
     return out + "</ul>\n";
   }
 
  private:
+  using Methods = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+  /// The entry of that name, at the end if it is new.
+  template <class Entries>
+  static auto& of(Entries& entries, const std::string& name) {
+    for (auto& entry : entries) {
+      if (entry.first == name) return entry;
+    }
+    return entries.emplace_back(name,
+                                typename Entries::value_type::second_type());
+  }
   static std::string listed(const std::vector<std::string>& meshes) {
     constexpr std::size_t kNamed = 6;
     if (meshes.size() > kNamed) {
@@ -67,9 +80,7 @@ class Failures {
     return fmt::format("{}", fmt::join(meshes, ", "));
   }
 
-  /// By method and reason, in the order of names.
-  std::map<std::pair<std::string, std::string>, std::vector<std::string>>
-      reasons_;
+  std::vector<std::pair<std::string, Methods>> reasons_;
 };
 
 /// What each party needs for errors, and how.
@@ -77,6 +88,7 @@ std::string wanted_table(const std::vector<Party>& parties) {
   report::Rows rows{{"error", "method", "processor time", "by"}};
   for (const double error : {1e-3, 1e-6, 1e-9, 1e-12}) {
     for (const Party& party : parties) {
+      if (party.trials.empty()) continue;
       const Trial* trial = party.quickest_to(error);
       rows.push_back({error_words(error), party.name,
                       trial != nullptr ? duration(trial->seconds) : "—",
@@ -148,6 +160,11 @@ class Page {
   int number_ = 0;
   ComparisonFiles out_;
 };
+
+/// "1 solve", "5 solves".
+std::string solves(int repetitions) {
+  return report::counted(static_cast<std::size_t>(repetitions), "solve");
+}
 
 /// What names in the sentence and the picture mean.
 std::string names_in_words() {
@@ -224,9 +241,9 @@ ComparisonFiles files_of(const WorkPrecision& found,
       "How it was measured",
       how_measured(found.reference,
                    fmt::format("Each run is a process of its own, from the "
-                               "cycloid; its time is the median of up to {} "
-                               "solves, without certificates.",
-                               found.plan.repetitions)));
+                               "cycloid; its time is the median of up to {}, "
+                               "without certificates.",
+                               solves(found.plan.repetitions))));
   if (pictures.size() > 1) page += "<h2>More pictures</h2>\n";
   page += start_in_words(found);
   for (std::size_t i = 1; i < pictures.size(); ++i) page.add(pictures[i]);
@@ -254,9 +271,9 @@ ComparisonFiles files_of(const MethodComparison& made,
           made.reference,
           fmt::format("Each method runs in a process of its own, from the "
                       "cycloid to residuals of {}; its time is the median of "
-                      "up to {} solves, without certificates.",
+                      "up to {}, without certificates.",
                       report::printed(made.options.residual, 2),
-                      made.options.repetitions)));
+                      solves(made.options.repetitions))));
   return std::move(page).finished();
 }
 

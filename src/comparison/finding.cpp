@@ -139,9 +139,12 @@ std::string error_words(double error) {
 }
 
 std::string duration(double seconds) {
-  constexpr double kMilli = 1e-3;
-  return seconds < 1.0 ? printed(seconds / kMilli, kDigits) + " ms"
-                       : printed(seconds, kDigits) + " s";
+  constexpr double kMilli = 1e-3, kHundred = 100.0;
+  const bool short_time = seconds < 1.0;
+  const double number = short_time ? seconds / kMilli : seconds;
+  return (number < kHundred ? printed(number, kDigits)
+                            : fmt::format("{:.0f}", number)) +
+         (short_time ? " ms" : " s");
 }
 
 std::string in_a_sentence(const std::vector<Party>& parties, double error) {

@@ -49,7 +49,7 @@ inline constexpr double kSpokenError = 1e-6;
 /// "8.8e−5", "1e−6": two digits at most.
 [[nodiscard]] std::string error_words(double error);
 
-/// "4.1 ms", "12 s": two digits.
+/// "4.1 ms", "12 s", "125 s": two digits, or all before the point.
 [[nodiscard]] std::string duration(double seconds);
 
 }  // namespace brachisto::comparison

@@ -36,12 +36,22 @@ std::string paragraph(const std::string& words) {
   return fmt::format("<p class=\"about\">{}</p>\n", xml_escaped(words));
 }
 
+/// What belongs to a name, at the end if it is new.
+template <class Value>
+Value& entry_of(std::vector<std::pair<std::string, Value>>& entries,
+                const std::string& name) {
+  const auto found =
+      std::ranges::find(entries, name, &std::pair<std::string, Value>::first);
+  return found != entries.end() ? found->second
+                                : entries.emplace_back(name, Value()).second;
+}
+
 /// What has no result, and why, once for each reason.
 class Failures {
  public:
   void add(const std::string& method, const std::string& mesh,
            const std::string& reason) {
-    auto& methods = of(of(reasons_, reason).second, method).second;
+    auto& methods = entry_of(entry_of(reasons_, reason), method);
     if (!mesh.empty()) methods.push_back(mesh);
   }
   [[nodiscard]] std::string html() const {
@@ -62,15 +72,6 @@ class Failures {
  private:
   using Methods = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-  /// The entry of that name, at the end if it is new.
-  template <class Entries>
-  static auto& of(Entries& entries, const std::string& name) {
-    for (auto& entry : entries) {
-      if (entry.first == name) return entry;
-    }
-    return entries.emplace_back(name,
-                                typename Entries::value_type::second_type());
-  }
   static std::string listed(const std::vector<std::string>& meshes) {
     constexpr std::size_t kNamed = 6;
     if (meshes.size() > kNamed) {

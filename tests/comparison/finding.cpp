@@ -100,9 +100,9 @@ TEST(Finding, TakesAllDegreesForTheProgramAndMediansForTimes) {
             "answer; arc_length does not take such a scene.");
 }
 
-TEST(Finding, HasTimesToTwoDigits) {
+TEST(Finding, HasTimesInMillisecondsBelowASecond) {
   EXPECT_EQ(duration(0.00414), "4.1 ms");
-  EXPECT_EQ(duration(0.125), "120 ms");
+  EXPECT_EQ(duration(0.125), "125 ms");
   EXPECT_EQ(duration(12.4), "12 s");
 }
 

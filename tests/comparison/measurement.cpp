@@ -131,7 +131,7 @@ TEST(Verdict, TellsFailuresWithTheirCause) {
   row.run.outcome = Outcome::Solved;
   row.run.cause = "agreement";
   EXPECT_EQ(verdict(row), "solved, not verified: agreement");
-  row.discrete_system = true;
+  row.method.kind = ComparedMethod::Kind::DiscreteSystem;
   EXPECT_EQ(verdict(row), "solved, first-order conditions");
   row.run.verified = true;
   EXPECT_EQ(verdict(row), "verified");
@@ -143,7 +143,7 @@ TEST(MethodComparison, HasNoDigitBeyondTheErrorOfTheReference) {
   Measurement run;
   run.outcome = Measurement::Outcome::Solved;
   run.tau = found.reference->tau;
-  found.rows = {{"extremal", false, run, 0.0}};
+  found.rows = {{"extremal", kReferee.method, run, 0.0}};
 
   const std::string text = summary(found);
 

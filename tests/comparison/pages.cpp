@@ -35,7 +35,7 @@ Subject bead() {
   return subject;
 }
 
-Measurement solved(double seconds) {
+Measurement with_start(double seconds) {
   Measurement run;
   run.outcome = Outcome::Solved;
   run.cpu = {seconds};
@@ -63,7 +63,7 @@ WorkPrecision work_precision() {
   PrecisionLine line{rolling_time(1), {}};
   for (const int mesh : {10, 20, 40, 80}) {
     line.points.push_back(
-        {{.mesh = mesh}, solved(1e-4 * mesh), 3e-5 / (mesh * mesh), {}});
+        {{.mesh = mesh}, with_start(1e-4 * mesh), 3e-5 / (mesh * mesh), {}});
   }
   found.lines.push_back(line);
   PrecisionLine none{discrete_system(DiscreteArm::Rest), {}};
@@ -137,9 +137,10 @@ TEST(ComparisonPage, HasTheTimeOnTheMeshApart) {
 MethodComparison comparison() {
   MethodComparison made{bead(), {}, Reference{.tau = 4.5, .error = 1e-14}, {}};
   made.rows = {
-      {"rolling_time", {.kind = Kind::Adaptive}, solved(0.004), 1e-11},
-      {"rolling_time p = 5", rolling_time(5), solved(0.004), 1.1e-11},
-      {"fsolve rest", discrete_system(DiscreteArm::Rest), solved(0.2), 1e-3},
+      {"rolling_time", {.kind = Kind::Adaptive}, with_start(0.004), 1e-11},
+      {"rolling_time p = 5", rolling_time(5), with_start(0.004), 1.1e-11},
+      {"fsolve rest", discrete_system(DiscreteArm::Rest), with_start(0.2),
+       1e-3},
       {"arc_length", {.kind = Kind::ArcLength}, failed(Outcome::Refused)}};
   return made;
 }

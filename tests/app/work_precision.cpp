@@ -214,6 +214,10 @@ TEST(WorkPrecision, UnderLimitsFittedArcsHaveTheOrderOfRadauCollocation) {
   EXPECT_EQ(document["reference"]["method"], "extremal")
       << "not the program itself";
   EXPECT_LT(point["path_error"], 1e-4);
+  // The search for the arcs is part of the start, which is part of all.
+  EXPECT_GT(point["start_cpu_seconds"]["median"], 0.0);
+  EXPECT_LT(point["start_cpu_seconds"]["median"],
+            point["cpu_seconds"]["median"]);
   const json left_out = document["left_out"];
   ASSERT_EQ(left_out.size(), 2U);
   EXPECT_EQ(left_out[0]["id"], "arc_length");

@@ -127,9 +127,10 @@ class Diagram {
     std::string key = words(line.method);
     const std::optional<ObservedOrder>& order = line.order.order;
     if (!measure_.of_tau || !order) return key;
-    key += fmt::format(", order {:.2f}", order->order);
-    if (order->uncertainty) {
-      key += fmt::format(" ± {:.2f}", *order->uncertainty);
+    key += fmt::format(", order {:.1f}", order->order);
+    constexpr double kShown = 0.05;  // less is nothing in one decimal
+    if (const double off = order->uncertainty.value_or(0.0); off >= kShown) {
+      key += fmt::format(" ± {:.1f}", off);
     }
     return key;
   }

@@ -74,7 +74,7 @@ Json finding_json(const std::vector<Party>& parties) {
         {{"name", party.name},
          {"refused", party.refused},
          {"cpu_seconds", quickest ? Json(quickest->seconds) : Json()},
-         {"by", quickest ? Json(quickest->how) : Json()},
+         {"quickest", quickest ? Json(quickest->how) : Json()},
          {"least_error", nearest ? Json(nearest->error) : Json()}});
   }
   return {{"sentence", in_a_sentence(parties)},

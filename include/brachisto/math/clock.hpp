@@ -82,7 +82,7 @@ inline void check_stop(std::integral auto turn) {
 enum class Phase {
   Start,  ///< from the cycloid to the coarse solution to refine, under limits
           ///< with the search for its arcs
-  SetUp,          ///< sparsity patterns, analysis of the matrix
+  SetUp,  ///< sparsity patterns, analysis of the matrix
   Evaluation,     ///< functions and derivatives
   Factorisation,  ///< of the KKT matrix
   Solution,       ///< right-hand sides, with refinement

@@ -11,6 +11,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
+#include "comparison/pages.hpp"
 
 namespace brachisto::app {
 
@@ -26,27 +27,27 @@ struct CompareFlags : CommonFlags {
 };
 
 int run(const CompareFlags& flags) {
-  constexpr const char* kTable = "compare.txt";
-  constexpr const char* kDocument = "compare.json";
+  const std::vector<std::string> names = comparison::comparison_file_names();
   const comparison::Subject subject =
       comparison::read_subject(flags.file, flags.overrides);
   if (!flags.out.empty()) {
-    report::check_writable(flags.out, {kTable, kDocument}, flags.force);
+    report::check_writable(flags.out, names, flags.force);
   }
   const comparison::Hooks hooks{&catch_signals(), progress_lines(flags.quiet)};
   const comparison::MethodComparison made =
       comparison::compare_methods(subject, flags.options, hooks);
-  const std::string json = comparison::to_json(made);
-  const std::string table = comparison::summary(made);
   if (!flags.out.empty()) {
-    report::write_files(flags.out, {{kTable, table}, {kDocument, json}},
-                        flags.force);
+    const comparison::ComparisonFiles page =
+        comparison::files_of(made, hooks.interrupt);
+    warn(page.missing);
+    report::write_files(flags.out, page.files, flags.force, names);
   }
   if (flags.json) {
-    print_data(json);
+    print_data(comparison::to_json(made));
   } else if (!flags.quiet) {
-    print(flags.markdown ? comparison::summary(made, TableForm::Markdown)
-                         : table);
+    print(comparison::summary(
+        made, flags.markdown ? TableForm::Markdown : TableForm::Text));
+    if (!flags.out.empty()) print_paths(flags.out, {{names.back(), ""}});
   }
   return made.reference ? kSuccess : kNotSolved;
 }
@@ -87,7 +88,8 @@ Verb compare_verb() {
                 [](double value) { return value >= 1e-14 && value <= 1e-6; }),
             .shows_default = true},
            directory_flag("--out", flags->out,
-                          "Write compare.txt and compare.json there"),
+                          "Write a page, index.html, its picture, compare.txt "
+                          "and compare.json there"),
            {"--force", &flags->force, "Replace existing files in DIR"},
            markdown_flag(flags->markdown)}),
       .footer =

@@ -33,22 +33,32 @@ struct MeasureFlags : CommonFlags {
 /// faults do not show in it.
 constexpr double kSlow = 2.0;  // [s]
 
-/// Processor times of up to so many solves, each the same. Of slow ones there
-/// are as many as fit into half the time.
-std::vector<double> repeat(const io::ProblemFile& problem,
-                           const MeasureFlags& flags, const Solution& first,
-                           WallClock::time_point begin) {
+/// Processor times of solves [s], all alike.
+struct Times {
+  std::vector<double> cpu, start;  ///< the latter within the former
+
+  void add(const Effort& effort) {
+    cpu.push_back(effort.cpu_seconds);
+    start.push_back(effort.phases.of(Phase::Start));
+  }
+};
+
+/// Those of up to so many solves. Of slow ones there are as many as fit into
+/// half the time.
+Times repeat(const io::ProblemFile& problem, const MeasureFlags& flags,
+             const Solution& first, WallClock::time_point begin) {
   constexpr double kShare = 0.5;
-  const double cpu = first.effort.cpu_seconds;
-  std::vector<double> times;
-  if (first.status != Status::Solved) return {cpu};
-  if (cpu > kSlow) times.push_back(cpu);
+  Times times;
+  if (first.status != Status::Solved || first.effort.cpu_seconds > kSlow) {
+    times.add(first.effort);
+  }
+  if (first.status != Status::Solved) return times;
   const double each = seconds_since(begin);
   const auto wanted = static_cast<std::size_t>(flags.repetitions);
-  while (
-      times.size() < wanted &&
-      (times.empty() || seconds_since(begin) + each < kShare * flags.seconds)) {
-    times.push_back(solve(problem.scene, problem.options).effort.cpu_seconds);
+  while (times.cpu.size() < wanted &&
+         (times.cpu.empty() ||
+          seconds_since(begin) + each < kShare * flags.seconds)) {
+    times.add(solve(problem.scene, problem.options).effort);
   }
   return times;
 }
@@ -83,7 +93,9 @@ int run(const MeasureFlags& flags) {
   }
   const WallClock::time_point begin = WallClock::now();
   const Solution solution = solve(problem.scene, problem.options);
-  const Json line = {{"cpu", repeat(problem, flags, solution, begin)},
+  const Times times = repeat(problem, flags, solution, begin);
+  const Json line = {{"cpu", times.cpu},
+                     {"start", times.start},
                      {"tau", tau_of(solution)},
                      {"unknowns", unknowns_of(solution)},
                      {"path", path_of(solution)},

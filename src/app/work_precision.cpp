@@ -12,6 +12,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/report/result.hpp"
 #include "comparison/methods.hpp"
+#include "comparison/pages.hpp"
 #include "comparison/work_precision.hpp"
 
 namespace brachisto::app {
@@ -51,10 +52,10 @@ int run(const WorkPrecisionFlags& flags) {
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
   if (!flags.out.empty()) {
-    const report::DrawnFigure diagram =
-        comparison::drawn(found, hooks.interrupt);
-    warn(diagram.missing);
-    report::write_files(flags.out, diagram.files, flags.force, names);
+    const comparison::ComparisonFiles made =
+        comparison::files_of(found, hooks.interrupt);
+    warn(made.missing);
+    report::write_files(flags.out, made.files, flags.force, names);
   }
   if (flags.json) {
     print_data(comparison::to_json(found));
@@ -62,7 +63,7 @@ int run(const WorkPrecisionFlags& flags) {
     print(comparison::summary(found, flags.markdown
                                          ? report::TableForm::Markdown
                                          : report::TableForm::Text));
-    if (!flags.out.empty()) print_paths(flags.out, {{names.front(), ""}});
+    if (!flags.out.empty()) print_paths(flags.out, {{names.back(), ""}});
   }
   return kSuccess;
 }
@@ -75,9 +76,10 @@ Verb work_precision_verb() {
       .name = "work-precision",
       .text = "Processor time against true error, method by method",
       .flags = flags->with(
-          {directory_flag("--out", flags->out,
-                          "Write diagrams, their tables and scripts, and "
-                          "work_precision.json there"),
+          {directory_flag(
+               "--out", flags->out,
+               "Write a page, index.html, diagrams with their tables "
+               "and scripts, and work_precision.json there"),
            {"--force", &flags->force, "Replace existing files in DIR"},
            {"--quick", &flags->quick,
             "The three coarsest meshes that all methods take, one "

@@ -22,14 +22,14 @@ using Kind = ComparedMethod::Kind;
 
 struct Contender {
   std::string label;
+  ComparedMethod method;
   SolveOptions options;
 };
 
-/// In the order of the table; the first one is the referee.
+/// In the order of the table, after the referees.
 std::vector<Contender> contenders(const Subject& subject, int nodes,
                                   double residual) {
   constexpr int kDegree = 5;
-  const Referee referee = referee_of(subject);
   const int elements = std::max(1, (nodes - 1) / kDegree);
   const SolveOptions& base = subject.problem.options;
   const auto contender = [&](const ComparedMethod& method,
@@ -40,7 +40,7 @@ std::vector<Contender> contenders(const Subject& subject, int nodes,
     } else if (auto* system = std::get_if<DiscreteSystem>(&options.method)) {
       system->tolerance = residual;
     }
-    return Contender{label(method), std::move(options)};
+    return Contender{label(method), method, std::move(options)};
   };
   // On the mesh that the wanted accuracy asks for, not on one with n nodes.
   Contender by_tolerance = contender({.kind = Kind::Adaptive}, {});
@@ -49,13 +49,8 @@ std::vector<Contender> contenders(const Subject& subject, int nodes,
   newton.label += ", newton";
   newton.options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
   std::vector<Contender> all{
-      contender(referee.method, {.tolerance = referee.tolerance}),
       std::move(by_tolerance),
       contender(rolling_time(kDegree), {.mesh = elements}), std::move(newton)};
-  if (subject.limited()) {
-    all.front().label = referee.name;
-    return all;
-  }
   all.push_back(contender({.kind = Kind::ArcLength}, {.mesh = nodes - 1}));
   for (const DiscreteArm arm : {DiscreteArm::Rest, DiscreteArm::Release,
                                 DiscreteArm::Newton, DiscreteArm::Lifted}) {
@@ -86,19 +81,29 @@ bool Subject::limited() const {
   return is_limited(problem.scene);
 }
 
-Referee referee_of(const Subject& subject) {
-  if (!subject.limited()) {
-    return {{.kind = Kind::Extremal}, {}, "the extremal method"};
-  }
+std::vector<Referee> referees_of(const Subject& subject) {
   constexpr double kTolerance = 1e-12;
-  return {{.kind = Kind::Adaptive}, kTolerance, "rolling_time to 1e-12"};
+  std::vector<Referee> all{
+      {{.kind = Kind::Extremal}, {}, "the extremal method"}};
+  if (subject.limited()) {
+    all.push_back(
+        {{.kind = Kind::Adaptive}, kTolerance, "rolling_time to 1e-12"});
+  }
+  return all;
+}
+
+std::string no_reference(const Referee& referee, const Measurement& run) {
+  return fmt::format(
+      "{} {}: {}", referee.name,
+      run.solved() ? "is not verified" : std::string(name(run.outcome)),
+      run.cause);
 }
 
 std::optional<Reference> Referee::reference_in(const Measurement& run) const {
   if (!run.solved() || !run.verified || !run.estimated_error) {
     return std::nullopt;
   }
-  return Reference{run.tau, *run.estimated_error, run.path, name};
+  return Reference{run.tau, *run.estimated_error, run.path, name, method};
 }
 
 double error_of(const Measurement& run, const Reference& reference) {
@@ -110,29 +115,46 @@ std::string verdict(const ComparisonRow& row) {
     return std::string(name(row.run.outcome)) + ": " + row.run.cause;
   }
   if (row.run.verified) return "verified";
-  return row.discrete_system ? "solved, first-order conditions"
-                             : "solved, not verified: " + row.run.cause;
+  return row.method.kind == Kind::DiscreteSystem
+             ? "solved, first-order conditions"
+             : "solved, not verified: " + row.run.cause;
 }
 
 MethodComparison compare_methods(const Subject& subject,
                                  const ComparisonOptions& options,
                                  const Hooks& hooks) {
   MethodComparison out{subject, options, {}, {}};
-  const Referee referee = referee_of(subject);
+  const auto run = [&](const std::string& label, const ComparedMethod& method,
+                       const SolveOptions& with) {
+    if (hooks.announce) hooks.announce(label);
+    out.rows.push_back({label, method,
+                        measure({subject.file, subject.overrides, with,
+                                 options.repetitions, options.seconds},
+                                hooks.interrupt)});
+    return out.rows.back().run;
+  };
+  std::string without;
+  for (const Referee& referee : referees_of(subject)) {
+    const Measurement made =
+        run(referee.tolerance ? referee.name : label(referee.method),
+            referee.method,
+            options_of(referee.method, {.tolerance = referee.tolerance},
+                       subject.problem.options));
+    out.reference = referee.reference_in(made);
+    if (out.reference) {
+      out.reference->instead_of = without;
+      break;
+    }
+    without += (without.empty() ? "" : "; ") + no_reference(referee, made);
+  }
   for (const Contender& one :
        contenders(subject, options.nodes, options.residual)) {
-    if (hooks.announce) hooks.announce(one.label);
-    const bool discrete = one.options.of<DiscreteSystem>() != nullptr;
-    ComparisonRow row{one.label, discrete,
-                      measure({subject.file, subject.overrides, one.options,
-                               options.repetitions, options.seconds},
-                              hooks.interrupt),
-                      std::nullopt};
-    if (out.rows.empty()) out.reference = referee.reference_in(row.run);
+    (void)run(one.label, one.method, one.options);
+  }
+  for (ComparisonRow& row : out.rows) {
     if (out.reference && row.run.solved()) {
       row.error = error_of(row.run, *out.reference);
     }
-    out.rows.push_back(std::move(row));
   }
   return out;
 }

@@ -24,7 +24,7 @@ struct Subject {
   std::vector<std::string> overrides;  ///< of the command line
   io::ProblemFile problem;             ///< what both say together
 
-  /// Only rolling_time solves it.
+  /// Of the methods with a mesh only rolling_time solves it.
   [[nodiscard]] bool limited() const;
 };
 
@@ -46,10 +46,12 @@ struct Reference {
   double error = 0.0;            ///< relative, its own
   std::vector<Point> path = {};  ///< see places_along()
   std::string by = {};           ///< "the extremal method"
+  ComparedMethod method = {};    ///< which that is
+  /// Why those that come before have none, in words; empty if it is the first.
+  std::string instead_of = {};
 };
 
-/// What has the reference for a subject: the extremal method, under limits,
-/// where that has its arcs from rolling_time, this to 1e-12.
+/// Who may have the reference for a subject.
 struct Referee {
   ComparedMethod method;
   std::optional<double> tolerance;
@@ -58,7 +60,14 @@ struct Referee {
   [[nodiscard]] std::optional<Reference> reference_in(
       const Measurement& run) const;
 };
-[[nodiscard]] Referee referee_of(const Subject& subject);
+/// The first one that has a reference is asked no further: the extremal method,
+/// which under limits begins on the arcs that rolling_time found and solves
+/// other equations there; under limits rolling_time to 1e-12 after it.
+[[nodiscard]] std::vector<Referee> referees_of(const Subject& subject);
+
+/// Why a run is no reference: "the extremal method failed: …".
+[[nodiscard]] std::string no_reference(const Referee& referee,
+                                       const Measurement& run);
 
 /// Relative error of a solution, |τ/τ_ref − 1|.
 [[nodiscard]] double error_of(const Measurement& run,
@@ -67,9 +76,9 @@ struct Referee {
 /// One method of a comparison.
 struct ComparisonRow {
   std::string label;
-  bool discrete_system = false;  ///< it solves other equations than the scene's
+  ComparedMethod method;
   Measurement run;
-  std::optional<double> error;  ///< relative, of τ; needs a reference
+  std::optional<double> error = {};  ///< relative, of τ; needs a reference
 };
 
 /// "verified", "solved, first-order conditions" (of a discrete system, which

@@ -4,27 +4,21 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
+#include "comparison/comparison_rows.hpp"
+#include "comparison/finding.hpp"
 #include "comparison/measurement_text.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/statistics.hpp"
 #include "comparison/work_precision.hpp"
-#include "report/letters.hpp"
 #include "report/provenance.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::comparison {
-
-using report::memory_text;
-using report::or_dash;
-using report::Rows;
-using report::seconds_text;
 
 using Json = nlohmann::ordered_json;
 
@@ -50,9 +44,12 @@ std::string kernel() {
 
 Json to_json(const std::optional<Reference>& reference) {
   if (!reference) return nullptr;
-  return {{"method", "extremal"},
-          {"tau", reference->tau},
-          {"error", reference->error}};
+  return {
+      {"method", identifier(reference->method)},
+      {"instead_of",
+       reference->instead_of.empty() ? Json() : Json(reference->instead_of)},
+      {"tau", reference->tau},
+      {"error", reference->error}};
 }
 
 /// The keys `machine`, `provenance` and `scene`.
@@ -67,84 +64,22 @@ void add_origin(Json& document, const Subject& subject) {
                           .at("scene");
 }
 
-/// "τ = 5.09344446661800(4) by the extremal method".
-std::string reference_text(const Reference& reference) {
-  return fmt::format(
-      "τ = {} by {}",
-      report::with_error(reference.tau, reference.error * reference.tau),
-      reference.by);
-}
-
-/// "1.6e-06", or that it is less than the reference can tell.
-std::string error_text(double error, const Reference& reference) {
-  return error < reference.error ? fmt::format("< {:.1e}", reference.error)
-                                 : fmt::format("{:.1e}", error);
-}
-
-/// As far as the reference tells; without one as the method itself sees its
-/// error.
-std::string tau_text(const ComparisonRow& row,
-                     const std::optional<Reference>& reference) {
-  const double tau = row.run.tau;
-  const double error = row.error && reference
-                           ? std::max(*row.error, reference->error)
-                           : row.run.estimated_error.value_or(0.0);
-  return report::within_error(tau, error * tau);
-}
-
-std::string remark(const PrecisionPoint& point) {
-  if (point.run.solved()) return "";
-  constexpr std::size_t kLetters = 72;  // the document has it in full
-  return report::shortened(
-      fmt::format("{}: {}", name(point.run.outcome), point.run.cause),
-      kLetters);
-}
-
-std::string order_text(const std::optional<ObservedOrder>& order) {
-  if (!order) return "—";
-  return order->uncertainty
-             ? fmt::format("{:.2f} ± {:.2f}", order->order, *order->uncertainty)
-             : fmt::format("{:.2f}", order->order);
-}
-
-Rows point_rows(const WorkPrecision& found) {
-  Rows rows{{"method", "mesh or wanted", "unknowns", "CPU [s]",
-             "least – greatest", "iterations", "memory", "error", "remark"}};
-  for (const PrecisionLine& line : found.lines) {
-    for (const PrecisionPoint& point : line.points) {
-      const Measurement& run = point.run;
-      std::vector<std::string> times{"—", "—"};
-      if (!run.cpu.empty()) {
-        const Spread spread = spread_of(run.cpu);
-        times = {seconds_text(spread.median),
-                 fmt::format("{} – {}", seconds_text(spread.least),
-                             seconds_text(spread.greatest))};
-      }
-      rows.push_back(
-          {label(line.method),
-           text(point.fineness).empty() ? "—" : text(point.fineness),
-           or_dash(run.unknowns), times[0], times[1], iterations_text(run),
-           memory_text(run.peak_memory),
-           point.error ? error_text(*point.error, found.reference) : "—",
-           remark(point)});
-    }
+/// The key `finding`.
+Json finding_json(const std::vector<Party>& parties) {
+  Json list = Json::array();
+  for (const Party& party : parties) {
+    const Trial* quickest = party.quickest_to(kSpokenError);
+    const Trial* nearest = party.nearest();
+    list.push_back(
+        {{"name", party.name},
+         {"refused", party.refused},
+         {"cpu_seconds", quickest ? Json(quickest->seconds) : Json()},
+         {"quickest", quickest ? Json(quickest->how) : Json()},
+         {"least_error", nearest ? Json(nearest->error) : Json()}});
   }
-  return rows;
-}
-
-Rows order_rows(const WorkPrecision& found) {
-  Rows rows{{"method", "promised", "observed order", "finest two", "points"}};
-  for (const PrecisionLine& line : found.lines) {
-    if (!has_meshes(line.method)) continue;
-    rows.push_back(
-        {label(line.method),
-         or_dash(promised_order(line.method, found.subject.limited())),
-         order_text(line.order),
-         line.order ? fmt::format("{:.2f}", line.order->finest) : "—",
-         fmt::format("{} of {}", line.order ? line.order->points : 0,
-                     line.points.size())});
-  }
-  return rows;
+  return {{"sentence", in_a_sentence(parties)},
+          {"error", kSpokenError},
+          {"parties", list}};
 }
 
 Json order_json(const std::optional<ObservedOrder>& order) {
@@ -152,7 +87,9 @@ Json order_json(const std::optional<ObservedOrder>& order) {
   return {{"order", order->order},
           {"uncertainty", or_null(order->uncertainty)},
           {"finest_two", order->finest},
-          {"points", order->points}};
+          {"points", order->points},
+          {"first_mesh", order->first},
+          {"last_mesh", order->last}};
 }
 
 Json line_json(const PrecisionLine& line) {
@@ -169,7 +106,9 @@ Json line_json(const PrecisionLine& line) {
   }
   return {{"method", label(line.method)},
           {"id", identifier(line.method)},
-          {"observed_order", order_json(line.order)},
+          {"observed_order", order_json(line.order.order)},
+          {"no_order_because",
+           line.order.why_not.empty() ? Json() : Json(line.order.why_not)},
           {"points", points}};
 }
 
@@ -182,30 +121,18 @@ Machine this_machine() {
 
 std::string summary(const MethodComparison& comparison,
                     report::TableForm form) {
-  constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
-  Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
-             "memory", "τ", "error", "verdict"}};
-  for (const ComparisonRow& row : comparison.rows) {
-    const Measurement& run = row.run;
-    rows.push_back(
-        {row.label, or_dash(run.unknowns),
-         run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
-         iterations_text(run), or_dash(run.evaluations),
-         memory_text(run.peak_memory),
-         run.solved() ? tau_text(row, comparison.reference) : "—",
-         row.error ? error_text(*row.error, *comparison.reference) : "—",
-         report::shortened(verdict(row), kVerdict)});
-  }
   return fmt::format(
       "{}\nerror: relative, against {}\n"
       "CPU: median of up to {} solves without their certificates, from the "
       "cycloid to residuals of {:.0e};\niterations: of the solver + Newton "
-      "steps; memory: peak of the process, program and libraries included\n",
-      report::table(rows, form),
+      "steps; memory: peak of the process, program and libraries "
+      "included\n\n{}\n",
+      report::table(method_rows(comparison), form),
       comparison.reference ? reference_text(*comparison.reference)
-                           : fmt::format("nothing: {} has no verified answer",
-                                         referee_of(comparison.subject).name),
-      comparison.options.repetitions, comparison.options.residual);
+                           : "nothing: no method that could judge the others "
+                             "has a verified answer",
+      comparison.options.repetitions, comparison.options.residual,
+      in_a_sentence(parties_of(comparison)));
 }
 
 std::string to_json(const MethodComparison& comparison) {
@@ -225,26 +152,39 @@ std::string to_json(const MethodComparison& comparison) {
                      {"repetitions", comparison.options.repetitions},
                      {"seconds", comparison.options.seconds},
                      {"residual", comparison.options.residual}}},
-                   {"methods", rows}};
+                   {"methods", rows},
+                   {"finding", finding_json(parties_of(comparison))}};
   add_origin(document, comparison.subject);
   return document.dump(2) + "\n";
 }
 
 std::string summary(const WorkPrecision& found, report::TableForm form) {
+  std::string left_out;
+  for (const LeftOut& one : found.left_out) {
+    left_out +=
+        fmt::format("left out: {}: {}\n", label(one.method), one.reason);
+  }
   return fmt::format(
       "{}\n{}\nerror: relative, of τ, against {}\n"
       "orders: from errors above {:.1e}, ten times what {} and the reference "
-      "leave open\n",
+      "leave open\n{}\n{}\n",
       report::table(point_rows(found), form),
       report::table(order_rows(found), form), reference_text(found.reference),
       found.floor(),
       found.polished()
           ? "rounding, down to which solutions are polished,"
-          : fmt::format("the KKT tolerance {:.0e}", found.tolerance()));
+          : fmt::format("the KKT tolerance {:.0e}", found.tolerance()),
+      left_out, in_a_sentence(parties_of(found)));
 }
 
 std::string to_json(const WorkPrecision& found) {
   Json methods = Json::array(), lines = Json::array();
+  Json left_out = Json::array();
+  for (const LeftOut& one : found.left_out) {
+    left_out.push_back({{"method", label(one.method)},
+                        {"id", identifier(one.method)},
+                        {"reason", one.reason}});
+  }
   for (const ComparedMethod& method : found.plan.methods) {
     methods.push_back(identifier(method));
   }
@@ -263,7 +203,9 @@ std::string to_json(const WorkPrecision& found) {
                      {"kkt_tolerance", found.tolerance()},
                      {"polish", found.polished()}}},
                    {"floor", found.floor()},
-                   {"lines", lines}};
+                   {"lines", lines},
+                   {"left_out", left_out},
+                   {"finding", finding_json(parties_of(found))}};
   add_origin(document, found.subject);
   return document.dump(2) + "\n";
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result.hpp"
@@ -42,6 +43,7 @@ Measurement from_document(const Json& json) {
   const Json& result = json.at("result");
   Measurement out;
   out.cpu = json.at("cpu").get<std::vector<double>>();
+  out.start = json.value("start", std::vector<double>());
   out.unknowns = value_at<int>(json, "unknowns");
   out.iterations = value_at<int>(result, "iterations");
   out.newton_steps = value_at<int>(result, "newton_steps");
@@ -86,6 +88,26 @@ const char* name(Measurement::Outcome outcome) {
   return kNames[outcome];
 }
 
+std::vector<double> Measurement::on_mesh() const {
+  if (start.size() != cpu.size()) return {};
+  std::vector<double> seconds(cpu.size());
+  std::ranges::transform(cpu, start, seconds.begin(), std::minus<>{});
+  return seconds;
+}
+
+std::string refusal_in(const std::string& document,
+                       const std::string& otherwise) {
+  std::string reasons;
+  const Json json = Json::parse(document, nullptr, false);
+  if (json.is_object() && json.contains("errors")) {
+    for (const Json& error : json["errors"]) {
+      reasons +=
+          (reasons.empty() ? "" : "; ") + error.value("message", std::string());
+    }
+  }
+  return reasons.empty() ? first_line(otherwise) : reasons;
+}
+
 Measurement parse_measurement(const std::string& line) {
   try {
     return from_document(Json::parse(line));
@@ -98,7 +120,7 @@ Measurement parse_measurement(const std::string& line) {
 
 Measurement measure(const Experiment& experiment,
                     const std::atomic<int>* interrupt) {
-  std::vector<std::string> arguments{"measure", experiment.file};
+  std::vector<std::string> arguments{"measure", experiment.file, "--json"};
   for (const std::string& change : experiment.overrides) {
     arguments.insert(arguments.end(), {"--set", change});
   }
@@ -131,9 +153,10 @@ Measurement measure(const Experiment& experiment,
     case ChildRun::End::Exited:
       if (run.code == 0) {
         out = parse_measurement(run.out);
+      } else if (run.code == kBadInput) {
+        out.outcome = Measurement::Outcome::Refused;
+        out.cause = refusal_in(run.out, run.err);
       } else {
-        out.outcome = run.code == kBadInput ? Measurement::Outcome::Refused
-                                            : Measurement::Outcome::Crashed;
         out.cause = run.err.empty()
                         ? fmt::format("ended with exit code {}", run.code)
                         : first_line(run.err);

@@ -49,6 +49,9 @@ struct Measurement {
   std::optional<double> energy_drift;
   std::vector<Point> path;  ///< see places_along()
   std::vector<double> cpu;  ///< processor time of each repetition [s]
+  /// Of these the start, from the cycloid to what the mesh begins with, under
+  /// limits with the search for arcs [s]; empty or as many.
+  std::vector<double> start;
 
   // Of what ran to its end:
   std::optional<int> unknowns, iterations, newton_steps, evaluations;
@@ -56,6 +59,8 @@ struct Measurement {
   double seconds = 0.0;      ///< wall clock of the process
 
   [[nodiscard]] bool solved() const { return outcome == Outcome::Solved; }
+  /// Processor times without the start [s]; empty if that is not known.
+  [[nodiscard]] std::vector<double> on_mesh() const;
 };
 
 /// "solved", "failed", "limit", "crashed", "refused".
@@ -65,6 +70,11 @@ struct Measurement {
 /// \throws Interrupted, std::system_error
 [[nodiscard]] Measurement measure(const Experiment& experiment,
                                   const std::atomic<int>* interrupt);
+
+/// Why it refused, in words, from the document that it printed; the first line
+/// of what it said otherwise if there is none.
+[[nodiscard]] std::string refusal_in(const std::string& document,
+                                     const std::string& otherwise);
 
 /// Reads what `measure` printed in one line; an outcome Crashed if it is not
 /// that.

@@ -12,21 +12,28 @@ namespace brachisto::comparison {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+Json spread_json(const std::vector<double>& seconds) {
+  if (seconds.empty()) return nullptr;
+  const Spread spread = spread_of(seconds);
+  return {{"median", spread.median},
+          {"least", spread.least},
+          {"greatest", spread.greatest},
+          {"all", seconds}};
+}
+
+}  // namespace
+
 Json document_of(const Measurement& run) {
   Json json = {{"outcome", name(run.outcome)},
                {"cause", run.cause.empty() ? Json() : Json(run.cause)},
                {"tau", run.solved() ? Json(run.tau) : Json()},
                {"verified", run.solved() && run.verified},
                {"estimated_error", or_null(run.estimated_error)}};
-  if (run.cpu.empty()) {
-    json["cpu_seconds"] = nullptr;
-  } else {
-    const Spread spread = spread_of(run.cpu);
-    json["cpu_seconds"] = {{"median", spread.median},
-                           {"least", spread.least},
-                           {"greatest", spread.greatest},
-                           {"all", run.cpu}};
-  }
+  json["cpu_seconds"] = spread_json(run.cpu);
+  json["start_cpu_seconds"] = spread_json(run.start);
+  json["mesh_cpu_seconds"] = spread_json(run.on_mesh());
   json["unknowns"] = or_null(run.unknowns);
   json["iterations"] = or_null(run.iterations);
   json["newton_steps"] = or_null(run.newton_steps);

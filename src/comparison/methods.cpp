@@ -89,8 +89,19 @@ std::vector<Fineness> points_of(const ComparedMethod& method,
   return points;
 }
 
-bool takes_limits(const ComparedMethod& method) {
-  return method.kind == Kind::RollingTime || method.kind == Kind::Adaptive;
+std::string party(const ComparedMethod& method) {
+  switch (method.kind) {
+    case Kind::RollingTime:
+    case Kind::Adaptive:
+      return "the program";
+    case Kind::Extremal:
+      return "the extremal method";
+    case Kind::DiscreteSystem:
+      return "fsolve";
+    case Kind::ArcLength:
+      break;
+  }
+  return named(method, "");
 }
 
 int smallest_mesh(const ComparedMethod& method) {

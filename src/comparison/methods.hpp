@@ -36,10 +36,9 @@ struct Fineness {
 [[nodiscard]] std::vector<Fineness> points_of(const ComparedMethod& method,
                                               const WorkPrecisionPlan& plan);
 
-/// Whether it solves a scene under limits, or with other contacts than smooth
-/// ones and the centre's, too, and that by itself: the extremal method is told
-/// the arcs by the adaptive one.
-[[nodiscard]] bool takes_limits(const ComparedMethod& method);
+/// Who competes with it, as a sentence names them: all degrees of collocation
+/// and the adaptive one are "the program", all arms "fsolve".
+[[nodiscard]] std::string party(const ComparedMethod& method);
 
 /// The smallest mesh on which there is something to compare.
 [[nodiscard]] int smallest_mesh(const ComparedMethod& method);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace brachisto::comparison {
@@ -38,6 +39,7 @@ struct ObservedOrder {
   /// Between the last two points alone: where it differs much from `order`, the
   /// error does not follow a power yet, or no longer.
   double finest = 0.0;
+  double first = 0.0, last = 0.0;  ///< n, of the points
 };
 
 /// Fits log(error) over log(n) by least squares to the points before the first
@@ -47,6 +49,25 @@ struct ObservedOrder {
 ///
 /// \param points  ascending in n
 [[nodiscard]] std::optional<ObservedOrder> observed_order(
+    std::span<const SizeError> points, double floor);
+
+/// An order, or why there is none.
+struct AsymptoticOrder {
+  std::optional<ObservedOrder> order;
+  std::string why_not;  ///< in words; empty if there is an order
+
+  [[nodiscard]] explicit operator bool() const { return order.has_value(); }
+};
+
+/// The order in the asymptotic range: the longest run of meshes that ends with
+/// the last one before the floor, four at least, over which the error follows
+/// one power of n. It does if no error is off the fitted power by more than a
+/// quarter, the orders of the coarser and of the finer half agree to a tenth,
+/// and the error falls by half at least.
+///
+/// \param points  ascending in n
+/// \param floor   see observed_order()
+[[nodiscard]] AsymptoticOrder asymptotic_order(
     std::span<const SizeError> points, double floor);
 
 }  // namespace brachisto::comparison

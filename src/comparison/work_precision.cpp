@@ -20,35 +20,43 @@ namespace {
 using Run = std::function<Measurement(
     const ComparedMethod& method, const Fineness& fineness, int repetitions)>;
 
-Reference find_reference(const Referee& referee, const Run& run) {
-  const Measurement made =
-      run(referee.method, {.tolerance = referee.tolerance}, 1);
-  if (const auto found = referee.reference_in(made)) return *found;
-  throw NoReference(fmt::format(
-      "there is no reference to take errors against; {} {}: {}", referee.name,
-      made.solved() ? "is not verified" : name(made.outcome), made.cause));
+Reference find_reference(const std::vector<Referee>& referees, const Run& run) {
+  std::string without;
+  for (const Referee& referee : referees) {
+    const Measurement made =
+        run(referee.method, {.tolerance = referee.tolerance}, 1);
+    if (auto found = referee.reference_in(made)) {
+      found->instead_of = without;
+      return *std::move(found);
+    }
+    without += (without.empty() ? "" : "; ") + no_reference(referee, made);
+  }
+  throw NoReference("there is no reference to take errors against; " + without);
 }
 
+/// A method that refuses one mesh refuses the scene, and is asked no more.
 PrecisionLine line_of(const ComparedMethod& method, const WorkPrecision& all,
                       const Run& run) {
-  PrecisionLine out{method, {}, {}};
+  PrecisionLine out{method, {}};
   const Scene& scene = all.subject.problem.scene;
   for (const Fineness& fineness : points_of(method, all.plan)) {
     PrecisionPoint point{
         fineness, run(method, fineness, all.plan.repetitions), {}, {}};
     if (point.run.solved()) {
       point.error = error_of(point.run, all.reference);
-      if (method != referee_of(all.subject).method) {
+      if (method != all.reference.method) {
         point.path_error = path_error(point.run.path, all.reference.path,
                                       std::max(scene.L, scene.H));
       }
     }
     out.points.push_back(std::move(point));
+    if (out.points.back().refused()) break;
   }
   return out;
 }
 
-std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
+AsymptoticOrder order_of(const PrecisionLine& line, double floor) {
+  if (!has_meshes(line.method)) return {{}, "it has no mesh of its own"};
   std::vector<SizeError> errors;
   for (const PrecisionPoint& point : line.points) {
     if (point.fineness.mesh > 0 && point.error) {
@@ -56,9 +64,7 @@ std::optional<ObservedOrder> order_of(const PrecisionLine& line, double floor) {
           {static_cast<double>(point.fineness.mesh), *point.error});
     }
   }
-  constexpr int kLeastMeshes = 4;
-  const auto order = observed_order(errors, floor);
-  return order && order->points >= kLeastMeshes ? order : std::nullopt;
+  return asymptotic_order(errors, floor);
 }
 
 }  // namespace
@@ -86,12 +92,22 @@ WorkPrecision run_work_precision(const Subject& subject,
                     repetitions, plan.seconds_per_point},
                    hooks.interrupt);
   };
-  WorkPrecision out{
-      subject, plan, find_reference(referee_of(subject), run), {}};
+  WorkPrecision out{subject, plan, find_reference(referees_of(subject), run)};
   for (const ComparedMethod& method : plan.methods) {
-    if (subject.limited() && !takes_limits(method)) continue;
-    out.lines.push_back(line_of(method, out, run));
-    out.lines.back().order = order_of(out.lines.back(), out.floor());
+    if (subject.limited() && method.kind == ComparedMethod::Kind::Extremal) {
+      out.left_out.push_back(
+          {method,
+           "under limits it begins on the arcs that the program found, so that "
+           "its time is not its own"});
+      continue;
+    }
+    PrecisionLine line = line_of(method, out, run);
+    if (!line.points.empty() && line.points.back().refused()) {
+      out.left_out.push_back({method, line.points.back().run.cause});
+      continue;
+    }
+    line.order = order_of(line, out.floor());
+    out.lines.push_back(std::move(line));
   }
   return out;
 }

@@ -15,7 +15,7 @@
 #include "comparison/comparison.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/statistics.hpp"
-#include "report/figure.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::comparison {
 
@@ -33,21 +33,31 @@ struct PrecisionPoint {
   /// Largest distance from the path of the reference, in max(L, H); nothing for
   /// the method that has it.
   std::optional<double> path_error;
+
+  [[nodiscard]] bool refused() const {
+    return run.outcome == Measurement::Outcome::Refused;
+  }
 };
 
 /// A method on all meshes, or to all wanted errors.
 struct PrecisionLine {
   ComparedMethod method;
   std::vector<PrecisionPoint> points;
-  /// In the size of the mesh; of four meshes at least, fewer tell none.
-  std::optional<ObservedOrder> order;
+  AsymptoticOrder order = {};  ///< in the size of the mesh
+};
+
+/// A method of the plan that was not measured.
+struct LeftOut {
+  ComparedMethod method;
+  std::string reason;  ///< in words
 };
 
 struct WorkPrecision {
   Subject subject;
   WorkPrecisionPlan plan;
   Reference reference;
-  std::vector<PrecisionLine> lines;
+  std::vector<PrecisionLine> lines = {};
+  std::vector<LeftOut> left_out = {};
 
   /// Relative error below which there is no order to be seen: ten times what
   /// the solver and the reference leave open, so that a tenth of the error at
@@ -65,21 +75,13 @@ struct WorkPrecision {
 };
 
 /// Runs the plan, each point in a process of its own, one after the other.
-/// Under limits only methods that take them are run.
+/// A method that refuses the scene is left out, and so is the extremal method
+/// under limits, which has its arcs from the program.
 /// \throws NoReference, Interrupted, std::system_error
 [[nodiscard]] WorkPrecision run_work_precision(const Subject& subject,
                                                const WorkPrecisionPlan& plan,
                                                const Hooks& hooks);
 
-/// Names of the files that there may be, of which the last one is written last.
-[[nodiscard]] std::vector<std::string> work_precision_file_names();
-/// Processor time against the errors of τ and of the path and the energy drift,
-/// each as a diagram with its numbers and script, and a document with all there
-/// is.
-/// \param interrupt  nonzero: stop; may be null
-/// \throws Stopped
-[[nodiscard]] report::DrawnFigure drawn(const WorkPrecision& found,
-                                        const std::atomic<int>* interrupt);
 [[nodiscard]] std::string summary(
     const WorkPrecision& found,
     report::TableForm form = report::TableForm::Text);

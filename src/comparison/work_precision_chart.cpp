@@ -5,15 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
+#include "comparison/finding.hpp"
+#include "comparison/looks.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/work_precision.hpp"
-#include "math/enum_table.hpp"
+#include "comparison/pictures.hpp"
 #include "report/chart.hpp"
 #include "report/track_kind.hpp"
 
@@ -27,67 +26,48 @@ using report::Mark;
 using report::Stroke;
 using Kind = ComparedMethod::Kind;
 
-/// What a diagram has to the right.
+/// What a diagram has to the right and upwards.
 struct Measure {
-  const char* name;   ///< of its files
-  const char* title;  ///< after "Processor time against "
+  const char* name;  ///< of its files
+  const char* title;
   const char* label;
   std::optional<double> (*of)(const PrecisionPoint& point);
-  bool of_tau = false;  ///< with orders, limits and runs without a result
+  const char* caption;
+  bool of_tau = false;   ///< with orders, limits and runs without a result
+  bool on_mesh = false;  ///< the time is without the start
 };
 constexpr Measure kMeasures[] = {
-    {"work_precision", "error of the transit time", "relative error of τ",
-     [](const PrecisionPoint& point) { return point.error; }, true},
-    {"work_precision_path", "error of the path",
+    {"work_precision", "Processor time against error of the transit time",
+     "relative error of τ",
+     [](const PrecisionPoint& point) { return point.error; },
+     "Each mark is a whole solve, from the cycloid to the answer and its own "
+     "estimate of the error; the nearer to the lower left, the better.",
+     true},
+    {"work_precision_mesh",
+     "Processor time without the start against error of the transit time",
+     "relative error of τ",
+     [](const PrecisionPoint& point) {
+       return point.fineness.mesh > 0 && !point.run.start.empty()
+                  ? point.error
+                  : std::nullopt;
+     },
+     "The same without the time from the cycloid to what the mesh begins with, "
+     "which is alike for all meshes.",
+     false, true},
+    {"work_precision_path", "Processor time against error of the path",
      "distance from the reference path of the centre / max(L, H)",
-     [](const PrecisionPoint& point) { return point.path_error; }},
-    {"work_precision_energy", "energy drift",
+     [](const PrecisionPoint& point) { return point.path_error; },
+     "Of the path: the largest distance between places of the centre at equal "
+     "parts of its path."},
+    {"work_precision_energy", "Processor time against energy drift",
      "largest |w^2/2g − E| / max(L, H)",
-     [](const PrecisionPoint& point) { return point.run.energy_drift; }},
+     [](const PrecisionPoint& point) { return point.run.energy_drift; },
+     "How far the speed is from that of the energy; methods that compute it "
+     "from the energy are not there."},
 };
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kThin = 0.9;  // [px]
 constexpr const char* kGrey = "#666666";
-
-/// How a line looks, different in grey too.
-struct Look {
-  std::string colour;
-  Stroke stroke;
-  Mark mark;
-};
-
-/// \param degrees  number of lines of collocation, and which of them this is
-Look look_of(const ComparedMethod& method, std::size_t degrees,
-             std::size_t index) {
-  constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
-                              Mark::Diamond, Mark::Triangle};
-  const auto arms =
-      table_by<DiscreteArm>(Look{"#a50026", Stroke::DashDotted, Mark::Triangle},
-                            Look{"#d95f02", Stroke::DashDotted, Mark::Circle},
-                            Look{"#8c510a", Stroke::Dotted, Mark::Diamond},
-                            Look{"#666666", Stroke::Dashed, Mark::Disc});
-  switch (method.kind) {
-    case Kind::RollingTime:
-      return {report::family_colours(degrees)[index], Stroke::Solid,
-              kMarks[index % kMarks.size()]};
-    case Kind::Adaptive:
-      return {"#000000", Stroke::Dotted, Mark::Diamond};
-    case Kind::ArcLength:
-      return {"#000000", Stroke::Dashed, Mark::Square};
-    case Kind::Extremal:
-      return {"#000000", Stroke::Solid, Mark::Triangle};
-    case Kind::DiscreteSystem:
-      return arms[method.arm];
-  }
-  return {};
-}
-
-/// Without what rich text would lower.
-std::string words(const ComparedMethod& method) {
-  std::string text = label(method);
-  std::ranges::replace(text, '_', ' ');
-  return text;
-}
 
 /// Whether there is a point to draw.
 bool is_told(const WorkPrecision& found, const Measure& measure) {
@@ -105,13 +85,8 @@ class Diagram {
   Diagram(const WorkPrecision& found, const Measure& measure)
       : found_(found), measure_(measure) {
     chart_.name = measure.name;
-    chart_.title = fmt::format("Processor time against {}", measure.title);
-    const Scene& scene = found.subject.problem.scene;
-    chart_.subtitle = report::in_words(scene);
-    if (found.subject.limited()) {
-      chart_.subtitle += fmt::format("; {}: {}", report::track_kind(scene),
-                                     report::limits_in_words(scene));
-    }
+    chart_.title = measure.title;
+    chart_.subtitle = in_words(found.subject);
     chart_.x.label = measure.label;
     chart_.x.scale = report::Scale::Logarithmic;
     chart_.y.label = "processor time [s]";
@@ -133,27 +108,29 @@ class Diagram {
     if (failures_ > 0) add_failures();
     add_reference();
     add_floor();
+    chart_.curves.push_back(
+        line_of_spoken_error(*chart_.y.low, *chart_.y.high));
     return std::move(chart_);
   }
 
  private:
   /// An error that cannot be told from that of the reference is drawn there.
   [[nodiscard]] double shown(double error) const {
-    return std::max({error, measure_.of_tau ? found_.reference.error : 0.0,
-                     std::numeric_limits<double>::epsilon()});
+    return std::max(
+        {error,
+         measure_.of_tau || measure_.on_mesh ? found_.reference.error : 0.0,
+         std::numeric_limits<double>::epsilon()});
   }
 
-  /// With the order that was observed, if it is certainly above zero.
+  /// With the order that was observed.
   [[nodiscard]] std::string key_of(const PrecisionLine& line) const {
     std::string key = words(line.method);
-    const std::optional<ObservedOrder>& order = line.order;
-    if (!measure_.of_tau || !order ||
-        !(order->order > 2.0 * order->uncertainty.value_or(0.0))) {
-      return key;
-    }
+    const std::optional<ObservedOrder>& order = line.order.order;
+    if (!measure_.of_tau || !order) return key;
     key += fmt::format(", order {:.1f}", order->order);
-    if (order->uncertainty) {
-      key += fmt::format(" ± {:.1f}", *order->uncertainty);
+    constexpr double kShown = 0.05;  // less is nothing in one decimal
+    if (const double off = order->uncertainty.value_or(0.0); off >= kShown) {
+      key += fmt::format(" ± {:.1f}", off);
     }
     return key;
   }
@@ -175,7 +152,8 @@ class Diagram {
       const std::optional<double> error = measure_.of(point);
       if (!error) continue;
       const double x = shown(*error);
-      const Spread times = spread_of(point.run.cpu);
+      const Spread times =
+          spread_of(measure_.on_mesh ? point.run.on_mesh() : point.run.cpu);
       curve.points.push_back({x, times.median});
       spread.points.insert(
           spread.points.end(),
@@ -210,6 +188,7 @@ class Diagram {
         }
       }
       xs_.include(found_.tolerance());
+      xs_.include(kSpokenError);
     }
     if (!(xs_.low <= xs_.high)) return;  // nothing to show
     constexpr double kRoom = 2.5;
@@ -306,29 +285,23 @@ class Diagram {
 
 }  // namespace
 
-std::vector<std::string> work_precision_file_names() {
+std::vector<std::string> work_precision_picture_files() {
   std::vector<std::string> names;
   for (const Measure& measure : kMeasures) {
     for (const char* ending : {".svg", ".csv", ".gp"}) {
       names.push_back(fmt::format("{}{}", measure.name, ending));
     }
   }
-  names.push_back(fmt::format("{}.json", kMeasures[0].name));
   return names;
 }
 
-report::DrawnFigure drawn(const WorkPrecision& found,
-                          const std::atomic<int>* interrupt) {
-  report::DrawnFigure out;
+std::vector<Picture> pictures_of(const WorkPrecision& found) {
+  std::vector<Picture> out;
   for (const Measure& measure : kMeasures) {
     if (!is_told(found, measure)) continue;
-    report::DrawnFigure one =
-        report::draw(report::chart_figure(Diagram(found, measure).draw()),
-                     report::Format::Svg, interrupt);
-    if (!one.missing.empty()) out.missing = one.missing;
-    std::ranges::move(one.files, std::back_inserter(out.files));
+    out.push_back({report::chart_figure(Diagram(found, measure).draw()),
+                   measure.caption});
   }
-  out.files.push_back({work_precision_file_names().back(), to_json(found)});
   return out;
 }
 

@@ -94,6 +94,7 @@ class LimitedSolve {
   }
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
+    const PhaseTimer timer(Phase::Start);
     std::optional<FittedPath> path;
     const bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
@@ -247,6 +248,7 @@ class LimitedSolve {
   [[nodiscard]] Followed follow(
       std::optional<FittedPath> path,
       const std::function<Stage(double share)>& stage_at, Steps steps) {
+    const PhaseTimer timer(Phase::Start);
     Followed reached{std::move(path)};
     double step = steps.first;
     while (reached.path && reached.share < 1.0) {
@@ -284,7 +286,6 @@ class LimitedSolve {
 
   /// From the loosest limits.
   [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
-    constexpr double kFirstStep = 0.05;
     const LimitRelaxation& relaxation = tightening_->relaxation();
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
@@ -294,7 +295,7 @@ class LimitedSolve {
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
             kDegree),
         [&](double share) { return Stage{relaxation.at(share)}; },
-        {.first = kFirstStep});
+        {.first = 0.05});
     reached_ = way.share;
     if (!way.arrived()) return std::nullopt;
     return std::move(way.path);
@@ -318,6 +319,7 @@ class LimitedSolve {
 
   /// With the iterations that are left.
   [[nodiscard]] std::optional<FittedPath> path_under(const Scene& looser) {
+    const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     for (const MeshRecord& mesh : protocol_.meshes) {
       options.ipopt.max_iterations -= mesh.iterations;

@@ -90,6 +90,7 @@ struct Chart {
   std::vector<Round> rounds;
   std::vector<Sketch> sketches;
   std::vector<Note> notes;
+  bool notes_apart = false;  ///< words of notes move off each other and marks
   /// Scenes of a sweep and where they are, curve by curve.
   std::vector<std::pair<std::size_t, Datum>> scenes = {};
   std::size_t scenes_per_curve = 0;  ///< if all have so many

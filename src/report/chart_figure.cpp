@@ -13,6 +13,7 @@
 #include "report/chart.hpp"
 #include "report/csv.hpp"
 #include "report/letters.hpp"
+#include "report/note_places.hpp"
 #include "report/rich_text.hpp"
 
 namespace brachisto::report {
@@ -200,7 +201,8 @@ class Drawing {
 
   void notes() {
     constexpr double kHalfHeight = 4.5;  // gnuplot centres upon the height
-    for (const Note& note : chart_.notes) {
+    for (const Note& note :
+         chart_.notes_apart ? apart(chart_.notes, pixels()) : chart_.notes) {
       if (!shows(note.at)) continue;
       canvas_.put(
           "set label {} at {:.12g},{:.12g} {} offset screen {:.5f}, "
@@ -214,6 +216,17 @@ class Drawing {
       }
       canvas_.put("\n");
     }
+  }
+
+  [[nodiscard]] PlotPixels pixels() const {
+    const auto side = [](const Side& side, const Extent& range, double length) {
+      return PixelScale{range.low, range.high, 0.0, length,
+                        side.scale == Scale::Logarithmic};
+    };
+    PlotPixels out{side(chart_.x, x_, kPlotWidth),
+                   side(chart_.y, y_, plot_height_)};
+    if (!chart_.y_down) std::swap(out.y.from, out.y.to);
+    return out;
   }
 
   void plot() {

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "report/letters.hpp"
 #include "report/rich_text.hpp"
 
 namespace brachisto::report {
@@ -136,6 +138,32 @@ std::string figure_html(const DrawnFigure& drawn, const std::string& name,
       "<span class=\"files\">{2}<a href=\"{3}.csv\">CSV</a>, "
       "<a href=\"{3}.gp\">gnuplot</a></span></figcaption>\n</figure>\n",
       picture, caption, link, name);
+}
+
+std::string html_table(const Rows& rows) {
+  const std::vector<std::string>& heads = rows.at(0);
+  std::string out = "<div class=\"wide\"><table class=\"stacked\"><thead><tr>";
+  for (const std::string& head : heads) {
+    out += fmt::format("<th scope=\"col\">{}</th>", xml_escaped(head));
+  }
+  out += "</tr></thead><tbody>\n";
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      const std::string& cell = rows[row].at(i);
+      constexpr std::size_t kSentence = 32;  // letters that need no break
+      out += fmt::format("<td{} data-label=\"{}\">{}</td>",
+                         letters(cell) > kSentence ? " class=\"words\"" : "",
+                         xml_escaped(heads[i]), xml_escaped(cell));
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string folded_html(std::string_view summary, const std::string& content) {
+  return fmt::format("<details><summary>{}</summary>\n{}</details>\n",
+                     xml_escaped(summary), content);
 }
 
 std::string script_html(std::string_view content) {

@@ -12,6 +12,7 @@
 
 #include "report/figure.hpp"
 #include "report/result_texts.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::report {
 
@@ -38,6 +39,14 @@ inline constexpr std::size_t kMostOfPictures = 4'000'000;
                                       const std::string& name,
                                       const std::string& caption,
                                       std::size_t& room);
+
+/// A table of text, as blocks of lines on a narrow screen.
+[[nodiscard]] std::string html_table(const Rows& rows);
+
+/// What is folded until its summary is pressed.
+/// \param content  HTML
+[[nodiscard]] std::string folded_html(std::string_view summary,
+                                      const std::string& content);
 
 /// A script within a page that is XML too.
 [[nodiscard]] std::string script_html(std::string_view content);

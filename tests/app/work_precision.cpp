@@ -75,8 +75,31 @@ TEST(Compare, PutsAllMethodsBesideEachOther) {
     EXPECT_NE(row["verdict"], "verified") << arm;
     EXPECT_TRUE(row["outcome"] == "solved" || !row["cause"].is_null()) << arm;
   }
-  EXPECT_TRUE(std::filesystem::exists(out + "/compare.txt"));
-  EXPECT_TRUE(std::filesystem::exists(out + "/compare.json"));
+  for (const char* name : {"index.html", "compare.txt", "compare.json",
+                           "compare.svg", "compare.csv", "compare.gp"}) {
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+  }
+  const std::string sentence = document["finding"]["sentence"];
+  EXPECT_TRUE(sentence.starts_with("To an error of 1e−6 the program needs "))
+      << sentence;
+}
+
+TEST(Compare, UnderLimitsTellsWhatOthersDoAndWhyTheyRefuse) {
+  const Output output = run({"compare", scene("friction"), "--nodes", "51",
+                             "--repetitions", "1", "--json", "--quiet"});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const json document = json::parse(output.out);
+  EXPECT_EQ(document["reference"]["method"], "extremal");
+  EXPECT_TRUE(document["reference"]["instead_of"].is_null());
+  // By the indirect method outside this project (docs/validation.md), to half
+  // a unit of its last digit.
+  EXPECT_NEAR(document["reference"]["tau"], 5.083389161786, 1e-12);
+  const json refused = find(document["methods"], "method", "fsolve rest");
+  EXPECT_EQ(refused["outcome"], "refused");
+  EXPECT_TRUE(refused["cause"].get<std::string>().starts_with(
+      "fsolve is not allowed with scene.limits"))
+      << refused["cause"];
 }
 
 TEST(Compare, AGivenPathLeavesNothingToCompare) {
@@ -121,8 +144,8 @@ TEST(WorkPrecision, ShowsTheOrderOfCollocation) {
       << "it is the reference";
   for (const char* name :
        {"work_precision.svg", "work_precision.csv", "work_precision.gp",
-        "work_precision_path.svg", "work_precision_energy.svg",
-        "work_precision.json"}) {
+        "work_precision_mesh.svg", "work_precision_path.svg",
+        "work_precision_energy.svg", "work_precision.json", "index.html"}) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
   }
   EXPECT_EQ(run({"work-precision", scene("base"), "--out", out}).code, 6)
@@ -188,7 +211,19 @@ TEST(WorkPrecision, UnderLimitsFittedArcsHaveTheOrderOfRadauCollocation) {
   EXPECT_EQ(point["wanted_error"], 1e-4);
   EXPECT_TRUE(point["mesh"].is_null());
   EXPECT_LT(point["error"], 1e-4);
-  EXPECT_TRUE(point["path_error"].is_null()) << "it is the reference";
+  EXPECT_EQ(document["reference"]["method"], "extremal")
+      << "not the program itself";
+  EXPECT_LT(point["path_error"], 1e-4);
+  // The search for the arcs is part of the start, which is part of all.
+  EXPECT_GT(point["start_cpu_seconds"]["median"], 0.0);
+  EXPECT_LT(point["start_cpu_seconds"]["median"],
+            point["cpu_seconds"]["median"]);
+  const json left_out = document["left_out"];
+  ASSERT_EQ(left_out.size(), 2U);
+  EXPECT_EQ(left_out[0]["id"], "arc_length");
+  EXPECT_NE(left_out[0]["reason"].get<std::string>().find("straight pieces"),
+            std::string::npos)
+      << left_out[0];
 }
 
 TEST(WorkPrecision, WithoutAReferenceThereIsNothing) {

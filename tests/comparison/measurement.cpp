@@ -44,6 +44,27 @@ TEST(Measurement, OfASolution) {
   EXPECT_EQ(run.cause, "");
 }
 
+TEST(Measurement, HasTheTimeOnTheMeshWithoutTheStart) {
+  Measurement run;
+  run.cpu = {5.0, 3.0};
+  EXPECT_TRUE(run.on_mesh().empty()) << "not known";
+
+  run.start = {1.0, 0.5};
+
+  EXPECT_EQ(run.on_mesh(), (std::vector<double>{4.0, 2.5}));
+}
+
+TEST(Measurement, RefusedHasTheReasonInWords) {
+  EXPECT_EQ(refusal_in(R"({"status": "bad_input", "errors": [
+                 {"file": "--set a=b", "line": 0, "key": "a",
+                  "message": "b is not allowed in air"},
+                 {"file": "x.yaml", "line": 3, "key": "c", "message": "nor c"}
+                 ]})",
+                       "--set a=b: a: b is not allowed in air\n"),
+            "b is not allowed in air; nor c");
+  EXPECT_EQ(refusal_in("", "out of order\nand more"), "out of order");
+}
+
 TEST(Measurement, OfTheDiscreteSystemCountsItsEvaluations) {
   const Measurement run = parse_measurement(
       line("5.2",
@@ -110,7 +131,7 @@ TEST(Verdict, TellsFailuresWithTheirCause) {
   row.run.outcome = Outcome::Solved;
   row.run.cause = "agreement";
   EXPECT_EQ(verdict(row), "solved, not verified: agreement");
-  row.discrete_system = true;
+  row.method.kind = ComparedMethod::Kind::DiscreteSystem;
   EXPECT_EQ(verdict(row), "solved, first-order conditions");
   row.run.verified = true;
   EXPECT_EQ(verdict(row), "verified");
@@ -122,7 +143,7 @@ TEST(MethodComparison, HasNoDigitBeyondTheErrorOfTheReference) {
   Measurement run;
   run.outcome = Measurement::Outcome::Solved;
   run.tau = found.reference->tau;
-  found.rows = {{"extremal", false, run, 0.0}};
+  found.rows = {{"extremal", kReferee.method, run, 0.0}};
 
   const std::string text = summary(found);
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace brachisto::comparison {
@@ -106,6 +107,65 @@ TEST(ObservedOrder, NeedsTwoMeshesWithAnError) {
   const std::vector<SizeError> unknown{
       {10.0, 1e-3}, {20.0, std::numeric_limits<double>::quiet_NaN()}};
   EXPECT_FALSE(observed_order(unknown, 0.0));
+}
+
+TEST(AsymptoticOrder, IsThatOfThePowerAboveTheFloor) {
+  std::vector<SizeError> points = power_law(4.0, 5);
+  // Rounding, which grows with n, within the floor and above it.
+  points.push_back({320.0, 4e-15});
+  points.push_back({640.0, 9e-15});
+  points.push_back({10'000.0, 3e-13});
+
+  const AsymptoticOrder fit = asymptotic_order(points, 1e-14);
+
+  ASSERT_TRUE(fit) << fit.why_not;
+  EXPECT_NEAR(fit.order->order, 4.0, 4.0 * kRounding);
+  EXPECT_EQ(fit.order->points, 5);
+  EXPECT_EQ(fit.order->first, 10.0);
+  EXPECT_EQ(fit.order->last, 160.0);
+}
+
+TEST(AsymptoticOrder, LeavesOutCoarseMeshesThatDoNotFollowIt) {
+  // Coarse meshes that miss what finer ones see: an error that does not fall.
+  std::vector<SizeError> points{{2.0, 3e-3}, {3.0, 4e-3}, {5.0, 2.5e-3}};
+  for (const SizeError& point : power_law(2.0, 5)) {
+    points.push_back({point.n, point.error / 10.0});
+  }
+
+  const AsymptoticOrder fit = asymptotic_order(points, 1e-14);
+
+  ASSERT_TRUE(fit) << fit.why_not;
+  EXPECT_NEAR(fit.order->order, 2.0, 2.0 * kRounding);
+  EXPECT_EQ(fit.order->points, 5);
+}
+
+TEST(AsymptoticOrder, IsNotToldOfFewMeshes) {
+  const AsymptoticOrder fit = asymptotic_order(power_law(2.0, 3), 0.0);
+
+  EXPECT_FALSE(fit);
+  EXPECT_NE(fit.why_not.find("3 of 3 meshes"), std::string::npos)
+      << fit.why_not;
+}
+
+TEST(AsymptoticOrder, IsNotToldOfAnErrorThatStays) {
+  const std::vector<SizeError> stays{
+      {10.0, 1.00e-3}, {20.0, 1.02e-3}, {40.0, 0.99e-3}, {80.0, 1.0e-3}};
+
+  EXPECT_FALSE(asymptotic_order(stays, 1e-14));
+}
+
+TEST(AsymptoticOrder, IsNotToldWhereTheOrderStillChanges) {
+  // 2, 4, 6 from halving to halving.
+  const std::vector<SizeError> changes{{10.0, 1.0},
+                                       {20.0, std::exp2(-2.0)},
+                                       {40.0, std::exp2(-6.0)},
+                                       {80.0, std::exp2(-12.0)}};
+
+  const AsymptoticOrder fit = asymptotic_order(changes, 1e-14);
+
+  EXPECT_FALSE(fit);
+  EXPECT_NE(fit.why_not.find("2.0, 4.0, 6.0"), std::string::npos)
+      << fit.why_not;
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 SECONDS = 300
 
 # Keys that differ from run to run, wherever they stand.
-VOLATILE = re.compile(r"^seconds\.|^forecast\.seconds$|_seconds$|memory|^(provenance|machine|date|version)$")
+VOLATILE = re.compile(r"^seconds\.|^forecast\.seconds$|_seconds$|memory|^(sentence|quickest)$"
+                      r"|^(provenance|machine|date|version)$")
 # Progress, and times that messages tell.
 PROGRESS = re.compile(r"^\[ *\d+ s\].*$|^\r.*$", re.MULTILINE)
 TIMES = re.compile(r"\d+(\.\d+)? (s|ms|min|[kMGT]?B)\b")

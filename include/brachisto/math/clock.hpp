@@ -80,8 +80,9 @@ inline void check_stop(std::integral auto turn) {
 /// The parts of a solve. Time belongs to the innermost one that is timed, but
 /// Start, Certificate and Diagnosis take all that happens within them.
 enum class Phase {
-  Start,          ///< from the cycloid to the coarse solution to refine
-  SetUp,          ///< sparsity patterns, analysis of the matrix
+  Start,  ///< from the cycloid to the coarse solution to refine, under limits
+          ///< with the search for its arcs
+  SetUp,  ///< sparsity patterns, analysis of the matrix
   Evaluation,     ///< functions and derivatives
   Factorisation,  ///< of the KKT matrix
   Solution,       ///< right-hand sides, with refinement

@@ -441,7 +441,7 @@ TEST_F(ForeignAnswer, IsNamedForWhatItIsIfItIsNone) {
   EXPECT_THAT(
       refusal(),
       ::testing::HasSubstr(
-          ":5:1: expected the number of options, a number; read \"three\""));
+          ":6:1: expected the number of options, a number; read \"three\""));
   std::ofstream(file("case.sol")) << "no solution\n";
   EXPECT_THAT(refusal(), ::testing::HasSubstr("no .sol file in text"));
   std::ofstream(file("case.sol")) << "\nOptions\n3\n1\n1\n0\n5\n";

@@ -3,7 +3,8 @@
 
 // libbrachisto-chain.so against MUMPS under an Ipopt that is used through its C
 // interface, on programs that are not this project's. Each solve runs in a
-// process of its own, both solvers in turn.
+// process of its own, both solvers in turn. Times are those of Ipopt and its
+// linear solver, without the evaluation of the programs.
 
 #include <fmt/format.h>
 
@@ -84,8 +85,10 @@ int main(int argc, char** argv) {
       // Of the time for one iteration, between this size and the one before.
       const double each = chain.run.cpu / (chain.run.iterations + 1);
       const std::string growth =
-          before > 0.0 ? fmt::format("{:.2f}", std::log10(each / before)) : "";
-      before = each;
+          before > 0.0 && chain.ended
+              ? fmt::format("{:.2f}", std::log10(each / before))
+              : "";
+      before = chain.ended ? each : 0.0;
       std::printf(
           "| %s | %d | %s | %s | %s | %s |\n", family.c_str(), n,
           in_words(mumps).c_str(), in_words(chain).c_str(),

@@ -46,7 +46,7 @@ struct ProgramRun {
   int status = -1;  ///< Ipopt's
   int iterations = 0;
   double cost = 0.0;
-  double cpu = 0.0;  ///< of the solve [s]
+  double cpu = 0.0;  ///< of the solve without evaluations [s]
 };
 
 /// \param solver  linear_solver of Ipopt

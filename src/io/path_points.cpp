@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/expression.hpp"
+#include "io/csv_text.hpp"
 #include "io/input_tree.hpp"
 #include "io/list_reader.hpp"
 #include "io/lists.hpp"
@@ -27,37 +27,21 @@ namespace {
 constexpr const char* kFileKey = "scene.path.file";
 constexpr const char* kPointsKey = "scene.path.points";
 
-/// Takes the first line off a text, its end included.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t length = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, length);
-  text.remove_prefix(std::min(length + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
 constexpr std::string_view kPointOfLine = "two numbers x,z in m";
 
 /// Two numbers with a comma between.
 /// \param number  of the line
-/// \throws PointsError
+/// \throws CsvError
 Point point_of_line(std::string_view line, std::size_t number) {
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos) {
-    throw PointsError(fmt::format("{}:1: {} was read; expected {}", number,
-                                  in_quotes(line), kPointOfLine));
+    throw CsvError(fmt::format("{}:1: {} was read; expected {}", number,
+                               in_quotes(line), kPointOfLine));
   }
-  const auto value = [&](std::size_t from, std::size_t length) {
-    const std::string_view text = line.substr(from, length);
-    try {
-      return evaluate(text);
-    } catch (const ExpressionError& error) {
-      throw PointsError(fmt::format("{}:{}: {}", number, from + 1,
-                                    not_a_number(text, error, kPointOfLine)));
-    }
-  };
-  const double x = value(0, comma);
-  return {x, value(comma + 1, std::string_view::npos)};
+  const double x =
+      number_of_cell(line.substr(0, comma), number, 1, kPointOfLine);
+  return {x, number_of_cell(line.substr(comma + 1), number, comma + 2,
+                            kPointOfLine)};
 }
 
 /// Why a point cannot follow others; "" if it can.
@@ -133,8 +117,8 @@ std::vector<Point> points_of_file(const std::filesystem::path& path) {
       read_file_bytes(path, kMaxPointsSize, "a CSV file with the columns x,z");
   try {
     return parse_points(text);
-  } catch (const PointsError& error) {
-    throw PointsError(fmt::format("{}:{}", path.string(), error.what()));
+  } catch (const CsvError& error) {
+    throw CsvError(fmt::format("{}:{}", path.string(), error.what()));
   }
 }
 
@@ -142,15 +126,15 @@ std::vector<Point> points_of_file(const std::filesystem::path& path) {
 
 std::vector<Point> parse_points(std::string_view text) {
   if (text.size() > kMaxPointsSize) {
-    throw PointsError(
+    throw CsvError(
         fmt::format("1:1: longer than {} bytes, which no {} points "
                     "need",
                     kMaxPointsSize, kMostPoints));
   }
   text = without_byte_order_mark(text);
   if (const std::string_view head = take_line(text); head != "x,z") {
-    throw PointsError(fmt::format("1:1: {} was read; expected the line x,z",
-                                  in_quotes(head)));
+    throw CsvError(fmt::format("1:1: {} was read; expected the line x,z",
+                               in_quotes(head)));
   }
   std::vector<Point> points;
   for (std::size_t number = 2; !text.empty(); ++number) {
@@ -158,8 +142,7 @@ std::vector<Point> parse_points(std::string_view text) {
     if (line.empty()) continue;
     const Point point = point_of_line(line, number);
     if (const std::string why = objection(points, point); !why.empty()) {
-      throw PointsError(
-          fmt::format("{}:1: {} {}", number, in_quotes(line), why));
+      throw CsvError(fmt::format("{}:1: {} {}", number, in_quotes(line), why));
     }
     points.push_back(point);
   }
@@ -208,7 +191,7 @@ void read_path_points(const InputTree& input, const std::vector<Point>* known,
             : points_of_file(std::filesystem::path(name).parent_path() /
                              problem.points_file);
     problem.scene.path = std::move(given);
-  } catch (const PointsError& error) {
+  } catch (const CsvError& error) {
     refuse(error.what());
   } catch (const IoError& error) {
     const auto [source, line, column] = position_of(input.root, kFileKey);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "brachisto/io/problem_file.hpp"
+#include "io/csv_text.hpp"
 #include "io/path_points.hpp"
 #include "support/scratch_directory.hpp"
 
@@ -154,7 +155,7 @@ TEST(GivenPath, OfPointsThatCannotBeReadIsNoMistakeOfTheFile) {
 std::string refusal(const std::string& points) {
   try {
     (void)parse_points(points);
-  } catch (const PointsError& error) {
+  } catch (const CsvError& error) {
     return error.what();
   }
   return "";

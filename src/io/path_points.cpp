@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,10 +13,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/csv_text.hpp"
+#include "io/expression.hpp"
 #include "io/input_tree.hpp"
 #include "io/list_reader.hpp"
 #include "io/lists.hpp"
+#include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -31,17 +31,24 @@ constexpr std::string_view kPointOfLine = "two numbers x,z in m";
 
 /// Two numbers with a comma between.
 /// \param number  of the line
-/// \throws CsvError
+/// \throws PointsError
 Point point_of_line(std::string_view line, std::size_t number) {
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos) {
-    throw CsvError(fmt::format("{}:1: {} was read; expected {}", number,
-                               in_quotes(line), kPointOfLine));
+    throw PointsError(fmt::format("{}:1: {} was read; expected {}", number,
+                                  in_quotes(line), kPointOfLine));
   }
-  const double x =
-      number_of_cell(line.substr(0, comma), number, 1, kPointOfLine);
-  return {x, number_of_cell(line.substr(comma + 1), number, comma + 2,
-                            kPointOfLine)};
+  const auto value = [&](std::size_t from, std::size_t length) {
+    const std::string_view text = line.substr(from, length);
+    try {
+      return evaluate(text);
+    } catch (const ExpressionError& error) {
+      throw PointsError(fmt::format("{}:{}: {}", number, from + 1,
+                                    not_a_number(text, error, kPointOfLine)));
+    }
+  };
+  const double x = value(0, comma);
+  return {x, value(comma + 1, std::string_view::npos)};
 }
 
 /// Why a point cannot follow others; "" if it can.
@@ -117,8 +124,8 @@ std::vector<Point> points_of_file(const std::filesystem::path& path) {
       read_file_bytes(path, kMaxPointsSize, "a CSV file with the columns x,z");
   try {
     return parse_points(text);
-  } catch (const CsvError& error) {
-    throw CsvError(fmt::format("{}:{}", path.string(), error.what()));
+  } catch (const PointsError& error) {
+    throw PointsError(fmt::format("{}:{}", path.string(), error.what()));
   }
 }
 
@@ -126,15 +133,15 @@ std::vector<Point> points_of_file(const std::filesystem::path& path) {
 
 std::vector<Point> parse_points(std::string_view text) {
   if (text.size() > kMaxPointsSize) {
-    throw CsvError(
+    throw PointsError(
         fmt::format("1:1: longer than {} bytes, which no {} points "
                     "need",
                     kMaxPointsSize, kMostPoints));
   }
   text = without_byte_order_mark(text);
   if (const std::string_view head = take_line(text); head != "x,z") {
-    throw CsvError(fmt::format("1:1: {} was read; expected the line x,z",
-                               in_quotes(head)));
+    throw PointsError(fmt::format("1:1: {} was read; expected the line x,z",
+                                  in_quotes(head)));
   }
   std::vector<Point> points;
   for (std::size_t number = 2; !text.empty(); ++number) {
@@ -142,7 +149,8 @@ std::vector<Point> parse_points(std::string_view text) {
     if (line.empty()) continue;
     const Point point = point_of_line(line, number);
     if (const std::string why = objection(points, point); !why.empty()) {
-      throw CsvError(fmt::format("{}:1: {} {}", number, in_quotes(line), why));
+      throw PointsError(
+          fmt::format("{}:1: {} {}", number, in_quotes(line), why));
     }
     points.push_back(point);
   }
@@ -191,7 +199,7 @@ void read_path_points(const InputTree& input, const std::vector<Point>* known,
             : points_of_file(std::filesystem::path(name).parent_path() /
                              problem.points_file);
     problem.scene.path = std::move(given);
-  } catch (const CsvError& error) {
+  } catch (const PointsError& error) {
     refuse(error.what());
   } catch (const IoError& error) {
     const auto [source, line, column] = position_of(input.root, kFileKey);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -22,8 +23,14 @@ inline constexpr std::size_t kMostPoints = 100'000;
 /// Longest file of points that is read [bytes].
 inline constexpr std::size_t kMaxPointsSize = std::size_t{1} << 24U;
 
+/// A text does not hold points; what() begins with line:column.
+class PointsError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /// Points of a text: a line `x,z`, then two numbers per line, in metres.
-/// \throws CsvError
+/// \throws PointsError
 [[nodiscard]] std::vector<Point> parse_points(std::string_view text);
 
 /// Puts the points of a file into a problem whose scene.path has that shape and

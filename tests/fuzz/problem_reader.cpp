@@ -15,7 +15,6 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "fuzz/law.hpp"
-#include "io/csv_text.hpp"
 #include "io/path_points.hpp"
 
 namespace brachisto::fuzz {
@@ -89,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if (parts.size() > 1) {
     try {
       points = io::parse_points(parts[1]);
-    } catch (const io::CsvError&) {
+    } catch (const io::PointsError&) {
     }
   }
   parts.erase(

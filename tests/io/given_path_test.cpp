@@ -10,7 +10,6 @@
 #include <string>
 
 #include "brachisto/io/problem_file.hpp"
-#include "io/csv_text.hpp"
 #include "io/path_points.hpp"
 #include "support/scratch_directory.hpp"
 
@@ -155,7 +154,7 @@ TEST(GivenPath, OfPointsThatCannotBeReadIsNoMistakeOfTheFile) {
 std::string refusal(const std::string& points) {
   try {
     (void)parse_points(points);
-  } catch (const CsvError& error) {
+  } catch (const PointsError& error) {
     return error.what();
   }
   return "";

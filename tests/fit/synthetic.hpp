@@ -93,7 +93,7 @@ class Normal {
   }
 
  private:
-  math::SplitMix64 uniform_;
+  SplitMix64 uniform_;
 };
 
 /// Places that share out the length of the path of a scene, and their times by

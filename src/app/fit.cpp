@@ -69,16 +69,33 @@ TextCheck parameter_check() {
   return check;
 }
 
+/// Why the file cannot have another k, as where it follows from parts; "" if it
+/// can.
+std::string objection_to_inertia(const FitFlags& flags, std::string_view stated,
+                                 double k) {
+  std::vector<std::string> overrides = flags.overrides;
+  overrides.push_back(fmt::format("scene.body.k={}", k));
+  try {
+    (void)io::read_problem_text(stated, flags.file, overrides);
+  } catch (const io::InputError& error) {
+    return "scene.body.k: " + error.diagnostics().front().message;
+  }
+  return "";
+}
+
 /// \throws UsageError  for a parameter that is given twice or that the scene
 ///                     does not have
-fit::Wanted wanted(const FitFlags& flags, const Scene& scene,
-                   const fit::Measurements& times) {
+fit::Wanted wanted(const FitFlags& flags, std::string_view stated,
+                   const Scene& scene, const fit::Measurements& times) {
   fit::Wanted out{{}, flags.offset, times.has_sigma()};
   for (const std::string& key : flags.parameters) {
     const fit::Parameter* parameter = fit::find_parameter(key);
     std::string why = fit::objection(*parameter, scene);
     if (std::ranges::find(out.parameters, parameter) != out.parameters.end()) {
       why = fmt::format("{} is given twice", key);
+    }
+    if (why.empty() && parameter->number == MotionNumber::Inertia) {
+      why = objection_to_inertia(flags, stated, scene.body.k);
     }
     if (!why.empty()) throw UsageError("brachisto fit", "--parameter: " + why);
     out.parameters.push_back(parameter);
@@ -118,7 +135,7 @@ int run(const FitFlags& flags) {
       io::read_problem_text(stated, flags.file, flags.overrides);
   const fit::Measurements measured = fit::read_measurements(flags.times);
   warn_of(problem);
-  const fit::Wanted asked = wanted(flags, problem.scene, measured);
+  const fit::Wanted asked = wanted(flags, stated, problem.scene, measured);
   const std::atomic<int>& signal = catch_signals();
 
   // The answer to the scene as it stands is the track: what is fitted does not

@@ -25,6 +25,7 @@
 #include "brachisto/report/result.hpp"
 #include "brachisto/solvers/status.hpp"
 #include "comparison/work_precision.hpp"
+#include "fit/fit_times.hpp"
 #include "io/visible_text.hpp"
 #include "report/provenance.hpp"
 #include "reproduction/cases.hpp"
@@ -86,13 +87,17 @@ CommandLine command_line() {
       "  brachisto body ring:m=2 point:m=1,at=1@-30deg\n"
       "`brachisto VERB --help` tells more.",
       version_text,
-      {solve_verb(),  design_verb(),      validate_verb(),
-       schema_verb(), sweep_verb(),       export_verb(),
-       merge_verb(),  report_verb(),      show_verb(),
-       race_verb(),   paper_verb(),       body_verb(),
-       table_verb(),  compare_verb(),     work_precision_verb(),
-       nlp_verb(),    derivatives_verb(), new_verb(),
-       worker_verb(), measure_verb(),     complete_verb(command_line)},
+      {solve_verb(),   design_verb(),
+       fit_verb(),     validate_verb(),
+       schema_verb(),  sweep_verb(),
+       export_verb(),  merge_verb(),
+       report_verb(),  show_verb(),
+       race_verb(),    paper_verb(),
+       body_verb(),    table_verb(),
+       compare_verb(), work_precision_verb(),
+       nlp_verb(),     derivatives_verb(),
+       new_verb(),     worker_verb(),
+       measure_verb(), complete_verb(command_line)},
       {{.name = "--color",
         .value = &colour,
         .text = "Colours for verdicts, warnings and errors; auto: on a "
@@ -142,6 +147,8 @@ int run(int argc, char** argv) {
     return end(kIoError, "io_error", error);
   } catch (const comparison::NoReference& error) {
     return end(kNotSolved, "no_reference", error, kName);
+  } catch (const fit::CannotFit& error) {
+    return end(kNotSolved, "cannot_fit", error, kName);
   } catch (const reproduction::NotVerified& error) {
     return end(kNotSolved, "not_verified", error, kName);
   } catch (const Stopped& error) {

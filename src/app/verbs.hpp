@@ -25,6 +25,7 @@ struct CommonFlags {
 
 [[nodiscard]] Verb solve_verb();
 [[nodiscard]] Verb design_verb();
+[[nodiscard]] Verb fit_verb();
 [[nodiscard]] Verb validate_verb();
 [[nodiscard]] Verb schema_verb();
 [[nodiscard]] Verb sweep_verb();

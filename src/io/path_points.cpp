@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "io/input_tree.hpp"
 #include "io/list_reader.hpp"
 #include "io/lists.hpp"
+#include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -26,15 +26,6 @@ namespace {
 
 constexpr const char* kFileKey = "scene.path.file";
 constexpr const char* kPointsKey = "scene.path.points";
-
-/// Takes the first line off a text, its end included.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t length = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, length);
-  text.remove_prefix(std::min(length + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
 
 constexpr std::string_view kPointOfLine = "two numbers x,z in m";
 

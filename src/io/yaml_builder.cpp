@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// parse_yaml(): the events of yaml-cpp become a tree. Only this file knows
+/// parse_yaml(): the events of yaml-cpp become a tree. No other file reads by
 /// yaml-cpp. Its own tree would not do: it keeps repeated keys silently,
 /// resolves aliases and sees the first document only.
 

@@ -19,43 +19,15 @@
 #include "math/roots.hpp"
 #include "model/energy.hpp"
 #include "model/path_inequality.hpp"
+#include "trajectory/gauss_step.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr int kGaussPoints = 12;
 constexpr int kFewestCells = 16;
-constexpr double kTolerance = 1e-13;  // of T, relative
-constexpr int kFineSamplesPerCell = 8;
+constexpr double kTolerance = 1e-13;   // of T, relative
 constexpr double kNextToStart = 1e-8;  // q there has the limits of the start
-
-const math::QuadratureRule& rule() {
-  static const math::QuadratureRule gauss = math::gauss_legendre(kGaussPoints);
-  return gauss;
-}
-
-/// Row i integrates a polynomial given at the points, from 0 to point i.
-const math::SmallMatrix& integration_to_points() {
-  static const math::SmallMatrix matrix =
-      math::LagrangeBasis(rule().points).integrals_to(rule().points, rule());
-  return matrix;
-}
-
-/// θ once the centre has come the length s.
-double theta_after(const Body& body, double s) {
-  return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
-}
-
-/// ∫ f dq from `from` to `to`.
-template <class Function>
-double integral(double from, double to, Function&& f) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < rule().points.size(); ++i) {
-    sum += rule().weights[i] * f(from + (to - from) * rule().points[i]);
-  }
-  return (to - from) * sum;
-}
 
 }  // namespace
 
@@ -76,11 +48,20 @@ std::string Stall::message() const {
   return {};
 }
 
-struct PrescribedMotion::Points {
-  std::array<CurvePlace, kGaussPoints> places;
-  std::array<double, kGaussPoints> s;       ///< arc lengths [m]
-  std::array<double, kGaussPoints> energy;  ///< ½ w² [m²/s²]
-};
+double PrescribedMotion::theta_after(double s) const {
+  const Body& body = scene_.body;
+  return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
+}
+
+double PrescribedMotion::length_between(double from, double to) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < gauss_step::rule().points.size(); ++i) {
+    sum +=
+        gauss_step::rule().weights[i] *
+        curve_->pace(from + (to - from) * gauss_step::rule().points[i]).speed;
+  }
+  return (to - from) * sum;
+}
 
 PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     : scene_(scene), curve_(std::move(centre)), start_(curve_->at(0.0)) {
@@ -121,7 +102,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
   const Body& body = scene_.body;
-  const double theta = theta_after(body, s);
+  const double theta = theta_after(s);
   // The way of the centre of mass, r η (cos θ − cos θ_m) as a product.
   const double half = 0.5 * (theta - body.theta_m);
   const Point by{place.offset.x - 2.0 * body.radius * body.eta_m *
@@ -135,7 +116,7 @@ double PrescribedMotion::energy(const CurvePlace& place, double s) const {
 
 double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {
   const Point centre = point_of(*curve_, place);
-  const double theta = theta_after(scene_.body, s);
+  const double theta = theta_after(s);
   return speed_gain(scene_, TurningPoint<double>{centre.x, centre.z, theta, 0.0,
                                                  place.beta, 0.0});
 }
@@ -156,17 +137,17 @@ double PrescribedMotion::brake(const Sums& from, double width,
   constexpr int kMostSteps = 60;
   constexpr double kConverged = 1e-10;  // relative; the next step squares it
   using Jet = math::Jet1<double, 1>;
-  using Vector = Eigen::Vector<double, kGaussPoints>;
-  const Body& body = scene_.body;
-  const math::SmallMatrix& to_point = integration_to_points();
-  const Vector weights = Eigen::Map<const Vector>(rule().weights.data());
+  using Vector = Eigen::Vector<double, gauss_step::kPoints>;
+  const math::SmallMatrix& to_point = gauss_step::integration_to_points();
+  const Vector weights =
+      Eigen::Map<const Vector>(gauss_step::rule().weights.data());
   Vector w = Eigen::Map<const Vector>(points.energy.data());
   w = (2.0 * w).cwiseSqrt().eval();
   Vector gain, by_w;
   for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
-    for (int i = 0; i < kGaussPoints; ++i) {
+    for (int i = 0; i < gauss_step::kPoints; ++i) {
       const CurvePlace& place = points.places[brachisto::at(i)];
-      const double theta = theta_after(body, points.s[brachisto::at(i)]);
+      const double theta = theta_after(points.s[brachisto::at(i)]);
       const Point centre = point_of(*curve_, place);
       const Jet found =
           speed_gain(scene_, Jet(centre.x), Jet(centre.z), Jet(theta),
@@ -177,11 +158,11 @@ double PrescribedMotion::brake(const Sums& from, double width,
     }
     // ½ w_i² = ½ w² + Σ a_ij gain_j: quadratic in w, so that Newton's method
     // comes down from above.
-    Eigen::Matrix<double, kGaussPoints, kGaussPoints> matrix;
+    Eigen::Matrix<double, gauss_step::kPoints, gauss_step::kPoints> matrix;
     Vector miss;
-    for (int i = 0; i < kGaussPoints; ++i) {
+    for (int i = 0; i < gauss_step::kPoints; ++i) {
       miss[i] = from.energy - 0.5 * w[i] * w[i];
-      for (int j = 0; j < kGaussPoints; ++j) {
+      for (int j = 0; j < gauss_step::kPoints; ++j) {
         miss[i] += to_point(i, j) * gain[j];
         matrix(i, j) = -to_point(i, j) * by_w[j];
       }
@@ -199,14 +180,13 @@ double PrescribedMotion::brake(const Sums& from, double width,
 }
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
-    const Sums& from, double q) const {
-  const math::SmallMatrix& to_point = integration_to_points();
+    const Sums& from, double q, Points& points) const {
+  const math::SmallMatrix& to_point = gauss_step::integration_to_points();
   const double width = q - from.q;
-  Points points;
   auto& [places, s, energies] = points;
   bool fits = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    places[i] = curve_->at(from.q + width * rule().points[i]);
+    places[i] = curve_->at(from.q + width * gauss_step::rule().points[i]);
     fits = fits && places[i].speed > 0.0;
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -226,16 +206,23 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
     const bool fits_here = place.speed > 0.0;
     if (!fits_here || !(energies[i] > 0.0)) {
       return Stall{fits_here ? Stall::Reason::Stops : Stall::Reason::DoesNotFit,
-                   from.q + width * rule().points[i], point_of(*curve_, place)};
+                   from.q + width * gauss_step::rule().points[i],
+                   point_of(*curve_, place)};
     }
-    const double du =
-        rule().weights[i] * width * place.speed / std::sqrt(2.0 * energies[i]);
+    const double du = gauss_step::rule().weights[i] * width * place.speed /
+                      std::sqrt(2.0 * energies[i]);
     to.u += du;
-    const double theta = theta_after(scene_.body, s[i]);
+    const double theta = theta_after(s[i]);
     to.t += root_of_inertia(scene_, theta, place.beta) * du;
-    to.s += rule().weights[i] * width * place.speed;
+    to.s += gauss_step::rule().weights[i] * width * place.speed;
   }
   return to;
+}
+
+std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
+    const Sums& from, double q) const {
+  Points points;
+  return advance(from, q, points);
 }
 
 /// Joints of the curve, passages of a surface, and what divide() adds.
@@ -248,14 +235,13 @@ void PrescribedMotion::end_pieces() {
     constexpr double kNoLength = 1e-6;  // A itself may lie on the surface
     double q = 0.0, s = 0.0;
     const auto length_to = [&](double there) {
-      return s + integral(q, there,
-                          [&](double p) { return curve_->pace(p).speed; });
+      return s + length_between(q, there);
     };
     const auto height = [&](double there) {
       const CurvePlace place = curve_->at(there);
       return height_above_surface(
           scene_, mass_centre(scene_.body, point_of(*curve_, place),
-                              theta_after(scene_.body, length_to(there))));
+                              theta_after(length_to(there))));
     };
     double before = height(0.0);
     std::vector<double> ends;
@@ -355,96 +341,6 @@ void PrescribedMotion::integrate(int cells_per_piece) {
     }
     from = to;
   }
-}
-
-PrescribedMotion::Sums PrescribedMotion::sums_at(double q) const {
-  const auto after = std::upper_bound(
-      cells_.begin() + 1, cells_.end() - 1, q,
-      [](double value, const Sums& cell) { return value < cell.q; });
-  const Sums& from = *(after - 1);
-  // Where the cells were passed no place between their nodes can stop the body
-  // but for rounding.
-  const std::variant<Sums, Stall> at = advance(from, q);
-  return std::holds_alternative<Sums>(at) ? std::get<Sums>(at) : from;
-}
-
-double PrescribedMotion::place_at_length(double s) const {
-  const auto after = std::upper_bound(
-      cells_.begin() + 1, cells_.end() - 1, s,
-      [](double value, const Sums& cell) { return value < cell.s; });
-  const Sums& from = *(after - 1);
-  const Sums& to = *after;
-  // s grows like q², and q by Newton's method from there.
-  const double share = std::clamp((s - from.s) / (to.s - from.s), 0.0, 1.0);
-  double q = std::sqrt(std::lerp(from.q * from.q, to.q * to.q, share));
-  constexpr int kMostSteps = 20;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double speed = curve_->pace(q).speed;
-    if (!(speed > 0.0)) break;
-    const double length = from.s + integral(from.q, q, [&](double p) {
-                            return curve_->pace(p).speed;
-                          });
-    const double step = (s - length) / speed;
-    q = std::clamp(q + step, from.q, to.q);
-    // The next step would be the square of this one, over the length on which
-    // the speed changes: q next to the start, a cell elsewhere.
-    if (std::abs(step) <= 1e-8 * std::min(q, to.q - from.q)) break;
-  }
-  return q;
-}
-
-TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
-  const Body& body = scene_.body;
-  const CurvePlace place = curve_->at(sums.q);
-  TrajectoryPoint out;
-  out.sigma = sums.q;
-  out.u = sums.u;
-  out.t = sums.t;
-  out.s = sums.s;
-  out.centre = point_of(*curve_, place);
-  out.theta = theta_after(body, sums.s);
-  out.beta = place.beta;
-  PathState state{out.centre, out.theta, place.beta, 0.0, 0.0};
-  const double E = scene_.world.brakes() ? sums.energy : energy(place, sums.s);
-  if (sums.q > 0.0 && E > 0.0) {
-    state.w = std::sqrt(2.0 * E);
-    // dβ/du; at the start the limit of dq/du.
-    state.beta_rate = place.turning * state.w / place.speed;
-  } else {
-    state.w = start_w();
-    state.beta_rate = start_slope_rate();
-  }
-  out.motion = kinematics(scene_, state);
-  return out;
-}
-
-StartLimits PrescribedMotion::at_start() const {
-  const PathState start{curve_->start(), scene_.body.theta_m, start_.beta,
-                        start_w(), start_slope_rate()};
-  if (start_energy_ > 0.0 || start_.turning != 0.0) {
-    return start_limits(scene_, start);
-  }
-  return start_limits_of_curvature(scene_, start, start_curvature());
-}
-
-std::vector<TrajectoryPoint> PrescribedMotion::at_nodes() const {
-  std::vector<TrajectoryPoint> rows;
-  rows.reserve(cells_.size());
-  for (const Sums& cell : cells_) rows.push_back(point_at(cell));
-  return rows;
-}
-
-std::vector<TrajectoryPoint> PrescribedMotion::fine_sample(int least) const {
-  const int per_cell = std::max(kFineSamplesPerCell, least / num_cells() + 1);
-  std::vector<TrajectoryPoint> rows{point_at(cells_.front())};
-  for (std::size_t c = 1; c < cells_.size(); ++c) {
-    check_stop();
-    const double from = cells_[c - 1].q;
-    for (int i = 1; i <= per_cell; ++i) {
-      rows.push_back(at(from + (cells_[c].q - from) * i / per_cell));
-    }
-  }
-  return rows;
 }
 
 }  // namespace brachisto

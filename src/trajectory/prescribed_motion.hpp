@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,6 +14,7 @@
 
 #include "brachisto/trajectory/motion.hpp"
 #include "model/plane_curve.hpp"
+#include "trajectory/gauss_step.hpp"
 
 namespace brachisto {
 
@@ -58,6 +60,24 @@ class PrescribedMotion final : public Motion {
     return static_cast<int>(cells_.size()) - 1;
   }
 
+  /// The cell in which a place lies, from 0.
+  [[nodiscard]] int cell_of(double q) const;
+  /// Where a cell begins; after the last one, 1.
+  [[nodiscard]] double start_of_cell(int cell) const {
+    return cells_[static_cast<std::size_t>(cell)].q;
+  }
+
+  /// A step from the start of a cell by a Gauss rule, and its points.
+  struct Step {
+    double width = 0.0;  ///< of q
+    double t = 0.0;      ///< time at its end [s]
+    std::array<CurvePlace, gauss_step::kPoints> places;
+    std::array<double, gauss_step::kPoints> s;  ///< arc lengths [m]
+    std::array<double, gauss_step::kPoints> v;  ///< v_c [m/s]
+  };
+  /// \param q  within the cell, behind its start
+  [[nodiscard]] Step step_to(int cell, double q) const;
+
   [[nodiscard]] const PlaneCurve& curve() const { return *curve_; }
   /// dβ/du at the start [rad/s]; from rest 0 where the curvature is finite.
   [[nodiscard]] double start_slope_rate() const {
@@ -96,11 +116,21 @@ class PrescribedMotion final : public Motion {
     double energy = 0.0;  ///< ½ w² [m²/s²], where something brakes
   };
   /// The points of a Gauss rule between two places.
-  struct Points;
+  struct Points {
+    std::array<CurvePlace, gauss_step::kPoints> places;
+    std::array<double, gauss_step::kPoints> s;       ///< arc lengths [m]
+    std::array<double, gauss_step::kPoints> energy;  ///< ½ w² [m²/s²]
+  };
+  [[nodiscard]] std::variant<Sums, Stall> advance(const Sums& from, double q,
+                                                  Points& points) const;
   [[nodiscard]] std::variant<Sums, Stall> advance(const Sums& from,
                                                   double q) const;
   [[nodiscard]] double brake(const Sums& from, double width,
                              Points& points) const;
+  /// θ once the centre has come the length s.
+  [[nodiscard]] double theta_after(double s) const;
+  /// Of the curve between two places [m].
+  [[nodiscard]] double length_between(double from, double to) const;
   void end_pieces();
   void divide(Sums& from, double to, std::vector<double>& ends);
   void integrate(int cells_per_piece);

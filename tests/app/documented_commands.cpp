@@ -179,9 +179,10 @@ TEST(Commands, HaveTheFlagsThatThePagesName) {
 /// Flags that a sentence names without their verb.
 TEST(Commands, HaveTheFlagsThatSentencesName) {
   std::string help;
-  for (const char* verb : {"solve", "validate", "sweep", "export", "merge",
-                           "report", "show", "race", "paper", "compare",
-                           "work-precision", "body", "design", "new", "nlp"}) {
+  for (const char* verb :
+       {"solve", "validate", "sweep", "export", "merge", "report", "show",
+        "race", "paper", "compare", "work-precision", "body", "design", "new",
+        "nlp", "fit"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

@@ -15,7 +15,7 @@ set(command
   ${lib}/brachisto/libhsl[.]so
   bin/brachisto
   share/brachisto/problems/case[.]yaml
-  share/brachisto/problems/.+[.]yaml
+  share/brachisto/problems/.+[.](yaml|csv)
   share/doc/brachisto/[A-Z]+[.]md
   share/doc/brachisto/LICENSE
   share/doc/brachisto/docs/.+

@@ -19,7 +19,7 @@ namespace {
                                            const Direction& along,
                                            double v_kappa, double without) {
   const Body& body = scene.body;
-  const double c = scene.world.losses.factor(), eta = body.eta_m;
+  const double c = scene.world.losses.factor(body), eta = body.eta_m;
   const double turning = rotation_per_length(body);
   const double theta = body.theta_m + s * turning;
   const double A = inertia_factor(body, theta, along.beta);

@@ -246,8 +246,14 @@ function markEnds(svg, poses, { X, Y }) {
   }
 }
 
-/** A body of a radius on the screen, its middle at the origin. */
-function bodyShape(parent, R, id, body) {
+/** How far a body reaches; of a ball beyond what it rolls on. */
+function outerRadius(body) {
+  return body.radius * (body.walls ?? 1);
+}
+
+/** A body on a screen of so many pixels a metre, its middle at the origin. */
+function bodyShape(parent, scale, id, body) {
+  const R = scale * outerRadius(body), arm = (scale * body.radius * body.eta).toFixed(2);
   const g = draw("g", { id, class: "body" }, parent);
   if (!body.rolls || R < 3) {
     draw("circle", { class: "bead", r: body.rolls ? 3 : 5 }, g);
@@ -260,8 +266,8 @@ function bodyShape(parent, R, id, body) {
   }, g);
   draw("circle", { class: "axis", r: 1.8 }, g);
   if (body.eta > 0) {
-    draw("path", { class: "arm", d: `M0 0H${(R * body.eta).toFixed(2)}` }, g);
-    draw("circle", { class: "mass", cx: (R * body.eta).toFixed(2), r: Math.min(5, 0.3 * R) }, g);
+    draw("path", { class: "arm", d: `M0 0H${arm}` }, g);
+    draw("circle", { class: "mass", cx: arm, r: Math.min(5, 0.3 * R) }, g);
   }
   return g;
 }
@@ -425,7 +431,7 @@ function letTablesScroll() {
   }
 }
 
-return { byId, draw, drawPlane, drawObstacles, bodyShape, letTablesScroll, liftedPath, markEnds,
+return { byId, draw, drawPlane, drawObstacles, bodyShape, outerRadius, letTablesScroll, liftedPath, markEnds,
   motionOf, moveBody, niceStep, onResize, pathOf, player, shown, tick, kSector, kSteps };
 
 })();

@@ -348,7 +348,7 @@ constexpr auto kRails = ball_with<&Ball::gauge>();
 constexpr auto kRoundRails = ball_with<&Ball::rail_radius>();
 constexpr auto kGroove = ball_with<&Ball::groove>();
 
-/// A length or an angle that is silent where there is none.
+/// The same, silent where there is none.
 Binding silent(Binding binding) {
   binding.silent = true;
   return binding;
@@ -409,7 +409,7 @@ Keys scene_keys() {
        silent_map(kRails),
        "the two rails a ball runs on; see [A ball on rails](#a-ball-on-rails)",
        {.presence = Presence::OptionalOfCylinder}},
-      {"scene.body.rails.gauge", number(kRails, &Ball::gauge),
+      {"scene.body.rails.gauge", silent(number(kRails, &Ball::gauge)),
        "b, between the edges of thin rails, or between the axes of round ones",
        required_length()},
       {"scene.body.rails.radius",
@@ -420,7 +420,7 @@ Keys scene_keys() {
        "in place of rails: the groove a ball runs in",
        {.presence = Presence::OptionalOfCylinder}},
       {"scene.body.groove.angle",
-       angle(kGroove, &Ball::groove),
+       silent(angle(kGroove, &Ball::groove)),
        "2γ, from wall to wall",
        {.presence = Presence::Required,
         .unit = "rad",

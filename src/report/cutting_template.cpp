@@ -135,7 +135,7 @@ std::vector<std::string> facts(const Solution& solution, const Build& build,
                               grip_in_words(solution.diagnostics->least_grip)));
   }
   out.push_back(load_in_words(*solution.diagnostics, build));
-  out.push_back(care_in_words(stretches, build));
+  if (!stretches.empty()) out.push_back(care_in_words(stretches, build));
   if (scene.body.rolls() && !scene.body.ball) {
     out.push_back(discs_in_words(scene.body, build));
   }

@@ -260,10 +260,13 @@ function bodyShape(parent, scale, id, body) {
     return g;
   }
   draw("circle", { class: "disc", r: R }, g);
-  draw("circle", {
-    class: "rim", r: R - 2.2,
-    "stroke-dasharray": `${((R - 2.2) * kSector).toFixed(3)}`,
-  }, g);
+  // Of what it rolls on, whose sectors are as long as the pieces they leave.
+  const rim = scale * body.radius - 2.2;
+  if (rim > 0) {
+    draw("circle", {
+      class: "rim", r: rim, "stroke-dasharray": `${(rim * kSector).toFixed(3)}`,
+    }, g);
+  }
   draw("circle", { class: "axis", r: 1.8 }, g);
   if (body.eta > 0) {
     draw("path", { class: "arm", d: `M0 0H${arm}` }, g);

@@ -30,7 +30,7 @@ bool is_evaluable(const Scene& scene) {
   const Body& body = scene.body;
   const double least = (1.0 - body.eta_m) * (1.0 - body.eta_m);
   return least + body.k > 0.0 &&
-         losses::bounded(body, scene.world.losses.factor());
+         losses::bounded(body, scene.world.losses.factor(body));
 }
 
 /// The residuals of times, and their derivatives, by the unknowns: the

@@ -15,6 +15,11 @@ const Parameter* find_parameter(std::string_view key) {
 }
 
 std::string objection(const Parameter& parameter, const Scene& scene) {
+  if (parameter.number == MotionNumber::Inertia && scene.body.ball) {
+    return fmt::format(
+        "{} of a ball is not fitted: its inertia is that of what it is made of",
+        parameter.key);
+  }
   if (parameter.of_bead == !scene.body.rolls()) return "";
   return parameter.of_bead
              ? fmt::format("{} is of a bead, and the body of the scene rolls",

@@ -36,12 +36,28 @@ void check_bead(const Check& check) {
   }
 }
 
-void check_cylinder(const Check& check) {
+/// What says k, and what a ball alone runs in.
+void check_rolling(const Check& check) {
   const bool has_parts = check.entry(kPartsKey) != nullptr;
+  const bool has_inertia = check.entry(kInertiaKey) != nullptr;
+  if (has_inertia && check.entry("scene.body.k") != nullptr) {
+    check.refuse_key(kInertiaKey,
+                     "says again what k does; allowed is one of them");
+  }
+  if (check.problem.scene.body.shape != Shape::Ball) {
+    for (const char* key : {"scene.body.rails", "scene.body.groove"}) {
+      if (check.entry(key) == nullptr) continue;
+      check.refuse_key(
+          key,
+          "not allowed of a cylinder, which runs on a plain track; "
+          "take shape: ball");
+    }
+  }
   for (const KeySpec& spec : key_table()) {
     if (spec.presence != Presence::RequiredOfCylinder) continue;
     if (check.entry(spec.path) != nullptr) continue;
     if (has_parts && follows_from_parts(spec)) continue;
+    if (has_inertia && follows_from_inertia(spec)) continue;
     check.refuse(spec.path, "missing; expected {} ({})", expected(spec),
                  spec.description);
   }
@@ -52,7 +68,7 @@ void check_body(const Check& check) {
   if (check.problem.scene.body.shape == Shape::Bead) {
     check_bead(check);
   } else {
-    check_cylinder(check);
+    check_rolling(check);
   }
 }
 
@@ -278,12 +294,14 @@ void check_scene(const Check& check) {
   Draft marked = problem;
   std::vector<std::string_view> unread;
   const bool has_parts = check.entry(kPartsKey) != nullptr;
+  const bool has_inertia = check.entry(kInertiaKey) != nullptr;
   for (const KeySpec& spec : key_table()) {
     if (!spec.path.starts_with("scene.")) continue;
     const bool of_other_body = spec.presence == Presence::RequiredOfCylinder &&
                                !problem.scene.body.rolls();
-    const bool of_parts = has_parts && follows_from_parts(spec);
-    const bool absent = is_required(spec) && !of_other_body && !of_parts &&
+    const bool follows = (has_parts && follows_from_parts(spec)) ||
+                         (has_inertia && follows_from_inertia(spec));
+    const bool absent = is_required(spec) && !of_other_body && !follows &&
                         check.entry(spec.path) == nullptr;
     if (findings.concern(spec.path) || absent) {
       if (spec.type() == KeyType::Number || spec.type() == KeyType::Angle) {
@@ -296,6 +314,7 @@ void check_scene(const Check& check) {
                                const char* stated) {
     if (key == other && check.entry(stated)) key = stated;
   };
+  marked.scene.body = as_it_rolls(marked.scene.body);
   for (SceneError& error : validate(marked.scene)) {
     in_place_of(error.key, "scene.path.file", "scene.path.points");
     in_place_of(error.key, "scene.gravity", "scene.field.uniform");

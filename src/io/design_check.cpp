@@ -22,6 +22,10 @@ void check_ways(const Check& check) {
   if (!problem.scene.body.rolls()) {
     check.refuse("scene.body.shape",
                  "a bead has nothing to design; take a cylinder");
+  } else if (problem.scene.body.shape == Shape::Ball) {
+    check.refuse("scene.body.shape",
+                 "a ball has the track that its rails fit, and nothing to "
+                 "design; take a cylinder");
   }
   const auto refuse = [&](std::string_view key, std::string_view reason) {
     check.refuse(key, "not allowed beside design: {}", reason);

@@ -16,7 +16,8 @@ namespace brachisto::io {
 enum class MethodWord { Ipopt, NewtonKkt, Extremal, Fsolve };
 
 /// A problem with a place for the keys of every method; which of them mean
-/// something, the method decides in the end.
+/// something, the method decides in the end. Its body has the numbers that are
+/// written: those of a ball are its own.
 struct Draft : ProblemFile {
   MethodWord method = MethodWord::Ipopt;
   Collocation program;
@@ -25,6 +26,7 @@ struct Draft : ProblemFile {
 
   Draft() = default;
   explicit Draft(ProblemFile problem) : ProblemFile(std::move(problem)) {
+    scene.body = as_stated(scene.body);
     if (const auto* stated = options.of<Collocation>()) {
       program = *stated;
       method = program.solver == ProgramSolver::Ipopt ? MethodWord::Ipopt
@@ -51,6 +53,7 @@ struct Draft : ProblemFile {
   [[nodiscard]] ProblemFile problem() const {
     ProblemFile out = *this;
     out.scene = with_implied_limits(scene);
+    out.scene.body = as_it_rolls(scene.body);
     if (const auto& sphere = scene.world.sphere) {
       out.scene.gravity = sphere->strength_at({0.0, 0.0});
     }

@@ -41,7 +41,7 @@ std::string described(const KeySpec& spec) {
         "; {}", spec.type() == KeyType::Choice ? expected(spec) : spec.bounds);
   }
   if (spec.is_required()) {
-    text += spec.of_cylinder() ? "; required of a cylinder" : "; required";
+    text += spec.of_cylinder() ? "; required of what rolls" : "; required";
   }
   if (!spec.fallback.empty())
     text += fmt::format("; default: {}", spec.fallback);
@@ -55,9 +55,9 @@ std::string default_text(const KeySpec& spec) {
     case Presence::Required:
       return "required";
     case Presence::RequiredOfCylinder:
-      return "required (cylinder)";
+      return "required (what rolls)";
     case Presence::OptionalOfCylinder:
-      return fmt::format("{} (cylinder)", spec.fallback);
+      return fmt::format("{} (what rolls)", spec.fallback);
     case Presence::Optional:
       break;
   }
@@ -302,10 +302,12 @@ Json required_of_problems() {
     }
   }
   Json& body = needed["properties"]["scene"]["properties"]["body"];
-  body["if"] = {{"properties", {{"shape", {{"const", "cylinder"}}}}}};
-  body["then"] = {
-      {"required", of_cylinder},
-      {"anyOf", {{{"required", unless_parts}}, {{"required", {"parts"}}}}}};
+  body["if"] = {{"properties", {{"shape", {{"enum", {"cylinder", "ball"}}}}}}};
+  body["then"] = {{"required", of_cylinder},
+                  {"anyOf",
+                   {{{"required", unless_parts}},
+                    {{"required", {"inertia"}}},
+                    {{"required", {"parts"}}}}}};
   return needed;
 }
 

@@ -77,7 +77,11 @@ const KeySpec* find_key(std::string_view path) {
 
 bool follows_from_parts(const KeySpec& spec) {
   return spec.path == "scene.body.eta_m" || spec.path == "scene.body.theta_m" ||
-         spec.path == "scene.body.k";
+         spec.path == kInertiaKey || follows_from_inertia(spec);
+}
+
+bool follows_from_inertia(const KeySpec& spec) {
+  return spec.path == "scene.body.k";
 }
 
 bool is_value_key(std::string_view path) {

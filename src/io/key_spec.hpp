@@ -137,6 +137,11 @@ struct KeySpec : KeyRules {
 /// Whether scene.body.parts says what this key would.
 [[nodiscard]] bool follows_from_parts(const KeySpec& spec);
 
+inline constexpr const char* kInertiaKey = "scene.body.inertia";
+
+/// Whether scene.body.inertia does.
+[[nodiscard]] bool follows_from_inertia(const KeySpec& spec);
+
 /// True if a key of the problem has a number or a word as its value, so that a
 /// sweep may vary it. Not so `version`, which is no part of the problem.
 [[nodiscard]] bool is_value_key(std::string_view path);

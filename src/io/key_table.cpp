@@ -331,6 +331,40 @@ Keys world_keys() {
   return keys;
 }
 
+/// What a ball runs in, which is made with the first of its keys.
+constexpr auto kBall =
+    optional_place([](auto& p) -> auto& { return p.scene.body.ball; });
+
+template <std::optional<double> Ball::*number>
+constexpr Place<Ball> ball_with() {
+  Place<Ball> place = kBall;
+  place.find = [](const Draft& p) -> const Ball* {
+    const auto& ball = p.scene.body.ball;
+    return ball && (*ball).*number ? &*ball : nullptr;
+  };
+  return place;
+}
+constexpr auto kRails = ball_with<&Ball::gauge>();
+constexpr auto kRoundRails = ball_with<&Ball::rail_radius>();
+constexpr auto kGroove = ball_with<&Ball::groove>();
+
+/// The same, silent where there is none.
+Binding silent(Binding binding) {
+  binding.silent = true;
+  return binding;
+}
+
+/// Mass distributions that have names, in place of k, which is echoed.
+Binding inertia() {
+  Binding binding = choice(kBody, &Body::k,
+                           {{"disc", 1.0 / 2.0},
+                            {"ring", 1.0},
+                            {"ball", 2.0 / 5.0},
+                            {"hollow_ball", 2.0 / 3.0}});
+  binding.get = nullptr;
+  return binding;
+}
+
 Keys scene_keys() {
   using Curve = GivenPath::Curve;
   using Form = GivenPath::Shape;
@@ -339,11 +373,14 @@ Keys scene_keys() {
       {"scene.body", map(), "the body", required()},
       {"scene.body.shape",
        choice(kBody, &Body::shape,
-              {{"cylinder", Shape::Cylinder}, {"bead", Shape::Bead}}),
-       "a cylinder rolls without slip, a bead slides", required()},
+              {{"cylinder", Shape::Cylinder},
+               {"ball", Shape::Ball},
+               {"bead", Shape::Bead}}),
+       "a cylinder rolls without slip, a ball likewise, a bead slides",
+       required()},
       {"scene.body.radius",
        number(kBody, &Body::radius),
-       "r, radius of the cylinder",
+       "r, radius of the cylinder; of a ball R",
        {.presence = Presence::RequiredOfCylinder,
         .unit = "m",
         .physical = kPositive}},
@@ -364,6 +401,34 @@ Keys scene_keys() {
        {.presence = Presence::RequiredOfCylinder,
         .bounds = "0 ≤ k ≤ 1 − η_m²",
         .physical = {.lower = 0.0, .upper = 1.0}}},
+      {"scene.body.inertia",
+       inertia(),
+       "in place of k: 1/2, 1, 2/5, 2/3",
+       {.presence = Presence::OptionalOfCylinder}},
+      {"scene.body.rails",
+       silent_map(kRails),
+       "the two rails a ball runs on; see [A ball on rails](#a-ball-on-rails)",
+       {.presence = Presence::OptionalOfCylinder}},
+      {"scene.body.rails.gauge", silent(number(kRails, &Ball::gauge)),
+       "b, between the edges of thin rails, or between the axes of round ones",
+       required_length()},
+      {"scene.body.rails.radius",
+       silent(number(kRoundRails, &Ball::rail_radius)),
+       "ρ, of round rails; thin ones have none", positive("m")},
+      {"scene.body.groove",
+       silent_map(kGroove),
+       "in place of rails: the groove a ball runs in",
+       {.presence = Presence::OptionalOfCylinder}},
+      {"scene.body.groove.angle",
+       silent(angle(kGroove, &Ball::groove)),
+       "2γ, from wall to wall",
+       {.presence = Presence::Required,
+        .unit = "rad",
+        .bounds = "between 0 and π",
+        .physical = {.lower = 0.0,
+                     .upper = std::numbers::pi,
+                     .lower_allowed = false,
+                     .upper_allowed = false}}},
       {"scene.body.parts",
        parts_list(),
        "what the body consists of, in place of eta_m, theta_m and k; see [A "

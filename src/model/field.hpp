@@ -164,8 +164,8 @@ template <class Scalar>
   using std::cos;
   using std::sin;
   const Pull<Scalar> G = pull_on(scene, x, z, theta);
-  return losses::speed_gain(scene.body, scene.world.losses.factor(), theta,
-                            beta, w, root,
+  return losses::speed_gain(scene.body, scene.world.losses.factor(scene.body),
+                            theta, beta, w, root,
                             work_gain(scene, x, z, theta, w, beta, root),
                             Scalar(G.z * cos(beta) - G.x * sin(beta)));
 }
@@ -201,9 +201,9 @@ template <class Scalar>
 [[nodiscard]] Scalar root_of_inertia(const Scene& scene, const Scalar& theta,
                                      const Scalar& beta) {
   const Losses& lost = scene.world.losses;
-  return lost.any()
-             ? losses::root_of_inertia(scene.body, lost.factor(), theta, beta)
-             : root_of_inertia(scene.body, theta, beta);
+  return lost.any() ? losses::root_of_inertia(
+                          scene.body, lost.factor(scene.body), theta, beta)
+                    : root_of_inertia(scene.body, theta, beta);
 }
 
 /// w where a body is pushed off in the direction β: v₀ √A(θ_m, β).

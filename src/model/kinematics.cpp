@@ -70,13 +70,16 @@ Kinematics moved_by(const Acts& acts, const Body& body, double gravity,
   const double along_track = w - r * state.beta_rate;
   out.kappa_b = state.beta_rate / along_track;
   out.fold_margin = body.rolls() ? along_track / w : 1.0;
+  if (body.fold_ratio != 1.0) {
+    out.fold_margin = (w - body.folding_distance() * state.beta_rate) / w;
+  }
   return out;
 }
 
 }  // namespace
 
 double curvature_of_centre(const Body& body, const Kinematics& motion) {
-  return body.rolls() ? (1.0 - motion.fold_margin) / body.radius
+  return body.rolls() ? (1.0 - motion.fold_margin) / body.folding_distance()
                       : motion.kappa_b;
 }
 
@@ -110,8 +113,9 @@ Kinematics kinematics(const Scene& scene, const PathState& state) {
     const double share = root / root_of_inertia(scene, state.theta, state.beta);
     moving.w *= share;
     moving.beta_rate *= share;
-    taken = lost.factor() * g *
-            losses::load(body, lost.factor(), state.theta, state.beta,
+    const double c = lost.factor(body);
+    taken = c * g *
+            losses::load(body, c, state.theta, state.beta,
                          moved_by(world, body, g, moving).R_n);
   }
   return moved_by(world, body, g, moving);

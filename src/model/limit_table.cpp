@@ -47,7 +47,9 @@ constexpr const char* kStraight = "for with 0 only straight tracks are left";
 
 constexpr LimitEntry kFrictionEntry{
     .key = "scene.limits.friction",
-    .meaning = "μ, coefficient of friction: R_t from −μ R_n to μ R_n",
+    .meaning =
+        "μ, coefficient of friction: R_t from −μ R_n to μ R_n; of a ball "
+        "R_n R/r_e, which its walls press in sum, stands for R_n",
     .unit = "",
     .dimension = {},
     .allowed = Allowed::Positive,
@@ -58,19 +60,20 @@ constexpr LimitEntry kFrictionEntry{
           return BoundInWords{"|R_t|", "≤", mu, "R_n"};
         },
     .slack =
-        [](const Scene&, double mu, Point, const Kinematics& motion) {
-          return mu * motion.R_n - std::abs(motion.R_t);
+        [](const Scene& scene, double mu, Point, const Kinematics& motion) {
+          return mu * scene.body.wall_ratio * motion.R_n - std::abs(motion.R_t);
         },
     .is = [](const Scene&, Kind kind,
              bool) { return kind <= Kind::FrictionBackward; },
     .loosened = [](const Scene&, double mu,
                    double by) { return mu * looser(by); },
     .pose =
-        [](const Body&, const PathLimits& limits, Inequalities& all) {
+        [](const Body& body, const PathLimits& limits, Inequalities& all) {
           if (!limits.friction) return;
           for (const Kind kind :
                {Kind::FrictionForward, Kind::FrictionBackward}) {
-            all.push_back({.kind = kind, .number = *limits.friction});
+            all.push_back(
+                {.kind = kind, .number = *limits.friction * body.wall_ratio});
           }
         },
     .widen =
@@ -252,16 +255,18 @@ constexpr LimitEntry kFloorEntry{
         [](const PathLimits&, double D) {
           return BoundInWords{"floor at z", "=", D, "m"};
         },
-    .slack = [](const Scene& scene, double D, Point centre,
-                const Kinematics&) { return D - scene.body.radius - centre.z; },
+    .slack =
+        [](const Scene& scene, double D, Point centre, const Kinematics&) {
+          return D - scene.body.outer_radius() - centre.z;
+        },
     .is = [](const Scene&, Kind kind, bool) { return kind == Kind::Floor; },
     .loosened = [](const Scene& scene, double D,
                    double by) { return D + by * scene.H; },
     .pose =
         [](const Body& body, const PathLimits& limits, Inequalities& all) {
           if (!limits.floor) return;
-          all.push_back(
-              {.kind = Kind::Floor, .number = *limits.floor - body.radius});
+          all.push_back({.kind = Kind::Floor,
+                         .number = *limits.floor - body.outer_radius()});
         },
     .widen =
         [](const Scene& scene, const FreePath& free, PathInequality& limit) {

@@ -103,17 +103,21 @@ void check_body(const Scene& scene, SceneChecker& check) {
 ///
 ///     Δz − M Δx = H − M L + r (1 − cos(φ − β*))/cos β* ≥ H − M L.
 ///
-/// Either way H ≤ M L.
+/// Either way H ≤ M L. Of a ball it is μ R/r_e that stands for μ.
 void check_grade(const Scene& scene, SceneChecker& check) {
   const double k = scene.body.k;
-  const double least = k / (1.0 + k) * (scene.H / scene.L);
+  const double least =
+      k / (1.0 + k) * (scene.H / scene.L) / scene.body.wall_ratio;
   const double mu = *scene.limits.friction;
   if (mu >= least * (1.0 - kBoundSlack)) return;
-  check.add(kFriction,
-            fmt::format("{} is not allowed: at least (k/(1 + k)) H/L = {}, for "
-                        "the slope of a track on which the body does not slip "
-                        "never exceeds arctan(μ (1 + k)/k), and B lies deeper",
-                        mu, least));
+  check.add(
+      kFriction,
+      fmt::format("{} is not allowed: at least (k/(1 + k)) H/L = {}, for "
+                  "the slope of a track on which the body does not slip "
+                  "never exceeds arctan(μ (1 + k)/k), and B lies "
+                  "deeper{}",
+                  mu, least,
+                  scene.body.ball ? "; of a ball k_e, and μ R/r_e for μ" : ""));
 }
 
 /// Forces at rest, which depend on the direction of the start alone.
@@ -195,6 +199,7 @@ void check_contact(const Scene& scene, SceneChecker& check) {
 void check_floor(const Scene& scene, SceneChecker& check) {
   const double floor = *scene.limits.floor;
   const double r = scene.body.radius;
+  const double R = scene.body.outer_radius();
   const auto refuse = [&](const char* relation, double bound,
                           std::string_view reason) {
     check.add(kFloor, fmt::format("{} m is not allowed: {} {} m, {}", floor,
@@ -203,16 +208,18 @@ void check_floor(const Scene& scene, SceneChecker& check) {
   const bool slope_is_free =
       scene.contact == Contact::Smooth || scene.contact == Contact::Optimal;
   if (slope_is_free && r > 0.0) {
-    if (floor <= scene.H) {
-      return refuse("more than H =", scene.H,
-                    "for a body that stands at B on a slope, however gentle, "
-                    "reaches lower than B");
+    if (floor <= scene.H + (R - r)) {
+      return refuse(
+          scene.body.ball ? "more than H + R − r_e =" : "more than H =",
+          scene.H + (R - r),
+          "for a body that stands at B on a slope, however gentle, "
+          "reaches lower than B");
     }
   } else {
-    const double lowest = scene.contact == Contact::Centre ? r
+    const double lowest = scene.contact == Contact::Centre ? R
                           : slope_is_free
                               ? 0.0
-                              : r * (1.0 - std::cos(*scene.end_slope));
+                              : R - r + r * (1.0 - std::cos(*scene.end_slope));
     const double least = scene.H + lowest;
     if (floor < least - kBoundSlack * (scene.H + r)) {
       return refuse("at least", least, "which the body reaches at B");
@@ -229,7 +236,7 @@ void check_floor(const Scene& scene, SceneChecker& check) {
   const auto slope =
       start_angle_under(scene, inequalities(scene.body, scene.limits));
   if (!slope) return;
-  const double lowest = r * (1.0 - std::cos(*slope));
+  const double lowest = R - r + r * (1.0 - std::cos(*slope));
   if (floor > lowest) return;
   refuse("more than", lowest, "which the body reaches at the start");
 }
@@ -237,7 +244,7 @@ void check_floor(const Scene& scene, SceneChecker& check) {
 /// A and B themselves; whether the body has room there, the solver sees.
 void check_clearance(const Scene& scene, SceneChecker& check) {
   const bool of_centre = scene.contact == Contact::Centre;
-  const double needed = of_centre ? scene.body.radius : 0.0;
+  const double needed = of_centre ? scene.body.outer_radius() : 0.0;
   struct End {
     char name;
     Point at;

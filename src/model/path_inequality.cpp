@@ -21,7 +21,8 @@ double hump_of_centre(const Body& body, const PathLimits& limits) {
     bound /= 1.0 + body.radius * bound;
   }
   if (limits.fold_margin && body.rolls()) {
-    bound = std::min(bound, (1.0 - *limits.fold_margin) / body.radius);
+    bound =
+        std::min(bound, (1.0 - *limits.fold_margin) / body.folding_distance());
   }
   return bound;
 }
@@ -49,12 +50,12 @@ std::vector<PathInequality> inequalities(const Body& body,
   }
   for (const Disc& disc : limits.discs) {
     all.push_back({.kind = Kind::Disc,
-                   .number = disc.radius + body.radius,
+                   .number = disc.radius + body.outer_radius(),
                    .place = disc.centre});
   }
   for (const HalfPlane& plane : limits.half_planes) {
     all.push_back({.kind = Kind::HalfPlane,
-                   .number = body.radius,
+                   .number = body.outer_radius(),
                    .place = plane.point,
                    .normal = {std::cos(plane.normal), std::sin(plane.normal)}});
   }

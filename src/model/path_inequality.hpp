@@ -102,7 +102,7 @@ template <class Scalar>
 braked_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::sin;
   const Body& body = scene.body;
-  const double c = scene.world.losses.factor();
+  const double c = scene.world.losses.factor(body);
   // w and q of ds = w du from those of ds = W du.
   const Scalar root = root_of_inertia(body, at.theta, at.beta);
   const Scalar share = root / root_of_inertia(scene, at.theta, at.beta);
@@ -128,19 +128,19 @@ template <class Scalar>
 /// One inequality lower ≤ value ≤ upper along the path.
 struct PathInequality {
   enum class Kind {
-    FrictionForward,   ///< μ R_n − R_t ≥ 0
+    FrictionForward,   ///< μ R_n − R_t ≥ 0, of a ball μ R/r_e for μ
     FrictionBackward,  ///< μ R_n + R_t ≥ 0
     NormalForce,       ///< R_n
     Hump,              ///< K w − q ≥ 0
     Valley,            ///< K w + q ≥ 0
-    Floor,             ///< D − r − z ≥ 0
+    Floor,             ///< D − R − z ≥ 0
     Disc,              ///< distance from it
     HalfPlane,         ///< distance from it
   };
   Kind kind;
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
-  double number = 0.0;  ///< μ, K, D − r, or R + r, or r
+  double number = 0.0;  ///< μ, K, D − R, of a disc R + radius, or R
   Point place = {};     ///< of a disc or a half-plane
   Point normal = {};    ///< of a half-plane
 
@@ -159,7 +159,9 @@ struct PathInequality {
 
 /// All of a scene's, with bounds on the track's curvature converted to the
 /// centre's: K_v = K/(1 − r K), none if r K ≥ 1, K_h = K/(1 + r K); a fold
-/// margin m is K_h = (1 − m)/r.
+/// margin m is K_h = (1 − m)/r. The body reaches R, which is r but for a ball,
+/// whose walls press with R_n R/r in sum and whose margin is that of its
+/// folding_distance().
 [[nodiscard]] std::vector<PathInequality> inequalities(
     const Body& body, const PathLimits& limits);
 

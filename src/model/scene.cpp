@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "brachisto/model/body.hpp"
 #include "math/angle.hpp"
@@ -29,17 +30,20 @@ void check_bead(const Body& body, SceneChecker& check) {
   absent("scene.body.k", body.k);
 }
 
-void check_cylinder(const Body& body, SceneChecker& check) {
-  check.positive("scene.body.radius", body.radius, " m",
-                 "for the radius of a cylinder is a length");
+/// Of a cylinder, or of a ball in its own numbers.
+void check_rolling(const Body& body, SceneChecker& check) {
+  const char* kind = body.ball ? "ball" : "cylinder";
+  check.positive(
+      "scene.body.radius", body.radius, " m",
+      fmt::format("for the radius of a {} is a length", kind).c_str());
   check.angle("scene.body.theta_m", body.theta_m);
   const double eta = body.eta_m;
   if (check.finite("scene.body.eta_m", eta)) {
     if (eta < 0.0 || eta > 1.0) {
       check.add("scene.body.eta_m",
                 fmt::format("{} is not allowed: 0 ≤ η_m ≤ 1, for the centre of "
-                            "mass lies inside the cylinder",
-                            eta));
+                            "mass lies inside the {}",
+                            eta, kind));
     } else if (eta == 1.0) {
       check.add("scene.body.eta_m",
                 "1 is not allowed: all mass would sit in one point of the rim "
@@ -66,6 +70,57 @@ void check_cylinder(const Body& body, SceneChecker& check) {
               fmt::format("{} is not allowed: k ≤ 1 − η_m² = {} for η_m = {}, "
                           "reached when all mass sits on the rim",
                           body.k, largest_k(eta), eta));
+  }
+}
+
+/// What a ball runs in, and whether it rolls there as is laid down for it.
+void check_ball(const Ball& ball, SceneChecker& check) {
+  constexpr const char* kGauge = "scene.body.rails.gauge";
+  constexpr const char* kRailRadius = "scene.body.rails.radius";
+  constexpr const char* kGroove = "scene.body.groove";
+  constexpr const char* kAngle = "scene.body.groove.angle";
+  if (ball.rail_radius) {
+    if (!ball.gauge) check.add(kGauge, "missing: how far the rails are apart");
+    check.positive(kRailRadius, *ball.rail_radius, " m",
+                   "for the radius of round rails is a length; thin ones have "
+                   "none");
+  }
+  if (ball.gauge) {
+    check.positive(kGauge, *ball.gauge, " m", "for it is between two rails");
+    if (ball.groove) {
+      check.add(kGroove,
+                "not allowed beside rails: a ball runs in one of them");
+    }
+  }
+  if (ball.groove && check.finite(kAngle, *ball.groove) &&
+      !(*ball.groove > 0.0 && *ball.groove < std::numbers::pi)) {
+    check.add(kAngle, fmt::format("{} rad is not allowed: between 0 and π (180 "
+                                  "deg), from wall to wall",
+                                  *ball.groove));
+  }
+  if (!check.sound()) return;
+  const double r = ball.rolling_radius();
+  if (ball.gauge && !(r > 0.0)) {
+    check.add(
+        kGauge,
+        ball.rail_radius
+            ? fmt::format("{} m is not allowed: less than 2 (R + ρ) = {} "
+                          "m, or the ball falls between the rails",
+                          *ball.gauge, 2.0 * (ball.radius + *ball.rail_radius))
+            : fmt::format("{} m is not allowed: less than 2 R = {} m, or "
+                          "the ball falls between the rails",
+                          *ball.gauge, 2.0 * ball.radius));
+  } else if (ball.eta_m * ball.radius >= r) {
+    check.add("scene.body.eta_m",
+              fmt::format("{} is not allowed: less than r_e/R = {}, for what "
+                          "follows is laid down for a centre of mass that "
+                          "stays above the line through the contacts",
+                          ball.eta_m, r / ball.radius));
+  } else if (ball.rail_radius && *ball.gauge <= 2.0 * *ball.rail_radius) {
+    check.add(kGauge, fmt::format("{} m is not allowed: more than 2 ρ = {} m, "
+                                  "for round rails are apart by more than they "
+                                  "are thick",
+                                  *ball.gauge, 2.0 * *ball.rail_radius));
   }
 }
 
@@ -152,10 +207,11 @@ Scene without_whole_turns(const Scene& scene) {
 
 std::vector<SceneError> validate(const Scene& scene) {
   SceneChecker check;
-  check.known("scene.body.shape", scene.body.shape, Shape::Cylinder);
+  check.known("scene.body.shape", scene.body.shape, Shape::Ball);
   check.known("scene.contact", scene.contact, Contact::EndSlope);
   if (scene.body.rolls()) {
-    check_cylinder(scene.body, check);
+    check_rolling(as_stated(scene.body), check);
+    if (scene.body.ball) check_ball(*scene.body.ball, check);
   } else {
     check_bead(scene.body, check);
   }

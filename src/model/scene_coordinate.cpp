@@ -15,7 +15,7 @@ bool has_coordinate(const Scene& scene, SceneCoordinate coordinate) {
 
 Scene moved(const Scene& scene, SceneCoordinate coordinate, double by) {
   Scene out = scene;
-  Body& body = out.body;
+  Body body = as_stated(scene.body);
   const auto move_offset = [&](double x, double z) {
     const double offset_x = body.eta_m * std::cos(body.theta_m) + x;
     const double offset_z = body.eta_m * std::sin(body.theta_m) + z;
@@ -42,6 +42,7 @@ Scene moved(const Scene& scene, SceneCoordinate coordinate, double by) {
       out.H += by;
       break;
   }
+  out.body = as_it_rolls(body);
   return out;
 }
 

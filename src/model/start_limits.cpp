@@ -78,7 +78,7 @@ StartLimits start_limits(const Scene& scene, const PathState& start) {
     const double theta = body.theta_m;
     const double root = root_of_inertia(body, theta, start.beta);
     const auto with = [&](double& force, double per_u) {
-      force = per_u * losses::load(body, scene.world.losses.factor(), theta,
+      force = per_u * losses::load(body, scene.world.losses.factor(body), theta,
                                    start.beta, force);
     };
     with(out.normal_force, 1.0);
@@ -92,8 +92,8 @@ StartLimits start_limits_of_curvature(const Scene& scene,
                                       const PathState& start, double kappa_c) {
   StartLimits out;
   out.normal_force = start_limits(scene, start).normal_force;
-  out.fold_margin = 1.0 - scene.body.radius * kappa_c;
-  out.curvature = kappa_c / out.fold_margin;
+  out.fold_margin = 1.0 - scene.body.folding_distance() * kappa_c;
+  out.curvature = kappa_c / (1.0 - scene.body.radius * kappa_c);
   return out;
 }
 

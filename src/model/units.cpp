@@ -51,6 +51,12 @@ Units natural_units(const Scene& scene) {
 Scene in_units_of(double length, const Scene& scene) {
   Scene scaled = scene;
   scaled.body.radius /= length;
+  if (auto& ball = scaled.body.ball) {
+    ball->radius /= length;
+    for (std::optional<double>* width : {&ball->gauge, &ball->rail_radius}) {
+      if (*width) **width /= length;
+    }
+  }
   scaled.L /= length;
   scaled.H /= length;
   scaled.gravity = 0.5;

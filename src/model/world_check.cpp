@@ -131,14 +131,17 @@ void check_losses(const Scene& scene, SceneChecker& check) {
     check.add(kRolling,
               "not allowed of a bead, which slides; its friction is "
               "scene.losses.sliding");
-  } else if (!losses::bounded(scene.body, lost.factor())) {
+  } else if (!losses::bounded(scene.body, lost.factor(scene.body))) {
     check.add(
         kRolling,
         fmt::format("{} is not allowed: less than √(((1 + η_m² + k)/η_m)² "
                     "− 4), or there are angles at which the load, which "
                     "brakes the body and so swings its centre of mass "
-                    "against the track, has no bound",
-                    lost.rolling));
+                    "against the track, has no bound{}",
+                    lost.rolling,
+                    scene.body.ball ? "; of a ball η_e and k_e, and c R/r_e "
+                                      "for c"
+                                    : ""));
   } else if (!scene.path && limits.normal_min && *limits.normal_min < 0.0) {
     check.add(kLeastForce,
               fmt::format("{} m g is not allowed with scene.losses: 0 or more, "

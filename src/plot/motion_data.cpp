@@ -105,7 +105,7 @@ Box motion_box(const TrajectoryTable& table, const Body& body) {
   const std::vector<double>&x = table["x_c"], &z = table["z_c"];
   Box box{{x[0], z[0]}, {x[0], z[0]}};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    box.include({x[i], z[i]}, body.radius);
+    box.include({x[i], z[i]}, body.outer_radius());
   }
   constexpr double kMargin = 0.06;  // of the larger side, on each side
   const double more = 2.0 * kMargin * std::max(box.width(), box.height());
@@ -129,8 +129,9 @@ std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
   const Body& body = scene.body;
   const PathLimits& limits = scene.limits;
   std::string out = fmt::format(
-      "{{\"body\":{{\"rolls\":{},\"radius\":{},\"eta\":{},\"k\":{}}},\n",
-      body.rolls(), number(body.radius), number(body.eta_m), number(body.k));
+      "{{\"body\":{{\"rolls\":{},\"radius\":{},\"eta\":{},\"k\":{}{}}},\n",
+      body.rolls(), number(body.radius), number(body.eta_m), number(body.k),
+      body.ball ? ",\"walls\":" + number(body.wall_ratio) : "");
   // Where the energy is no sum that stays.
   const bool conserved = !scene.world.changes_rates();
   out += fmt::format(
@@ -247,19 +248,19 @@ report::Figure moving_figure(const Scene& scene, const TrajectoryTable& table) {
   };
   constexpr double kDot =
       3.0;  // [px]: bodies as small as this are drawn as one
-  if (body.radius * scale < kDot) {
+  if (body.outer_radius() * scale < kDot) {
     body_layer("c", " with points pt 7 ps 1.2 lc rgb '#a80f0f'");
   } else {
     body_layer("c",
                fmt::format(":({:.9g}) with circles fc rgb '#d9d9d9' fs solid "
                            "border lc rgb '#333333'",
-                           body.radius));
+                           body.outer_radius()));
     // Two dark quadrants. On the picture angles grow the other way.
     for (const int from : {0, 180}) {
       body_layer("c", fmt::format(":({:.9g}):(-column('theta') - {}):"
                                   "(-column('theta') - {}) with circles fc rgb "
                                   "'#8c8c8c' fs solid noborder",
-                                  0.97 * body.radius, from + 90, from));
+                                  0.97 * body.outer_radius(), from + 90, from));
     }
     if (body.off_centred()) {
       body_layer("cm", " with points pt 7 ps 1 lc rgb '#1f5fa8'");

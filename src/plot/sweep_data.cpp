@@ -86,6 +86,7 @@ std::optional<Json> track_data(const SweepTrack& track) {
   Json out = track.kept;
   out["body"] = {
       {"rolls", body.rolls()}, {"radius", body.radius}, {"eta", body.eta_m}};
+  if (body.ball) out["body"]["walls"] = body.wall_ratio;
   out["box"] = {place_of(box.low), place_of(box.high)};
   out["obstacles"] = Json::array();
   for (const report::Outline& area :

@@ -244,10 +244,12 @@ std::vector<Drawing> assembly(const Edge& edge,
                               const std::vector<DisplacedStretch>& stretches,
                               const Build& build, const SheetFrame& frame) {
   Picture picture(edge, pieces, frame);
-  picture.add_dearest(*std::ranges::max_element(
-      stretches, {}, [](const DisplacedStretch& stretch) {
-        return std::abs(stretch.dearer());
-      }));
+  if (!stretches.empty()) {
+    picture.add_dearest(*std::ranges::max_element(
+        stretches, {}, [](const DisplacedStretch& stretch) {
+          return std::abs(stretch.dearer());
+        }));
+  }
   std::vector<Drawing> out{std::move(picture).drawing()};
   TableSheets tables(frame, out);
   tables.add(table_of_pieces(edge, pieces, sheet_of));

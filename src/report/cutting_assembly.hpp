@@ -19,7 +19,7 @@ namespace brachisto::report::cutting {
 /// piece hangs from A, and what an error costs along the track. Engraved alone.
 ///
 /// \param sheet_of   of each piece, of two strips first those of one
-/// \param stretches  times as built, one or more
+/// \param stretches  times as built; none: nothing is told of errors
 [[nodiscard]] std::vector<Drawing> assembly(
     const Edge& edge, const std::vector<Piece>& pieces,
     const std::vector<int>& sheet_of,

@@ -294,7 +294,7 @@ std::vector<Part> track_parts(const Edge& edge,
 std::vector<Part> body_parts(const Body& body, double start_angle,
                              std::span<const MassPart> made_of,
                              const Build& build) {
-  if (!body.rolls()) return {};
+  if (!body.rolls() || body.ball) return {};
   const double r = build.per_metre() * body.radius;
   const double letter = std::clamp(r / 8.0, kLeastLetter, kLargestLetter);
   Part disc = disc_part("disc", r, build);

@@ -37,8 +37,10 @@ std::string scale_in_words(double scale) {
 
 std::string body_in_words(const Body& body, const Build& build) {
   if (!body.rolls()) return "a bead";
-  std::string out = fmt::format("a cylinder of radius {:.5g} mm, k = {:.4g}",
-                                build.per_metre() * body.radius, body.k);
+  const Body stated = as_stated(body);
+  std::string out = fmt::format("a {} of radius {:.5g} mm, k = {:.4g}",
+                                body.ball ? "ball" : "cylinder",
+                                build.per_metre() * stated.radius, stated.k);
   if (body.off_centred()) {
     fmt::format_to(std::back_inserter(out),
                    ", its centre of mass {:.4g} mm from the axis, {:.4g} "
@@ -133,8 +135,8 @@ std::vector<std::string> facts(const Solution& solution, const Build& build,
                               grip_in_words(solution.diagnostics->least_grip)));
   }
   out.push_back(load_in_words(*solution.diagnostics, build));
-  out.push_back(care_in_words(stretches, build));
-  if (scene.body.rolls()) {
+  if (!stretches.empty()) out.push_back(care_in_words(stretches, build));
+  if (scene.body.rolls() && !scene.body.ball) {
     out.push_back(discs_in_words(scene.body, build));
   }
   return out;
@@ -149,6 +151,23 @@ std::vector<DisplacedStretch> stretches_of(const Motion& motion,
     stretch.lowered *= time_scale(build);
   }
   return out;
+}
+
+/// The edges of two strips are thin rails.
+void check_rails(const Build& build, const Ball& ball) {
+  if (!ball.gauge || ball.rail_radius) {
+    throw TemplateError(
+        "sheets give a ball the edges of two strips to run on, and that of the "
+        "scene runs on something else; they are for thin rails");
+  }
+  const double gauge = build.per_metre() * *ball.gauge;
+  constexpr double kAsStated = 1e-6;
+  if (!build.gauge || std::abs(*build.gauge - gauge) > kAsStated * gauge) {
+    throw TemplateError(fmt::format(
+        "the rails of the ball are {0:.6g} mm apart; --rails {0:.6g} has the "
+        "strips so",
+        gauge));
+  }
 }
 
 }  // namespace
@@ -166,6 +185,7 @@ void check_build(const Build& build, const Scene& scene) {
         "in air, or in the field of a sphere, a model rolls otherwise than its "
         "scene; --scale is 1:1 there");
   }
+  if (scene.body.ball) return check_rails(build, *scene.body.ball);
   const double across = 2.0 * build.per_metre() * scene.body.radius;
   const double most = std::min(build.width, build.height) - 2.0 * kMargin;
   if (across > most) {

@@ -183,7 +183,7 @@ class Picture {
     Box box{rows_.front().centre, rows_.front().centre};
     for (const TrajectoryPoint& row : rows_) {
       box.include(row.motion.contact, 0.0);
-      box.include(row.centre, body_.radius);
+      box.include(row.centre, body_.outer_radius());
     }
     // Of what is in the way so much that one sees it.
     const double more = 0.16 * std::max(box.width(), box.height());
@@ -329,13 +329,13 @@ class Picture {
           forbidden);
       forbidden = "";
     }
-    const bool dots = marks && body_.radius * frame_.scale < kDot;
+    const bool dots = marks && body_.outer_radius() * frame_.scale < kDot;
     const std::string times = fmt::format("every T/{}", kTimeSteps);
     if (!dots) {
       item(bodies, "c",
            fmt::format(":({:.9g}) with circles fc rgb '#bbbbbb' fs transparent "
                        "solid 0.25 border lc rgb '#777777'",
-                       body_.radius),
+                       body_.outer_radius()),
            "body, " + times);
     }
     bands(item);

@@ -43,7 +43,7 @@ std::optional<Enlarged> enlarged(const Motion& motion,
   // A little more than the frame shows.
   constexpr double kMore = 1.3;
   Box box{at.centre, at.centre};
-  box.include(at.centre, body.radius);
+  box.include(at.centre, body.outer_radius());
   std::vector<TrajectoryPoint> piece;
   for (const TrajectoryPoint& p : rows) {
     if (std::abs(p.s - middle) > kMore * half) continue;

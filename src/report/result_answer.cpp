@@ -87,7 +87,8 @@ Fields<Solution> diagnostics_fields() {
                 &D::least_grip,
                 {{"share_of_time", "", "of T", &LeastGrip::share_of_time},
                  {"mu", "",
-                  "greatest R_t/R_n from there on, in absolute value; null: no "
+                  "greatest R_t/R_n from there on, in absolute value, of a "
+                  "ball with R_n R/r_e for R_n; null: no "
                   "friction would "
                   "do, as where R_n → 0 and R_t does not, at a start from rest",
                   &LeastGrip::mu}})}),
@@ -106,6 +107,25 @@ Fields<Solution> diagnostics_fields() {
           {"fold_margin", "", "smallest 1 − r κ_c; the track folds at 0",
            [](const D& d) { return d.min_fold_margin.value; }}),
       {"estimated_error", "", "relative, of T", &Solution::estimated_error}};
+}
+
+/// No key but of a ball.
+Field<Solution> rolls_as_field() {
+  Field<Solution> field = object<Solution>(
+      "rolls_as", "",
+      "the cylinder that rolls like the ball; no key of other bodies",
+      [](const Solution& s) {
+        return s.scene.body.ball ? &s.scene.body : nullptr;
+      },
+      {{"r_e", "m", "distance of the axis from the contacts", &Body::radius},
+       {"eta_e", "", "η_m R/r_e", &Body::eta_m},
+       {"k_e", "", "k (R/r_e)²", &Body::k},
+       {"walls", "",
+        "R/r_e: what the walls press in sum, over R_n; friction, grip and "
+        "rolling resistance are told of it",
+        &Body::wall_ratio}});
+  field.may_lack = true;
+  return field;
 }
 
 /// Of the answer, as are its numbers; no key of a scene without limits.
@@ -255,12 +275,12 @@ Fields<ProgramSize> size_fields() {
 }  // namespace
 
 Fields<Solution> answer_fields() {
-  return joined<Solution>(
-      {of_part<Solution>(answer_of, motion_fields()),
-       diagnostics_fields(),
-       {limits_field(), relaxed_field(), sensitivities_field()},
-       of_part<Solution>(&Solution::program, size_fields()),
-       {mesh_field()}});
+  return joined<Solution>({of_part<Solution>(answer_of, motion_fields()),
+                           diagnostics_fields(),
+                           {limits_field(), relaxed_field(),
+                            sensitivities_field(), rolls_as_field()},
+                           of_part<Solution>(&Solution::program, size_fields()),
+                           {mesh_field()}});
 }
 
 }  // namespace brachisto::report

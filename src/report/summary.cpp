@@ -173,7 +173,7 @@ void add_sensitivities(std::string& out, const Solution& solution) {
     std::string words;
   };
   const Change changes[] = {
-      {SceneParameter::EtaM, length / scene.body.radius,
+      {SceneParameter::EtaM, length / scene.body.outer_radius(),
        piece + " more offset (η_m)"},
       {SceneParameter::ThetaM, std::numbers::pi / 180.0, "1° more θ_m"},
       {SceneParameter::K, 0.01, "0.01 more k"},

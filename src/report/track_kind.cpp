@@ -25,6 +25,30 @@ std::string with_unit(double number, std::string_view unit) {
              : fmt::format("{:.6g} {}", number, unit);
 }
 
+/// "ball R = 0.008 m on rails 0.01 m apart, r = …, η_m = …, …".
+std::string body_in_words(const Body& body) {
+  if (!body.rolls()) return "bead";
+  std::string text = "cylinder ";
+  if (body.ball) {
+    const Ball& ball = *body.ball;
+    text = fmt::format("ball R = {:.6g} m", ball.radius);
+    if (ball.gauge) {
+      text += ball.rail_radius ? fmt::format(" on round rails of {:.6g} m",
+                                             *ball.rail_radius)
+                               : " on rails";
+      text += fmt::format(", {:.6g} m apart", *ball.gauge);
+    } else if (ball.groove) {
+      text += fmt::format(" in a groove of {:.6g}°",
+                          math::in_degrees(*ball.groove));
+    }
+    text += ", which rolls with ";
+  }
+  return text +
+         fmt::format("r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, k = {:.6g}",
+                     body.radius, body.eta_m, math::in_degrees(body.theta_m),
+                     body.k);
+}
+
 /// " at A of a sphere of 8 m about (1, 10), v_0 = 1 m/s"; "" if ordinary.
 std::string world_in_words(const World& world) {
   std::string text;
@@ -80,14 +104,7 @@ std::string_view track_kind(const Scene& scene) {
 }
 
 std::string in_words(const Scene& scene) {
-  const Body& body = scene.body;
-  std::string text =
-      body.rolls()
-          ? fmt::format(
-                "cylinder r = {:.6g} m, η_m = {:.6g}, θ_m = {:.6g}°, "
-                "k = {:.6g}",
-                body.radius, body.eta_m, math::in_degrees(body.theta_m), body.k)
-          : std::string("bead");
+  std::string text = body_in_words(scene.body);
   text += fmt::format("; L = {:.6g} m, H = {:.6g} m, g = {:.6g} m/s²", scene.L,
                       scene.H, scene.gravity);
   text += world_in_words(scene.world);

@@ -23,7 +23,7 @@ namespace {
 struct Miss {
   const StatedLimit* limit = nullptr;
   double slack = std::numeric_limits<double>::infinity();
-  double friction = 0.0;  ///< the largest |R_t|/R_n; ∞ where R_n ≤ 0
+  double friction = 0.0;  ///< the largest μ needed; ∞ where R_n ≤ 0
 };
 
 Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
@@ -33,6 +33,7 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
   const std::size_t i = blocking.index;
   int index = 0;
   for (std::size_t k = i; k > 0 && all[k - 1].kind == all[i].kind; --k) ++index;
+  const double wall_ratio = motion.scene().body.wall_ratio;
   Miss miss;
   for (const StatedLimit& limit : limits) {
     if (!limit.is(all[i].kind, index, true) &&
@@ -46,10 +47,11 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
         miss.slack = slack;
         miss.limit = &limit;
       }
-      miss.friction = std::max(miss.friction,
-                               at.motion.R_n > 0.0
-                                   ? std::abs(at.motion.R_t) / at.motion.R_n
-                                   : std::numeric_limits<double>::infinity());
+      miss.friction =
+          std::max(miss.friction,
+                   at.motion.R_n > 0.0
+                       ? std::abs(at.motion.R_t) / (wall_ratio * at.motion.R_n)
+                       : std::numeric_limits<double>::infinity());
     }
   }
   return miss;

@@ -158,7 +158,7 @@ std::optional<Sensitivities> sensitivities(const Solution& solution,
     }
   }
   Sensitivities out{by, {by[0], by[1]}, {}, {}, rates->contact_response()};
-  const Body& body = solution.scene.body;
+  const Body body = as_stated(solution.scene.body);
   const double c = std::cos(body.theta_m), s = std::sin(body.theta_m);
   for (double TimeDerivatives::*of :
        {&TimeDerivatives::tau, &TimeDerivatives::transit_time,

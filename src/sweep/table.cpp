@@ -144,10 +144,11 @@ std::vector<SweepConstant> constants(const io::SweepFile& file) {
   const Scene scene = file.problem(0).scene;
   std::vector<SweepConstant> out;
   if (scene.body.rolls()) {
-    out = {{"scene.body.radius", scene.body.radius},
-           {"scene.body.eta_m", scene.body.eta_m},
-           {"scene.body.theta_m", scene.body.theta_m},
-           {"scene.body.k", scene.body.k}};
+    const Body body = as_stated(scene.body);
+    out = {{"scene.body.radius", body.radius},
+           {"scene.body.eta_m", body.eta_m},
+           {"scene.body.theta_m", body.theta_m},
+           {"scene.body.k", body.k}};
   }
   out.push_back({"scene.finish.L", scene.L});
   out.push_back({"scene.finish.H", scene.H});

@@ -101,7 +101,7 @@ void check_energy(const LimitedCurve& curve, double threshold,
       const double ds =
           rule.weights[i] * mesh.length(e) * curve.rolling_time() * at.w;
       lost += ds * (drag(world.air, speed(at)) +
-                    world.losses.factor() * scene.gravity *
+                    world.losses.factor(scene.body) * scene.gravity *
                         contact_force(scene, at).normal);
     }
     const TurningPoint<double> at = curve.at(e, 1.0).state;

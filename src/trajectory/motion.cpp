@@ -23,7 +23,8 @@ namespace {
 /// Friction needed beyond μ R_n. Where a limit holds it at just that it is not:
 /// |R_t| − μ R_n ≤ ε is to what limits are kept.
 double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
-  const double beyond = std::abs(at.motion.R_t) - mu * at.motion.R_n;
+  const double beyond = std::abs(at.motion.R_t) -
+                        mu * motion.scene().body.wall_ratio * at.motion.R_n;
   return motion.scene().limits.friction ? beyond - kForceKept : beyond;
 }
 
@@ -70,7 +71,8 @@ double time_above(const Motion& motion, const TrajectoryPoint& from,
   return after ? to.t - t : t - from.t;
 }
 
-/// Share of the transit time on which not |R_t| ≤ μ R_n.
+/// Share of the transit time on which not |R_t| ≤ μ R_n, of a ball with what
+/// its walls press, R_n R/r_e, in place of R_n.
 ///
 /// \param rows  so close that |R_t| − μ R_n has at most one extreme between
 ///              neighbours, the first one the start, the last one the end;
@@ -129,27 +131,32 @@ double less_curvature(const TrajectoryPoint& p) {
 double fold_margin(const TrajectoryPoint& p) {
   return p.motion.fold_margin;
 }
-/// −ρ with the friction angle ρ = atan2(|R_t|, R_n).
-double less_friction_angle(const TrajectoryPoint& p) {
-  return -std::atan2(std::abs(p.motion.R_t), p.motion.R_n);
+/// −ρ with the friction angle ρ = atan2(|R_t|, R_n), R_n standing for what the
+/// walls of a ball press.
+double less_friction_angle(const TrajectoryPoint& p, double wall_ratio) {
+  return -std::atan2(std::abs(p.motion.R_t), wall_ratio * p.motion.R_n);
 }
 /// The same where a limit |R_t| ≤ μ R_n on friction is kept to ε, as
 /// |R_t| ≤ μ R_n + ε = μ (R_n + ε/μ): R_n is known to no more than ε/μ, and
 /// the least angle that it may have is asked for. It is at most that of μ, also
 /// where both forces vanish but for rounding, where atan2 of them says nothing.
 /// Where the limit is not kept nothing is taken off.
-Figure less_friction_angle_under(double mu) {
-  return [mu](const TrajectoryPoint& p) {
+Figure less_friction_angle_under(double mu, double wall_ratio) {
+  return [=](const TrajectoryPoint& p) {
     const double R_t = std::abs(p.motion.R_t);
-    const double there_is = mu * p.motion.R_n + kForceKept;
+    const double there_is = mu * wall_ratio * p.motion.R_n + kForceKept;
     // Written so that a NaN stays.
     return R_t <= there_is ? -std::atan2(mu * R_t, there_is)
-                           : less_friction_angle(p);
+                           : less_friction_angle(p, wall_ratio);
   };
 }
 Figure less_friction_angle_of(const Motion& motion) {
   const std::optional<double> mu = motion.scene().limits.friction;
-  return mu ? less_friction_angle_under(*mu) : less_friction_angle;
+  const double wall_ratio = motion.scene().body.wall_ratio;
+  if (mu) return less_friction_angle_under(*mu, wall_ratio);
+  return [=](const TrajectoryPoint& p) {
+    return less_friction_angle(p, wall_ratio);
+  };
 }
 
 /// The samples of a path, narrower next to the start, where forces rise from
@@ -228,7 +235,9 @@ double friction_angle_at_start(const Motion& motion, const Rows& rows) {
   TrajectoryPoint start = rows.front();
   start.motion.R_n = motion.at_start().normal_force;
   if (start.motion.R_n == 0.0 && motion.scene().body.k == 0.0) {
-    return less_friction_angle(rows[2]) - 2.0 * less_friction_angle(rows[1]);
+    const double ratio = motion.scene().body.wall_ratio;
+    return less_friction_angle(rows[2], ratio) -
+           2.0 * less_friction_angle(rows[1], ratio);
   }
   return -less_friction_angle_of(motion)(start);
 }

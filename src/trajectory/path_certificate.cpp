@@ -46,11 +46,11 @@ double energy_drift(const PrescribedMotion& motion) {
   };
   // Along the way of the centre. Where nothing brakes no speed matters to it.
   const auto force = [&](const TrajectoryPoint& at) {
-    return world.brakes()
-               ? -(drag(world.air, at.motion.v_c) +
-                   world.losses.factor() * scene.gravity * at.motion.R_n)
-               : speed_gain(scene, at.centre.x, at.centre.z, at.theta, 0.0,
-                            at.beta, 1.0);
+    return world.brakes() ? -(drag(world.air, at.motion.v_c) +
+                              world.losses.factor(scene.body) * scene.gravity *
+                                  at.motion.R_n)
+                          : speed_gain(scene, at.centre.x, at.centre.z,
+                                       at.theta, 0.0, at.beta, 1.0);
   };
   const TrajectoryPoint& start = cells.front();
   double forced = 0.0, worst = 0.0;

@@ -26,7 +26,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
   using At = const TrajectoryPoint&;
   using Kind = PathInequality::Kind;
   const PathLimits& limits = scene.limits;
-  const double r = scene.body.radius;
+  const double R = scene.body.outer_radius();
   const Units units = natural_units(scene);
   const auto kept = std::make_shared<const Scene>(scene);
   std::vector<StatedLimit> all;
@@ -52,7 +52,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
                    [=](At p) {
                      return std::hypot(p.centre.x - disc.centre.x,
                                        p.centre.z - disc.centre.z) -
-                            disc.radius - r;
+                            disc.radius - R;
                    },
                    [=](Kind kind, int index, bool) {
                      return kind == Kind::Disc && index == static_cast<int>(i);
@@ -68,7 +68,7 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
          std::nullopt, std::nullopt,
          [=](At p) {
            return (p.centre.x - plane.point.x) * n.x +
-                  (p.centre.z - plane.point.z) * n.z - r;
+                  (p.centre.z - plane.point.z) * n.z - R;
          },
          [=](Kind kind, int index, bool) {
            return kind == Kind::HalfPlane && index == static_cast<int>(i);

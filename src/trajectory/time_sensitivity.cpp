@@ -24,7 +24,8 @@ using Jet = math::Jet1<double, 1 + kNumbers>;
 /// v̇ at a point of a step.
 Jet acceleration_jet(const PrescribedMotion& motion,
                      const PrescribedMotion::Step& step, std::size_t point) {
-  constexpr int kLoss = 1 + static_cast<int>(MotionNumber::Loss);
+  constexpr std::size_t kLoss =
+      1 + static_cast<std::size_t>(MotionNumber::Loss);
   constexpr std::size_t kInertia =
       1 + static_cast<std::size_t>(MotionNumber::Inertia);
   const Scene& scene = motion.scene();
@@ -39,9 +40,10 @@ Jet acceleration_jet(const PrescribedMotion& motion,
   at.v_kappa = at.v * (place.turning / place.speed);
   at.A = inertia_factor(scene.body, theta, place.beta);
   at.A.gradient[kInertia] = 1.0;  // A = k + …
-  return acceleration_with_losses(
-      scene, at, Jet::variable(scene.world.losses.factor(), kLoss),
-      acceleration_without_losses(scene, at));
+  Jet c(scene.world.losses.factor(scene.body));
+  c.gradient[kLoss] = scene.body.wall_ratio;
+  return acceleration_with_losses(scene, at, c,
+                                  acceleration_without_losses(scene, at));
 }
 
 }  // namespace

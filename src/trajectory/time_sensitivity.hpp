@@ -15,7 +15,7 @@ namespace brachisto {
 
 /// What a motion on a given path depends on and its path does not.
 enum class MotionNumber {
-  Loss,     ///< c, or μ of a bead: Losses::factor()
+  Loss,     ///< c, or μ of a bead
   Inertia,  ///< k
 };
 inline constexpr std::size_t kMotionNumbers = 2;

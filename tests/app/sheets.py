@@ -5,7 +5,7 @@
 
     sheets.py BRACHISTO PROBLEMS
 
-Of each scene of problems/build, with and without rails, and of two coasters: units, layers and sizes are as
+Of each scene of problems/build, with and without rails, a ball with its own, and of two coasters: units, layers and sizes are as
 docs/building.md says, and pieces joined, each turned until the word "level" on it is level, are as
 long as the track of the result and end at B. Without ezdxf it ends with 77, which skips the test; tests/report reads the same text by its own reader.
 """
@@ -126,7 +126,13 @@ def check(command, problem, flags, sheet, scale, wrong):
 def main():
     command, problems = sys.argv[1], pathlib.Path(sys.argv[2])
     wrong = []
+    ball = problems / "build/ball_on_rails.yaml"
+    of_ball = ["--strip", "30", "--hole", "4", "--rails"]
+    check(command, ball, [*of_ball, "10"], (297, 210), "1:1", wrong)
+    check(command, ball, [*of_ball, "5"], (297, 210), "1:2", wrong)
     for problem in sorted((problems / "build").glob("*.yaml")):
+        if problem == ball:
+            continue
         check(command, problem, [], (600, 400), "1:1", wrong)
         check(command, problem, ["--rails", "15", "--strip", "30", "--hole", "4"],
               (297, 210), "1:1", wrong)

@@ -37,7 +37,7 @@ namespace brachisto::testing {
 /// t after the length s on an incline: √(2 s (1 + k)/(g (sin β − c cos β))).
 [[nodiscard]] inline double time_on_incline(const Scene& scene, double s) {
   const double slope = std::atan2(scene.H, scene.L);
-  const double c = scene.world.losses.factor();
+  const double c = scene.world.losses.factor(scene.body);
   const double pull = scene.gravity * (std::sin(slope) - c * std::cos(slope));
   return std::sqrt(2.0 * s * (1.0 + scene.body.k) / pull);
 }
@@ -61,7 +61,7 @@ struct Arc {
 [[nodiscard]] inline double time_on_arc(const Scene& scene, double s) {
   const Arc arc(scene);
   const double inertia = 1.0 + scene.body.k;
-  const double c = scene.world.losses.factor();
+  const double c = scene.world.losses.factor(scene.body);
   const double lambda = 2.0 * c / inertia;
   const double K = 2.0 * arc.radius * scene.gravity / inertia;
   const double P = K * (lambda + c) / (1.0 + lambda * lambda);

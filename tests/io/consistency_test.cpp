@@ -51,7 +51,7 @@ TEST(Consistency, StraightPiecesSayHowManyATightToleranceWouldTake) {
 TEST(Consistency, CylindersNeedRadiusAndInertia) {
   EXPECT_EQ(errors(cylinder("eta_m: 1/2")),
             "p.yaml:3:3: scene.body.radius: missing; expected a number in m, "
-            "> 0 (r, radius of the cylinder)\n"
+            "> 0 (r, radius of the cylinder; of a ball R)\n"
             "p.yaml:3:3: scene.body.k: missing; expected a number, "
             "0 ≤ k ≤ 1 − η_m² (k = I_cm/(m r²), moment of inertia about the "
             "centre of mass)");

@@ -16,8 +16,8 @@ TEST(StrictKeys, UnknownOnesAreRefusedWithTheNearestKnown) {
   EXPECT_EQ(
       errors(cylinder("raduis: 1/3, radius: 1/3, k: 1/2")),
       "p.yaml:3:27: scene.body.raduis: unknown key; allowed in "
-      "scene.body: shape, radius, eta_m, theta_m, k, parts, mass; did you mean "
-      "radius?");
+      "scene.body: shape, radius, eta_m, theta_m, k, inertia, rails, groove, "
+      "parts, mass; did you mean radius?");
   EXPECT_EQ(
       errors(kBead + "viscosity: 0.3\n"),
       "p.yaml:2:1: viscosity: unknown key; allowed at the top level: "
@@ -58,8 +58,9 @@ TEST(StrictKeys, RequiredOnesAreMissed) {
   EXPECT_EQ(errors("scene:\n  finish:\n    L: 3\n  body: {}\n"),
             "p.yaml:2:3: scene.finish.H: missing; expected a number in m, > 0 "
             "(H, drop from A to B)\n"
-            "p.yaml:4:3: scene.body.shape: missing; expected cylinder or bead "
-            "(a cylinder rolls without slip, a bead slides)");
+            "p.yaml:4:3: scene.body.shape: missing; expected cylinder or ball "
+            "or bead (a cylinder rolls without slip, a ball likewise, a bead "
+            "slides)");
 }
 
 TEST(StrictKeys, ReservedOnesAreNotCalledUnknown) {

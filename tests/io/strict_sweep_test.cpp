@@ -206,7 +206,8 @@ TEST(StrictSweep, AllMistakesAreReportedAtOnce) {
                         "  scene.body.radius: [0.2, x]\n"
                         "  scene.body.eta: [0]\n"),
       "p.yaml:2:27: scene.body.raduis: unknown key; allowed in scene.body: "
-      "shape, radius, eta_m, theta_m, k, parts, mass; did you mean radius?\n"
+      "shape, radius, eta_m, theta_m, k, inertia, rails, groove, parts, mass; "
+      "did you mean radius?\n"
       "p.yaml:3:21: scene.finish.H: -1 m is not allowed: it must be > 0, for B "
       "lies below A (z points down)\n"
       "p.yaml:5:28: sweep.scene.body.radius: \"x\" is not a number: \"x\" has "

@@ -127,7 +127,7 @@ TEST(StrictValues, OtherVersionsAreRefused) {
 TEST(StrictValues, WordsGetTheNearestKnown) {
   EXPECT_EQ(errors("scene: {body: {shape: baed}, finish: {L: 3, H: 1}}\n"),
             "p.yaml:1:23: scene.body.shape: \"baed\" was read; expected "
-            "cylinder or bead; did you mean bead?");
+            "cylinder or ball or bead; did you mean bead?");
   EXPECT_EQ(errors_with("solver", "method", "IPOPT"),
             "p.yaml:3:11: solver.method: \"IPOPT\" was read; expected ipopt "
             "or newton_kkt or extremal or fsolve; did you mean ipopt?");

@@ -71,7 +71,7 @@ TEST(SweepScenes, ConsistencyHoldsInEach) {
                               "sweep: {scene.body.shape: [bead, cylinder]}\n"),
             "p.yaml:1:9: scene.body.radius: scene 1 (scene.body.shape = "
             "cylinder): missing; expected a number in m, > 0 (r, radius of the "
-            "cylinder)\n"
+            "cylinder; of a ball R)\n"
             "p.yaml:1:9: scene.body.k: scene 1 (scene.body.shape = cylinder): "
             "missing; expected a number, 0 ≤ k ≤ 1 − η_m² (k = I_cm/(m r²), "
             "moment of inertia about the centre of mass)");

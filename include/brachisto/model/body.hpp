@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The rolling body: a bead that slides, or a cylinder that rolls without slip
-/// and whose centre of mass may lie off its axis; and what it is made of.
+/// The rolling body: a bead that slides, or a cylinder or ball that rolls
+/// without slip and whose centre of mass may lie off its axis; and what it is
+/// made of.
 
 #pragma once
 
@@ -23,12 +24,40 @@ struct Point {
 };
 
 /// Shape of the body. A bead is a point mass that slides without friction.
-enum class Shape { Bead, Cylinder };
+enum class Shape { Bead, Cylinder, Ball };
+
+/// A ball in its own numbers, and what it runs in: two rails, a groove, or a
+/// plain track. It rolls like a cylinder, whose numbers Body has; section 17 of
+/// docs/theory.md.
+struct Ball {
+  double radius = 0.0;  ///< R [m]
+  double eta_m = 0.0;  ///< offset of the centre of mass in the middle plane, in
+                       ///< R [-]
+  double k = 0.0;      ///< I_cm / (m R²) [-]
+  /// b [m]: between the edges of thin rails, or between the axes of round ones.
+  std::optional<double> gauge = {};
+  std::optional<double> rail_radius = {};  ///< ρ of round rails [m]; none: thin
+  std::optional<double> groove = {};       ///< 2γ between the walls [rad]
+
+  /// r_e [m], the distance of its axis from the line through its contacts:
+  ///
+  ///     √(R² − b²/4),  with round rails b R/(R + ρ) in place of b,
+  ///     R sin γ in a groove;
+  ///
+  /// NaN where it falls between its rails.
+  [[nodiscard]] double rolling_radius() const;
+  /// Distance of its centre from what folds first where the path is a hump [m]:
+  /// r_e, with round rails that of the plane of their axes, in a groove that of
+  /// the bottom, R/sin γ.
+  [[nodiscard]] double folding_distance() const;
+};
 
 /// Mass distribution of the body, section "Governing Equations" of the paper.
 ///
 /// A bead has radius, offset and inertia zero, which turns every formula for a
-/// cylinder into the formula for the bead.
+/// cylinder into the formula for the bead. A ball has the numbers of the
+/// cylinder that rolls alike: r_e, η_e = η_m R/r_e and k_e = k (R/r_e)², which
+/// may be above 1.
 struct Body {
   Shape shape = Shape::Cylinder;
   double radius = 0.0;   ///< r [m]
@@ -36,21 +65,37 @@ struct Body {
   double theta_m = 0.0;  ///< θ_m, its angle at the start, from +x towards +z
                          ///< (downwards) [rad]
   double k = 0.0;        ///< I_cm / (m r²) [-]
-  std::optional<double> mass;  ///< m [kg]; only turns forces into newtons
+  std::optional<double> mass = {};  ///< m [kg]; only turns forces into newtons
+  /// R/r_e of a ball: how far it reaches beyond what it rolls on, and how much
+  /// more than R_n the walls press, in sum.
+  double wall_ratio = 1.0;
+  double fold_ratio = 1.0;        ///< of a ball, folding_distance()/r_e
+  std::optional<Ball> ball = {};  ///< in its own numbers
 
-  [[nodiscard]] static Body bead() {
-    return {Shape::Bead, 0.0, 0.0, 0.0, 0.0, std::nullopt};
-  }
+  [[nodiscard]] static Body bead() { return {.shape = Shape::Bead}; }
   [[nodiscard]] static Body cylinder(double radius, double eta_m,
                                      double theta_m, double k) {
-    return {Shape::Cylinder, radius, eta_m, theta_m, k, std::nullopt};
+    return {.radius = radius, .eta_m = eta_m, .theta_m = theta_m, .k = k};
   }
+  [[nodiscard]] static Body rolling_ball(const Ball& ball, double theta_m);
 
   /// True if the body turns as it moves, so that θ has a meaning.
-  [[nodiscard]] bool rolls() const { return shape == Shape::Cylinder; }
+  [[nodiscard]] bool rolls() const { return shape != Shape::Bead; }
   /// True if the motion depends on θ; otherwise A is constant and θ drops out.
   [[nodiscard]] bool off_centred() const { return rolls() && eta_m != 0.0; }
+  /// Of what floor and obstacles see [m].
+  [[nodiscard]] double outer_radius() const { return radius * wall_ratio; }
+  /// Of what folds first, seen from the centre [m].
+  [[nodiscard]] double folding_distance() const { return radius * fold_ratio; }
 };
+
+/// The body with r, η_m and k in its own numbers: those of a ball in place of
+/// those that it rolls with.
+[[nodiscard]] Body as_stated(Body body);
+
+/// The other way round: a ball from r, η_m and k in its own numbers, and from
+/// what it runs in.
+[[nodiscard]] Body as_it_rolls(const Body& stated);
 
 /// A piece of a body in the plane of its motion, places as seen from the axis
 /// of the cylinder, in any unit of length and any unit of mass.
@@ -81,7 +126,8 @@ struct MassPart {
 };
 
 /// 1 − η_m², the largest k that a body with this offset can have: that of one
-/// whose mass all sits on the rim.
+/// whose mass all sits on the rim. Of a ball in its own numbers it is the same,
+/// the rim being the great circle in the middle plane.
 [[nodiscard]] inline double largest_k(double eta_m) {
   return (1.0 - eta_m) * (1.0 + eta_m);
 }

@@ -106,9 +106,10 @@ inline constexpr double kLargestAngle = 1e6;
 ///   r > 0, 0 ≤ η_m < 1, 0 ≤ k ≤ 1 − η_m² (with kBoundSlack), L > 0, H > 0,
 ///   g > 0, mass > 0 if given, each of them but k in [kSmallestQuantity,
 ///   kLargestQuantity] unless zero, angles up to kLargestAngle, a bead without
-///   any other key. η_m = 1 (which leaves k = 0) is refused because A = 1 +
-///   η_m² + k − 2 η_m sin(θ − β) then vanishes whenever the mass point touches
-///   the track.
+///   any other key; of a ball these hold of its own numbers, and it does not
+///   fall between its rails or dip with its centre of mass below its contacts.
+///   η_m = 1 (which leaves k = 0) is refused because A = 1 + η_m² + k − 2 η_m
+///   sin(θ − β) then vanishes whenever the mass point touches the track.
 ///
 /// \return all violations, empty if the scene is well formed. A well-formed
 ///         scene may still have no admissible path, or none that is found; see

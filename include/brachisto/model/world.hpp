@@ -39,10 +39,15 @@ struct Air {
 /// paths keep R_n ≥ 0.
 struct Losses {
   double sliding = 0.0;  ///< μ, Coulomb friction of a bead: the force μ R_n
-  double rolling = 0.0;  ///< c, of what rolls: the moment c r R_n
+  /// c, of what rolls: the moment c r R_n, of a ball c R R_n with its own
+  /// radius
+  double rolling = 0.0;
 
-  /// Power per g R_n v_c: of either, for a body has but one of them.
-  [[nodiscard]] double factor() const { return sliding + rolling; }
+  /// Power per g R_n v_c: of either, for a body has but one of them. c of a
+  /// ball is told of what its walls press in sum.
+  [[nodiscard]] double factor(const Body& body) const {
+    return sliding + rolling * body.wall_ratio;
+  }
   [[nodiscard]] bool any() const { return sliding != 0.0 || rolling != 0.0; }
 };
 
@@ -179,7 +184,7 @@ inline constexpr WorldParameter kWorldParameters[] = {
      kTrackBrakes,
      [](World& w) { return &w.losses.sliding; }},
     {"scene.losses.rolling",
-     "c, rolling resistance of a cylinder: its moment is c r R_n",
+     "c, rolling resistance of what rolls: its moment is c r R_n",
      "",
      {},
      Allowed::NotNegative,

@@ -26,7 +26,7 @@ function layOut() {
   const useLens = byId("use-lens");
   if (useLens.dataset.touched === undefined) {
     const small = 0.025 * Math.max(box[1][0] - box[0][0], box[1][1] - box[0][1]);
-    useLens.checked = body.rolls && body.radius < small;
+    useLens.checked = body.rolls && Motion.outerRadius(body) < small;
   }
   lens.hidden = !useLens.checked;
   const plane = drawPlane(stage, box);
@@ -35,7 +35,7 @@ function layOut() {
   Motion.drawObstacles(svg, data.obstacles, plane);
 
   // Lines: as many decimals as the lens needs.
-  const R = scale * body.radius;
+  const R = scale * Motion.outerRadius(body);
   const lensRadius = 58;
   view.magnified = body.rolls ? lensRadius / R : 1;
   const decimals = 2 + Math.max(0, Math.ceil(Math.log10(view.magnified)));
@@ -71,7 +71,7 @@ function layOut() {
   markEnds(svg, full.poses, plane);
 
   // The body, and what acts on it.
-  view.body = Motion.bodyShape(svg, R, "body", body);
+  view.body = Motion.bodyShape(svg, scale, "body", body);
   view.forces = draw("g", { class: "forces" }, svg);
   view.normal = arrow(view.forces, "force-normal");
   view.tangential = arrow(view.forces, "force-tangential");
@@ -92,7 +92,7 @@ function layOut() {
     for (const id of ["track", "inked", "lifted"]) {
       draw("use", { href: `#${id}`, class: `lens-${id}` }, view.through);
     }
-    view.near = Motion.bodyShape(glass, lensRadius, "near-body", body);
+    view.near = Motion.bodyShape(glass, scale * view.magnified, "near-body", body);
     view.nearContact = draw("circle", { class: "contact", r: 4 }, glass);
     view.middle = 0.5 * size;
     view.lensRadius = lensRadius;
@@ -202,7 +202,8 @@ function plans() {
     lines: [0, bounds.least, bounds.greatest].filter((b) => b !== null) });
 
   if (body.rolls) {
-    const needed = (p) => (p.normal > 0 ? Math.abs(p.tangential) / p.normal : null);
+    const walls = (p) => p.normal * (body.walls ?? 1);  // what presses, in sum
+    const needed = (p) => (p.normal > 0 ? Math.abs(p.tangential) / walls(p) : null);
     const most = Math.max(...full.poses.filter((p) => p.t > 0.02 * T).map(needed));
     all.push({ id: "friction", title: "Friction needed", unit: "",
       series: [series("|R<sub>t</sub>|/R<sub>n</sub>", needed)],

@@ -246,22 +246,31 @@ function markEnds(svg, poses, { X, Y }) {
   }
 }
 
-/** A body of a radius on the screen, its middle at the origin. */
-function bodyShape(parent, R, id, body) {
+/** How far a body reaches; of a ball beyond what it rolls on. */
+function outerRadius(body) {
+  return body.radius * (body.walls ?? 1);
+}
+
+/** A body on a screen of so many pixels a metre, its middle at the origin. */
+function bodyShape(parent, scale, id, body) {
+  const R = scale * outerRadius(body), arm = (scale * body.radius * body.eta).toFixed(2);
   const g = draw("g", { id, class: "body" }, parent);
   if (!body.rolls || R < 3) {
     draw("circle", { class: "bead", r: body.rolls ? 3 : 5 }, g);
     return g;
   }
   draw("circle", { class: "disc", r: R }, g);
-  draw("circle", {
-    class: "rim", r: R - 2.2,
-    "stroke-dasharray": `${((R - 2.2) * kSector).toFixed(3)}`,
-  }, g);
+  // Of what it rolls on, whose sectors are as long as the pieces they leave.
+  const rim = scale * body.radius - 2.2;
+  if (rim > 0) {
+    draw("circle", {
+      class: "rim", r: rim, "stroke-dasharray": `${(rim * kSector).toFixed(3)}`,
+    }, g);
+  }
   draw("circle", { class: "axis", r: 1.8 }, g);
   if (body.eta > 0) {
-    draw("path", { class: "arm", d: `M0 0H${(R * body.eta).toFixed(2)}` }, g);
-    draw("circle", { class: "mass", cx: (R * body.eta).toFixed(2), r: Math.min(5, 0.3 * R) }, g);
+    draw("path", { class: "arm", d: `M0 0H${arm}` }, g);
+    draw("circle", { class: "mass", cx: arm, r: Math.min(5, 0.3 * R) }, g);
   }
   return g;
 }
@@ -425,7 +434,7 @@ function letTablesScroll() {
   }
 }
 
-return { byId, draw, drawPlane, drawObstacles, bodyShape, letTablesScroll, liftedPath, markEnds,
+return { byId, draw, drawPlane, drawObstacles, bodyShape, outerRadius, letTablesScroll, liftedPath, markEnds,
   motionOf, moveBody, niceStep, onResize, pathOf, player, shown, tick, kSector, kSteps };
 
 })();

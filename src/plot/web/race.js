@@ -37,7 +37,7 @@ function layOut() {
   // The winner is drawn last, above the others.
   [...racers.keys()].reverse().forEach((i) => {
     const { motion, style } = racers[i];
-    racers[i].shape = Motion.bodyShape(svg, scale * motion.body.radius, `body-${i}`, motion.body);
+    racers[i].shape = Motion.bodyShape(svg, scale, `body-${i}`, motion.body);
     racers[i].shape.classList.add(...style);
   });
   // A number beside each body and, where its track keeps away from the others,
@@ -75,7 +75,7 @@ function show(t) {
     const arrived = t >= motion.T;
     const p = motion.at(Math.min(t, motion.T));
     Motion.moveBody(shape, p, view);
-    const above = scale * motion.body.radius + 6;
+    const above = scale * Motion.outerRadius(motion.body) + 6;
     number.setAttribute("x", X(p.x));
     number.setAttribute("y", Y(p.z) - above);
     clock.textContent = `${Math.min(t, motion.T).toFixed(data.decimals)} s`;

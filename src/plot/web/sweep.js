@@ -236,7 +236,7 @@ function layOut() {
   draw("path", { class: "lifted", d: lifted }, svg);
   byId("lift-key").hidden = lifted === "";
   Motion.markEnds(svg, poses, plane);
-  view.body = Motion.bodyShape(svg, scale * body.radius, "body", body);
+  view.body = Motion.bodyShape(svg, scale, "body", body);
 }
 
 function show(t) {

@@ -561,6 +561,32 @@ TEST(CuttingTemplate, SaysWhatIsRefused) {
               HasSubstr("longer ones do not fit on a sheet"));
 }
 
+/// Two strips as far apart as its rails, and no discs. Losses leave the table
+/// of errors out.
+TEST(CuttingTemplate, ABallRunsOnTwoStrips) {
+  Scene scene = uniform_solution().scene;
+  scene.body =
+      Body::rolling_ball({.radius = 0.1, .k = 0.4, .gauge = 0.12}, 0.0);
+  scene.world.losses.rolling = 0.01;
+  scene.limits.friction = 0.5;
+  const Solution solution = solve(scene);
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  Build build = fifth();
+  EXPECT_THAT(why_refused([&] { check_build(build, scene); }),
+              HasSubstr("--rails 24 has the strips so"));
+  build = small_rails();
+  build.gauge = 24.0;
+
+  const auto drawings = drawings_of(solution, build);
+
+  EXPECT_FALSE(pieces_in(drawings, "L").empty());
+  EXPECT_TRUE(report::cutting::body_parts(scene.body, 0.0, {}, build).empty());
+  scene.body =
+      Body::rolling_ball({.radius = 0.1, .k = 0.4, .groove = 1.0}, 0.0);
+  EXPECT_THAT(why_refused([&] { check_build(build, scene); }),
+              HasSubstr("they are for thin rails"));
+}
+
 TEST(Drawing, IsAnSvgOfItsSizeInMillimetres) {
   for (const Drawing& drawing : drawings_of(off_centred_solution(), fifth())) {
     const std::string svg = as_svg(drawing);

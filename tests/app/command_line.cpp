@@ -44,7 +44,7 @@ TEST(CommandLine, BlamesTheRightWordAndNamesTheNearest) {
            {{"slove", kBead}, "\"slove\" is not a verb; did you mean solve?"},
            {{"slove", kBead, "--json"}, "did you mean solve?"},
            {{"work-precission", kBead}, "did you mean work-precision?"},
-           {{}, "a verb is missing; there are solve, design, validate, "},
+           {{}, "a verb is missing; there are solve, design, fit, validate, "},
            {{"help"}, "\"help\" is not a verb; there are solve, "},
            {{"solve", "--jsno", kBead},
             "--jsno is not a flag of solve; did you mean --json?"},

@@ -15,7 +15,8 @@ set(command
   ${lib}/brachisto/libhsl[.]so
   bin/brachisto
   share/brachisto/problems/case[.]yaml
-  share/brachisto/problems/.+[.](yaml|csv)
+  share/brachisto/problems/.+[.]csv
+  share/brachisto/problems/.+[.]yaml
   share/doc/brachisto/[A-Z]+[.]md
   share/doc/brachisto/LICENSE
   share/doc/brachisto/docs/.+

@@ -215,8 +215,7 @@ Verb fit_verb() {
           R"(The track is the given path of the scene, or else its answer, held as the
 file has it.
 Example:
-  brachisto fit problems/fit/marble.yaml problems/fit/marble.csv \
-    --parameter scene.losses.rolling --offset --out fitted
+  brachisto fit problems/fit/marble.yaml problems/fit/marble.csv --parameter scene.losses.rolling
 Exit codes: 0 fitted, 3 bad input file, 4 no track, or the times do
 not tell what is asked, 6 I/O, 7 limit of time, 130/143 after
 SIGINT/SIGTERM.)",

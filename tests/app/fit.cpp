@@ -98,7 +98,7 @@ TEST(Fit, RefusesWhatCannotBeFitted) {
       fit_marble({"--parameter", "scene.body.k", "--set", "scene.body.k=null",
                   "--set", "scene.body.parts=['disc:m=1']"});
   EXPECT_EQ(parts.code, 2) << parts.err;
-  EXPECT_THAT(parts.err, HasSubstr("scene.body.parts"));
+  EXPECT_THAT(parts.err, HasSubstr("not allowed beside parts"));
 }
 
 TEST(Fit, RefusesTimesInOneLine) {

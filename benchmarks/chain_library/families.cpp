@@ -135,7 +135,7 @@ SeparableProgram make_grid(int size, int dimensions) {
   std::mt19937 random(1);
   for (int i = 0; i < count; ++i) {
     out.add_variable(0.0);
-    Element e{{i}, 1, 0, random() % 1000 * 1e-2};
+    Element e{{i}, 1, 0, 1e-2 * static_cast<double>(random() % 1000)};
     for (int d = 0, stride = 1; d < dimensions; ++d, stride *= side) {
       if (i / stride % side + 1 == side) continue;
       e.variables[static_cast<std::size_t>(e.count++)] = i + stride;

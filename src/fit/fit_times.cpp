@@ -70,7 +70,7 @@ class Residuals {
   /// The motion with those values, kept until others are asked for; null if
   /// there is none.
   const PrescribedMotion* motion_at(const VectorXd& x) {
-    if (x != at_ || evaluations_ == 0) {
+    if (evaluations_ == 0 || x != at_) {
       at_ = x;
       ++evaluations_;
       motion_.reset();

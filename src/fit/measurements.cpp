@@ -216,7 +216,7 @@ std::vector<TimedPlace> places_of(const Measurements& measurements,
     };
     TimedPlace place{.t = row.t, .sigma = row.sigma.value_or(1.0)};
     if (by_x) {
-      const auto [low, high] = std::minmax(by_x->first(), by_x->last());
+      const auto [low, high] = std::minmax({by_x->first(), by_x->last()});
       const bool close = row.place >= low - slack && row.place <= high + slack;
       const double x = close ? std::clamp(row.place, low, high) : row.place;
       const std::vector<double> places = by_x->places(x);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a result with one command:
+# From a fresh Debian 12 or 13 to a result with one command:
 #
 #   ./bootstrap.sh demo   install what is missing, build, solve the reference
 #                         case of the paper

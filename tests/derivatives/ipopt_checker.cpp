@@ -31,7 +31,7 @@ TEST_P(IpoptChecker, FindsNoErrorUpToSecondOrder) {
   const std::string log = checker_log(problem, problem);
 
   EXPECT_THAT(log, ::testing::HasSubstr(
-                       "Starting derivative checker for second derivatives."));
+                       "Starting derivative checker for second derivatives"));
   EXPECT_THAT(
       log, ::testing::HasSubstr("No errors detected by derivative checker."));
 }

@@ -3,6 +3,7 @@
 
 // Which parts of YAML a problem file may use.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,8 +65,13 @@ TEST(StrictYaml, AnchorsAndAliasesAreRefused) {
             "p.yaml:3:15: scene.finish.L: anchors (&) are not allowed\n"
             "p.yaml:3:24: scene.finish.H: aliases (*) are not allowed; repeat "
             "the value");
-  EXPECT_EQ(errors("scene: *pi\n"),
-            "p.yaml:1:8: aliases (*) are not allowed; repeat the value");
+  // yaml-cpp 0.8 misses the anchor before it hands on the alias.
+  EXPECT_THAT(
+      errors("scene: *pi\n"),
+      ::testing::AnyOf(
+          "p.yaml:1:8: aliases (*) are not allowed; repeat the value",
+          "p.yaml:1:8: not valid YAML: the referenced anchor is not defined: "
+          "pi"));
 }
 
 TEST(StrictYaml, TagsAreRefused) {

@@ -61,26 +61,9 @@ void tell_of(const nlohmann::ordered_json& program, const ProgramOutput& output,
       solution.motion()->tau(), output.directory().string(), names));
 }
 
-/// The answer of another solver against that of the program.
-int run_check(const NlpFlags& flags, const io::ProblemFile& problem) {
-  const program_files::SolFile theirs = program_files::read_sol(flags.check);
-  warn_of(problem);
-  const std::atomic<int>& signal = catch_signals();
-  const Solution solution =
-      solve_in_time(problem, flags.json, {.interrupt = &signal});
-  const auto program = program_files::solved_program(solution);
-  if (!program) {
-    if (flags.json) {
-      print_json({{"status", name(solution.status)},
-                  {"verified", false},
-                  {"message", solution.message}});
-    }
-    tell(fmt::format("brachisto: no program to check it against: {}\n",
-                     solution.message));
-    return exit_code(solution, signal.load());
-  }
-  const program_files::CheckedAnswer checked =
-      program_files::check_answer(solution, *program, theirs, flags.check);
+/// The answer of another solver, as it was found against that of the program.
+int tell_of_check(const NlpFlags& flags,
+                  const program_files::CheckedAnswer& checked) {
   if (flags.json) {
     print_json(checked.to_json());
   } else if (!flags.quiet) {
@@ -98,32 +81,43 @@ int run(const NlpFlags& flags) {
   const io::ProblemFile problem =
       io::read_problem_file(flags.file, flags.overrides);
   program_files::require_program(problem, flags.file);
-  if (!flags.check.empty()) return run_check(flags, problem);
   const ProgramOutput output = flags.output();
-  report::check_writable(output.directory(), output.names(), flags.force);
+  std::optional<program_files::SolFile> theirs;
+  if (flags.check.empty()) {
+    report::check_writable(output.directory(), output.names(), flags.force);
+  } else {
+    theirs = program_files::read_sol(flags.check);
+  }
   warn_of(problem);
 
   const std::atomic<int>& signal = catch_signals();
   const Solution solution =
       solve_in_time(problem, flags.json, {.interrupt = &signal});
   const auto program = program_files::solved_program(solution);
+  if (theirs && program && solution.verified()) {
+    return tell_of_check(flags, program_files::check_answer(
+                                    solution, *program, *theirs, flags.check));
+  }
   nlohmann::ordered_json described;
-  if (program) {
+  if (program && !theirs) {
     const StopScope scope(
         StopCondition(std::numeric_limits<double>::infinity(), &signal));
     described = program_files::write_program(*program, output);
   }
 
   if (flags.json) {
-    print_json({{"status", name(solution.status)},
-                {"verified", solution.verified()},
-                {"message", solution.message},
-                {"program", described}});
-  } else if (program && !flags.quiet) {
+    nlohmann::ordered_json told = {{"status", name(solution.status)},
+                                   {"verified", solution.verified()},
+                                   {"message", solution.message}};
+    if (!theirs) told["program"] = described;
+    print_json(told);
+  } else if (!described.is_null() && !flags.quiet) {
     tell_of(described, output, solution);
   }
   if (!solution.verified()) {
-    tell(fmt::format("brachisto: {}\n", solution.message));
+    tell(fmt::format("brachisto: {}{}\n",
+                     theirs ? "nothing to check the answer against: " : "",
+                     solution.message));
   }
   for (const std::string& reason : solution.infeasible_because()) {
     warn(fmt::format("the answer is verified, but infeasible: {}", reason));

@@ -81,6 +81,7 @@ class Checker {
       const Vector d = directions_.next();
       move_to(point_.x);
       const RowSums ours = derivative(d);
+      if (ours.absolute.empty()) return;
       // Of a row whose terms are all small rounding is that of the largest.
       constexpr double kOfLargest = 1e-3;
       const double most = std::ranges::max(ours.absolute);

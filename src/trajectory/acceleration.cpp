@@ -16,7 +16,8 @@ double acceleration(const Scene& scene, double s, double v, Point place,
   const double without = acceleration_without_losses(scene, at);
   const Losses& losses = scene.world.losses;
   if (!losses.any()) return without;
-  return acceleration_with_losses(scene, at, losses.factor(scene.body), without);
+  return acceleration_with_losses(scene, at, losses.factor(scene.body),
+                                  without);
 }
 
 }  // namespace brachisto

@@ -152,6 +152,16 @@ TEST(Nlp, ChecksAFileOrSaysWhyNot) {
       run({"nlp", kScene, "--check", file.string(), "--out", "case.nl"});
   EXPECT_EQ(both.code, 2);
   EXPECT_NE(both.err.find("one of them"), std::string::npos) << both.err;
+
+  // A scene without an answer has nothing to check against.
+  std::ofstream(file) << "\nOptions\n3\n1\n1\n0\n0\n0\n0\n0\n0\n";
+  const Output unanswered = run({"nlp", kScene, "--set", "scene.body.radius=2",
+                                 "--check", file.string()});
+  EXPECT_EQ(unanswered.code, 4);
+  EXPECT_TRUE(unanswered.out.empty()) << unanswered.out;
+  EXPECT_NE(unanswered.err.find("nothing to check the answer against"),
+            std::string::npos)
+      << unanswered.err;
 }
 
 TEST(Derivatives, AgreeAndTellOfTheProgram) {

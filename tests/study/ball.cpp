@@ -15,6 +15,7 @@
 #include "support/limited_scenes.hpp"
 #include "support/newton_euler.hpp"
 #include "support/scenes.hpp"
+#include "support/verified.hpp"
 
 namespace brachisto {
 namespace {
@@ -31,13 +32,6 @@ Scene with_ball(const Ball& ball, double theta_m = 0.2) {
   return scene_of(Body::rolling_ball(ball, theta_m));
 }
 
-Solution verified(const Scene& scene, const SolveOptions& options = {}) {
-  Solution solution = solve(scene, options);
-  EXPECT_TRUE(solution.verified())
-      << solution.message
-      << ::testing::PrintToString(solution.not_verified_because());
-  return solution;
-}
 double tau_of(const Scene& scene) {
   const Solution solution = verified(scene);
   return solution.verified() ? solution.motion()->tau() : std::nan("");

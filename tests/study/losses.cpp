@@ -21,6 +21,7 @@
 #include "brachisto/study/solve.hpp"
 #include "support/limited_scenes.hpp"
 #include "support/newton_euler.hpp"
+#include "support/verified.hpp"
 #include "support/world_scenes.hpp"
 
 namespace brachisto {
@@ -42,14 +43,6 @@ SolveOptions by_shooting() {
   SolveOptions options;
   options.method = Shooting{};
   return options;
-}
-
-Solution verified(const Scene& scene, const SolveOptions& options = {}) {
-  Solution solution = solve(scene, options);
-  EXPECT_TRUE(solution.verified())
-      << solution.message
-      << ::testing::PrintToString(solution.not_verified_because());
-  return solution;
 }
 
 double tau_of(const Solution& solution) {

@@ -35,9 +35,9 @@ struct Kinematics {
                              ///< fold
 };
 
-/// κ_c in the unit of kappa_b, positive where the centre's path turns downwards;
-/// of a bead that of its track. Where r κ_c is small, digits beyond those of
-/// fold_margin are lost.
+/// κ_c in the unit of kappa_b, positive where the centre's path turns
+/// downwards; of a bead that of its track. Where r κ_c is small, digits beyond
+/// those of fold_margin are lost.
 [[nodiscard]] double curvature_of_centre(const Body& body,
                                          const Kinematics& motion);
 

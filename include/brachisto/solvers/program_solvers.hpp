@@ -54,9 +54,9 @@ struct IpoptOptions {
 ///
 /// The chain factorisation is used if the problem states a chain structure and
 /// Ipopt is a release with a way in, 3.11.9 or 3.14, and the same where this
-/// was compiled and where it runs; else LinearSolver::Auto means MUMPS, and LinearSolver::Chain ends with Status::InternalError and a message
-/// that says why. The result tells which one it was, the verbose log why not
-/// the chain.
+/// was compiled and where it runs; else LinearSolver::Auto means MUMPS, and
+/// LinearSolver::Chain ends with Status::InternalError and a message that says
+/// why. The result tells which one it was, the verbose log why not the chain.
 ///
 /// MUMPS is not safe in threads, and the chain reaches Ipopt through a variable
 /// of the process: a thread waits here for the runs of others, until

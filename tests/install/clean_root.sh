@@ -16,7 +16,7 @@ mirror=${MIRROR:-http://deb.debian.org/debian}
 root=$(mktemp -d "${TMPDIR:-/tmp}/brachisto-$suite-XXXXXX")
 
 leave() {
-  umount "$root/proc" "$root/dev" 2>/dev/null || true
+  umount "$root/proc" "$root/dev/pts" "$root/dev" 2>/dev/null || true
   if [ -n "${KEEP:-}" ]; then echo "== the root is $root"; else rm -rf --one-file-system "$root"; fi
 }
 trap leave EXIT
@@ -25,11 +25,13 @@ echo "== Debian $suite"
 mmdebstrap --variant=minbase --include=ca-certificates "$suite" "$root" "$mirror"
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
+mount --bind /dev/pts "$root/dev/pts"  # terminals, which tests open
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir "$root/brachisto"
 git -C "$checkout" archive HEAD | tar x -C "$root/brachisto"
 
 echo "== $*"
 start=$SECONDS
-chroot "$root" /bin/bash -c 'cd /brachisto && exec "$@"' - "$@"
+# A TMPDIR of this system is not in that one.
+env -u TMPDIR chroot "$root" /bin/bash -c 'cd /brachisto && exec "$@"' - "$@"
 echo "== done in $((SECONDS - start)) s"

@@ -141,10 +141,16 @@ bool IpoptAdapter::eval_h(Index, const Number* x, bool new_x, Number obj_factor,
     copy_pattern(problem_.hess_lag_pattern(), iRow, jCol);
     return true;
   }
-  return guarded(x, new_x, [&] {
-    problem_.eval_hess_lag(obj_factor, {lambda, at(m)},
-                           {values, at(nele_hess)});
-  });
+  // What is thrown must not pass through Ipopt here: its caller of eval_h holds
+  // an array that it would leak. The answer false ends the run as soon.
+  try {
+    return guarded(x, new_x, [&] {
+      problem_.eval_hess_lag(obj_factor, {lambda, at(m)},
+                             {values, at(nele_hess)});
+    });
+  } catch (...) {
+    return false;
+  }
 }
 
 bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,

@@ -174,12 +174,15 @@ TEST(ExitCode, Is7WhereverMemoryRunsOut) {
   int ran_out = 0;
   // Of elements of so high a degree less is foretold than they take.
   for (int megabytes = 60; megabytes <= 240; megabytes += 12) {
+    const std::string limit = fmt::format("ulimit -v {}; ", 1024 * megabytes);
+    const std::string load =
+        limit + BRACHISTO_APP " --version > /dev/null 2>&1";
+    if (std::system(load.c_str()) != 0) continue;  // not even its libraries
     const std::string command = fmt::format(
-        "ulimit -v {}; {} solve {} --json --set discretisation.elements=2000 "
+        "{}{} solve {} --json --set discretisation.elements=2000 "
         "--set discretisation.degree=8 "
         "> {} 2> /dev/null",
-        1024 * megabytes, BRACHISTO_APP, paper_problem("fig04_reference_case"),
-        out);
+        limit, BRACHISTO_APP, paper_problem("fig04_reference_case"), out);
 
     const int status = std::system(command.c_str());
 

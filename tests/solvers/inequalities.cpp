@@ -21,16 +21,10 @@
 #include "solvers/hock_schittkowski.hpp"
 #include "solvers/inequality_problems.hpp"
 #include "solvers/inertia.hpp"
+#include "solvers/small_problem.hpp"
 
 namespace brachisto::testing {
 namespace {
-
-SolverResult with(LinearSolver solver, nlp::Problem& problem,
-                  const PrimalDual& start) {
-  IpoptOptions options;
-  options.linear_solver = solver;
-  return solve_with_ipopt(problem, start, options);
-}
 
 void expect_near(const std::vector<double>& found,
                  const std::vector<double>& expected, double tolerance,

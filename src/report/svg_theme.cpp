@@ -66,21 +66,15 @@ std::set<std::string> coloured(std::string_view svg, bool lines) {
   return found;
 }
 
-/// Spaces between tags of words, as those that do not break.
+/// Words whose spaces are told to be kept.
 std::string with_kept_spaces(const std::string& svg) {
+  constexpr std::string_view kText = "<text>";
   std::string out;
   std::size_t from = 0;
-  for (std::size_t text = svg.find("<text"); text != std::string::npos;
-       text = svg.find("<text", from)) {
-    const std::size_t end = std::min(svg.find("</text>", text), svg.size());
-    out.append(svg, from, text - from);
-    bool tag = false;
-    for (std::size_t i = text; i < end; ++i) {
-      if (svg[i] == '<') tag = true;
-      out += !tag && svg[i] == ' ' ? "\u00A0" : svg.substr(i, 1);
-      if (svg[i] == '>') tag = false;
-    }
-    from = end;
+  for (std::size_t at = svg.find(kText); at != std::string::npos;
+       at = svg.find(kText, from)) {
+    out.append(svg, from, at - from).append("<text xml:space=\"preserve\">");
+    from = at + kText.size();
   }
   return out.append(svg, from);
 }
@@ -99,6 +93,7 @@ double contrast(const Colour& one, const Colour& other) {
 }
 
 Colour on_dark_ground(const Colour& colour) {
+  if (colour == kWhite) return kDarkGround;
   const double before = relative_luminance(colour);
   const double after =
       std::min(1.0, contrast(colour, kWhite) *

@@ -24,13 +24,13 @@ inline constexpr Colour kDarkGround{21.0, 23.0, 27.0};
 
 /// The colour of the same hue whose contrast with kDarkGround is that of the
 /// given one with white, or white where there is no more contrast; to a unit of
-/// each channel.
+/// each channel. White becomes the ground.
 [[nodiscard]] Colour on_dark_ground(const Colour& colour);
 
 /// The drawing with a style that gives its ground, lines and words such colours
 /// where a dark scheme is asked for, the ground as the CSS variable `--paper`
 /// of a page has it. What is filled keeps its colours, and so do the lines over
-/// a map of colours. Spaces in its words do not break and are not dropped.
+/// a map of colours. Spaces in its words are told to be kept.
 /// \param svg  as gnuplot 5.4 writes it
 [[nodiscard]] std::string with_theme(std::string svg);
 

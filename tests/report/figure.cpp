@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstddef>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -116,12 +115,9 @@ TEST(Figure, ShowsWordsOfOthersAsTheyAre) {
   const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
 
   ASSERT_EQ(drawn.missing, "");
-  std::string shown = R"(a_b^c {d} \n 'e' "f" @g &amp; ~h `id` $i)";
-  for (std::size_t at = shown.find(' '); at != std::string::npos;
-       at = shown.find(' ', at)) {
-    shown.replace(at, 1, "\u00A0");
-  }
-  EXPECT_NE(drawn.files.back().content.find(shown), std::string::npos);
+  EXPECT_NE(drawn.files.back().content.find(
+                R"(a_b^c {d} \n 'e' "f" @g &amp; ~h `id` $i)"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -54,17 +54,18 @@ TEST(Theme, TellsDarkColoursOfGroundLinesAndWords) {
   EXPECT_EQ(testing::xml_flaw(svg), "");
   for (const char* rule :
        {"[fill=\"#ffffff\"] { fill: var(--paper, #15171b); }",
-        "[color='rgb( 68,   1,  84)'] { color: #",
+        "='rgb( 68,   1,  84)'] { stroke: #",
         "[color=\"black\"] { color: #ffffff; }"}) {
     EXPECT_NE(svg.find(rule), std::string::npos) << rule;
   }
 }
 
-/// With U+00A0, which no renderer drops.
 TEST(Theme, KeepsSpacesOfWords) {
   const std::string svg = drawn("").files.back().content;
 
-  EXPECT_NE(svg.find("two\u00A0\u00A0spaces</tspan>"), std::string::npos);
+  EXPECT_NE(svg.find("two  spaces</tspan>"), std::string::npos);
+  EXPECT_NE(svg.find("<text xml:space=\"preserve\">"), std::string::npos);
+  EXPECT_EQ(svg.find("<text>"), std::string::npos);
 }
 
 }  // namespace

@@ -58,8 +58,10 @@ std::set<std::string> coloured(std::string_view svg, bool lines) {
       const char quote = svg[at + name.size()];
       const std::size_t end = svg.find(quote, at + name.size() + 1);
       const std::string text(svg.substr(at, end + 1 - at));
-      // Of words and frames alone, which have these quotes.
-      if (!lines && (quote != '"' || text.ends_with("FFFFFF\""))) continue;
+      // Of words, frames and marks.
+      const bool of_line =
+          (name == "fill=" && quote != '"') || text.ends_with("FFFFFF\"");
+      if (!lines && of_line) continue;
       found.insert(text);
     }
   }
@@ -95,10 +97,11 @@ double contrast(const Colour& one, const Colour& other) {
 Colour on_dark_ground(const Colour& colour) {
   if (colour == kWhite) return kDarkGround;
   const double before = relative_luminance(colour);
-  const double after =
-      std::min(1.0, contrast(colour, kWhite) *
-                            (relative_luminance(kDarkGround) + kFlare) -
-                        kFlare);
+  constexpr double kLeast = 3.0;  // WCAG's of what has to be seen
+  const bool grey = colour[0] == colour[1] && colour[1] == colour[2];
+  const double wanted = std::max(contrast(colour, kWhite), grey ? 1.0 : kLeast);
+  const double after = std::min(
+      1.0, wanted * (relative_luminance(kDarkGround) + kFlare) - kFlare);
   Colour out{};
   // Light is mixed with white, or dimmed: luminance is linear in it.
   const double white = after < before ? 0.0 : (after - before) / (1.0 - before);

@@ -29,7 +29,7 @@ inline constexpr Colour kDarkGround{21.0, 23.0, 27.0};
 
 /// The drawing with a style that gives its ground, lines and words such colours
 /// where a dark scheme is asked for, the ground as the CSS variable `--paper`
-/// of a page has it. What is filled keeps its colours, and so do the lines over
+/// of a page has it. What is filled keeps its colours, and so do the lines of
 /// a map of colours. Spaces in its words are told to be kept.
 /// \param svg  as gnuplot 5.4 writes it
 [[nodiscard]] std::string with_theme(std::string svg);

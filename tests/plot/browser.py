@@ -125,7 +125,8 @@ def race_faults(brachisto, program, scenes, scratch, views):
                 faults += place_faults(f"{name} body {i + 1}", found.found.get(f"body-{i}", {}),
                                        rows[-1])
             arrived = "arrived" in found.found.get(f"racer-{i}", {}).get("class", "").split()
-            if arrived != (end <= float(row["t"])):
+            # Seven digits of times.
+            if abs(end - float(row["t"])) > 1e-6 and arrived != (end < float(row["t"])):
                 faults.append(f"{name}: result {i + 1} is {'' if arrived else 'not '}shown")
             clock = f"{min(float(row['t']), end):.4f} s"
             if found.texts.get(f"clock-{i}") != clock:

@@ -255,9 +255,14 @@ function leaves(plan) {
     for (let j = 0; j + 1 < values.length; ++j) {
       if (seen[j] === seen[j + 1]) continue;
       const [inner, outer] = seen[j] ? [j, j + 1] : [j + 1, j];
-      // What has no value goes on as the curve does beside it.
-      const up = values[outer] === null ? values[inner] > 0.5 * (low + top) : values[outer] > top;
-      if (values[outer] === null && values.slice(0, outer).some((v) => v !== null)) continue;
+      let up = values[outer] > top;
+      if (values[outer] === null) {
+        // Without bound at the start, if the curve makes for the rim there.
+        const before = values[inner] - values[inner + 1];
+        up = before > 0;
+        const room = up ? top - values[inner] : values[inner] - low;
+        if (outer > inner || room > 0.15 * (top - low)) continue;
+      }
       found.push({ series: i, t: full.poses[inner].t, up });
     }
   }

@@ -31,7 +31,8 @@ TEST(DarkGround, KeepsTheContrastOfColours) {
     const Colour colour = colour_at(share), dark = on_dark_ground(colour);
     // Where there is that much of it.
     const double most = contrast(kWhite, kDarkGround);
-    const double wanted = std::min(std::max(contrast(colour, kWhite), 3.0), most);
+    const double wanted =
+        std::min(std::max(contrast(colour, kWhite), 3.0), most);
     // A channel is rounded to half a unit, which of dark ones is 3 % of light.
     EXPECT_NEAR(contrast(dark, kDarkGround), wanted, 0.03 * wanted) << share;
   }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto race FILE…: bodies that start together, each on its own track.
+// brachisto race FILE…: bodies that start together, each on its own track or
+// all on one.
 
 #include <fmt/format.h>
 
@@ -42,6 +43,7 @@ struct RaceFlags {
   std::vector<std::string> files;
   std::string out;
   std::vector<std::string> overrides;
+  bool same_track = false;
   bool force = false;
   bool quiet = false;
 };
@@ -92,6 +94,23 @@ Racer racer_of(const std::string& name, const Solution& solution) {
       .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};
 }
 
+/// The track of a verified solution as one that is given: by points that are
+/// dense at A, where its curvature may have no bound.
+std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
+  constexpr int kPieces = 400;  // fewer show in times, more in curvatures
+  GivenPath path;
+  path.curve = GivenPath::Curve::Track;
+  path.shape = GivenPath::Shape::Points;
+  for (int i = 0; i <= kPieces; ++i) {
+    path.points.push_back(
+        solution.motion()->at(1.0 * i / kPieces).motion.contact);
+  }
+  // What rounding leaves of the ends.
+  path.points.front() = {0.0, 0.0};
+  path.points.back() = {solution.scene.L, solution.scene.H};
+  return std::make_shared<const GivenPath>(std::move(path));
+}
+
 void print_arrivals(const std::vector<Racer>& racers) {
   report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
   for (std::size_t i = 0; i < racers.size(); ++i) {
@@ -124,26 +143,33 @@ int run(const RaceFlags& flags) {
   const std::vector<std::string> racer_names = plot::racer_names(flags.files);
   const std::atomic<int>& signal = catch_signals();
   std::vector<Racer> racers;
+  std::shared_ptr<const GivenPath> track;  // of the first, if it is that of all
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::string& file = flags.files[i];
+    if (flags.same_track && i > 0) {
+      Scene& scene = problems[i].scene;
+      scene.path = track;
+      scene.contact = Contact::Smooth;
+      scene.limits = {};
+    }
     const Solution solution =
         solve_in_time(problems[i], false, {.interrupt = &signal});
     if (!solution.verified()) {
       tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
       return exit_code(solution, signal.load());
     }
+    if (flags.same_track && i == 0) track = track_of(solution);
     racers.push_back(racer_of(racer_names[i], solution));
     check_ends(file, racers.front(), racers.back());
   }
-  racers = plot::in_order_of_arrival(std::move(racers));
   const std::string html = [&] {
     const StopScope scope(
         StopCondition(std::numeric_limits<double>::infinity(), &signal));
-    return plot::race_page(racers);
+    return plot::race_page(racers, flags.same_track);
   }();
   report::write_files(directory, {{page, html}}, flags.force);
   if (!flags.quiet) {
-    print_arrivals(racers);
+    print_arrivals(plot::in_order_of_arrival(std::move(racers)));
     print(io::visible(out.string()) + "\n");
   }
   return kSuccess;
@@ -155,8 +181,8 @@ Verb race_verb() {
   const auto flags = std::make_shared<RaceFlags>();
   return {.name = "race",
           .text =
-              "Let several bodies start together, each on its own track: a "
-              "page with clocks and the order of arrival",
+              "Let several bodies start together, each on its own track or all "
+              "on one: a page with clocks, on which the first may be guessed",
           .flags = {{.name = "FILE",
                      .value = &flags->files,
                      .text = "Problem files (YAML), named after what they are; "
@@ -174,11 +200,14 @@ Verb race_verb() {
                      .text = "Replace a value of all files, such as "
                              "scene.finish.L=4",
                      .placeholder = "KEY=VALUE"},
+                    {"--same-track", &flags->same_track,
+                     "Let all run on the track of the first file"},
                     {"--force", &flags->force, "Replace an existing page"},
                     {"--quiet", &flags->quiet, "Do not print the order"}},
           .footer =
               R"(Example:
   brachisto race problems/race/*.yaml --out race.html
+With --same-track limits and paths of the other files do not count.
 Bodies that would lift off race too and are marked. Exit codes: 0
 written, 3 bad input file, 6 I/O; of a scene that fails, which is told,
 those of solve, and nothing is written.)",

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -244,6 +245,26 @@ TEST(Race, RefusesOtherEndsOtherPagesAndTooFew) {
   EXPECT_EQ(content(page), "mine");
   EXPECT_EQ(run({"race", near, near, "--out", page, "--force"}).code, 0);
   EXPECT_NE(content(page), "mine");
+}
+
+/// On one track v² = 2 g z/(1 + k) at each place of a uniform cylinder that
+/// rolls from rest, and times are in proportion to √(1 + k).
+TEST(Race, OnOneTrackTakesTimesByTheLawOfRolling) {
+  const ScratchDirectory scratch;
+  const std::string wheels = std::string(BRACHISTO_PROBLEMS_DIR) + "/wheels/";
+
+  const Output output =
+      run({"race", wheels + "disc.yaml", wheels + "hoop.yaml", "--same-track",
+           "--out", (scratch.path() / "race.html").string()});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const auto time_of = [&](const std::string& name) {
+    return std::stod(output.out.substr(output.out.find(name) + name.size()));
+  };
+  // Of the spline through the points of the track, which one alone rolls on.
+  constexpr double kOfSpline = 1e-6;
+  EXPECT_NEAR(time_of("hoop") / time_of("disc"), std::sqrt(2.0 / 1.5),
+              kOfSpline);
 }
 
 TEST(Set, ReplacesValuesAndMayBeRepeated) {

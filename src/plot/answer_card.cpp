@@ -64,14 +64,31 @@ double tick_step(double range, double most) {
   return 10.0 * power;
 }
 
-std::string stroke(std::size_t racer) {
+/// How a track is drawn.
+/// \param below  tracks that it covers, which show through its gaps
+std::string stroke(std::size_t racer, std::size_t below = 0) {
   constexpr std::size_t kColours = std::size(kCardColours);
-  const std::string_view dash =
-      kTrackDashes[racer / kColours % kTrackDashes.size()];
+  std::string dash = kTrackDashes[racer / kColours % kTrackDashes.size()];
+  if (below > 0) dash = fmt::format("6 {}", 6 * below);
   return fmt::format(
       "fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}",
       kCardColours[racer % kColours],
       dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", dash));
+}
+
+/// From a place to the track, a chain of chords [m].
+double distance_to(const TrajectoryTable& table, Point p) {
+  const std::vector<double>&x = table["x_b"], &z = table["z_b"];
+  double least = std::hypot(x[0] - p.x, z[0] - p.z);
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double dx = x[i] - x[i - 1], dz = z[i] - z[i - 1];
+    const double square = dx * dx + dz * dz;
+    const double along = (p.x - x[i - 1]) * dx + (p.z - z[i - 1]) * dz;
+    const double part = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+    least = std::min(least, std::hypot(x[i - 1] + part * dx - p.x,
+                                       z[i - 1] + part * dz - p.z));
+  }
+  return least;
 }
 
 /// A part of the plane, z down, in equal scales.
@@ -118,7 +135,7 @@ class Drawing {
   }
 
   /// Of points that nobody could tell apart, the first one.
-  void track(const TrajectoryTable& table, std::size_t racer) {
+  void track(const TrajectoryTable& table, const std::string& style) {
     constexpr double kTooNear = 0.3;  // [px]
     const std::vector<double>&x = table["x_b"], &z = table["z_b"];
     std::string line = place({x[0], z[0]});
@@ -129,7 +146,20 @@ class Drawing {
       line += " " + place({x[i], z[i]});
       last = i;
     }
-    put("<polyline points=\"{}\" {}/>", line, stroke(racer));
+    put("<polyline points=\"{}\" {}/>", line, style);
+  }
+
+  /// Whether one track would hide the other.
+  [[nodiscard]] bool cover(const TrajectoryTable& one,
+                           const TrajectoryTable& other) const {
+    constexpr double kNear = 1.5;  // [px]
+    constexpr int kPlaces = 8;     // that are looked at, between A and B
+    const std::vector<double>&x = one["x_b"], &z = one["z_b"];
+    for (std::size_t i = 1; i < kPlaces; ++i) {
+      const std::size_t at = i * (x.size() - 1) / kPlaces;
+      if (scale_ * distance_to(other, {x[at], z[at]}) > kNear) return false;
+    }
+    return true;
   }
 
   void body(const Body& body, const Pose& pose) {
@@ -290,7 +320,7 @@ std::string answer_card(const Json& result, const Scene& scene,
   Drawing drawing(motion_box(table, scene.body));
   drawing.obstacles(scene.limits);
   drawing.axes();
-  drawing.track(table, 0);
+  drawing.track(table, stroke(0));
   constexpr int kSteps = 5;
   for (int i = 0; i <= kSteps; ++i) {
     drawing.body(scene.body, table.pose(i * table.time().back() / kSteps));
@@ -328,7 +358,13 @@ std::string race_card(const std::vector<Racer>& racers) {
   std::string rows;
   for (std::size_t i = 0; i < racers.size(); ++i) {
     const Racer& racer = racers[i];
-    drawing.track(racer.table, i);
+    const auto below = static_cast<std::size_t>(std::count_if(
+        racers.begin(), racers.begin() + static_cast<std::ptrdiff_t>(i),
+        [&](const Racer& earlier) {
+          return drawing.cover(racer.table, earlier.table);
+        }));
+    const std::string style = stroke(i, below);
+    drawing.track(racer.table, style);
     constexpr double kShownOfT = 5e-7;  // [s]
     const double T = numeric(racer.result, "transit_time");
     const double error = numeric(racer.result, "estimated_error") * T;
@@ -337,7 +373,7 @@ std::string race_card(const std::vector<Racer>& racers) {
         "<svg viewBox=\"0 0 30 6\" width=\"30\" height=\"6\" "
         "aria-hidden=\"true\"><path d=\"M0 3H30\" {}/></svg> {}{}</th>"
         "<td>{}</td><td>{}</td></tr>\n",
-        i + 1, stroke(i), xml_escaped(racer.name),
+        i + 1, style, xml_escaped(racer.name),
         holds(racer.result, "feasible") ? "" : " (infeasible)",
         report::within_error(T, std::max(error, kShownOfT)),
         behind(racers.front(), racer));

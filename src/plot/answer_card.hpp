@@ -29,7 +29,8 @@ namespace brachisto::plot {
 /// The same of a result without a path: how it ended, and why.
 [[nodiscard]] std::string failure_card(const report::Json& result);
 
-/// All tracks in one drawing, and a table of the order of arrival.
+/// All tracks in one drawing, and a table of the order of arrival. A track that
+/// covers another one has gaps through which that is seen.
 /// \param racers  in the order of their arrival, at least one
 [[nodiscard]] std::string race_card(const std::vector<Racer>& racers);
 

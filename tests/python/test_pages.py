@@ -168,6 +168,17 @@ class Races(unittest.TestCase):
         self.assertEqual([words(row)[:1] for row in card.iter("tr")][1:], ["1", "2", "3"])
         self.assertEqual(len(list(card.iter(f"{SVG}polyline"))), 3)
 
+    def test_no_track_hides_another(self):
+        # Of a uniform cylinder the track is the same whatever k is.
+        uniform = CASE.changed(body={"eta_m": 0})
+        race = brachisto.race({"disc": uniform, "hoop": uniform.changed(body={"k": 1}),
+                               "off": CASE})
+        card = ET.fromstring(race._repr_html_())
+        dashes = [line.get("stroke-dasharray") for line in card.iter(f"{SVG}polyline")]
+
+        order = race.table()["body"]
+        self.assertEqual({order[i] for i in range(3) if dashes[i]}, {"hoop"})
+
     def test_what_cannot_race_is_refused(self):
         with self.assertRaisesRegex(ValueError, "2 to 24 bodies can race, not 1"):
             brachisto.race({"alone": BEAD})

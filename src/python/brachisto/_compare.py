@@ -50,8 +50,10 @@ class Comparison:
 
     def _repr_html_(self):
         """The text of `summary`, for notebooks."""
+        table, *words = self._summary.split("\n\n")
         style = "overflow-x:auto;white-space:pre;line-height:1.3"
-        return f'<pre style="{style}">{html.escape(self._summary)}</pre>'
+        return f'<div><pre style="{style}">{html.escape(table)}</pre>' + "".join(
+            f"<p>{html.escape(text)}</p>" for text in words) + "</div>"
 
     def __repr__(self):
         return self._summary.rstrip("\n")

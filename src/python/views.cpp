@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "plot/answer_card.hpp"
@@ -63,7 +64,16 @@ Race::Race(const std::vector<std::string>& names,
            const std::vector<const Answered*>& answers) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     racers_.push_back(plot::racer_of(names[i], answers[i]->solution));
-    plot::check_ends(names[i], racers_.front(), racers_.back());
+    try {
+      plot::check_ends(names[i], racers_.front(), racers_.back());
+    } catch (const io::InputError& error) {
+      // No file tells whose fault it is.
+      std::vector<io::Diagnostic> diagnostics = error.diagnostics();
+      for (io::Diagnostic& found : diagnostics) {
+        found.message = "\"" + names[i] + "\": " + found.message;
+      }
+      throw io::InputError(std::move(diagnostics));
+    }
   }
   racers_ = plot::in_order_of_arrival(std::move(racers_));
 }

@@ -188,7 +188,9 @@ class Races(unittest.TestCase):
             brachisto.race({"bead": BEAD, "large": TOO_LARGE})
         with self.assertRaises(brachisto.InputError) as caught:
             brachisto.race({"a": BEAD, "b": BEAD.changed(finish={"L": 4})})
-        self.assertEqual(caught.exception.diagnostics[0].key, "scene.finish")
+        (found,) = caught.exception.diagnostics
+        self.assertEqual(found.key, "scene.finish")
+        self.assertRegex(found.message, '^"b": the track runs .* to .4, 1., that of "a" ')
 
 
 class Designs(unittest.TestCase):

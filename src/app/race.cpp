@@ -7,9 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -30,6 +28,7 @@
 #include "brachisto/study/solve.hpp"
 #include "io/visible_text.hpp"
 #include "plot/race_page.hpp"
+#include "plot/racers.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::app {
@@ -48,69 +47,6 @@ struct RaceFlags {
   bool quiet = false;
 };
 
-constexpr std::size_t kFewest = 2, kMost = 24;  // that start
-
-/// The ends of a track, from A to B.
-std::array<Point, 2> ends(const Racer& racer) {
-  const std::vector<double>&x = racer.table["x_b"], &z = racer.table["z_b"];
-  return {{{x.front(), z.front()}, {x.back(), z.back()}}};
-}
-
-std::string ends_in_words(const Racer& racer) {
-  const auto [a, b] = ends(racer);
-  return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", a.x, a.z, b.x,
-                     b.z);
-}
-
-/// \throws io::InputError  if a track does not begin and end where the first
-///                         one does
-void check_ends(const std::string& file, const Racer& first,
-                const Racer& racer) {
-  const std::array<Point, 2> there = ends(first), here = ends(racer);
-  // As much as the points of a given path may miss A and B.
-  const double close = kCloseToEnds * std::hypot(there[1].x, there[1].z);
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    if (std::hypot(here[i].x - there[i].x, here[i].z - there[i].z) <= close) {
-      continue;
-    }
-    throw io::InputError(
-        {{.file = file,
-          .line = 0,
-          .column = 0,
-          .key = "scene.finish",
-          .message = fmt::format("the track runs {}, that of \"{}\" {}: "
-                                 "all have to start and to finish together",
-                                 ends_in_words(racer), first.name,
-                                 ends_in_words(first))}});
-  }
-}
-
-/// What has to be known of a verified solution.
-Racer racer_of(const std::string& name, const Solution& solution) {
-  return {
-      .name = name,
-      .result = report::Json::parse(report::result_json(solution)),
-      .scene = solution.scene,
-      .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};
-}
-
-/// The track of a verified solution as one that is given: by points that are
-/// dense at A, where its curvature may have no bound.
-std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
-  constexpr int kPieces = 400;  // fewer show in times, more in curvatures
-  GivenPath path;
-  path.curve = GivenPath::Curve::Track;
-  path.shape = GivenPath::Shape::Points;
-  for (int i = 0; i <= kPieces; ++i) {
-    path.points.push_back(
-        solution.motion()->at(1.0 * i / kPieces).motion.contact);
-  }
-  // What rounding leaves of the ends.
-  path.points.front() = {0.0, 0.0};
-  path.points.back() = {solution.scene.L, solution.scene.H};
-  return std::make_shared<const GivenPath>(std::move(path));
-}
-
 void print_arrivals(const std::vector<Racer>& racers) {
   report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
   for (std::size_t i = 0; i < racers.size(); ++i) {
@@ -124,10 +60,12 @@ void print_arrivals(const std::vector<Racer>& racers) {
 }
 
 int run(const RaceFlags& flags) {
-  if (flags.files.size() < kFewest || flags.files.size() > kMost) {
+  if (flags.files.size() < plot::kFewestRacers ||
+      flags.files.size() > plot::kMostRacers) {
     throw UsageError("brachisto race",
                      fmt::format("{} to {} problem files can race, not {}",
-                                 kFewest, kMost, flags.files.size()));
+                                 plot::kFewestRacers, plot::kMostRacers,
+                                 flags.files.size()));
   }
   const fs::path out = flags.out;
   const fs::path directory = out.has_parent_path() ? out.parent_path() : ".";
@@ -158,9 +96,9 @@ int run(const RaceFlags& flags) {
       tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
       return exit_code(solution, signal.load());
     }
-    if (flags.same_track && i == 0) track = track_of(solution);
-    racers.push_back(racer_of(racer_names[i], solution));
-    check_ends(file, racers.front(), racers.back());
+    if (flags.same_track && i == 0) track = plot::track_of(solution);
+    racers.push_back(plot::racer_of(racer_names[i], solution));
+    plot::check_ends(file, racers.front(), racers.back());
   }
   const std::string html = [&] {
     const StopScope scope(

@@ -61,13 +61,13 @@ std::array<Real, 3> root_by_slope(const Scene& scene, const Real& theta,
 // (c t + m n)/w + (√A t + c n) δw/w².
 State family_at_end(const Scene& scene, const State& end) {
   State state(3 * kComponents);
-  for (std::size_t i = 0; i < kComponents; ++i) state[i] = end[i];
-  state[kPtheta] = Real(0.0);
-  state[kPw] = Real(0.0);
+  for (std::size_t i : {kX, kZ, kTheta, kW, kBeta}) state[i] = end[i];
   const Real &theta = end[kTheta], &w = end[kW], &beta = end[kBeta];
   const auto [root, c, m] = root_by_slope(scene, theta, beta);
   const Real t_x = cos(beta), t_z = sin(beta), n_x = -t_z, n_z = t_x;
   const Real gain = Real(scene.body.eta_m) * cos(theta) / (Real(2.0) * w);
+  state[kPx] = -(root * t_x + c * n_x) / w;
+  state[kPz] = -(root * t_z + c * n_z) / w;
   const auto at = [](std::size_t component, std::size_t direction) {
     return Equations::place(component, direction);
   };

@@ -55,7 +55,7 @@ struct Theorems {
 /// The determinant of its derivatives by both and by u vanishes at the end, and
 /// is shown to vanish nowhere else, the start included.
 ///
-/// \param end  the state at the end, enclosed
+/// \param end  the state at the end, enclosed; of its costates nothing is used
 [[nodiscard]] Theorem no_conjugate_point(const Scene& scene, const State& end,
                                          const Real& length,
                                          const Accuracy& accuracy);

@@ -157,17 +157,16 @@ bool Flow::encloses(const State& rates, double wide, Disc& disc) const {
   for (double each : growth) lambda = std::max(lambda, each);
   disc.rho = std::min(kShare * wide, kGrowth / lambda);
   const Real rho(disc.rho);
-  Real delta;
+  double delta = 0.0;
   for (std::size_t i = 0; i < kComponents; ++i) {
     if (!feeds(i)) continue;
-    const Real own = Real(defect[i]) / Real(tube[i]);
-    if (own.upper() > delta.upper()) delta = own;
+    delta = std::max(delta, Real::quotient(defect[i], tube[i]));
   }
   Real power, grown;
   arb_pow_ui(power.get(), (rho / Real(wide)).get(),
              static_cast<ulong>(series_.terms()), working_bits);
   arb_exp(grown.get(), (Real(lambda) * rho).get(), working_bits);
-  const Real end = (Real(kFill) + delta * power / Real(lambda)) * grown;
+  const Real end = (Real(kFill) + Real(delta) * power / Real(lambda)) * grown;
   return end.finite() && end.upper() < 1.0;
 }
 

@@ -96,6 +96,7 @@ CommandLine command_line() {
        body_verb(),    table_verb(),
        compare_verb(), work_precision_verb(),
        nlp_verb(),     derivatives_verb(),
+       prove_verb(),   check_proof_verb(),
        new_verb(),     worker_verb(),
        measure_verb(), complete_verb(command_line)},
       {{.name = "--color",

@@ -41,6 +41,8 @@ struct CommonFlags {
 [[nodiscard]] Verb work_precision_verb();
 [[nodiscard]] Verb nlp_verb();
 [[nodiscard]] Verb derivatives_verb();
+[[nodiscard]] Verb prove_verb();
+[[nodiscard]] Verb check_proof_verb();
 [[nodiscard]] Verb new_verb();
 /// \param whole  the command line that it speaks of
 [[nodiscard]] Verb complete_verb(CommandLine (*whole)());  ///< for shells

@@ -191,7 +191,8 @@ template <class Scalar>
                                      const Scalar& beta) {
   using std::sqrt;
   if (!body.off_centred()) {
-    return Scalar(std::sqrt(axisymmetric_inertia_factor(body)));
+    using Constant = math::ConstantOf<Scalar>;
+    return Scalar(sqrt(axisymmetric_inertia_factor<Constant>(body)));
   }
   return sqrt(inertia_factor(body, theta, beta));
 }

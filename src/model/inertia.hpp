@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "brachisto/model/body.hpp"
+#include "math/constant_of.hpp"
 
 namespace brachisto {
 
@@ -27,7 +28,7 @@ template <class Scalar>
                                     const Scalar& beta) {
   using std::cos;
   using std::sin;
-  const double eta = body.eta_m;
+  const math::ConstantOf<Scalar> eta(body.eta_m);
   const Scalar half = (theta - beta) * 0.5;
   const Scalar d = cos(half) - sin(half);
   return d * d * (2.0 * eta) + ((1.0 - eta) * (1.0 - eta) + body.k);
@@ -42,8 +43,9 @@ template <class Scalar>
 }
 
 /// Inertia factor of a body whose centre of mass lies on its axis: 1 + k.
-[[nodiscard]] inline double axisymmetric_inertia_factor(const Body& body) {
-  return 1.0 + body.k;
+template <class Number = double>
+[[nodiscard]] Number axisymmetric_inertia_factor(const Body& body) {
+  return Number(1.0) + body.k;
 }
 
 /// Kinetic energy as a height, that is in units of m g [m].

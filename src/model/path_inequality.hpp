@@ -66,9 +66,10 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   const Scalar cos_beta = cos(at.beta), sin_beta = sin(at.beta);
   const Scalar pressing = G.z * cos_beta - G.x * sin_beta;
   if (!body.off_centred()) {
-    const double A = axisymmetric_inertia_factor(body);
-    const Scalar gain = work_gain(scene, at.x, at.z, at.theta, at.w, at.beta,
-                                  Scalar(std::sqrt(A)));
+    using Constant = math::ConstantOf<Scalar>;
+    const auto A = axisymmetric_inertia_factor<Constant>(body);
+    const Scalar gain =
+        work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, Scalar(sqrt(A)));
     return {(pressing - at.w * at.q * (1.0 / A)) * per_g,
             gain * ((1.0 / A - 1.0) * per_g)};
   }

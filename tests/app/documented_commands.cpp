@@ -182,7 +182,7 @@ TEST(Commands, HaveTheFlagsThatSentencesName) {
   for (const char* verb :
        {"solve", "validate", "sweep", "export", "merge", "report", "show",
         "race", "paper", "compare", "work-precision", "body", "design", "new",
-        "nlp", "fit"}) {
+        "nlp", "fit", "prove", "check-proof"}) {
     help += run({verb, "--help"}).out;
   }
   const std::regex use("`(--[a-z][a-z-]*)");

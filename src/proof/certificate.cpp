@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "proof/certificate.hpp"
+
+#include <flint/flint.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "brachisto/version.hpp"
+
+namespace brachisto::proof {
+
+namespace {
+
+constexpr std::array<const char*, kUnknowns> kUnknownNames{"p_x", "p_z",
+                                                           "p_theta_0", "U"};
+constexpr int kDigits = 20;  // behind the point, of ends that are printed
+
+/// Where a ball ends, rounded outward to so many digits behind the point.
+std::string decimal_end(const Real& ball, bool upper) {
+  arf_t end, scaled;
+  fmpz_t whole;
+  arf_init(end);
+  arf_init(scaled);
+  fmpz_init(whole);
+  if (upper) {
+    arb_get_ubound_arf(end, ball.get(), working_bits);
+  } else {
+    arb_get_lbound_arf(end, ball.get(), working_bits);
+  }
+  fmpz_ui_pow_ui(whole, 10, kDigits);
+  arf_mul_fmpz(scaled, end, whole, ARF_PREC_EXACT, ARF_RND_NEAR);
+  if (upper) {
+    arf_ceil(scaled, scaled);
+  } else {
+    arf_floor(scaled, scaled);
+  }
+  arf_get_fmpz(whole, scaled, ARF_RND_NEAR);
+  const bool negative = fmpz_sgn(whole) < 0;
+  fmpz_abs(whole, whole);
+  char* text = fmpz_get_str(nullptr, 10, whole);
+  std::string digits = text;
+  flint_free(text);
+  fmpz_clear(whole);
+  arf_clear(end);
+  arf_clear(scaled);
+  if (digits.size() <= kDigits) {
+    digits.insert(0, kDigits + 1 - digits.size(), '0');
+  }
+  digits.insert(digits.size() - kDigits, ".");
+  return (negative ? "-" : "") + digits;
+}
+
+/// Statements are made of what is a little wider than what was found, so that a
+/// check whose roundings differ lies within.
+Json stated(const Real& found) {
+  const Real spare = found.radius() + Real(0x1p-66);
+  const Real wide = found.widened(spare);
+  return {{"lower", decimal_end(wide, false)},
+          {"upper", decimal_end(wide, true)},
+          {"ball", wide.exact()}};
+}
+
+Json theorem(const Theorem& shown) {
+  Json out = {{"holds", shown.holds}};
+  if (!shown.holds) out["why_not"] = shown.why_not;
+  return out;
+}
+
+std::string hex(double number) {
+  return fmt::format("{:a}", number);
+}
+
+Json scene_json(const Scene& scene) {
+  return {{"shape", scene.body.rolls() ? "cylinder" : "bead"},
+          {"radius", hex(scene.body.radius)},
+          {"eta_m", hex(scene.body.eta_m)},
+          {"theta_m", hex(scene.body.theta_m)},
+          {"k", hex(scene.body.k)},
+          {"L", hex(scene.L)},
+          {"H", hex(scene.H)},
+          {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"}};
+}
+
+/// FNV-1a of the document without its digest: tells what was changed by
+/// accident or by an editor. What a check believes does not rest on it.
+std::string digest(Json document) {
+  document.erase("digest");
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char byte : document.dump()) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+Json document(const Scene& scene, const Accuracy& accuracy, const Root& root,
+              const Theorems& shown) {
+  Json unknowns;
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    unknowns[kUnknownNames[i]] = {{"searched", root.searched[i].exact()},
+                                  {"found", root.found[i].exact()}};
+  }
+  const Enclosures& e = shown.enclosed;
+  Json out = {{"certificate", "brachisto proof"},
+              {"version", kCertificateVersion},
+              {"provenance",
+               {{"brachisto", BRACHISTO_VERSION},
+                {"flint", std::string(flint_version)}}},
+              {"scene", scene_json(scene)},
+              {"accuracy",
+               {{"bits", accuracy.bits},
+                {"terms", accuracy.terms},
+                {"share", hex(accuracy.share)},
+                {"steps", root.steps}}},
+              {"unknowns", unknowns},
+              {"enclosures",
+               {{"tau", stated(e.tau)},
+                {"start_angle", stated(e.start_angle)},
+                {"end_angle", stated(e.end_angle)},
+                {"length_per_H", stated(e.length)},
+                {"rotation", stated(e.rotation)}}},
+              {"theorems",
+               {{"exists_once_in_box", {{"holds", true}}},
+                {"legendre", theorem(shown.legendre)},
+                {"no_conjugate_point", theorem(shown.no_conjugate_point)},
+                {"strict_minimum", {{"holds", shown.strict_minimum()}}},
+                {"normal_force_positive", theorem(shown.presses)},
+                {"no_fold", theorem(shown.no_fold)},
+                {"no_loop", theorem(shown.no_loop)}}}};
+  out["digest"] = digest(out);
+  return out;
+}
+
+double number(const Json& scene, const char* key) {
+  const std::string text = scene.at(key).get<std::string>();
+  std::size_t read = 0;
+  const double out = std::stod(text, &read);
+  if (read != text.size()) throw Refused("the scene has no such number");
+  return out;
+}
+
+Real ball(const Json& text) {
+  Real out;
+  if (!Real::read(text.get<std::string>(), out) || !out.finite()) {
+    throw Refused("a ball cannot be read");
+  }
+  return out;
+}
+
+/// Nothing may be said that was not shown.
+void compare(const Json& said, const Json& shown) {
+  for (const auto& [name, theorem] : said.at("theorems").items()) {
+    if (theorem.at("holds") != false &&
+        shown.at("theorems").at(name).at("holds") != true) {
+      throw Refused(fmt::format("it says of {} what is not shown again", name));
+    }
+  }
+}
+
+}  // namespace
+
+Accuracy accuracy_of(int bits) {
+  constexpr Accuracy kUsual;
+  return {.bits = bits,
+          .terms = kUsual.terms * bits / kUsual.bits,
+          .share = kUsual.share};
+}
+
+Json prove(const Scene& scene, const Accuracy& accuracy) {
+  const std::string kind = not_of_this_kind(scene);
+  if (!kind.empty()) throw NotProven("nothing is proven of " + kind + " yet");
+  const Bits bits(accuracy.bits);
+  const Root root = find_root(scene, approximation(scene), accuracy);
+  return document(scene, accuracy, root,
+                  prove_theorems(scene, root.found, accuracy));
+}
+
+Scene scene_of(const Json& certificate) {
+  if (!certificate.is_object() ||
+      certificate.value("certificate", "") != "brachisto proof") {
+    throw Refused("it is no certificate of `brachisto prove`");
+  }
+  if (certificate.at("version") != kCertificateVersion ||
+      certificate.at("provenance").at("brachisto") != BRACHISTO_VERSION) {
+    throw Refused("it is of another version");
+  }
+  if (certificate.at("digest") != digest(certificate)) {
+    throw Refused("it was edited: its digest is not its own");
+  }
+  const Json& said = certificate.at("scene");
+  Scene scene;
+  if (said.at("shape") == "bead") {
+    scene.body = Body::bead();
+  } else {
+    scene.body = Body::cylinder(number(said, "radius"), number(said, "eta_m"),
+                                number(said, "theta_m"), number(said, "k"));
+  }
+  scene.L = number(said, "L");
+  scene.H = number(said, "H");
+  scene.contact =
+      said.at("contact") == "centre" ? Contact::Centre : Contact::Smooth;
+  if (!validate(scene).empty() || scene_json(scene) != said) {
+    throw Refused("its scene is not valid");
+  }
+  return scene;
+}
+
+bool is_of(const Json& certificate, const Scene& scene) {
+  return not_of_this_kind(scene).empty() &&
+         certificate.at("scene") == scene_json(scene);
+}
+
+Json check(const Json& certificate) {
+  constexpr int kMoreBits = 40, kMoreTerms = 7;
+  constexpr double kShorter = 0.85;
+  const Scene scene = scene_of(certificate);
+  const Json& made = certificate.at("accuracy");
+  const int bits_said = made.at("bits").get<int>();
+  if (bits_said < kLeastBits || bits_said > kMostBits) {
+    throw Refused("its precision is none that is allowed");
+  }
+  const Accuracy usual = accuracy_of(bits_said);
+  const Accuracy accuracy{.bits = usual.bits + kMoreBits,
+                          .terms = usual.terms + kMoreTerms,
+                          .share = usual.share * kShorter};
+  const Bits bits(accuracy.bits);
+  Unknowns searched, found;
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    const Json& said = certificate.at("unknowns").at(kUnknownNames[i]);
+    searched[i] = ball(said.at("searched"));
+    found[i] = ball(said.at("found"));
+  }
+  const Root root = verify_root(scene, searched, accuracy);
+  const Theorems shown = prove_theorems(scene, root.found, accuracy);
+  const std::array<std::pair<const char*, const Real*>, 5> enclosures{
+      {{"tau", &shown.enclosed.tau},
+       {"start_angle", &shown.enclosed.start_angle},
+       {"end_angle", &shown.enclosed.end_angle},
+       {"length_per_H", &shown.enclosed.length},
+       {"rotation", &shown.enclosed.rotation}}};
+  for (const auto& [name, value] : enclosures) {
+    const Json& said = certificate.at("enclosures").at(name);
+    const Real claimed = ball(said.at("ball"));
+    if (!value->within(claimed) ||
+        said.at("lower") != decimal_end(claimed, false) ||
+        said.at("upper") != decimal_end(claimed, true)) {
+      throw Refused(fmt::format("its {} is not what is found again", name));
+    }
+  }
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    if (arb_overlaps(root.found[i].get(), found[i].get()) == 0) {
+      throw Refused("its box is not where the root is");
+    }
+  }
+  Json again = document(scene, accuracy, root, shown);
+  compare(certificate, again);
+  return again;
+}
+
+std::string in_words(const Json& certificate) {
+  const Json& e = certificate.at("enclosures");
+  const Json& t = certificate.at("theorems");
+  const auto between = [&](const char* name, const char* symbol) {
+    return fmt::format("  {} in [{}, {}]\n", symbol,
+                       e.at(name).at("lower").get<std::string>(),
+                       e.at(name).at("upper").get<std::string>());
+  };
+  std::string out =
+      "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
+      "one\nextremal lies in the box of the certificate, and of it\n";
+  out += between("tau", "τ");
+  out += between("end_angle", "φ");
+  out += between("length_per_H", "S/H");
+  const std::array<std::pair<const char*, const char*>, 4> rows{
+      {{"strict_minimum",
+        "T is a strict weak local minimum between its fixed ends"},
+       {"normal_force_positive", "R_n > 0 after the start"},
+       {"no_fold", "the track does not fold"},
+       {"no_loop", "the path has no loop: |β| < π"}}};
+  for (const auto& [name, words] : rows) {
+    const bool holds = t.at(name).at("holds").get<bool>();
+    out += fmt::format("  {}: {}\n", holds ? "proven" : "not proven", words);
+  }
+  for (const auto& [name, said] : t.items()) {
+    if (said.contains("why_not")) {
+      out += fmt::format("  {}: {}\n", name,
+                         said.at("why_not").get<std::string>());
+    }
+  }
+  return out;
+}
+
+}  // namespace brachisto::proof

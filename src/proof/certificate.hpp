@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// A proof as a file that another run can check.
+
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "proof/theorems.hpp"
+
+namespace brachisto::proof {
+
+using Json = nlohmann::ordered_json;
+
+/// Of the file, and of the formulas that it speaks of: it grows when what the
+/// unknowns or the theorems mean changes.
+inline constexpr int kCertificateVersion = 1;
+
+/// A file that is no certificate, or none that can be believed as it stands.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Proves what can be proven of a scene, whose numbers of 64 bits are exact.
+/// \throws NotProven  if not even that the extremal exists
+[[nodiscard]] Json prove(const Scene& scene, const Accuracy& accuracy);
+
+/// The scene of a certificate.
+/// \throws Refused  if it is of another version, or its digest is not its own
+[[nodiscard]] Scene scene_of(const Json& certificate);
+
+/// Whether a scene is that of a certificate, to the last bit of what matters:
+/// body, ends and contact.
+[[nodiscard]] bool is_of(const Json& certificate, const Scene& scene);
+
+/// Shows again what a certificate says, with more bits, more terms and shorter
+/// steps.
+/// \return what was shown, in the form of a certificate
+/// \throws Refused    if it says more than is shown
+/// \throws NotProven  if the root is not found again
+[[nodiscard]] Json check(const Json& certificate);
+
+/// For people.
+[[nodiscard]] std::string in_words(const Json& certificate);
+
+/// Bits that may be asked for.
+inline constexpr int kLeastBits = 96, kMostBits = 1024;
+
+/// The bits of Accuracy with terms to match.
+[[nodiscard]] Accuracy accuracy_of(int bits);
+
+}  // namespace brachisto::proof

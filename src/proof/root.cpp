@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "proof/root.hpp"
+
+#include <arb_mat.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "extremal/shooting.hpp"
+#include "model/start_angle.hpp"
+#include "model/units.hpp"
+
+namespace brachisto::proof {
+
+namespace {
+
+using Matrix = std::array<Unknowns, kUnknowns>;
+
+Real inertia(const Scene& scene, const Real& theta, const Real& beta) {
+  const Real root = inertia_root(scene, theta, beta);
+  return root * root;
+}
+
+// A cos β = a η cos(θ_m − β), a = sin β + η cos θ_m, by Newton's operator on
+// an interval about the angle of 64 bits; with A_β = 2 η cos(θ_m − β),
+// d/dβ (A cos β − a η cos δ) = η cos δ cos β − A sin β − a η sin δ.
+Real enclosed_start_angle(const Scene& scene) {
+  const Body& body = scene.body;
+  const Real half_pi = Real::pi() * Real(0.5);
+  if (!body.off_centred() || body.theta_m == 0.0) return half_pi;
+  constexpr double kRadius = 1e-12;
+  constexpr int kSteps = 12;
+  const Real theta(body.theta_m), eta(body.eta_m);
+  const auto newton = [&](const Real& box, bool& inside) {
+    const auto terms = [&](const Real& beta) {
+      return std::array{inertia(scene, theta, beta),
+                        sin(beta) + eta * cos(theta), theta - beta};
+    };
+    const Real middle = box.middle();
+    const auto [A, a, delta] = terms(middle);
+    const Real value = A * cos(middle) - a * eta * cos(delta);
+    const auto [A_box, a_box, delta_box] = terms(box);
+    const Real slope = eta * cos(delta_box) * cos(box) - A_box * sin(box) -
+                       a_box * eta * sin(delta_box);
+    const Real next = middle - value / slope;
+    inside = next.finite() && !slope.has_zero() && a_box.positive() &&
+             next.inside(box);
+    return next;
+  };
+  Real box = Real(brachisto::start_angle(body)).widened(Real(kRadius));
+  bool inside = false;
+  Real next = newton(box, inside);
+  if (!inside) throw NotProven("the start angle is not enclosed");
+  for (int i = 0; i < kSteps && inside; ++i) {
+    box = next;
+    next = newton(box, inside);
+  }
+  return box;
+}
+
+Matrix inverse_of_middle(const Matrix& of) {
+  const auto size = static_cast<slong>(kUnknowns);
+  arb_mat_t a, b;
+  arb_mat_init(a, size, size);
+  arb_mat_init(b, size, size);
+  for (slong i = 0; i < size; ++i) {
+    for (slong j = 0; j < size; ++j) {
+      const Real& entry =
+          of[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      arb_set(arb_mat_entry(a, i, j), entry.middle().get());
+    }
+  }
+  const bool regular = arb_mat_inv(b, a, working_bits) != 0;
+  Matrix out;
+  for (slong i = 0; regular && i < size; ++i) {
+    for (slong j = 0; j < size; ++j) {
+      Real& entry =
+          out[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      arb_set(entry.get(), arb_mat_entry(b, i, j));
+      entry = entry.middle();
+    }
+  }
+  arb_mat_clear(a);
+  arb_mat_clear(b);
+  if (!regular) throw NotProven("the equations of the ends are singular");
+  return out;
+}
+
+Unknowns product(const Matrix& a, const Unknowns& v) {
+  Unknowns out;
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    for (std::size_t j = 0; j < kUnknowns; ++j) out[i] += a[i][j] * v[j];
+  }
+  return out;
+}
+
+/// F and F' at a point or over a box.
+struct Shot {
+  Unknowns missed;
+  Matrix slopes;
+  int steps = 0;
+};
+
+Shot shoot(const Scene& scene, const Ends& ends, const Unknowns& at,
+           const Accuracy& accuracy, bool with_slopes) {
+  const int directions = with_slopes ? 3 : 0;
+  Flow flow(scene, directions, accuracy);
+  State state = ends.start(at, directions);
+  Shot out;
+  out.steps = flow.go(state, at.back());
+  out.missed = ends.missed(state);
+  if (with_slopes) out.slopes = ends.slopes(state, flow.rates(state));
+  return out;
+}
+
+/// C, of which some ten digits are enough.
+Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
+  constexpr Accuracy kRough{.bits = 128, .terms = 26, .share = 0.16};
+  return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
+}
+
+double largest(const Unknowns& of) {
+  double out = 0.0;
+  for (const Real& number : of) out = std::max(out, number.abs().upper());
+  return out;
+}
+
+Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
+              const Accuracy& accuracy) {
+  const Ends ends(scene);
+  Unknowns middle, away;
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    middle[i] = box[i].middle();
+    away[i] = box[i] - middle[i];
+  }
+  const Shot centre = shoot(scene, ends, middle, accuracy, false);
+  const Shot over = shoot(scene, ends, box, accuracy, true);
+  const Unknowns step = product(inverse, centre.missed);
+  Root out{box, {}, over.steps};
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    Real rest;
+    for (std::size_t k = 0; k < kUnknowns; ++k) {
+      Real contracts(i == k ? 1.0 : 0.0);
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        contracts = contracts - inverse[i][j] * over.slopes[j][k];
+      }
+      rest += contracts * away[k];
+    }
+    out.found[i] = middle[i] - step[i] + rest;
+    if (!out.found[i].finite() || !out.found[i].inside(box[i])) {
+      throw NotProven(
+          "Krawczyk's operator does not map the box into itself: it holds no "
+          "root, or the precision is too low; more bits may help");
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string not_of_this_kind(const Scene& scene) {
+  if (!scene.world.ordinary()) return "fields, air, losses and pushes";
+  if (scene.limits.any()) return "limits";
+  if (scene.path) return "given paths";
+  if (scene.contact != Contact::Smooth && scene.contact != Contact::Centre) {
+    return "open or given slopes at the ends";
+  }
+  if (scene.body.ball) return "balls";
+  return "";
+}
+
+Ends::Ends(const Scene& scene)
+    : scene_(scene),
+      radius_(scene.body.rolls() && scene.contact == Contact::Smooth ? 1.0
+                                                                     : 0.0) {
+  const Real theta(scene.body.theta_m);
+  beta_ = enclosed_start_angle(scene);
+  // 𝓗 = √A + p_w g a = 0 at rest, g = 1/2.
+  const Real a = sin(beta_) + Real(scene.body.eta_m) * cos(theta);
+  p_w_ = -inertia_root(scene, theta, beta_) * Real(2.0) / a;
+  if (!p_w_.finite()) throw NotProven("the start has no growth of speed");
+}
+
+Real Ends::unit() const {
+  return Real(scene_.body.rolls() ? scene_.body.radius : 1.0);
+}
+
+State Ends::start(const Unknowns& unknowns, int directions) const {
+  State state(kComponents * static_cast<std::size_t>(1 + directions));
+  state[kTheta] = Real(scene_.body.theta_m);
+  state[kPx] = unknowns[0];
+  state[kPz] = unknowns[1];
+  state[kPtheta] = unknowns[2];
+  state[kPw] = p_w_;
+  state[kBeta] = beta_;
+  if (directions > 0) {
+    state[Equations::place(kPx, 0)] = Real(1.0);
+    state[Equations::place(kPz, 1)] = Real(1.0);
+    state[Equations::place(kPtheta, 2)] = Real(1.0);
+  }
+  return state;
+}
+
+// The centre starts at (r sin β₀, −r cos β₀) and ends at
+// (L + r sin β, H − r cos β).
+Unknowns Ends::missed(const State& end) const {
+  const Real r(radius_);
+  const Real x = end[kX] + r * (sin(beta_) - sin(end[kBeta]));
+  const Real z = end[kZ] - r * (cos(beta_) - cos(end[kBeta]));
+  return {x - Real(scene_.L) / unit(), z - Real(scene_.H) / unit(),
+          end[kPtheta], end[kPw]};
+}
+
+std::array<Unknowns, kUnknowns> Ends::slopes(const State& end,
+                                             const State& rates) const {
+  const Real r(radius_);
+  const Real c = r * cos(end[kBeta]), s = r * sin(end[kBeta]);
+  std::array<Unknowns, kUnknowns> out;
+  for (std::size_t j = 0; j < kUnknowns; ++j) {
+    const auto by = [&](std::size_t component) {
+      return j + 1 < kUnknowns ? end[Equations::place(component, j)]
+                               : rates[component];
+    };
+    out[0][j] = by(kX) - c * by(kBeta);
+    out[1][j] = by(kZ) - s * by(kBeta);
+    out[2][j] = by(kPtheta);
+    out[3][j] = by(kPw);
+  }
+  return out;
+}
+
+Unknowns approximation(const Scene& scene) {
+  const ExtremalSolution found = solve_extremal(scene);
+  if (!found.usable()) throw NotProven("no extremal: " + found.message);
+  const double length = scene.body.rolls() ? scene.body.radius : 1.0;
+  const double time = std::sqrt(length / (2.0 * scene.gravity));
+  const double p_theta =
+      scene.body.off_centred() ? found.path.at(0.0).p_theta / time : 0.0;
+  return {Real(found.p_x * length / time), Real(found.p_z * length / time),
+          Real(p_theta), Real(found.rolling_time / time)};
+}
+
+Root find_root(const Scene& scene, const Unknowns& near,
+               const Accuracy& accuracy) {
+  constexpr int kMostSteps = 12;
+  const Bits bits(accuracy.bits);
+  const Ends ends(scene);
+  Unknowns at = near;
+  // Where Newton's method has the digits of half the bits it has enough.
+  const double enough = std::ldexp(1.0, -accuracy.bits / 2);
+  const Matrix inverse = rough_inverse(scene, ends, at);
+  double step = 1.0;
+  for (int i = 0; i < kMostSteps && step > enough; ++i) {
+    const Unknowns by =
+        product(inverse, shoot(scene, ends, at, accuracy, false).missed);
+    step = largest(by);
+    if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
+    for (std::size_t k = 0; k < kUnknowns; ++k) {
+      at[k] = (at[k] - by[k]).middle();
+    }
+  }
+  if (!(step <= enough)) {
+    throw NotProven("Newton's method stops short of the precision: more bits");
+  }
+  const Real radius(std::ldexp(1.0, -(2 * accuracy.bits) / 5));
+  Unknowns box;
+  for (std::size_t k = 0; k < kUnknowns; ++k) box[k] = at[k].widened(radius);
+  return krawczyk(scene, box, inverse, accuracy);
+}
+
+Root verify_root(const Scene& scene, const Unknowns& box,
+                 const Accuracy& accuracy) {
+  const Bits bits(accuracy.bits);
+  Unknowns middle;
+  for (std::size_t k = 0; k < kUnknowns; ++k) middle[k] = box[k].middle();
+  const Ends ends(scene);
+  const Matrix inverse = rough_inverse(scene, ends, middle);
+  return krawczyk(scene, box, inverse, accuracy);
+}
+
+}  // namespace brachisto::proof

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "proof/theorems.hpp"
+
+#include <cmath>
+
+#include "brachisto/math/jet.hpp"
+#include "model/field.hpp"
+
+namespace brachisto::proof {
+
+namespace {
+
+constexpr int kMostPieces = 32;
+constexpr double kSplit = 0.5;
+
+/// Whether a statement holds on a whole step, cut into pieces if need be.
+template <class Holds>
+bool holds_along(const Real& from, const Real& to, const Holds& holds,
+                 int pieces = 1) {
+  const Real hull = [&] {
+    Real out;
+    arb_union(out.get(), from.get(), to.get(), working_bits);
+    return out;
+  }();
+  if (holds(hull)) return true;
+  if (2 * pieces > kMostPieces) return false;
+  const Real middle = ((from + to) * Real(kSplit)).middle();
+  return holds_along(from, middle, holds, 2 * pieces) &&
+         holds_along(middle, to, holds, 2 * pieces);
+}
+
+void fail(Theorem& theorem, const char* what, const Step& step) {
+  if (!theorem.holds) return;
+  theorem.holds = false;
+  theorem.why_not = std::string(what) +
+                    " is not shown from u = " + std::to_string(step.begin) +
+                    " on";
+}
+
+/// √A with its first two derivatives by β.
+std::array<Real, 3> root_by_slope(const Scene& scene, const Real& theta,
+                                  const Real& beta) {
+  using Jet = math::Jet2<Node, 1>;
+  Tape tape;
+  const Tape::Recording recording(tape);
+  const Jet root = root_of_inertia(scene.body, Jet(tape.input(0)),
+                                   Jet::variable(tape.input(1), 0));
+  const std::vector<Real> at = tape.values<Real>({theta, beta});
+  const auto value = [&](const Node& node) {
+    return at[static_cast<std::size_t>(node.id)];
+  };
+  // A constant root leaves nodes that were written all the same.
+  return {value(root.value), value(root.gradient[0]), value(root.hessian[0])};
+}
+
+// With t = (cos β, sin β) and n = (−sin β, cos β), 𝓗 = 0 and h_β = 0 at the end
+// are p = −(√A t + c n)/w, c = ∂√A/∂β; m = ∂²√A/∂β². By β p changes like
+// −(√A + m) n/w; by θ, with w δw = g r η cos θ, like
+// (c t + m n)/w + (√A t + c n) δw/w².
+State family_at_end(const Scene& scene, const State& end) {
+  State state(3 * kComponents);
+  for (std::size_t i : {kX, kZ, kTheta, kW, kBeta}) state[i] = end[i];
+  const Real &theta = end[kTheta], &w = end[kW], &beta = end[kBeta];
+  const auto [root, c, m] = root_by_slope(scene, theta, beta);
+  const Real t_x = cos(beta), t_z = sin(beta), n_x = -t_z, n_z = t_x;
+  const Real gain = Real(scene.body.eta_m) * cos(theta) / (Real(2.0) * w);
+  state[kPx] = -(root * t_x + c * n_x) / w;
+  state[kPz] = -(root * t_z + c * n_z) / w;
+  const auto at = [](std::size_t component, std::size_t direction) {
+    return Equations::place(component, direction);
+  };
+  state[at(kTheta, 0)] = Real(1.0);
+  state[at(kW, 0)] = gain;
+  state[at(kPx, 0)] =
+      (c * t_x + m * n_x) / w + (root * t_x + c * n_x) * gain / (w * w);
+  state[at(kPz, 0)] =
+      (c * t_z + m * n_z) / w + (root * t_z + c * n_z) * gain / (w * w);
+  state[at(kBeta, 1)] = Real(1.0);
+  state[at(kPx, 1)] = -(root + m) * n_x / w;
+  state[at(kPz, 1)] = -(root + m) * n_z / w;
+  return state;
+}
+
+}  // namespace
+
+Theorem no_conjugate_point(const Scene& scene, const State& end,
+                           const Real& length, const Accuracy& accuracy) {
+  Theorem out{.holds = true};
+  const Real eta(scene.body.eta_m);
+  bool first = true;
+  int sign = 0;
+  const auto look = [&](const Step& step) {
+    // Divided by u on the first step: the column of β is zero at the end.
+    const int drop = first ? 1 : 0;
+    const bool shown = holds_along(Real(0.0), -step.length, [&](const Real& u) {
+      const auto by = [&](std::size_t component, std::size_t direction) {
+        return step.value(Equations::place(component, direction), u,
+                          direction == 1 ? drop : 0);
+      };
+      const Real theta = step.value(kTheta, u), w = step.value(kW, u),
+                 beta = step.value(kBeta, u);
+      const std::array a{by(kX, 0), by(kTheta, 0), by(kW, 0)};
+      const std::array b{by(kX, 1), by(kTheta, 1), by(kW, 1)};
+      const std::array f{w * cos(beta), w,
+                         (sin(beta) + eta * cos(theta)) * Real(0.5)};
+      const Real D = a[0] * (b[1] * f[2] - b[2] * f[1]) -
+                     a[1] * (b[0] * f[2] - b[2] * f[0]) +
+                     a[2] * (b[0] * f[1] - b[1] * f[0]);
+      if (!D.finite() || D.has_zero()) return false;
+      // From one step to the next the sign is kept: they share a point. Behind
+      // the first one u, which is negative, is no longer divided by.
+      const int own = (D.positive() ? 1 : -1) * (first ? -1 : 1);
+      if (sign == 0) sign = own;
+      return own == sign;
+    });
+    if (!shown) fail(out, "that no point is conjugate to the end", step);
+    first = false;
+  };
+  try {
+    Flow flow(scene, 2, accuracy);
+    State state = family_at_end(scene, end);
+    flow.go(state, length, true, look);
+  } catch (const NotProven& error) {
+    return {false, error.what()};
+  }
+  return out;
+}
+
+Theorems prove_theorems(const Scene& scene, const Unknowns& found,
+                        const Accuracy& accuracy) {
+  const Bits bits(accuracy.bits);
+  Theorems out;
+  for (Theorem* each :
+       {&out.legendre, &out.presses, &out.no_fold, &out.no_loop}) {
+    each->holds = true;
+  }
+  const Ends ends(scene);
+  Flow flow(scene, 0, accuracy);
+  const Equations& equations = flow.equations();
+  const Real pi = Real::pi();
+  bool first = true;
+  const auto look = [&](const Step& step) {
+    const auto positive = [&](const Node& node) {
+      return holds_along(Real(0.0), step.length, [&](const Real& u) {
+        return equations.tape
+            .values<Real>(
+                step.values(u, false))[static_cast<std::size_t>(node.id)]
+            .positive();
+      });
+    };
+    if (!positive(equations.legendre)) fail(out.legendre, "h_ββ > 0", step);
+    if (!positive(equations.unfolded)) fail(out.no_fold, "r κ_c < 1", step);
+    // R_n is 0 at the start, by the equation of the start angle.
+    const bool presses =
+        !first ? positive(equations.normal)
+               : holds_along(Real(0.0), step.length, [&](const Real& u) {
+                   return step.slope(equations.normal, step.normal_bound, u)
+                       .positive();
+                 });
+    if (!presses) fail(out.presses, "R_n > 0", step);
+    if (!holds_along(Real(0.0), step.length, [&](const Real& u) {
+          return (pi - step.value(kBeta, u).abs()).positive();
+        })) {
+      fail(out.no_loop, "|β| < π", step);
+    }
+    first = false;
+  };
+  State state = ends.start(found, 0);
+  flow.go(state, found.back(), false, look);
+
+  const Real heights = ends.unit() / Real(scene.H);
+  out.enclosed = {state[kTime] * sqrt(heights), ends.start_angle(),
+                  state[kBeta], state[kLength] * heights,
+                  state[kTheta] - Real(scene.body.theta_m)};
+  if (!out.enclosed.tau.finite()) throw NotProven("no enclosure of T");
+  out.no_conjugate_point =
+      no_conjugate_point(scene, state, found.back(), accuracy);
+  return out;
+}
+
+}  // namespace brachisto::proof

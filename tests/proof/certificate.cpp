@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "proof/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "proof/scenes.hpp"
+
+namespace brachisto {
+namespace {
+
+using namespace proof;
+using brachisto::testing::bead;
+
+const Json& certificate() {
+  static const Json made = prove(bead(), accuracy_of(128));
+  return made;
+}
+
+std::string refusal(const std::function<void(Json&)>& edit) {
+  Json edited = certificate();
+  edit(edited);
+  try {
+    (void)check(edited);
+  } catch (const Refused& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// τ = α √(2/(1 − cos α)) of the cycloid that is α wide,
+/// (α − sin α)/(1 − cos α) = L/H: enclosed by signs beside a root.
+Real closed_form() {
+  const auto off = [](const Real& alpha) {
+    return alpha - sin(alpha) - Real(3.0) * (Real(1.0) - cos(alpha));
+  };
+  Real alpha(4.0);
+  for (int i = 0; i < 12; ++i) {
+    const Real slope = Real(1.0) - cos(alpha) - Real(3.0) * sin(alpha);
+    alpha = (alpha - off(alpha) / slope).middle();
+  }
+  const Real by(0x1p-90);
+  EXPECT_TRUE((-off(alpha - by)).positive());
+  EXPECT_TRUE(off(alpha + by).positive());
+  alpha = alpha.widened(by);
+  return alpha * sqrt(Real(2.0) / (Real(1.0) - cos(alpha)));
+}
+
+TEST(Certificate, OfABeadHoldsTheClosedForm) {
+  const Bits bits(256);
+  Real tau;
+  ASSERT_TRUE(Real::read(
+      certificate()["enclosures"]["tau"]["ball"].get<std::string>(), tau));
+  EXPECT_TRUE(closed_form().within(tau));
+  EXPECT_LT(tau.radius().upper(), 1e-17);
+  for (const auto& [name, said] : certificate()["theorems"].items()) {
+    EXPECT_TRUE(said["holds"].get<bool>()) << name;
+  }
+}
+
+TEST(Certificate, IsShownAgain) {
+  const Json again = check(certificate());
+  EXPECT_EQ(again["theorems"], certificate()["theorems"]);
+  EXPECT_NE(again["accuracy"], certificate()["accuracy"]);
+}
+
+TEST(Certificate, IsRefusedWhenEditedOrOfAnother) {
+  EXPECT_NE(refusal([](Json& c) {
+              c["enclosures"]["tau"]["upper"] = "4";
+            }).find("edited"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Json& c) { c["version"] = 99; }).find("version"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Json& c) { c = Json::array(); }).find("no certificate"),
+            std::string::npos);
+  Scene other = bead();
+  other.L = std::nextafter(other.L, 4.0);
+  EXPECT_TRUE(is_of(certificate(), bead()));
+  EXPECT_FALSE(is_of(certificate(), other));
+}
+
+Unknowns box_of(const Json& made) {
+  Unknowns out;
+  std::size_t i = 0;
+  for (const auto& [name, said] : made["unknowns"].items()) {
+    EXPECT_TRUE(Real::read(said["searched"].get<std::string>(), out.at(i++)));
+  }
+  return out;
+}
+
+// A box beside the root, a scene whose end is an ulp away, and one that is too
+// wide: Krawczyk's operator maps none of them into itself.
+TEST(Krawczyk, RefusesABoxWithoutTheRoot) {
+  const Accuracy accuracy = accuracy_of(128);
+  const Unknowns box = box_of(certificate());
+  EXPECT_NO_THROW((void)verify_root(bead(), box, accuracy));
+  Unknowns beside = box;
+  beside[0] = beside[0] + beside[0].radius() * Real(3.0);
+  EXPECT_THROW((void)verify_root(bead(), beside, accuracy), NotProven);
+  Scene farther = bead();
+  farther.L = std::nextafter(3.0, 4.0);
+  Unknowns narrow = box;
+  for (Real& each : narrow) each = each.middle().widened(Real(0x1p-70));
+  EXPECT_THROW((void)verify_root(farther, narrow, accuracy), NotProven);
+  Unknowns wide = box;
+  for (Real& each : wide) each = each.widened(Real(0.25));
+  EXPECT_THROW((void)verify_root(bead(), wide, accuracy), NotProven);
+}
+
+TEST(Prove, SaysWhatItIsNotFor) {
+  Scene scene = bead();
+  scene.world.air.linear = 0.1;
+  EXPECT_THROW((void)prove(scene, Accuracy{}), NotProven);
+  scene = bead();
+  scene.limits.floor = 1.1;
+  EXPECT_THROW((void)prove(scene, Accuracy{}), NotProven);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "proof/flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include "proof/scenes.hpp"
+#include "proof/theorems.hpp"
+
+namespace brachisto {
+namespace {
+
+using namespace proof;
+using brachisto::testing::bead;
+
+/// y' = f(y) of one component, expanded from a number of 64 bits.
+template <class Rate>
+std::vector<Real> series_of(const Rate& rate, double start, int terms) {
+  Tape tape;
+  const Tape::Recording recording(tape);
+  const Node y = tape.input(0);
+  TaylorSeries series(tape, {rate(y)}, terms);
+  series.expand({Real(start)});
+  std::vector<Real> out(static_cast<std::size_t>(terms) + 1);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    arb_set(out[k].get(), series.input(0) + k);
+  }
+  return out;
+}
+
+Real factorial(int k) {
+  Real out(1.0);
+  for (int i = 2; i <= k; ++i) out = out * Real(static_cast<double>(i));
+  return out;
+}
+
+// y' = √(1 − y²) is the sine.
+TEST(TaylorSeries, OfARootIsTheSine) {
+  constexpr int kTerms = 21;
+  const auto found = series_of(
+      [](const Node& y) { return sqrt(Node(1.0) - y * y); }, 0.0, kTerms);
+  for (int k = 0; k <= kTerms; ++k) {
+    const Real exact =
+        k % 2 == 0 ? Real(0.0) : Real(k % 4 == 1 ? 1.0 : -1.0) / factorial(k);
+    const Real off = found[static_cast<std::size_t>(k)] - exact;
+    EXPECT_TRUE(off.has_zero()) << k;
+    EXPECT_LT(off.radius().upper(), 1e-60) << k;
+  }
+}
+
+// y' = cos² y is arctan, 1/(1 + u²) its rate.
+TEST(TaylorSeries, OfSinesIsTheArcTangent) {
+  constexpr int kTerms = 21;
+  const auto found = series_of(
+      [](const Node& y) {
+        return Node(1.0) / (Node(1.0) + sin(y) * sin(y) / (cos(y) * cos(y)));
+      },
+      0.0, kTerms);
+  for (int k = 0; k <= kTerms; ++k) {
+    const Real exact = k % 2 == 0 ? Real(0.0)
+                                  : Real(k % 4 == 1 ? 1.0 : -1.0) /
+                                        Real(static_cast<double>(k));
+    EXPECT_TRUE((found[static_cast<std::size_t>(k)] - exact).has_zero()) << k;
+  }
+}
+
+TEST(Complex, HasNoRootWhereItIsNotAnalytic) {
+  EXPECT_FALSE(sqrt(Complex(0.1).widened(0.2)).finite());
+  EXPECT_TRUE(sqrt(Complex(0.3).widened(0.2)).finite());
+  EXPECT_FALSE((Complex(1.0) / Complex(0.1).widened(0.2)).finite());
+}
+
+/// The cycloid of a bead from rest, −p_x = c: β = π/2 − c u/2 and
+/// w = sin(c u/2)/c, exactly.
+Unknowns cycloid(const Real& c) {
+  return {-c, Real(0.0), Real(0.0), Real(0.0)};
+}
+
+// In these units p_w(0) = −2, and 1 + w (p_x cos β + p_z sin β) + p_w sin β/2 =
+// 0 along x' = w cos β, w' = sin β/2.
+TEST(Flow, EnclosesTheCycloid) {
+  const Accuracy accuracy;
+  const Bits bits(accuracy.bits);
+  const Scene scene = bead();
+  const Ends ends(scene);
+  const Real c(0.75), length(2.5);
+  Flow flow(scene, 3, accuracy);
+  State state = ends.start(cycloid(c), 3);
+  const int steps = flow.go(state, length);
+  const Real angle = c * length * Real(0.5);
+  const Real turned = Real::pi() * Real(0.5) - state[kBeta];
+  EXPECT_TRUE((turned - angle).has_zero()) << turned.near() / angle.near();
+  EXPECT_TRUE((state[kW] - sin(angle) / c).has_zero());
+  EXPECT_TRUE((state[kTime] - length).has_zero());
+  // x = (u/2 − sin(c u)/(2 c))/c
+  const Real x = (length - sin(c * length) / c) / (Real(2.0) * c);
+  EXPECT_TRUE((state[kX] - x).has_zero());
+  EXPECT_LT(state[kX].radius().upper(), 1e-25);
+  // ∂β/∂p_x = u/2
+  EXPECT_TRUE(
+      (state[Equations::place(kBeta, 0)] - length * Real(0.5)).has_zero());
+  EXPECT_GT(steps, 10);
+}
+
+// Another end than an extremal's cannot be reached by going on beyond its
+// start: w changes its sign there and the next cusp is conjugate.
+TEST(Family, IsFoundConjugateBeyondTheStart) {
+  const Accuracy accuracy{.bits = 128, .terms = 38};
+  const Bits bits(accuracy.bits);
+  const Scene scene = bead();
+  const Ends ends(scene);
+  const Real length(2.5);
+  Flow flow(scene, 0, accuracy);
+  State end = ends.start(cycloid(Real(0.75)), 0);
+  flow.go(end, length);
+  EXPECT_TRUE(no_conjugate_point(scene, end, length, accuracy).holds);
+  const Theorem beyond =
+      no_conjugate_point(scene, end, length * Real(6.0), accuracy);
+  EXPECT_FALSE(beyond.holds);
+  EXPECT_NE(beyond.why_not.find("conjugate"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace brachisto

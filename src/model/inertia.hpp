@@ -21,13 +21,14 @@ namespace brachisto {
 /// The difference in the square does cancel near δ = π/2, but its rounding
 /// error ε enters A only as 4 η |cos − sin| ε, which vanishes there too.
 ///
-/// \tparam Scalar  double, long double, or a jet of either
-template <class Scalar>
-[[nodiscard]] Scalar inertia_factor(const Body& body, const Scalar& theta,
+/// \tparam AnyBody  Body, or the numbers of several bodies side by side
+/// \tparam Scalar   double, long double, a jet of either, or lanes
+template <class AnyBody, class Scalar>
+[[nodiscard]] Scalar inertia_factor(const AnyBody& body, const Scalar& theta,
                                     const Scalar& beta) {
   using std::cos;
   using std::sin;
-  const double eta = body.eta_m;
+  const auto& eta = body.eta_m;
   const Scalar half = (theta - beta) * 0.5;
   const Scalar d = cos(half) - sin(half);
   return d * d * (2.0 * eta) + ((1.0 - eta) * (1.0 - eta) + body.k);

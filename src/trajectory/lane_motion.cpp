@@ -180,9 +180,11 @@ Certificate certify(const LaneMotion& motion) {
   const double worst = std::max({std::abs(t / extremal.transit_time - 1.0),
                                  std::hypot(x - last.x, z - last.z),
                                  std::abs(body.theta_m + turned - last.theta)});
+  // Between its places the path is interpolated; by what it is off there T is
+  // not, which the places alone know.
   certificate.add("reintegration_error",
                   std::isnan(t + x + z + turned) ? kUnmeasured : worst,
-                  std::max(kThresholds.defects,
+                  std::max(kThresholds.tangency,
                            kThresholds.time_factor * extremal.error_estimate));
   return certificate;
 }

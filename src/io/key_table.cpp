@@ -538,11 +538,11 @@ Keys solver_keys() {
       {"solver", map(), "how the finite problem is solved"},
       {"solver.method",
        choice(kMethod, &Draft::method,
-              {{"auto", MethodWord::Auto},
-               {"ipopt", MethodWord::Ipopt},
+              {{"ipopt", MethodWord::Ipopt},
                {"newton_kkt", MethodWord::NewtonKkt},
                {"extremal", MethodWord::Extremal},
-               {"fsolve", MethodWord::Fsolve}}),
+               {"fsolve", MethodWord::Fsolve},
+               {"auto", MethodWord::Auto}}),
        "auto: free scenes of a sweep side by side by the indirect method, all "
        "others as ipopt; ipopt: collocation and a nonlinear program; "
        "newton_kkt: the same by "

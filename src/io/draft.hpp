@@ -13,7 +13,7 @@
 namespace brachisto::io {
 
 /// What `solver.method` names.
-enum class MethodWord { Ipopt, NewtonKkt, Extremal, Fsolve };
+enum class MethodWord { Auto, Ipopt, NewtonKkt, Extremal, Fsolve };
 
 /// A problem with a place for the keys of every method; which of them mean
 /// something, the method decides in the end. Its body has the numbers that are
@@ -29,8 +29,9 @@ struct Draft : ProblemFile {
     scene.body = as_stated(scene.body);
     if (const auto* stated = options.of<Collocation>()) {
       program = *stated;
-      method = program.solver == ProgramSolver::Ipopt ? MethodWord::Ipopt
-                                                      : MethodWord::NewtonKkt;
+      method = program.in_lanes                         ? MethodWord::Auto
+               : program.solver == ProgramSolver::Ipopt ? MethodWord::Ipopt
+                                                        : MethodWord::NewtonKkt;
     } else if (const auto* shoots = options.of<Shooting>()) {
       shooting = *shoots;
       method = MethodWord::Extremal;
@@ -41,7 +42,10 @@ struct Draft : ProblemFile {
   }
 
   [[nodiscard]] constexpr bool poses_the_program() const {
-    return method == MethodWord::Ipopt || method == MethodWord::NewtonKkt;
+    return uses_ipopt() || method == MethodWord::NewtonKkt;
+  }
+  [[nodiscard]] constexpr bool uses_ipopt() const {
+    return method == MethodWord::Ipopt || method == MethodWord::Auto;
   }
   [[nodiscard]] constexpr bool of_pieces() const {
     return poses_the_program() &&
@@ -64,8 +68,9 @@ struct Draft : ProblemFile {
     } else {
       auto& chosen = out.options.use<Collocation>();
       chosen = program;
-      chosen.solver = method == MethodWord::Ipopt ? ProgramSolver::Ipopt
-                                                  : ProgramSolver::NewtonKkt;
+      chosen.solver =
+          uses_ipopt() ? ProgramSolver::Ipopt : ProgramSolver::NewtonKkt;
+      chosen.in_lanes = method == MethodWord::Auto;
     }
     return out;
   }

@@ -58,7 +58,7 @@ constexpr auto reading = [](auto& p) -> auto& {
 constexpr auto kProgram = place(program, is_program);
 constexpr auto kCollocation = place(program, is_collocation);
 constexpr auto kColdStart = place(program, [](const Draft& d) {
-  return is_collocation(d) && d.method == MethodWord::Ipopt;
+  return is_collocation(d) && d.uses_ipopt();
 });
 constexpr auto kMesh = place(mesh, is_program);
 constexpr auto kElements = place(mesh, is_collocation);
@@ -541,8 +541,11 @@ Keys solver_keys() {
               {{"ipopt", MethodWord::Ipopt},
                {"newton_kkt", MethodWord::NewtonKkt},
                {"extremal", MethodWord::Extremal},
-               {"fsolve", MethodWord::Fsolve}}),
-       "ipopt: collocation and a nonlinear program; newton_kkt: the same by "
+               {"fsolve", MethodWord::Fsolve},
+               {"auto", MethodWord::Auto}}),
+       "auto: free scenes of a sweep side by side by the indirect method, all "
+       "others as ipopt; ipopt: collocation and a nonlinear program; "
+       "newton_kkt: the same by "
        "Newton's method on its optimality conditions, from the continuation; "
        "extremal: Pontryagin's conditions by multiple shooting; fsolve: the "
        "paper's discrete system, for comparison, never verified"},

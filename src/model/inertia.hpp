@@ -22,9 +22,10 @@ namespace brachisto {
 /// The difference in the square does cancel near δ = π/2, but its rounding
 /// error ε enters A only as 4 η |cos − sin| ε, which vanishes there too.
 ///
-/// \tparam Scalar  double, long double, or a jet of either
-template <class Scalar>
-[[nodiscard]] Scalar inertia_factor(const Body& body, const Scalar& theta,
+/// \tparam AnyBody  Body, or the numbers of several bodies side by side
+/// \tparam Scalar   double, long double, a jet of either, or lanes
+template <class AnyBody, class Scalar>
+[[nodiscard]] Scalar inertia_factor(const AnyBody& body, const Scalar& theta,
                                     const Scalar& beta) {
   using std::cos;
   using std::sin;

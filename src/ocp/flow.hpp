@@ -37,7 +37,8 @@ struct HeldLimit {
 /// with u from ∂𝓗/∂u = 0 on a free arc, the minimum that the last one leads to;
 /// where a limit holds u is from c(y, u) = b, and ∂𝓗/∂u = 0 gives
 /// μ = −∂(L + p·f)/∂u / ∂c/∂u.
-template <PointFunction Problem, class Scalar = double>
+template <class Problem, class Scalar = double>
+requires PointFunction<Problem, Scalar> || PointFunction<Problem>
 class Flow {
  public:
   static constexpr std::size_t kStates = Problem::kStates;
@@ -247,8 +248,12 @@ class Flow {
   }
 
   [[nodiscard]] Scalar control_of(const State& y, const Scalar& near) const {
-    return math::nearest_minimum(
-        [&](const Scalar& u) { return by_control(y, u); }, near);
+    if constexpr (requires { problem_.least_control(y, near); }) {
+      return problem_.least_control(y, near);
+    } else {
+      return math::nearest_minimum(
+          [&](const Scalar& u) { return by_control(y, u); }, near);
+    }
   }
 
   /// Newton's method; limits are affine in the control or nearly so.

@@ -13,11 +13,20 @@
 
 namespace brachisto::rolling {
 
-/// Nothing depends on the place: p_x and p_z are constant.
-class SteeredFalling : public Steered {
+/// The closed forms, of one body or of several side by side.
+///
+/// \tparam AnyBody  Body, or what has such numbers and root_of_inertia()
+/// \tparam Number   of what they are numbers
+template <class AnyBody, class Number>
+class FallingForms {
  public:
-  static constexpr std::size_t kIgnorable = 2;
-  using Steered::Steered;
+  static constexpr std::size_t kStates = Steered::kStates;
+
+  FallingForms(const AnyBody& body, const Number& gravity,
+               const Number& rotation_per_length)
+      : body_(body),
+        gravity_(gravity),
+        rotation_per_length_(rotation_per_length) {}
 
   /// What the rates at a point and their derivatives are made of.
   template <class Scalar>
@@ -30,7 +39,7 @@ class SteeredFalling : public Steered {
     using std::cos;
     using std::sin;
     const auto& [x, z, theta, w, beta] = yu;
-    const Scalar gain = Scalar(scene_.gravity) * Scalar(scene_.body.eta_m);
+    const Scalar gain = Scalar(gravity_) * Scalar(body_.eta_m);
     const Root<Scalar> root = root_at(theta, beta);
     return {w,
             cos(beta),
@@ -53,10 +62,11 @@ class SteeredFalling : public Steered {
   [[nodiscard]] ocp::Rates<Jet, kStates> rates_of(
       const Kept<Scalar>& at) const {
     const auto& [w, c, s, pull, turn, root, first, second] = at;
-    const Scalar g(scene_.gravity), per_length(rotation_per_length_);
+    const Scalar g(gravity_), per_length(rotation_per_length_);
     ocp::Rates<Jet, kStates> out{
         Jet(root),
         {Jet(w * c), Jet(w * s), Jet(w * per_length), Jet(g * s + pull)}};
+    if constexpr (std::is_same_v<Jet, Scalar>) return out;
     auto& [by_x, by_z, by_theta, by_w] = out.states;
     out.cost.gradient[kTheta] = first;
     out.cost.gradient[kBeta] = -first;
@@ -94,7 +104,7 @@ class SteeredFalling : public Steered {
     using std::sin;
     const auto& [x, z, theta, w, p_x, p_z, p_theta, p_w] = y;
     const Scalar c = cos(beta), s = sin(beta);
-    const Scalar along = w * p_x, down = w * p_z + p_w * Scalar(scene_.gravity);
+    const Scalar along = w * p_x, down = w * p_z + p_w * Scalar(gravity_);
     const Root<Scalar> root = root_at(theta, beta);
     const Scalar linear = along * c + down * s;
     return {root.value + linear, (down * c - along * s) - root.first,
@@ -113,12 +123,50 @@ class SteeredFalling : public Steered {
                                      const Scalar& beta) const {
     using std::cos;
     using std::sin;
-    const Scalar eta(scene_.body.eta_m);
-    const Scalar value = root_of_inertia(scene_.body, theta, beta);
-    if (!scene_.body.off_centred()) return {value, Scalar(0.0), Scalar(0.0)};
+    const Scalar eta(body_.eta_m);
+    const Scalar value = root_of_inertia(body_, theta, beta);
+    if (!body_.off_centred()) return {value, Scalar(0.0), Scalar(0.0)};
     const Scalar delta = theta - beta;
     const Scalar first = -(eta * cos(delta)) / value;
     return {value, first, (eta * sin(delta) - first * first) / value};
+  }
+
+  const AnyBody& body_;
+  const Number& gravity_;
+  const Number& rotation_per_length_;
+};
+
+/// Nothing depends on the place: p_x and p_z are constant.
+class SteeredFalling : public Steered {
+ public:
+  static constexpr std::size_t kIgnorable = 2;
+  using Forms = FallingForms<Body, double>;
+  template <class Scalar>
+  using Kept = Forms::Kept<Scalar>;
+  using Steered::Steered;
+
+  [[nodiscard]] Forms forms() const {
+    return {scene_.body, scene_.gravity, rotation_per_length_};
+  }
+  template <class Scalar>
+  [[nodiscard]] Kept<Scalar> kept(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    return forms().kept(yu);
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> jets(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    return forms().template jets<Jet>(yu);
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> rates_of(
+      const Kept<Scalar>& at) const {
+    return forms().template rates_of<Jet>(at);
+  }
+  template <class Scalar>
+  [[nodiscard]] ocp::ByControl<Scalar> hamiltonian_by_control(
+      const std::array<Scalar, 2 * kStates>& y, const Scalar& beta) const {
+    return forms().hamiltonian_by_control(y, beta);
   }
 };
 

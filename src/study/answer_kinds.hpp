@@ -14,6 +14,7 @@
 #include "brachisto/study/solution.hpp"
 #include "refinement/arcs.hpp"
 #include "trajectory/arc_length_motion.hpp"
+#include "trajectory/lane_motion.hpp"
 #include "trajectory/prescribed_motion.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -45,12 +46,18 @@ struct LimitedPathAnswer {
   LimitedEnds ends;  ///< in natural units, as the motion's curve
 };
 
+/// Of a scene that was solved side by side with others.
+struct LaneAnswer {
+  LaneMotion motion;
+};
+
 /// The answers there are: found by collocation, found on straight pieces, found
-/// under limits, the motion on the path that a scene states, and a solution of
-/// the paper's discrete system, which is not what is asked for.
+/// under limits, the motion on the path that a scene states, a solution of the
+/// paper's discrete system, which is not what is asked for, and one found side
+/// by side with others.
 struct Answer
     : std::variant<CollocationAnswer, PiecewiseAnswer, LimitedPathAnswer,
-                   PrescribedMotion, DiscreteAnswer> {
+                   PrescribedMotion, DiscreteAnswer, LaneAnswer> {
   using variant::variant;
 };
 

@@ -21,6 +21,9 @@ const Motion* Solution::motion() const {
   if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
     return &limited->motion;
   }
+  if (const auto* one_of_many = answer_as<LaneAnswer>(answer)) {
+    return &one_of_many->motion;
+  }
   return answer_as<PrescribedMotion>(answer);
 }
 

@@ -8,6 +8,17 @@
 
 namespace brachisto::sweep {
 
+std::size_t ChainPlan::longest(const io::SweepFile& file) {
+  if (file.num_scenes() > 0) {
+    const io::ProblemFile first = file.problem(0);
+    if (first.options.or_default<Collocation>().in_lanes &&
+        first.design.free.empty()) {
+      return kLongestInLanes;
+    }
+  }
+  return file.warm_start() ? kLongestWarm : kLongestCold;
+}
+
 Shard Shard::parse(const std::string& text) {
   Shard shard;
   const char* const end = text.data() + text.size();

@@ -30,11 +30,13 @@ class ChainPlan {
   static constexpr std::size_t kLongestWarm = 16;
   /// Without, shorter pieces share the work more evenly.
   static constexpr std::size_t kLongestCold = 4;
+  /// Side by side, scenes are solved eight at a time.
+  static constexpr std::size_t kLongestInLanes = 32;
 
   explicit ChainPlan(const io::SweepFile& file)
       : ChainPlan(file.num_scenes(),
                   file.axes().empty() ? 1 : file.axes().back().count,
-                  file.warm_start() ? kLongestWarm : kLongestCold) {}
+                  longest(file)) {}
   ChainPlan(std::size_t num_scenes, std::size_t row, std::size_t longest)
       : row_(row),
         pieces_((row + longest - 1) / longest),
@@ -55,6 +57,8 @@ class ChainPlan {
   }
 
  private:
+  [[nodiscard]] static std::size_t longest(const io::SweepFile& file);
+
   std::size_t row_, pieces_, rows_;
 };
 

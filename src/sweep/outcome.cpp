@@ -13,6 +13,7 @@
 #include "design/design_record.hpp"
 #include "plot/thinning.hpp"
 #include "report/result_texts.hpp"
+#include "study/answer_kinds.hpp"
 
 namespace brachisto::sweep {
 
@@ -43,6 +44,11 @@ Json document_of(const Solution& solution) {
   if (solution.status == Status::Solved && !solution.verified()) {
     json["status"] = "not_verified";
     json["message"] = failed_checks(solution);
+  }
+  if (solution.options.or_default<Collocation>().in_lanes) {
+    const bool lanes = answer_as<LaneAnswer>(solution.answer) != nullptr;
+    json["engine"] = lanes ? "lanes" : "own";
+    if (lanes) json["iterations"] = json["newton_steps"] = nullptr;
   }
   return json;
 }

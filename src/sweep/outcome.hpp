@@ -22,6 +22,8 @@ namespace brachisto::sweep {
 /// share.
 /// \param with_track  if it is verified, plot::kept_track() of it too, as
 ///                    `track`
+/// With `method: auto` the key `engine` says which way it was solved: `lanes`
+/// side by side with others, without mesh and iterations, or `own`.
 [[nodiscard]] std::string outcome_json(const Solution& solution,
                                        bool with_track = false);
 

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -68,17 +69,18 @@ constexpr const char* kSlopes[] = {
 
 std::vector<const char*> figures_of(const io::SweepFile& file) {
   std::vector<const char*> figures(std::begin(kFigures), std::end(kFigures));
-  const bool swept =
-      std::ranges::any_of(file.keys(), [](const io::SweepKey& key) {
-        return key.path == "solver.sensitivities";
-      });
-  const bool asked =
-      file.num_scenes() > 0 &&
-      file.problem(0).options.or_default<Collocation>().sensitivities !=
-          SensitivityOrder::None;
-  if (swept || asked) {
+  const auto swept = [&](std::string_view path) {
+    return std::ranges::any_of(
+        file.keys(), [&](const io::SweepKey& key) { return key.path == path; });
+  };
+  const Collocation first =
+      file.num_scenes() > 0 ? file.problem(0).options.or_default<Collocation>()
+                            : Collocation{};
+  if (swept("solver.sensitivities") ||
+      first.sensitivities != SensitivityOrder::None) {
     figures.insert(figures.end(), std::begin(kSlopes), std::end(kSlopes));
   }
+  if (swept("solver.method") || first.in_lanes) figures.push_back("/engine");
   return figures;
 }
 

@@ -130,7 +130,7 @@ TEST(StrictValues, WordsGetTheNearestKnown) {
             "cylinder or ball or bead; did you mean bead?");
   EXPECT_EQ(errors_with("solver", "method", "IPOPT"),
             "p.yaml:3:11: solver.method: \"IPOPT\" was read; expected ipopt "
-            "or newton_kkt or extremal or fsolve; did you mean ipopt?");
+            "or newton_kkt or extremal or fsolve or auto; did you mean ipopt?");
   EXPECT_EQ(errors_with("solver", "guess", "{random: 3}"),
             "p.yaml:3:10: solver.guess: a map was read; expected cycloid or "
             "straight or random");

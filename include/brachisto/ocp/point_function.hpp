@@ -49,13 +49,13 @@ struct Bounds {
 ///
 /// It may say by `refusal(yu, cost)` why a point of numbers is none of it, a
 /// literal, or null if it is one. Without it cost and rates have to be finite.
-template <class Problem>
+template <class Problem, class Scalar = double>
 concept ControlProblem = requires(const Problem& problem, std::size_t i,
-                                  const PointOf<Problem, double>& yu) {
+                                  const PointOf<Problem, Scalar>& yu) {
   { Problem::kStates } -> std::convertible_to<std::size_t>;
-  { problem.rates(yu) } -> std::same_as<Rates<double, Problem::kStates>>;
+  { problem.rates(yu) } -> std::same_as<Rates<Scalar, Problem::kStates>>;
   { problem.num_limits() } -> std::convertible_to<std::size_t>;
-  { problem.limit(i, yu) } -> std::same_as<double>;
+  { problem.limit(i, yu) } -> std::same_as<Scalar>;
   { problem.bounds(i) } -> std::same_as<Bounds>;
   { problem.state_name(i) } -> std::convertible_to<std::string_view>;
   { problem.limit_name(i) } -> std::convertible_to<std::string_view>;
@@ -69,14 +69,16 @@ concept ControlProblem = requires(const Problem& problem, std::size_t i,
 ///
 /// It may have closed forms of what jets of it are, where a measurement asks
 /// for them: `jets<Jet>(yu)`, the rates with their derivatives by the point,
-/// and `hamiltonian_by_control(y, u)`, L + p·f for states and costates y.
-template <class Problem>
-concept PointFunction = ControlProblem<Problem> &&
+/// and `hamiltonian_by_control(y, u)`, L + p·f for states and costates y; and a
+/// search of its own for the control that makes that least,
+/// `least_control(y, near)`.
+template <class Problem, class Scalar = double>
+concept PointFunction = ControlProblem<Problem, Scalar> &&
     requires(const Problem& problem, std::size_t i,
-             const PointOf<Problem, double>& yu) {
+             const PointOf<Problem, Scalar>& yu) {
   { problem.costate_weight(i) } -> std::same_as<double>;
   { problem.has_surface() } -> std::same_as<bool>;
-  { problem.height(yu) } -> std::convertible_to<double>;
+  { problem.height(yu) } -> std::convertible_to<Scalar>;
 };
 
 /// How many of the first states nothing depends on, as a problem says it by

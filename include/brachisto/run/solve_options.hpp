@@ -154,6 +154,9 @@ enum class ProgramSolver {
 struct Collocation {
   Discretisation discretisation = {};
   ProgramSolver solver = ProgramSolver::Ipopt;
+  /// A sweep may solve a free scene side by side with others by the indirect
+  /// method instead, where that is as accurate as wanted.
+  bool in_lanes = false;
   LinearSolver linear_solver = LinearSolver::Auto;
   int threads = 1;  ///< of the chain's factorisations, to kMostThreads
   /// Scaled KKT residual, in [kSmallestResidual, kLargestResidual].

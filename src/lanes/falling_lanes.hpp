@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Several bodies side by side as one problem of optimal control, by the closed
+/// forms of one.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "lanes/lane.hpp"
+#include "model/inertia.hpp"
+#include "rolling/steered_falling.hpp"
+
+namespace brachisto::lanes {
+
+/// Numbers of bodies, as Body has those of one.
+template <class Number>
+struct Bodies {
+  Number eta_m, theta_m, k;
+
+  /// Nothing is left out for those that are not.
+  [[nodiscard]] static constexpr bool off_centred() { return true; }
+};
+
+template <class Number>
+[[nodiscard]] Number root_of_inertia(const Bodies<Number>& bodies,
+                                     const Number& theta, const Number& beta) {
+  return sqrt(inertia_factor(bodies, theta, beta));
+}
+
+/// Bodies in the uniform field of natural units, steered by their slope angles.
+template <class Number>
+class FallingLanes {
+ public:
+  static constexpr std::size_t kStates = rolling::Steered::kStates;
+  static constexpr std::size_t kIgnorable = rolling::SteeredFalling::kIgnorable;
+  using Point = std::array<Number, kStates + 1>;
+
+  /// \param rotation_per_length  dθ/ds of each
+  FallingLanes(const Bodies<Number>& bodies, const Number& rotation_per_length)
+      : bodies_(bodies), rotation_per_length_(rotation_per_length) {}
+
+  [[nodiscard]] const Bodies<Number>& bodies() const { return bodies_; }
+  [[nodiscard]] Number gravity() const { return gravity_; }
+  [[nodiscard]] const Number& rotation_per_length() const {
+    return rotation_per_length_;
+  }
+
+  [[nodiscard]] ocp::Rates<Number, kStates> rates(const Point& yu) const {
+    return jets<Number>(yu);
+  }
+  template <class Jet>
+  [[nodiscard]] ocp::Rates<Jet, kStates> jets(const Point& yu) const {
+    return forms().template jets<Jet>(yu);
+  }
+  /// Of each by itself: Newton's method, which stands still where it arrived,
+  /// and no number where it does not, or finds no minimum.
+  [[nodiscard]] Number least_control(const std::array<Number, 2 * kStates>& y,
+                                     const Number& near) const {
+    constexpr int kMostSteps = 12;
+    constexpr double kLastStep = 1e-9;  // its square is below rounding
+    const Number last(kLastStep);
+    Number at = near;
+    auto moving = Number(1.0) > Number(0.0);
+    for (int i = 0; i < kMostSteps && any(moving); ++i) {
+      const auto h = forms().hamiltonian_by_control(y, at);
+      const Number step = -h.first / h.second;
+      const auto lost = moving & !(h.second > Number(0.0));
+      at = where(moving, Number(at + step), at);
+      at = where(lost, Number(kNone), at);
+      moving = moving & !lost & (abs(step) > last);
+    }
+    return where(moving, Number(kNone), at);
+  }
+
+  // No limits, and no surface.
+  [[nodiscard]] static std::size_t num_limits() { return 0; }
+  template <class Scalar>
+  [[nodiscard]] Scalar limit(std::size_t,
+                             const std::array<Scalar, kStates + 1>&) const {
+    return Scalar(0.0);
+  }
+  [[nodiscard]] static ocp::Bounds bounds(std::size_t) { return {-1.0, 1.0}; }
+  [[nodiscard]] static std::string_view state_name(std::size_t) { return {}; }
+  [[nodiscard]] static std::string_view limit_name(std::size_t) { return {}; }
+  [[nodiscard]] static double costate_weight(std::size_t) { return 1.0; }
+  [[nodiscard]] static bool has_surface() { return false; }
+  template <class Scalar, std::size_t Size>
+  [[nodiscard]] static Scalar height(const std::array<Scalar, Size>&) {
+    return Scalar(1.0);
+  }
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] rolling::FallingForms<Bodies<Number>, Number> forms() const {
+    return {bodies_, gravity_, rotation_per_length_};
+  }
+
+  Bodies<Number> bodies_;
+  Number gravity_{0.5};  ///< 2 g = 1
+  Number rotation_per_length_;
+};
+
+}  // namespace brachisto::lanes

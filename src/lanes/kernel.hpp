@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Shooting with eight scenes side by side. What stands here is compiled once
+/// for each set of instructions; nothing but numbers goes in and out.
+
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+#include "lanes/falling_lanes.hpp"
+#include "lanes/many_scenes.hpp"
+#include "lanes/newton_step.hpp"
+#include "ocp/flow.hpp"
+#include "ocp/integration.hpp"
+
+namespace brachisto::lanes {
+
+/// From the cycloid to the scene in so many equal steps of η.
+inline constexpr int kOffsets = 8;
+/// Steps of the integration on the way, where few digits are needed.
+inline constexpr int kCoarseSteps = 10;
+
+/// What is shot for, in natural units.
+struct Target {
+  double eta_m = 0.0, theta_m = 0.0, k = 0.0;
+  double contact_radius = 0.0;  ///< by which the centre is off the track
+  double rotation_per_length = 0.0;
+  double L = 0.0, H = 0.0;
+  std::array<double, kOffsets + 1> start_angle{};   ///< with i η/kOffsets
+  double p_x = 0.0, p_z = 0.0, rolling_time = 0.0;  ///< of the cycloid
+};
+using Targets = std::array<Target, kLanes>;
+using Extremals = std::array<Extremal, kLanes>;
+
+namespace detail {
+
+/// The rates of a flow by the share σ = u/U of each scene's own rolling time.
+template <class Inner, class Number>
+struct BySharePath {
+  using Stack = typename Inner::Stack;
+
+  Inner inner;
+  Number rolling_time;
+  bool failed = false;
+
+  void operator()(const Stack& stack, Stack& rates, double) {
+    inner(stack, rates, 0.0);
+    failed = inner.failed;
+    for (Number& rate : rates) rate = rate * rolling_time;
+  }
+};
+
+template <int Set>
+class Shooting {
+ public:
+  using Number = Lane<Set>;
+  using Problem = FallingLanes<Number>;
+  using Flow = ocp::Flow<Problem, Number>;
+  using State = typename Flow::State;
+  using Mask = typename Number::Mask;
+  /// p_x, p_z, p_θ at the start, and U.
+  static constexpr std::size_t kUnknowns = 4;
+  using Unknowns = std::array<Number, kUnknowns>;
+
+  explicit Shooting(const Targets& targets) : targets_(targets) {
+    each([&](std::size_t i, const Target& target) {
+      theta_m_.set(i, target.theta_m);
+      k_.set(i, target.k);
+      radius_.set(i, target.contact_radius);
+      turn_.set(i, target.rotation_per_length);
+      L_.set(i, target.L);
+      H_.set(i, target.H);
+    });
+  }
+
+  void run(Extremals& out) {
+    good_ = Number(1.0) > Number(0.0);
+    follow_offset();
+    finish(out);
+  }
+
+ private:
+  enum : std::size_t { kX, kZ, kTheta, kW, kPX, kPZ, kPTheta, kPW };
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  template <class Do>
+  void each(Do&& act) const {
+    for (std::size_t i = 0; i < kLanes; ++i) act(i, targets_[i]);
+  }
+
+  /// Equations that a shot has to meet, and what else is known at its end.
+  struct Shot {
+    Unknowns residual, scale;
+    std::array<Unknowns, kUnknowns> jacobian;  ///< rows
+    State y, rates;
+    Number T, beta;
+    // Of a shot with derivatives: see Extremal.
+    Number least_jacobian, by_length;
+  };
+
+  void set_offset(int step) {
+    each([&](std::size_t i, const Target& target) {
+      eta_.set(i, target.eta_m * step / kOffsets);
+      start_angle_.set(i, target.start_angle[static_cast<std::size_t>(step)]);
+    });
+  }
+
+  [[nodiscard]] Flow flow() const {
+    return Flow(Problem({eta_, theta_m_, k_}, turn_));
+  }
+
+  // p_w from 𝓗 = 0 at rest: √A + p_w g a = 0.
+  [[nodiscard]] State start(const Flow& flow, const Unknowns& by) const {
+    const Problem& problem = flow.problem();
+    const Number root =
+        root_of_inertia(problem.bodies(), theta_m_, start_angle_);
+    const Number a = sin(start_angle_) + eta_ * cos(theta_m_);
+    return {radius_ * sin(start_angle_),
+            -(radius_ * cos(start_angle_)),
+            theta_m_,
+            Number(0.0),
+            by[0],
+            by[1],
+            by[2],
+            -(root / (problem.gravity() * a))};
+  }
+
+  /// From the start to σ = 1; `on_step(i, stack, control)` sees every step.
+  template <bool Derivatives, class OnStep>
+  [[nodiscard]] Shot shoot(const Unknowns& by, int steps,
+                           OnStep&& on_step) const {
+    const Flow flow = this->flow();
+    using Inner = ocp::FlowRates<Flow, Derivatives>;
+    using Path = ocp::AdaptiveIntegration<BySharePath<Inner, Number>>;
+    const State y0 = start(flow, by);
+    Path path({Inner{flow, start_angle_}, by[3]}, Inner::stack_of(y0));
+    on_step(0, flow, path.now(), path.rates().inner.control);
+    Jacobi jacobi;
+    for (int i = 1; i <= steps; ++i) {
+      path.step_unchecked(1.0 / steps);
+      on_step(i, flow, path.now(), path.rates().inner.control);
+      if constexpr (Derivatives) {
+        jacobi.see(determinant<Inner>(path.now(), path.rates().inner.control));
+      }
+    }
+    return arrived<Derivatives, Inner>(flow, path, by, jacobi);
+  }
+
+  /// The Jacobi determinant on the way.
+  struct Jacobi {
+    Number first{0.0}, least{std::numeric_limits<double>::infinity()};
+    void see(const Number& now) {
+      first = where(Number(first * first) > Number(0.0), first, now);
+      const Number same = where(first > Number(0.0), now, Number(-now));
+      least = where(same > least, least, same);
+    }
+  };
+
+  /// With the length of the path as the independent variable the states are x
+  /// and z alone: their derivatives by two costates at the start, those by p_x
+  /// and p_θ, at the same θ. A third would belong to the gauge, p + μ ∇(w²/2 −
+  /// g E), which changes nothing.
+  template <class Inner>
+  struct Beside {
+    std::array<Number, 2> x, z;
+    explicit Beside(const typename Inner::Stack& at, const Number& c,
+                    const Number& s, const Number& turn) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        const std::size_t by = j == 0 ? kPX : kPTheta;
+        const Number length = Inner::derivative(at, kTheta, by) / turn;
+        x[j] = Inner::derivative(at, kX, by) - c * length;
+        z[j] = Inner::derivative(at, kZ, by) - s * length;
+      }
+    }
+    [[nodiscard]] Number determinant() const {
+      return x[0] * z[1] - x[1] * z[0];
+    }
+  };
+  template <class Inner>
+  [[nodiscard]] Number determinant(const typename Inner::Stack& at,
+                                   const Number& beta) const {
+    const Beside<Inner> beside(at, cos(beta), sin(beta), turn_);
+    const auto size = [](const Number& a, const Number& b) {
+      return abs(a) + abs(b);
+    };
+    return beside.determinant() /
+           (size(beside.x[0], beside.z[0]) * size(beside.x[1], beside.z[1]));
+  }
+
+  template <bool Derivatives, class Inner, class Path>
+  [[nodiscard]] Shot arrived(const Flow& flow, const Path& path,
+                             const Unknowns& by, const Jacobi& jacobi) const {
+    const auto& now = path.now();
+    Shot out;
+    out.y = Inner::state_of(now);
+    out.T = now[Inner::kCost];
+    out.beta = path.rates().inner.control;
+    const Number c = cos(out.beta), s = sin(out.beta);
+    out.residual = {out.y[kX] - (L_ + radius_ * s),
+                    out.y[kZ] - (H_ - radius_ * c), out.y[kPTheta] * turn_,
+                    out.y[kPW]};
+    for (std::size_t i = 0; i < Flow::kSize; ++i) {
+      out.rates[i] = path.slope()[i] / by[3];
+    }
+    if constexpr (Derivatives) {
+      typename Flow::template At<typename Flow::SecondOrder> at;
+      Number control = out.beta;
+      static_cast<void>(flow.find(out.y, control, at));
+      const State beta_by = flow.eliminated(at).control;
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        State change;
+        for (std::size_t i = 0; i < Flow::kSize; ++i) {
+          change[i] =
+              j == 3 ? out.rates[i] : Inner::derivative(now, i, kPX + j);
+        }
+        Number beta(0.0);
+        for (std::size_t i = 0; i < Flow::kSize; ++i) {
+          beta = beta + beta_by[i] * change[i];
+        }
+        out.jacobian[0][j] = change[kX] - radius_ * c * beta;
+        out.jacobian[1][j] = change[kZ] - radius_ * s * beta;
+        out.jacobian[2][j] = change[kPTheta] * turn_;
+        out.jacobian[3][j] = change[kPW];
+      }
+      out.least_jacobian = jacobi.least;
+      out.by_length = second_by_length<Inner>(flow, out, now, c, s);
+    }
+    return out;
+  }
+
+  /// ∂²T/∂S² with x and z held, of the least time by a path of length S:
+  /// ∂T/∂S = −P_θ/r with P_θ = p_θ + p_w g r η cos θ/w, the costate with the
+  /// gauge in which p_w = 0.
+  template <class Inner>
+  [[nodiscard]] Number second_by_length(const Flow& flow, const Shot& end,
+                                        const typename Inner::Stack& now,
+                                        const Number& c,
+                                        const Number& s) const {
+    const Beside<Inner> beside(now, c, s, turn_);
+    const Number& w = end.y[kW];
+    const Number weight =
+        flow.problem().gravity() * eta_ * cos(end.y[kTheta]) / (turn_ * w);
+    const auto gauged = [&](const Number& p_theta, const Number& p_w) {
+      return p_theta + weight * p_w;
+    };
+    const Number along = gauged(end.rates[kPTheta], end.rates[kPW]) / w;
+    std::array<Number, 2> across;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t by = j == 0 ? kPX : kPTheta;
+      across[j] = gauged(Inner::derivative(now, kPTheta, by),
+                         Inner::derivative(now, kPW, by)) -
+                  along * (Inner::derivative(now, kTheta, by) / turn_);
+    }
+    // a (x, z)_1 + b (x, z)_2 = −(c, s): the ends stay where they are.
+    const Number det = beside.determinant();
+    const Number a = (beside.x[1] * s - beside.z[1] * c) / det;
+    const Number b = (beside.z[0] * c - beside.x[0] * s) / det;
+    return -(turn_ * (a * across[0] + b * across[1] + along));
+  }
+
+  /// The largest part of a step, costates and times in units of their own.
+  [[nodiscard]] Number size(const Unknowns& step) const {
+    const Number p = sqrt(by_[0] * by_[0] + by_[1] * by_[1]);
+    Number largest = abs(step[0]) / p;
+    for (const Number& other :
+         {Number(abs(step[1]) / p), Number(abs(step[2]) * turn_ / p),
+          Number(abs(step[3]) / by_[3])}) {
+      // Written so that no number is the largest.
+      largest = where(!(other < largest), other, largest);
+    }
+    return largest;
+  }
+
+  void follow_offset();
+  void finish(Extremals& out);
+
+  const Targets& targets_;
+  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_;
+  Unknowns by_;
+  Mask good_;
+  Number sign_;
+};
+
+template <int Set>
+void Shooting<Set>::follow_offset() {
+  constexpr double kFarthest = 0.5;  // of a prediction from the branch
+  constexpr double kNear = 5e-3;     // the next step would be its square
+  constexpr int kMostSteps = 4;
+  const auto ignore = [](auto&&...) {};
+  each([&](std::size_t i, const Target& target) {
+    by_[0].set(i, target.p_x);
+    by_[1].set(i, target.p_z);
+    by_[2].set(i, 0.0);
+    by_[3].set(i, target.rolling_time);
+  });
+  std::array<Unknowns, 3> past{by_, by_, by_};
+  for (int step = 1; step <= kOffsets; ++step) {
+    set_offset(step);
+    // By the polynomial through the last ones, equally far apart.
+    for (std::size_t j = 0; j < kUnknowns; ++j) {
+      const Number &a = past[0][j], &b = past[1][j], &c = past[2][j];
+      by_[j] = step == 1   ? a
+               : step == 2 ? Number(a * 2.0 - b)
+                           : Number((a - b) * 3.0 + c);
+    }
+    auto moving = good_;
+    for (int i = 0; i < kMostSteps && any(moving); ++i) {
+      const Shot shot = shoot<true>(by_, kCoarseSteps, ignore);
+      const auto solved = newton_step(shot.jacobian, shot.residual);
+      if (step == 1 && i == 0) sign_ = solved.sign;
+      const Number far = size(solved.step);
+      const auto bad =
+          (!(far < Number(kFarthest))) | (!(solved.sign * sign_ > Number(0.0)));
+      good_ = good_ & !(moving & bad);
+      moving = moving & !bad;
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        by_[j] = where(moving, Number(by_[j] + solved.step[j]), by_[j]);
+      }
+      moving = moving & (far > Number(kNear));
+    }
+    good_ = good_ & !moving;
+    past = {by_, past[0], past[1]};
+  }
+}
+
+template <int Set>
+void Shooting<Set>::finish(Extremals& out) {
+  constexpr double kClosed = 1e-10;
+  constexpr int kMostSteps = 5;
+  constexpr int kHalf = kSteps / 2;
+  const auto ignore = [](auto&&...) {};
+  // T to B itself, to the second order of what is missed: p = −∂T/∂(end).
+  const auto time_of = [](const Shot& shot, const Unknowns& by) {
+    return shot.T + by[0] * shot.residual[0] + by[1] * shot.residual[1];
+  };
+  Shot whole;
+  Number T_half;
+  auto moving = good_;
+  for (int i = 0; i < kMostSteps && any(moving); ++i) {
+    if (i < 2) {
+      whole = shoot<true>(by_, kHalf, ignore);
+    } else {
+      const Shot next = shoot<false>(by_, kHalf, ignore);
+      whole.residual = next.residual;
+      whole.T = next.T;
+    }
+    const auto solved = newton_step(whole.jacobian, whole.residual);
+    const Number far = size(solved.step);
+    T_half = where(moving, time_of(whole, by_), T_half);
+    for (std::size_t j = 0; j < kUnknowns; ++j) {
+      by_[j] = where(moving, Number(by_[j] + solved.step[j]), by_[j]);
+    }
+    moving = moving & !(far < Number(kClosed));
+  }
+  good_ = good_ & !moving & (whole.least_jacobian > Number(0.0)) &
+          (whole.by_length > Number(0.0));
+
+  // Once to take up what doubled steps change, once for the path.
+  const Shot first = shoot<false>(by_, kSteps, ignore);
+  const auto solved = newton_step(whole.jacobian, first.residual);
+  for (std::size_t j = 0; j < kUnknowns; ++j) {
+    by_[j] = by_[j] + solved.step[j];
+  }
+  Number least_legendre(std::numeric_limits<double>::infinity());
+  const Shot last = shoot<false>(
+      by_, kSteps,
+      [&](int i, const Flow& flow, const auto& stack, const Number& control) {
+        State y;
+        std::copy_n(stack.begin(), Flow::kSize, y.begin());
+        typename Flow::template At<typename Flow::SecondOrder> at;
+        Number beta = control;
+        static_cast<void>(flow.find(y, beta, at));
+        const Number legendre = Flow::legendre(at);
+        least_legendre =
+            where(!(legendre > least_legendre), legendre, least_legendre);
+        const State by_state = flow.eliminated(at).control;
+        const State rates = Flow::rates(at);
+        Number beta_rate(0.0);
+        for (std::size_t j = 0; j < Flow::kSize; ++j) {
+          beta_rate = beta_rate + by_state[j] * rates[j];
+        }
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          out[lane].path[static_cast<std::size_t>(i)] = {
+              .x = y[kX][lane],
+              .z = y[kZ][lane],
+              .theta = y[kTheta][lane],
+              .w = y[kW][lane],
+              .p_theta = y[kPTheta][lane],
+              .p_w = y[kPW][lane],
+              .beta = beta[lane],
+              .beta_rate = beta_rate[lane],
+              .t = stack[Flow::kSize][lane],
+              .root = at.rates.cost.value[lane]};
+        }
+      });
+  const Number T = time_of(last, by_);
+  // Every step rounds the states, which T feels through the costates; these
+  // errors are independent.
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  const Number touched = abs(by_[0] * L_) + abs(by_[1] * H_) + abs(T);
+  const Number error =
+      (abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + kSteps))) / T;
+  Number mismatch(0.0);
+  for (const Number& missed : last.residual) {
+    mismatch = where(!(abs(missed) < mismatch), abs(missed), mismatch);
+  }
+  const Number one = where(good_, Number(1.0), Number(0.0));
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    Extremal& found = out[lane];
+    found.found = one[lane] > 0.0 && std::isfinite(error[lane]) &&
+                  std::isfinite(mismatch[lane]);
+    found.transit_time = T[lane];
+    found.error_estimate = error[lane];
+    found.rolling_time = by_[3][lane];
+    found.phi = last.beta[lane];
+    found.p_x = by_[0][lane];
+    found.p_z = by_[1][lane];
+    found.mismatch = mismatch[lane];
+    found.min_legendre = least_legendre[lane];
+    found.by_length = whole.by_length[lane];
+    found.least_jacobian = whole.least_jacobian[lane];
+  }
+}
+
+}  // namespace detail
+
+/// Eight scenes with one set of instructions.
+template <Instructions Set>
+void shoot_eight(const Targets& targets, Extremals& out) {
+  detail::Shooting<static_cast<int>(Set)>(targets).run(out);
+}
+
+}  // namespace brachisto::lanes

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Many free scenes at once: indirect shooting with eight scenes side by side.
+///
+/// Each scene is continued from its own cycloid, η = 0, to its η_m, as one
+/// alone is, and looks at no other: its digits do not depend on which scenes
+/// stand beside it, nor on the processor.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "brachisto/model/scene.hpp"
+
+namespace brachisto::lanes {
+
+/// A place of an extremal, in natural units.
+struct Place {
+  double x = 0.0, z = 0.0, theta = 0.0, w = 0.0;
+  double p_theta = 0.0, p_w = 0.0;
+  double beta = 0.0;       ///< slope angle [rad]
+  double beta_rate = 0.0;  ///< dβ/du
+  double t = 0.0;          ///< time
+  double root = 0.0;       ///< √A
+};
+
+/// Steps of the path that is kept.
+inline constexpr int kSteps = 64;
+
+/// An extremal with smooth contacts, in natural units.
+struct Extremal {
+  /// All that is asked of it holds; without it nothing else has a meaning.
+  bool found = false;
+  double transit_time = 0.0;  ///< T
+  /// Relative, of T: what doubling the steps changed, and rounding.
+  double error_estimate = 0.0;
+  double rolling_time = 0.0;  ///< U
+  double phi = 0.0;           ///< slope angle at B [rad]
+  double p_x = 0.0, p_z = 0.0;
+  double mismatch = 0.0;      ///< largest residual of the shooting
+  double min_legendre = 0.0;  ///< of ∂²𝓗/∂β²
+  /// ∂²T/∂S² of the least time to B by paths of given length, and the least
+  /// Jacobi determinant as a share of its size: a minimum has both positive.
+  double by_length = 0.0, least_jacobian = 0.0;
+  std::array<Place, kSteps + 1> path;  ///< at u = i U/kSteps
+};
+
+/// Whether such a scene is one of those that are solved side by side: an
+/// off-centred cylinder or ball in the uniform field, from rest, without
+/// losses, limits and a path of its own.
+[[nodiscard]] bool fits(const Scene& scene);
+
+/// Sets of instructions that there is code for.
+enum class Instructions { Baseline, Avx2, Avx512 };
+/// The best one that this processor has.
+[[nodiscard]] Instructions best_instructions();
+
+/// The principal extremal of each scene.
+/// \pre fits() and validate() is empty of all
+[[nodiscard]] std::vector<Extremal> shoot(
+    std::span<const Scene> scenes,
+    Instructions instructions = best_instructions());
+
+}  // namespace brachisto::lanes

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "trajectory/lane_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "brachisto/math/polynomial_basis.hpp"
+#include "extremal/arc_flow.hpp"
+#include "model/energy.hpp"
+#include "model/field.hpp"
+#include "model/hamiltonian.hpp"
+#include "model/start_angle.hpp"
+#include "trajectory/checks.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using lanes::kSteps;
+
+/// One element to a step; two places of each let no extreme hide.
+Mesh steps_as_mesh() {
+  Mesh mesh;
+  for (int i = 0; i <= kSteps; ++i) {
+    mesh.boundaries.push_back(static_cast<double>(i) / kSteps);
+  }
+  return mesh;
+}
+
+/// Hermite's polynomials of degree 7 on the places 0, 1, 2, 3: what values and
+/// rates count at a place between, and what they count in the rate there.
+struct Weights {
+  static constexpr int kPlaces = 4;
+  std::array<double, kPlaces> value, rate;   ///< in the value
+  std::array<double, kPlaces> slope, twist;  ///< in the rate
+
+  explicit Weights(double at) {
+    for (int i = 0; i < kPlaces; ++i) {
+      // ℓ_i and its derivatives at the place, and ℓ_i' at its own.
+      double l = 1.0, own = 0.0, first = 0.0;
+      for (int j = 0; j < kPlaces; ++j) {
+        if (j == i) continue;
+        const double span = i - j;
+        first = first * (at - j) / span + l / span;
+        l *= (at - j) / span;
+        own += 1.0 / span;
+      }
+      const double off = at - i;
+      const auto k = static_cast<std::size_t>(i);
+      value[k] = (1.0 - 2.0 * off * own) * l * l;
+      rate[k] = off * l * l;
+      slope[k] = -2.0 * own * l * l + (1.0 - 2.0 * off * own) * 2.0 * l * first;
+      twist[k] = l * l + off * 2.0 * l * first;
+    }
+  }
+};
+
+}  // namespace
+
+LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
+                       const Scene& scene, const Units& units)
+    : MeshMotion(natural, steps_as_mesh(), std::array{1.0},
+                 extremal.rolling_time, scene, units,
+                 extremal.transit_time * units.time),
+      extremal_(std::make_shared<const lanes::Extremal>(extremal)),
+      turn_(arcs::rotation_per_length(natural)) {}
+
+double LaneMotion::start_angle() const {
+  return extremal_->path.front().beta;
+}
+
+MeshMotion::Place LaneMotion::place(int element, double t) const {
+  const int first = std::clamp(element - 1, 0, kSteps - 3);
+  const Weights weights(element - first + t);
+  const double step = extremal_->rolling_time / kSteps;
+  const Body& body = natural().body;
+  Place out;
+  PathState& state = out.state;
+  for (int i = 0; i < Weights::kPlaces; ++i) {
+    const lanes::Place& at =
+        extremal_->path[static_cast<std::size_t>(first + i)];
+    const auto k = static_cast<std::size_t>(i);
+    const double value = weights.value[k], rate = weights.rate[k] * step;
+    const double c = std::cos(at.beta), s = std::sin(at.beta);
+    state.centre.x += value * at.x + rate * at.w * c;
+    state.centre.z += value * at.z + rate * at.w * s;
+    state.theta += value * at.theta + rate * at.w * turn_;
+    state.w += value * at.w +
+               rate * natural().gravity * (s + std::cos(at.theta) * body.eta_m);
+    state.beta += value * at.beta + rate * at.beta_rate;
+    state.beta_rate +=
+        weights.slope[k] * at.beta / step + weights.twist[k] * at.beta_rate;
+    out.t += value * at.t + rate * at.root;
+  }
+  out.s = (state.theta - body.theta_m) / turn_;
+  return out;
+}
+
+StartLimits LaneMotion::limits_at_start() const {
+  PathState start = place(0, 0.0).state;
+  start.beta = start_angle();
+  return start_limits(natural(), start);
+}
+
+namespace {
+
+/// What is seen at the places of an extremal.
+void look_along(const Scene& scene, const lanes::Extremal& extremal,
+                Certificate& certificate) {
+  Largest hamiltonian, drift, slope, gain = kBelowAll;
+  int at_rest = 0;
+  const Body& body = scene.body;
+  const Point start = start_of_centre(scene);
+  for (int i = 0; i <= kSteps; ++i) {
+    const lanes::Place& at = extremal.path[static_cast<std::size_t>(i)];
+    const double sigma = static_cast<double>(i) / kSteps;
+    const Costates p{extremal.p_x, extremal.p_z, at.p_theta, at.p_w};
+    const RollingState state{at.theta, at.w};
+    hamiltonian.see(std::abs(brachisto::hamiltonian(body, scene.gravity, state,
+                                                    p, at.beta)) /
+                        at.root,
+                    sigma);
+    gain.see(gain_of_other_directions(body, scene.gravity, state, p, at.beta),
+             sigma);
+    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) -
+                       energy_height(body, at.z - start.z, at.theta)),
+              sigma);
+    slope.see(std::abs(at.beta), sigma);
+    if (i > 0 && !(at.w > 0.0)) ++at_rest;
+  }
+  certificate.add("hamiltonian", hamiltonian.value, kThresholds.kkt_residual,
+                  hamiltonian.where());
+  certificate.add("weierstrass", gain.value, kThresholds.weierstrass,
+                  gain.where());
+  certificate.add("energy_drift", drift.value, kThresholds.defects,
+                  drift.where());
+  certificate.add("slope_angle", slope.value, std::numbers::pi, slope.where());
+  certificate.add("speed", static_cast<double>(at_rest) / kSteps, 0.0);
+}
+
+}  // namespace
+
+Certificate certify(const LaneMotion& motion) {
+  const lanes::Extremal& extremal = *motion.extremal_;
+  const Scene& scene = motion.natural();
+  const Body& body = scene.body;
+  Certificate certificate;
+  certificate.add("shooting", extremal.mismatch, kThresholds.kkt_residual);
+  certificate.add("legendre", -extremal.min_legendre, 0.0);
+  const bool minimum =
+      extremal.least_jacobian > 0.0 && extremal.by_length > 0.0;
+  certificate.add("second_order", minimum ? 0.0 : 1.0, 0.0);
+  look_along(scene, extremal, certificate);
+
+  const Point start = start_of_centre(scene);
+  const lanes::Place& last = extremal.path.back();
+  check_contact(scene, start, start_angle(scene), {last.x, last.z},
+                extremal.phi, 0.0, certificate);
+
+  // Of the path nothing is taken but its slopes: θ is as far as it came.
+  static const math::QuadratureRule rule = math::gauss_legendre(4);
+  double x = start.x, z = start.z, turned = 0.0, t = 0.0;
+  const double step = extremal.rolling_time / kSteps;
+  for (int e = 0; e < kSteps; ++e) {
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      const PathState at = motion.place(e, rule.points[i]).state;
+      const double E = energy_height(body, at.centre.z - start.z, at.theta);
+      const double w = fall_speed(scene.gravity, E);
+      const double du = rule.weights[i] * step;
+      x += du * w * std::cos(at.beta);
+      z += du * w * std::sin(at.beta);
+      turned += du * w * motion.turn_;
+      t += du * root_of_inertia(body, at.theta, at.beta);
+    }
+  }
+  const double worst = std::max({std::abs(t / extremal.transit_time - 1.0),
+                                 std::hypot(x - last.x, z - last.z),
+                                 std::abs(body.theta_m + turned - last.theta)});
+  // Between its places the path is interpolated; by what it is off there T is
+  // not, which the places alone know.
+  certificate.add("reintegration_error",
+                  std::isnan(t + x + z + turned) ? kUnmeasured : worst,
+                  std::max(kThresholds.tangency,
+                           kThresholds.time_factor * extremal.error_estimate));
+  return certificate;
+}
+
+}  // namespace brachisto

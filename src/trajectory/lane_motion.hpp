@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The motion of a scene that was solved side by side with others, and its
+/// certificate.
+
+#pragma once
+
+#include <memory>
+
+#include "lanes/many_scenes.hpp"
+#include "trajectory/trajectory.hpp"
+
+namespace brachisto {
+
+/// An extremal by its places at equal steps of u, and between them by the
+/// polynomials of degree 7 that have values and rates of four places.
+class LaneMotion final : public MeshMotion {
+ public:
+  /// \param natural   the scene of the extremal, in natural units
+  /// \param extremal  found
+  /// \param scene     see MeshMotion
+  LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
+             const Scene& scene, const Units& units);
+
+  [[nodiscard]] double start_angle() const override;
+  [[nodiscard]] double end_angle() const override { return extremal_->phi; }
+
+  [[nodiscard]] const lanes::Extremal& extremal() const { return *extremal_; }
+
+ private:
+  friend Certificate certify(const LaneMotion& motion);
+
+  [[nodiscard]] Place place(int element, double t) const override;
+  [[nodiscard]] StartLimits limits_at_start() const override;
+
+  std::shared_ptr<const lanes::Extremal> extremal_;
+  double turn_;  ///< dθ/ds
+};
+
+/// Tests an extremal found side by side with others.
+///
+/// Optimality:
+///   shooting         largest residual of the shooting
+///   hamiltonian      max |𝓗| / √A
+///   second_order     conjugate points: places where the Jacobi determinant
+///                    changes its sign, or an end whose free length makes no
+///                    minimum
+///   legendre         −min ∂²𝓗/∂β²; below zero on a minimum
+///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b
+/// Integrity:
+///   contact_error    distance of the track's ends from A and B
+///   energy_drift     max |w²/2g − E|
+///   reintegration_error  T, place and θ at the end by Gauss's rule along the
+///                    slopes, with the speed from the energy
+///   slope_angle      continuous slope angle within [−π, π]: no loop
+///   speed            share of the places after the start without w > 0
+[[nodiscard]] Certificate certify(const LaneMotion& motion);
+
+}  // namespace brachisto

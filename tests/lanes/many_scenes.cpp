@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "lanes/many_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "extremal/shooting.hpp"
+#include "model/cycloid.hpp"
+#include "model/units.hpp"
+
+namespace brachisto::lanes {
+namespace {
+
+/// Scenes about the paper's, some of which have no answer.
+std::vector<Scene> random_scenes(std::size_t count) {
+  std::mt19937 random(38);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  std::vector<Scene> scenes(count);
+  for (Scene& scene : scenes) {
+    const double eta = between(0.0, 0.9);
+    const double k = between(0.0, 1.0) * largest_k(eta);
+    scene.body = Body::cylinder(between(0.15, 0.5), eta, between(-1.5, 1.5), k);
+    scene.L = between(1.5, 4.0);
+    scene.H = between(0.7, 1.5);
+  }
+  return scenes;
+}
+
+double transit_time(const Scene& scene, const Extremal& found) {
+  return found.transit_time * natural_units(scene).time;
+}
+
+TEST(ManyScenes, HaveTheTimesOfTheIndirectMethodOfOne) {
+  const std::vector<Scene> scenes = random_scenes(24);
+
+  const std::vector<Extremal> found = shoot(scenes);
+
+  int served = 0;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (!found[i].found) continue;
+    ++served;
+    const ExtremalSolution alone = solve_extremal(scenes[i]);
+    ASSERT_TRUE(alone.usable()) << i << ": " << alone.message;
+    EXPECT_NEAR(transit_time(scenes[i], found[i]) / alone.transit_time, 1.0,
+                found[i].error_estimate + alone.error_estimate)
+        << i;
+    // The end of a path is as far off as its steps are, to the first order.
+    EXPECT_NEAR(found[i].phi, alone.phi, 1e-9 + 1e3 * found[i].error_estimate)
+        << i;
+  }
+  EXPECT_GE(served, 16);
+}
+
+TEST(ManyScenes, HaveTheClosedFormWithoutOffset) {
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  Scene scene;
+  scene.body = Body::cylinder(1.0 / 3.0, 0.0, 0.4, 0.5);
+  scene.L = 3.0;
+  scene.H = 1.0;
+
+  const Extremal found = shoot(std::vector{scene}).front();
+
+  ASSERT_TRUE(found.found);
+  const double T =
+      axisymmetric_optimum(scene)->rolling_time(scene.gravity) * std::sqrt(1.5);
+  EXPECT_NEAR(transit_time(scene, found) / T, 1.0,
+              found.error_estimate + 4.0 * kUlp);
+}
+
+TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {
+  const std::vector<Scene> scenes = random_scenes(11);
+
+  const std::vector<Extremal> together = shoot(scenes);
+
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Extremal alone = shoot(std::vector{scenes[i]}).front();
+    ASSERT_EQ(alone.found, together[i].found) << i;
+    if (!alone.found) continue;
+    EXPECT_EQ(alone.transit_time, together[i].transit_time) << i;
+    EXPECT_EQ(alone.error_estimate, together[i].error_estimate) << i;
+    EXPECT_EQ(alone.path[7].beta_rate, together[i].path[7].beta_rate) << i;
+  }
+}
+
+TEST(ManyScenes, HaveTheSameDigitsWithAllInstructions) {
+  const std::vector<Scene> scenes = random_scenes(16);
+  const std::vector<Extremal> baseline = shoot(scenes, Instructions::Baseline);
+  for (const Instructions set : {Instructions::Avx2, Instructions::Avx512}) {
+    if (static_cast<int>(set) > static_cast<int>(best_instructions())) continue;
+
+    const std::vector<Extremal> wide = shoot(scenes, set);
+
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      ASSERT_EQ(wide[i].found, baseline[i].found) << i;
+      if (!wide[i].found) continue;
+      EXPECT_EQ(wide[i].transit_time, baseline[i].transit_time) << i;
+      EXPECT_EQ(wide[i].by_length, baseline[i].by_length) << i;
+      EXPECT_EQ(wide[i].path[20].beta, baseline[i].path[20].beta) << i;
+    }
+  }
+}
+
+TEST(ManyScenes, LeaveOutWhatIsNotFreeAndWhatHasNoCycloid) {
+  std::vector<Scene> scenes = random_scenes(3);
+  scenes[0].limits.friction = 0.5;
+  scenes[1].L = 0.2;  // B lies inside the body at its start
+  scenes[1].H = 0.1;
+  scenes[1].body.radius = 1.0;
+
+  const std::vector<Extremal> found = shoot(scenes);
+
+  EXPECT_FALSE(fits(scenes[0]));
+  EXPECT_FALSE(found[0].found);
+  EXPECT_FALSE(found[1].found);
+}
+
+}  // namespace
+}  // namespace brachisto::lanes

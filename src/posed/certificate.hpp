@@ -14,6 +14,12 @@
 
 namespace brachisto::ocp {
 
+/// Residual of the optimality conditions. What bounds leave is in the units of
+/// the cost, in which it counts in the estimate, and not per length: impulses
+/// at junctions, which limits of states have, are none of the path's functions.
+[[nodiscard]] nlp::KktResidual first_order(nlp::Problem& program,
+                                           const PrimalDual& point);
+
 /// Residual of the optimality conditions, states integrated anew, limits
 /// between the points, a constant 𝓗, the estimate, and second order.
 ///

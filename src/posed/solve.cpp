@@ -151,7 +151,7 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
   options.complementarity =
       std::clamp(0.1 * by_.tolerance /
                      (2.0 * static_cast<double>(here.program->num_variables())),
-                 1e-14, 1e-9);
+                 1e-14, 1e-12);
   options.max_iterations = by_.most_iterations;
   options.linear_solver = by_.linear_solver;
   options.stop = by_.stop;
@@ -167,7 +167,7 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
         !here.program->set_point(here.result.point.x)) {
       break;
     }
-    if (nlp::kkt_residual(*here.program, here.result.point).max() < kGood) {
+    if (first_order(*here.program, here.result.point).max() < kGood) {
       here.result.status = Status::Solved;
       break;
     }
@@ -320,7 +320,8 @@ Answer Solve::run() {
     OnMesh& fine = *halves;
     const double size = size_of_cost(fine);
     const double change = std::abs(coarse.cost - fine.cost);
-    const double error = change + fine.gap;
+    // Next to junctions the finer path need not be the better one.
+    const double error = 2.0 * change + fine.gap;
     answer_.passes.push_back(
         {fine.mesh.num_elements(), iterations_, fine.cost, change});
     const MeshPath coarse_path = coarse.path(), fine_path = fine.path();

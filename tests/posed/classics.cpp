@@ -108,7 +108,7 @@ TEST(Posed, BrysonAndDenhamKeepOff) {
   statement.duration = Duration::fixed(1.0);
   const Problem problem(Cart{{}, true}, statement);
 
-  const Answer answer = expect_cost(problem, 4.0, {.tolerance = 1e-4});
+  const Answer answer = expect_cost(problem, 4.0, {.tolerance = 1e-5});
 
   ASSERT_EQ(answer.prices.size(), 1U);
   // d(4/9l)/dl = −36; multipliers err by the root of what the cost does.

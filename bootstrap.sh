@@ -28,10 +28,10 @@ packages=(
 # Of the Python module.
 python_packages=(pybind11-dev python3-dev python3-numpy)
 # Of the tests alone: a validator of others for the schemas, readers of others for DXF and .nl files,
-# and who reads the manual and the completions.
+# who reads the manual and the completions, and what notebooks, wheels and type checks of Python use.
 test_packages=(
   python3-ezdxf python3-jsonschema python3-yaml "${python_packages[@]}" libamplsolver-dev
-  groff-base mandoc man-db zsh fish
+  groff-base mandoc man-db zsh fish python3-pandas mypy python3-pip python3-venv
 )
 # Of the page checks alone: the browser.
 page_packages=(chromium)

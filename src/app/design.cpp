@@ -26,6 +26,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
+#include "design/best_track.hpp"
 #include "design/gather_designs.hpp"
 #include "math/wall_clock.hpp"
 #include "report/design_report.hpp"
@@ -120,17 +121,6 @@ Searched search_all(const DesignFlags& flags, const sweep::Job& job,
   return out;
 }
 
-/// The bodies that searches had reached when the limit of time ended them,
-/// quickest first.
-std::vector<DesignMinimum> reached_by(const std::vector<DesignSearch>& all) {
-  std::vector<DesignMinimum> reached;
-  for (const DesignSearch& search : all) {
-    if (search.reached && search.stopped) reached.push_back(*search.reached);
-  }
-  std::ranges::stable_sort(reached, {}, &DesignMinimum::tau);
-  return reached;
-}
-
 /// τ over two numbers of the body, the ways of the searches over it. A picture
 /// that is missing becomes a warning.
 std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
@@ -162,67 +152,6 @@ std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
   return std::move(drawn.files);
 }
 
-/// The quickest body that may be shown: the best, or where none is feasible the
-/// quickest there is.
-const DesignMinimum* shown(const DesignAnswer& answer) {
-  if (answer.best) return &*answer.best;
-  for (const DesignMinimum& minimum : answer.minima) {
-    if (minimum.verified) return &minimum;
-  }
-  return nullptr;
-}
-
-/// The track of the best body, or in its place of the quickest one that a
-/// search had reached in the time that there was, which then is the best.
-Solution solve_best(const io::ProblemFile& problem,
-                    const std::vector<DesignMinimum>& reached,
-                    const std::atomic<int>& signal, WallClock::time_point end,
-                    DesignAnswer& answer) {
-  // Of the limit of time, for a solve that comes when it is over.
-  constexpr double kLeast = 0.1;
-  SolveOptions options = problem.options;
-  const auto track_of = [&](const DesignMinimum& minimum) {
-    const double left = seconds_until(end);
-    options.limits.seconds =
-        std::max(left, kLeast * problem.options.limits.seconds);
-    Scene scene = problem.scene;
-    scene.body = minimum.body;
-    Solution solution = solve(scene, options, {.interrupt = &signal});
-    solution.options = problem.options;
-    return solution;
-  };
-  if (!answer.best) {
-    for (DesignMinimum minimum : reached) {
-      Solution solution = track_of(minimum);
-      minimum.feasible = solution.verified() && solution.feasible();
-      if (solution.verified() &&
-          (minimum.feasible || !problem.design.require_feasible)) {
-        minimum.tau = solution.motion()->tau();
-        minimum.verified = true;
-        answer.best = minimum;
-        answer.minima.push_back(minimum);
-        std::ranges::stable_sort(answer.minima, {}, &DesignMinimum::tau);
-        return solution;
-      }
-      if (seconds_until(end) <= 0.0) break;
-    }
-  }
-  if (const DesignMinimum* minimum = shown(answer)) return track_of(*minimum);
-  Solution solution;
-  solution.scene = problem.scene;
-  solution.options = problem.options;
-  solution.status = answer.stopped ? Status::TimeLimit : Status::NotConverged;
-  solution.message =
-      answer.stopped ? fmt::format(
-                           "the limit of {:g} s was reached before a "
-                           "search had come to a verified body",
-                           problem.options.limits.seconds)
-      : answer.minima.empty()
-          ? "no search came to a minimum"
-          : "no search came to a minimum on the principal branch";
-  return solution;
-}
-
 int run(const DesignFlags& flags) {
   const WallClock::time_point begin = WallClock::now();
   const io::ProblemFile problem =
@@ -236,8 +165,6 @@ int run(const DesignFlags& flags) {
   }
   warn_of(problem);
   const std::atomic<int>& signal = catch_signals();
-  // Searches leave a tenth of the time for the track of the best body.
-  constexpr double kShareOfSearches = 0.9;
   const double limit = problem.options.limits.seconds;
   const double used = seconds_since(begin);
   Searched searched = search_all(
@@ -258,13 +185,13 @@ int run(const DesignFlags& flags) {
     solution.message = "stopped before all searches had ended";
     if (!flags.out.empty()) solution.message += "; --resume goes on";
   } else {
-    solution = solve_best(problem, reached, signal, end, answer);
+    solution = solve_best(problem.scene, problem.options, reached, &signal, end,
+                          answer);
     if (answer.stopped && solution.verified()) {
-      solution.warnings.push_back(fmt::format(
-          "the limit of {:g} s was reached when {} of {} searches had ended: "
-          "this is the quickest body so far{}",
-          limit, answer.searches, job.file.num_scenes(),
-          flags.out.empty() ? "" : "; --resume goes on"));
+      solution.warnings.push_back(
+          cut_short(problem.options, answer,
+                    static_cast<int>(job.file.num_scenes())) +
+          (flags.out.empty() ? "" : "; --resume goes on"));
     }
   }
   std::vector<report::OutputFile> further;

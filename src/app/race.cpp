@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// brachisto race FILE…: bodies that start together, each on its own track.
+// brachisto race FILE…: bodies that start together, each on its own track or
+// all on one.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
@@ -29,6 +28,7 @@
 #include "brachisto/study/solve.hpp"
 #include "io/visible_text.hpp"
 #include "plot/race_page.hpp"
+#include "plot/racers.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::app {
@@ -42,55 +42,10 @@ struct RaceFlags {
   std::vector<std::string> files;
   std::string out;
   std::vector<std::string> overrides;
+  bool same_track = false;
   bool force = false;
   bool quiet = false;
 };
-
-constexpr std::size_t kFewest = 2, kMost = 24;  // that start
-
-/// The ends of a track, from A to B.
-std::array<Point, 2> ends(const Racer& racer) {
-  const std::vector<double>&x = racer.table["x_b"], &z = racer.table["z_b"];
-  return {{{x.front(), z.front()}, {x.back(), z.back()}}};
-}
-
-std::string ends_in_words(const Racer& racer) {
-  const auto [a, b] = ends(racer);
-  return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", a.x, a.z, b.x,
-                     b.z);
-}
-
-/// \throws io::InputError  if a track does not begin and end where the first
-///                         one does
-void check_ends(const std::string& file, const Racer& first,
-                const Racer& racer) {
-  const std::array<Point, 2> there = ends(first), here = ends(racer);
-  // As much as the points of a given path may miss A and B.
-  const double close = kCloseToEnds * std::hypot(there[1].x, there[1].z);
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    if (std::hypot(here[i].x - there[i].x, here[i].z - there[i].z) <= close) {
-      continue;
-    }
-    throw io::InputError(
-        {{.file = file,
-          .line = 0,
-          .column = 0,
-          .key = "scene.finish",
-          .message = fmt::format("the track runs {}, that of \"{}\" {}: "
-                                 "all have to start and to finish together",
-                                 ends_in_words(racer), first.name,
-                                 ends_in_words(first))}});
-  }
-}
-
-/// What has to be known of a verified solution.
-Racer racer_of(const std::string& name, const Solution& solution) {
-  return {
-      .name = name,
-      .result = report::Json::parse(report::result_json(solution)),
-      .scene = solution.scene,
-      .table = plot::TrajectoryTable::read(report::trajectory_csv(solution))};
-}
 
 void print_arrivals(const std::vector<Racer>& racers) {
   report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
@@ -105,10 +60,12 @@ void print_arrivals(const std::vector<Racer>& racers) {
 }
 
 int run(const RaceFlags& flags) {
-  if (flags.files.size() < kFewest || flags.files.size() > kMost) {
+  if (flags.files.size() < plot::kFewestRacers ||
+      flags.files.size() > plot::kMostRacers) {
     throw UsageError("brachisto race",
                      fmt::format("{} to {} problem files can race, not {}",
-                                 kFewest, kMost, flags.files.size()));
+                                 plot::kFewestRacers, plot::kMostRacers,
+                                 flags.files.size()));
   }
   const fs::path out = flags.out;
   const fs::path directory = out.has_parent_path() ? out.parent_path() : ".";
@@ -124,26 +81,33 @@ int run(const RaceFlags& flags) {
   const std::vector<std::string> racer_names = plot::racer_names(flags.files);
   const std::atomic<int>& signal = catch_signals();
   std::vector<Racer> racers;
+  std::shared_ptr<const GivenPath> track;  // of the first, if it is that of all
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::string& file = flags.files[i];
+    if (flags.same_track && i > 0) {
+      Scene& scene = problems[i].scene;
+      scene.path = track;
+      scene.contact = Contact::Smooth;
+      scene.limits = {};
+    }
     const Solution solution =
         solve_in_time(problems[i], false, {.interrupt = &signal});
     if (!solution.verified()) {
       tell(fmt::format("brachisto: {}: {}\n", file, complaint(solution)));
       return exit_code(solution, signal.load());
     }
-    racers.push_back(racer_of(racer_names[i], solution));
-    check_ends(file, racers.front(), racers.back());
+    if (flags.same_track && i == 0) track = plot::track_of(solution);
+    racers.push_back(plot::racer_of(racer_names[i], solution));
+    plot::check_ends(file, racers.front(), racers.back());
   }
-  racers = plot::in_order_of_arrival(std::move(racers));
   const std::string html = [&] {
     const StopScope scope(
         StopCondition(std::numeric_limits<double>::infinity(), &signal));
-    return plot::race_page(racers);
+    return plot::race_page(racers, flags.same_track);
   }();
   report::write_files(directory, {{page, html}}, flags.force);
   if (!flags.quiet) {
-    print_arrivals(racers);
+    print_arrivals(plot::in_order_of_arrival(std::move(racers)));
     print(io::visible(out.string()) + "\n");
   }
   return kSuccess;
@@ -155,8 +119,8 @@ Verb race_verb() {
   const auto flags = std::make_shared<RaceFlags>();
   return {.name = "race",
           .text =
-              "Let several bodies start together, each on its own track: a "
-              "page with clocks and the order of arrival",
+              "Let several bodies start together, each on its own track or all "
+              "on one: a page with clocks, on which the first may be guessed",
           .flags = {{.name = "FILE",
                      .value = &flags->files,
                      .text = "Problem files (YAML), named after what they are; "
@@ -174,11 +138,14 @@ Verb race_verb() {
                      .text = "Replace a value of all files, such as "
                              "scene.finish.L=4",
                      .placeholder = "KEY=VALUE"},
+                    {"--same-track", &flags->same_track,
+                     "Let all run on the track of the first file"},
                     {"--force", &flags->force, "Replace an existing page"},
                     {"--quiet", &flags->quiet, "Do not print the order"}},
           .footer =
               R"(Example:
   brachisto race problems/race/*.yaml --out race.html
+With --same-track limits and paths of the other files do not count.
 Bodies that would lift off race too and are marked. Exit codes: 0
 written, 3 bad input file, 6 I/O; of a scene that fails, which is told,
 those of solve, and nothing is written.)",

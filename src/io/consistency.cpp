@@ -338,4 +338,13 @@ void check_all(const YamlValue& root, const Draft& problem,
   check_design(check);
 }
 
+void require_design(const ProblemFile& problem, const std::string& file) {
+  if (!problem.design.empty()) return;
+  throw InputError({{.file = file,
+                     .key = "design.free",
+                     .message = "missing; expected what the design may "
+                                "choose, as in design: {free: [eta_m, "
+                                "theta_m, k]}"}});
+}
+
 }  // namespace brachisto::io

@@ -6,6 +6,9 @@
 
 #pragma once
 
+#include <string>
+
+#include "brachisto/io/problem_file.hpp"
 #include "io/draft.hpp"
 #include "io/findings.hpp"
 #include "io/yaml_tree.hpp"
@@ -18,5 +21,9 @@ namespace brachisto::io {
 /// knows limits if there are any; and the bounds of physics, as far as the
 /// numbers they are about could be read.
 void check_all(const YamlValue& root, const Draft& problem, Findings& findings);
+
+/// \param file  how messages call it
+/// \throws InputError  if the problem leaves nothing to a design
+void require_design(const ProblemFile& problem, const std::string& file);
 
 }  // namespace brachisto::io

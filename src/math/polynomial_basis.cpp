@@ -19,8 +19,9 @@ namespace {
 /// any size, on element after element to the same side. The smallest entry,
 /// whose last digit is the finest, takes it.
 void sum_to_zero(std::span<double> row) {
-  double& smallest = *std::ranges::min_element(
-      row, {}, [](double entry) { return std::abs(entry); });
+  double& smallest = *std::min_element(
+      row.begin(), row.end(),
+      [](double a, double b) { return std::abs(a) < std::abs(b); });
   smallest = 0.0;
   smallest =
       static_cast<double>(-std::accumulate(row.begin(), row.end(), 0.0L));

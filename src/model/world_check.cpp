@@ -21,7 +21,7 @@ constexpr const char* kCentre = "scene.field.sphere.centre";
 constexpr const char* kSpeed = "scene.start.speed";
 constexpr const char* kSliding = "scene.losses.sliding";
 constexpr const char* kRolling = "scene.losses.rolling";
-constexpr const char* kLeastForce = "scene.limits.normal_force.min";
+constexpr const char* kNormalMin = "scene.limits.normal_force.min";
 
 /// Each number by itself: those of optional parts, or the others.
 void check_numbers(const World& world, bool of_parts, SceneChecker& check) {
@@ -143,7 +143,7 @@ void check_losses(const Scene& scene, SceneChecker& check) {
                                       "for c"
                                     : ""));
   } else if (!scene.path && limits.normal_min && *limits.normal_min < 0.0) {
-    check.add(kLeastForce,
+    check.add(kNormalMin,
               fmt::format("{} m g is not allowed with scene.losses: 0 or more, "
                           "for a track that pulls at the body would give it "
                           "energy",

@@ -75,14 +75,22 @@ int refused(const char* why) {
 
 /// The scene of the calls that follow; lengths in m, angles in rad. A radius of
 /// zero makes a bead. If it is refused, text() says why.
+///
+/// \param friction  Coulomb's, of a bead; rolling resistance is none of this
+///                  module, for it takes a limit on the load
+/// \param drag      c₂ of the air [1/m]
 [[clang::export_name("set_scene")]] int set_scene(double radius, double eta_m,
                                                   double theta_m, double k,
-                                                  double L, double H) {
+                                                  double L, double H,
+                                                  double friction,
+                                                  double drag) {
   state.scene = {};
   state.scene.body =
       radius > 0.0 ? Body::cylinder(radius, eta_m, theta_m, k) : Body::bead();
   state.scene.L = L;
   state.scene.H = H;
+  state.scene.world.losses.sliding = friction;
+  state.scene.world.air.quadratic = drag;
   const std::vector<SceneError> errors = validate(state.scene);
   if (errors.empty()) return 0;
   state.text = errors.front().key + ": " + errors.front().message;
@@ -137,8 +145,9 @@ int refused(const char* why) {
 }
 
 /// The body on the track through the points that table() holds, from A to B:
-/// numbers() are τ, T, the error estimate, the least R_n and x there, and the
-/// least 1 − r κ_c. If the body does not arrive text() says where it stays.
+/// numbers() are τ, T, the error estimate, the least R_n and x there, the least
+/// 1 − r κ_c, and the grip μ that it takes from 1 % of the time on. If the body
+/// does not arrive text() says where it stays.
 [[clang::export_name("ride")]] int ride(int points) {
   GivenPath path;
   path.curve = GivenPath::Curve::Track;
@@ -168,7 +177,8 @@ int refused(const char* why) {
                      motion->error_estimate(),
                      found.min_normal_force.value,
                      found.min_normal_force.x,
-                     found.min_fold_margin.value};
+                     found.min_fold_margin.value,
+                     found.least_grip[1].mu};
     state.ride = std::move(motion);
   } catch (const std::exception& problem) {
     return refused(problem.what());

@@ -7,15 +7,9 @@
 
 #include <cstddef>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "math/angle.hpp"
-#include "report/rich_text.hpp"
-#include "report/scale.hpp"
 #include "transcription/rolling_time.hpp"
 
 namespace brachisto::plot {
@@ -56,57 +50,6 @@ std::string block_drawing(const Scene& scene, int degree, int elements) {
       "sharing a node, bordered by one variable of all, "
       "U.</figcaption></figure>\n",
       size + 2, size, n, path, degree, entries.size(), size - n, elements);
-}
-
-using report::Json;
-using report::printed;
-using report::xml_escaped;
-
-std::string continuation_drawing(const Json& steps) {
-  constexpr std::size_t kFewest = 3;
-  if (!steps.is_array() || steps.size() < kFewest) return {};
-  std::vector<std::pair<double, double>> points;
-  report::Extent across, up;
-  for (const Json& step : steps) {
-    const Json eta = step.value("eta_m", Json()),
-               phi = step.value("phi", Json());
-    if (!eta.is_number() || !phi.is_number()) return {};
-    points.emplace_back(eta.get<double>(), math::in_degrees(phi.get<double>()));
-    across.include(points.back().first);
-    up.include(points.back().second);
-  }
-  if (!(across.high > across.low) || !(up.high > up.low)) return {};
-  constexpr double kLeft = 52.0, kTop = 12.0, kWidth = 380.0, kHeight = 120.0;
-  std::string line, dots;
-  for (const auto& [eta, phi] : points) {
-    const double x =
-        kLeft + kWidth * (eta - across.low) / (across.high - across.low);
-    // Down on the drawing is down on the track.
-    const double y = kTop + kHeight * (phi - up.low) / (up.high - up.low);
-    line += fmt::format("{}{:.1f},{:.1f}", line.empty() ? "" : " ", x, y);
-    dots +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.6\"/>", x, y);
-  }
-  const auto label = [](double x, double y, std::string_view anchor,
-                        const std::string& text) {
-    return fmt::format(
-        "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>", x, y,
-        anchor, xml_escaped(text));
-  };
-  constexpr double kRight = kLeft + kWidth, kBottom = kTop + kHeight;
-  return fmt::format(
-      "<figure class=\"small\"><svg viewBox=\"0 0 450 160\" role=\"img\" "
-      "aria-label=\"The slope angle at B over the offset, step by step\">"
-      "<path class=\"frame\" d=\"M{0} {1}V{2}H{3}\"/>"
-      "<polyline points=\"{4}\"/>{5}{6}{7}{8}{9}</svg>"
-      "<figcaption>The slope at B at each step from the uniform cylinder, η = "
-      "{10}, to the body, η = {11}.</figcaption></figure>\n",
-      kLeft, kTop, kBottom, kRight, line, dots,
-      label(kLeft - 6.0, kTop + 4.0, "end", printed(up.low, 3) + "°"),
-      label(kLeft - 6.0, kBottom, "end", printed(up.high, 3) + "°"),
-      label(kLeft, kBottom + 18.0, "start", printed(across.low, 3)),
-      label(kRight, kBottom + 18.0, "end", printed(across.high, 3)),
-      printed(points.front().first, 3), printed(points.back().first, 3));
 }
 
 }  // namespace brachisto::plot

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Small drawings of a page: what the matrix that was factorised looks like,
-/// and how the answer was come by.
+/// A small drawing of a page: what the matrix that was factorised looks like.
 
 #pragma once
 
 #include <string>
 
 #include "brachisto/model/scene.hpp"
-#include "report/result_texts.hpp"
 
 namespace brachisto::plot {
 
@@ -21,10 +19,5 @@ namespace brachisto::plot {
 /// \pre scene.world.ordinary(), and no limits and no given path
 [[nodiscard]] std::string block_drawing(const Scene& scene, int degree,
                                         int elements);
-
-/// φ over η_m, step by step: a small drawing in HTML, empty of fewer than three
-/// steps.
-/// \param steps  `continuation` of a result
-[[nodiscard]] std::string continuation_drawing(const report::Json& steps);
 
 }  // namespace brachisto::plot

@@ -82,6 +82,19 @@ bool lacks_grip(const Json& result) {
          });
 }
 
+/// How many of the checks there are passed.
+struct Checks {
+  std::size_t passed = 0, all = 0;
+};
+Checks checks_of(const Json& result) {
+  Checks checks;
+  for (const Json& check : result.at("certificate").at("checks")) {
+    ++checks.all;
+    if (is_true(check, "passed")) ++checks.passed;
+  }
+  return checks;
+}
+
 std::string verdict(const Json& result) {
   const auto list = [](const std::string& first,
                        const std::vector<std::string>& reasons) {
@@ -91,11 +104,7 @@ std::string verdict(const Json& result) {
     }
     return out + ".";
   };
-  std::size_t checks = 0, passed = 0;
-  for (const Json& check : result.at("certificate").at("checks")) {
-    ++checks;
-    if (is_true(check, "passed")) ++passed;
-  }
+  const auto [passed, checks] = checks_of(result);
   const bool verified = is_true(result, "verified");
   const bool feasible = is_true(result, "feasible");
   const bool for_want_of_grip = verified && feasible && lacks_grip(result);
@@ -139,13 +148,18 @@ std::vector<LeastGrip> grip_of(const Json& result) {
 }
 
 /// The numbers that one looks for first.
-std::string numbers(const Json& result) {
+std::string numbers(const Json& result, const TrajectoryTable& table) {
   std::string out = "<dl class=\"numbers\">\n";
   const auto add = [&](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   };
   add("transit time T", time_text(result, "transit_time") + " s");
+  if (const std::vector<LeastGrip> grip = grip_of(result); !grip.empty()) {
+    add("grip, least μ", grip_in_words(grip));
+  }
   add("τ = T √(2g/H)", time_text(result, "tau"));
+  add("greatest speed of the centre",
+      printed(std::ranges::max(table["v_c"]), 4) + " m/s");
   add("length of the track", printed(number(result, "rail_length"), 6) + " m");
   add("slopes at A and B", slope(number(result, "start_angle")) + ", " +
                                slope(number(result, "end_angle")));
@@ -157,9 +171,6 @@ std::string numbers(const Json& result) {
         fmt::format("{} to {} m g",
                     printed(told_force(number(*force, "min")), 4),
                     printed(number(*force, "max"), 4)));
-  }
-  if (const std::vector<LeastGrip> grip = grip_of(result); !grip.empty()) {
-    add("grip, least μ", grip_in_words(grip));
   }
   return out + "</dl>\n";
 }
@@ -205,9 +216,10 @@ std::string controls(const Scene& scene) {
         there ? "" : " hidden=\"hidden\"", id, on ? " checked=\"checked\"" : "",
         name);
   };
-  return report::playback_html(box("use-forces", "forces", true, true) +
-                               box("use-ghosts", "every T/10", true, true) +
-                               box("use-lens", "lens", false, rolls));
+  return report::playback_html(
+      box("use-forces", "forces", true, true) +
+      box("use-ghosts", "every tenth of T", true, true) +
+      box("use-lens", "lens", false, rolls));
 }
 
 std::string motion_section(const Scene& scene, const Json& result,
@@ -250,6 +262,9 @@ std::string motion_section(const Scene& scene, const Json& result,
              "moves the body; dragging with Shift enlarges, a double click "
              "shows "
              "all again.</p>\n"
+             "<p class=\"about\" id=\"beyond-words\" hidden=\"hidden\">A "
+             "triangle marks where a curve leaves its picture, as some do "
+             "without bound at the start.</p>\n"
              "<div id=\"curves\"></div>\n<p class=\"about\">{}</p>\n"
              "</section>\n",
              said,
@@ -298,6 +313,37 @@ std::string matrix(const Json& result, const Scene& scene) {
                        static_cast<int>(elements));
 }
 
+/// Tables as programs read them, folded; open where a check failed.
+std::string all_that_is_known(const Json& result, const Scene& scene) {
+  const auto folded = [](const std::string& summary, const std::string& content,
+                         bool open = false) {
+    return content.empty()
+               ? ""
+               : fmt::format("<details{}><summary>{}</summary>\n{}</details>\n",
+                             open ? " open=\"open\"" : "", summary, content);
+  };
+  const auto [passed, checks] = checks_of(result);
+  return folded(fmt::format("The certificate: {} of {} checks passed", passed,
+                            checks),
+                certificate_table(result), passed < checks) +
+         folded("What was asked, key by key", asked_table(result)) +
+         folded("What was found, key by key", found_table(result)) +
+         folded("How it was found: mesh, iterations and times",
+                way_tables(result) + matrix(result, scene)) +
+         folded("How to repeat it", repeat_section(result));
+}
+
+/// "A cylinder, 3 m across and 1 m down: 1.14671 s".
+std::string headline(const Json& result, const Scene& scene) {
+  return fmt::format("A {}, {} m across and {} m {}: {} s",
+                     !scene.body.rolls() ? "bead"
+                     : scene.body.ball   ? "ball"
+                                         : "cylinder",
+                     printed(scene.L), printed(std::abs(scene.H)),
+                     scene.H < 0.0 ? "up" : "down",
+                     printed(number(result, "transit_time")));
+}
+
 }  // namespace
 
 std::string answer_page(const Json& result, const Scene& scene,
@@ -305,32 +351,25 @@ std::string answer_page(const Json& result, const Scene& scene,
   const ThinnedTable rows = rows_for_page(table, scene);
   std::string kind(report::track_kind(scene));
   kind[0] = static_cast<char>(std::toupper(kind[0]));
-  const std::string title =
-      fmt::format("{}: τ = {}", kind, time_text(result, "tau"));
+  const std::string title = headline(result, scene);
   std::string out = report::document_head(
       xml_escaped(title),
       fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
                   "<style>{}\n{}</style>\n",
                   kChartStyle, kAnswerStyle));
-  out += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"about\">{}</p>\n",
-                     xml_escaped(title),
+  out += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"about\">{}: {}</p>\n",
+                     xml_escaped(title), kind,
                      report::html_words(report::in_words(scene)));
   if (scene.limits.any()) {
     out += fmt::format("<p class=\"about\">Limits: {}</p>\n",
                        report::html_words(report::limits_in_words(scene)));
   }
-  out += verdict(result) + numbers(result) + "</header>\n<main>\n" +
+  out += verdict(result) + numbers(result, table) + "</header>\n<main>\n" +
          motion_section(scene, result, rows) +
-         section("What was asked", asked_table(result)) +
-         section("What was found", found_table(result)) +
          section("What the limits cost", limits_table(result)) +
          section("How the time changes with the scene",
                  sensitivities_tables(result)) +
-         section("The certificate", certificate_table(result)) +
-         section("How it was found",
-                 continuation_drawing(result.value("continuation", Json())) +
-                     way_tables(result) + matrix(result, scene)) +
-         section("How to repeat it", repeat_section(result));
+         section("All that is known", all_that_is_known(result, scene));
   const auto made = result.find("provenance");
   const std::string version =
       made != result.end() ? made->value("brachisto", "") : "";

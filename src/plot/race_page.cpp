@@ -74,30 +74,77 @@ std::string style(std::size_t i) {
                      i / kColours % kDashes + 1);
 }
 
-/// The order of arrival, with a clock for each.
-std::string arrivals(const std::vector<Racer>& racers) {
+/// Those that start, with a clock for each and how they come in, which the page
+/// hides until they do.
+std::string starting_list(const std::vector<Racer>& racers) {
   std::string out =
-      "<table class=\"arrivals\">\n<caption>The order of arrival</caption>\n"
-      "<thead><tr><th>place</th><th>body</th><th>clock</th>"
+      "<table class=\"arrivals\">\n<caption>Who comes first? Guess, then press "
+      "Play: a result is shown when its body arrives</caption>\n"
+      "<thead><tr><th>guess</th><th>body</th><th>clock</th><th>place</th>"
       "<th class=\"exact\">T [s]</th><th>behind [ms]</th></tr></thead>\n"
       "<tbody>\n";
+  const Racer& first = *std::ranges::min_element(racers, {}, transit_time);
   for (std::size_t i = 0; i < racers.size(); ++i) {
     const Racer& racer = racers[i];
     const double T = transit_time(racer);
     constexpr int kDecimals = 6;
     out += fmt::format(
-        "<tr id=\"racer-{0}\" class=\"{1}\"><td>{2}</td>"
-        "<th scope=\"row\"><svg class=\"swatch\" viewBox=\"0 0 40 6\" "
+        "<tr id=\"racer-{0}\" class=\"{1}\"><td><input type=\"radio\" "
+        "name=\"guess\" value=\"{0}\" aria-label=\"{3} comes first\"/></td>"
+        "<th scope=\"row\">{2} <svg class=\"swatch\" viewBox=\"0 0 40 6\" "
         "aria-hidden=\"true\"><path class=\"track {1}\" d=\"M0 3H40\"/></svg>"
         "{3}{4}</th>"
         "<td class=\"lap\" id=\"clock-{0}\">{5:.{6}f} s</td>"
-        "<td class=\"exact\">{7}</td><td>{8}</td></tr>\n",
+        "<td class=\"result\">{7}</td><td class=\"result exact\">{8}</td>"
+        "<td class=\"result\">{9}</td></tr>\n",
         i, style(i), i + 1, xml_escaped(racer.name),
         feasible(racer) ? "" : " <span class=\"bad\">(infeasible)</span>", T,
-        kClockDecimals, rounded(T, time_error(racer), kDecimals),
-        behind(racers[0], racer));
+        kClockDecimals,
+        1 + std::ranges::count_if(
+                racers,
+                [T](const Racer& other) { return transit_time(other) < T; }),
+        rounded(T, time_error(racer), kDecimals), behind(first, racer));
   }
-  return out + "</tbody>\n</table>\n";
+  return out + "</tbody>\n</table>\n<p id=\"guessed\" role=\"status\"></p>\n";
+}
+
+/// Questions with room for answers, to be printed before the race is run.
+std::string worksheet(const std::vector<Racer>& racers, bool same_track) {
+  constexpr std::string_view kLines =
+      "<p class=\"line\"></p><p class=\"line\"></p>";
+  std::string rows;
+  for (const Racer& racer : racers) {
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td>&#160;</td><td>&#160;</td>"
+        "<td>&#160;</td></tr>\n",
+        xml_escaped(racer.name));
+  }
+  double last = 0.0;
+  for (const Racer& racer : racers) {
+    last = std::max(last, transit_time(racer));
+  }
+  return fmt::format(
+      "<details id=\"worksheet\"><summary>A worksheet, to print before the "
+      "race</summary>\n<ol>\n"
+      "<li>Before you press Play: who comes first, who last, and why?{0}</li>\n"
+      "<li>Play it in slow motion, and write down what you see."
+      "<table><thead><tr><th>body</th><th>guessed place</th><th>place</th>"
+      "<th>clock [s]</th></tr></thead><tbody>\n{1}</tbody></table></li>\n"
+      "<li>{2}{0}</li>\n"
+      "<li>In real time the last one needs {3} s. You stop a watch by hand to "
+      "0.1 s: which places could you tell by it?{0}</li>\n</ol>\n</details>\n",
+      kLines, rows,
+      same_track
+          ? "All fall by the same height. A body that turns more easily keeps "
+            "more of that energy for its way: uniform bodies of one radius "
+            "need "
+            "times in proportion to √(1 + k). Compute the ratio of two of "
+            "these "
+            "times, and compare it with that of the clocks."
+          : "The straight line is the shortest way. By which clocks do you see "
+            "that the shortest way is not the quickest, and what does a track "
+            "win that falls steeply at first?",
+      printed(last, 3));
 }
 
 /// Who they are.
@@ -190,24 +237,28 @@ std::string behind(const Racer& first, const Racer& racer) {
   return "+" + rounded(ms, error, kDecimals);
 }
 
-std::string race_page(const std::vector<Racer>& racers) {
+std::string race_page(const std::vector<Racer>& racers, bool same_track) {
   const Ground ground = ground_of(racers);
   const Racer& first = racers.front();
   // From contact to contact, whatever the scene gives the ends of.
   const std::vector<double>&x = first.table["x_b"], &z = first.table["z_b"];
   const double drop = z.back() - z.front();
-  const std::string title = fmt::format("A race of {}: {} first", racers.size(),
-                                        xml_escaped(first.name));
+  const std::string title =
+      fmt::format("A race of {}, {}", racers.size(),
+                  same_track ? "all on one track" : "each on its own track");
   std::string out = report::document_head(
       title,
       fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
                   "<style>{}\n{}</style>\n",
                   kAnswerStyle, kRaceStyle));
   out += fmt::format(
-      "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, each "
-      "on its own track, and arrive at B, {} m to the right and {} m {}."
+      "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, {}, "
+      "and arrive at B, {} m to the right and {} m {}."
       "</p>\n</header>\n<main>\n",
-      title, printed(x.back() - x.front()), printed(std::abs(drop)),
+      title,
+      same_track ? "on the track of " + xml_escaped(first.name)
+                 : "each on its own track",
+      printed(x.back() - x.front()), printed(std::abs(drop)),
       drop < 0.0 ? "above" : "below");
   out +=
       "<section>\n<h2 id=\"motion-heading\">The race</h2>\n"
@@ -217,13 +268,14 @@ std::string race_page(const std::vector<Racer>& racers) {
       "<p class=\"key\"><span id=\"lift-key\" hidden=\"hidden\"><i "
       "class=\"swatch lift\"></i>" +
       symbols_html("R_n ≤ 0: here the body would lift off") + "</span></p>\n" +
-      arrivals(racers) +
+      starting_list(racers) +
       "<p class=\"about\" id=\"motion-words\">Numbers, on the tracks and above "
-      "the bodies, tell the order of arrival.</p>\n"
+      "the bodies, are those of the list. Tracks that run on each other are "
+      "drawn as dashes by turns.</p>\n"
       "<p class=\"about keys\">Space plays and stops; ← and → move by a "
-      "hundredth of the time, with Shift by a tenth.</p>\n</section>\n"
-      "<section>\n<h2>Who starts</h2>\n" +
-      starters(racers) +
+      "hundredth of the time, with Shift by a tenth.</p>\n" +
+      worksheet(racers, same_track) +
+      "</section>\n<section>\n<h2>Who starts</h2>\n" + starters(racers) +
       fmt::format("<p class=\"about\">{}</p>\n</section>\n</main>\n",
                   held(ground));
   const auto made = first.result.find("provenance");

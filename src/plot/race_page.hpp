@@ -34,9 +34,13 @@ struct Racer {
 
 /// One file that needs no other one and no network. It is well-formed XML too,
 /// and holds at most kMostNumbers numbers of all tables together.
-/// \param racers  in the order of their arrival, at least one, whose tracks
-///                have the same ends
-[[nodiscard]] std::string race_page(const std::vector<Racer>& racers);
+/// Who comes first is hidden until it does, and may be guessed.
+/// \param racers      by their numbers, at least one, whose tracks have the
+/// same
+///                    ends
+/// \param same_track  all of them are on that of the first
+[[nodiscard]] std::string race_page(const std::vector<Racer>& racers,
+                                    bool same_track = false);
 
 /// A name for each problem file: "uniform cylinder" of uniform_cylinder.yaml,
 /// with as many of its folders before it as tell it from the others,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -102,7 +103,7 @@ std::string axes_table(const SweepTable& table) {
     out += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td><code>{}</code></td></tr>\n",
-        axis, count, key_label(column.key).text(Markup::Html, false),
+        axis, count, key_label(column.key).in_full(Markup::Html, false),
         values_of(table, column), xml_escaped(column.key));
   };
   const std::vector<std::size_t> varying =
@@ -184,8 +185,8 @@ std::string failures_table(const SweepTable& table) {
   }
   if (count == 0) return {};
   std::string out = fmt::format(
-      "<h2>Failed scenes</h2>\n<p>{} of {} scenes have no verified "
-      "result.</p>\n"
+      "<h2>Failed scenes</h2>\n<details><summary>{} of {} scenes have no "
+      "verified result: their causes</summary>\n"
       "<div class=\"wide\"><table><thead><tr><th scope=\"col\">scene</th>{}"
       "<th scope=\"col\">status</th><th scope=\"col\">cause</th></tr></thead>"
       "<tbody>\n{}</tbody></table></div>\n",
@@ -194,7 +195,7 @@ std::string failures_table(const SweepTable& table) {
     out += fmt::format("<p>{} more are not listed here.</p>\n",
                        count - kMostFailures);
   }
-  return out;
+  return out + "</details>\n";
 }
 
 bool is_listed(const SweepTable& table) {
@@ -235,6 +236,15 @@ std::string scenes_table(const SweepTable& table, const std::string& csv_name) {
                                : xml_escaped(outcome.status));
   }
   return out + "</tbody></table></div></details>\n";
+}
+
+/// "sharper valleys" of problems/sweeps/sharper_valleys.yaml.
+std::string name_of(const std::string& title) {
+  const std::filesystem::path file(title);
+  if (file.extension() != ".yaml" && file.extension() != ".yml") return title;
+  std::string name = file.stem().string();
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
 constexpr const char* kAllScenes = "scenes.csv";
@@ -316,7 +326,7 @@ std::string directions(const std::vector<SweepTrack>& tracks) {
 std::string page(const SweepTable& table, const SweepFigures& planned,
                  const Drawn& drawn, const std::vector<SweepTrack>& tracks) {
   const std::string title =
-      table.title.empty() ? "Sweep" : xml_escaped(table.title);
+      table.title.empty() ? "Sweep" : xml_escaped(name_of(table.title));
   const bool pointed = is_listed(table) && !drawn.figures.empty();
   std::string out =
       report::document_head(

@@ -10,17 +10,27 @@
 
 #include <algorithm>
 #include <atomic>
-#include <brachisto/brachisto.hpp>
 #include <chrono>
 #include <cstddef>
 #include <future>
-#include <optional>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/result.hpp"
+#include "brachisto/study/solve.hpp"
+#include "brachisto/version.hpp"
+#include "design/best_track.hpp"
+#include "io/consistency.hpp"
+#include "plot/racers.hpp"
+#include "python/views.hpp"
+
 namespace py = pybind11;
 using namespace brachisto;
+using python::Answered;
 
 namespace {
 
@@ -70,6 +80,8 @@ void raise(std::exception_ptr thrown) {
         type(to_python(error.what()), to_python(error.diagnostics())).ptr());
   } catch (const io::IoError& error) {
     PyErr_SetObject(PyExc_OSError, to_python(error.what()).ptr());
+  } catch (const report::OutputError& error) {
+    PyErr_SetObject(PyExc_OSError, to_python(error.what()).ptr());
   }
 }
 
@@ -103,21 +115,19 @@ std::size_t row_of(const io::SweepFile& sweep) {
 
 // ---- Solutions.
 
-/// In a thread of its own, while this one lets Python's other threads run and
-/// looks after signals: a handler that raises, as that of Ctrl-C does, stops
-/// the solve.
-Solution solve_in_thread(const io::ProblemFile& problem, const Solution* near) {
+/// Does work in a thread of its own, while this one lets Python's other threads
+/// run and looks after signals: a handler that raises, as that of Ctrl-C does,
+/// sets the flag that the work gets, and what it raised comes out when the work
+/// has ended.
+template <class Work>
+std::invoke_result_t<Work, const std::atomic<int>&> in_thread(
+    const Work& work) {
   constexpr std::chrono::milliseconds kPatience{20};
-  const auto neighbour =
-      near != nullptr && near->verified() ? near->as_neighbour() : nullptr;
   std::atomic<int> interrupt{0};
-  std::future<Solution> solved = std::async(std::launch::async, [&] {
-    return solve(problem.scene, problem.options,
-                 {.interrupt = &interrupt, .neighbour = neighbour.get()});
-  });
+  auto done = std::async(std::launch::async, [&] { return work(interrupt); });
   const auto is_done = [&] {
     const py::gil_scoped_release others_run;
-    return solved.wait_for(kPatience) == std::future_status::ready;
+    return done.wait_for(kPatience) == std::future_status::ready;
   };
   while (!is_done()) {
     if (PyErr_CheckSignals() == 0) continue;
@@ -126,14 +136,40 @@ Solution solve_in_thread(const io::ProblemFile& problem, const Solution* near) {
     while (!is_done()) continue;
     throw raised;
   }
-  Solution solution = solved.get();
+  return done.get();
+}
+
+void add_warnings(Solution& solution, const io::ProblemFile& problem) {
   for (const io::Diagnostic& warning : problem.warnings) {
     solution.warnings.push_back(io::to_string(warning));
   }
-  return solution;
 }
 
-py::object trajectory_of(const Solution& solution) {
+Answered solve_problem(const io::ProblemFile& problem, const Answered* near) {
+  const auto neighbour = near != nullptr && near->solution.verified()
+                             ? near->solution.as_neighbour()
+                             : nullptr;
+  Answered out{in_thread([&](const std::atomic<int>& interrupt) {
+    return solve(problem.scene, problem.options,
+                 {.interrupt = &interrupt, .neighbour = neighbour.get()});
+  })};
+  add_warnings(out.solution, problem);
+  return out;
+}
+
+/// \throws InputError  if it leaves nothing free
+Answered design_problem(const io::ProblemFile& problem) {
+  io::require_design(problem, kKeywords);
+  Designed found = in_thread([&](const std::atomic<int>& interrupt) {
+    return find_design(problem.scene, problem.options, problem.design,
+                       &interrupt);
+  });
+  add_warnings(found.solution, problem);
+  return {std::move(found.solution), std::move(found.answer)};
+}
+
+py::object trajectory_of(const Answered& answered) {
+  const Solution& solution = answered.solution;
   if (!solution.verified()) return py::none();
   py::dict columns;
   for (const report::TrajectoryColumn& column :
@@ -160,12 +196,13 @@ py::list trajectory_texts() {
 }
 
 /// The same answer as if the sensitivities had been asked for.
-Solution differentiated(const Solution& solution, bool second) {
-  Solution out = solution;
+Answered differentiated(const Answered& answered, bool second) {
+  Answered out = answered;
+  Solution& solution = out.solution;
   if (solution.options.of<Collocation>() == nullptr) return out;
-  out.options.use<Collocation>().sensitivities =
+  solution.options.use<Collocation>().sensitivities =
       second ? SensitivityOrder::Second : SensitivityOrder::First;
-  out.sensitivities = sensitivities(solution, second);
+  solution.sensitivities = sensitivities(answered.solution, second);
   return out;
 }
 
@@ -205,15 +242,38 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("row", &row_of)
       .def_property_readonly("warm_start", &io::SweepFile::warm_start);
 
-  py::class_<Solution>(module, "Solution")
-      .def("json",
-           [](const Solution& solution) {
-             return report::result_json(solution);
-           })
-      .def("summary",
-           [](const Solution& solution) { return report::summary(solution); })
+  py::class_<Answered>(module, "Answer")
+      .def("json", &Answered::json)
+      .def("summary", &Answered::summary)
       .def("trajectory", &trajectory_of)
-      .def("differentiated", &differentiated, py::arg("second"));
+      .def("differentiated", &differentiated, py::arg("second"))
+      .def("card", &python::card_of)
+      .def("page", [](const Answered& answered) {
+        return in_thread([&](const std::atomic<int>& interrupt) {
+          return python::page_of(answered, interrupt);
+        });
+      });
 
-  module.def("solve", &solve_in_thread, py::arg("problem"), py::arg("near"));
+  module.def("solve", &solve_problem, py::arg("problem"), py::arg("near"));
+  module.def("design", &design_problem, py::arg("problem"));
+
+  module.attr("FEWEST_RACERS") = plot::kFewestRacers;
+  module.attr("MOST_RACERS") = plot::kMostRacers;
+  py::class_<python::Race>(module, "Race")
+      .def(py::init<const std::vector<std::string>&,
+                    const std::vector<const Answered*>&>(),
+           py::arg("names"), py::arg("answers"))
+      .def_property_readonly("names", &python::Race::names)
+      .def_property_readonly("behind", &python::Race::behind)
+      .def("card", &python::Race::card)
+      .def("page", [](const python::Race& race) {
+        return in_thread([&](const std::atomic<int>& interrupt) {
+          return race.page(interrupt);
+        });
+      });
+
+  module.def("write_page", &python::write_page, py::arg("path"),
+             py::arg("page"), py::arg("force"));
+  module.def("check_page", &python::check_page, py::arg("path"),
+             py::arg("force"));
 }

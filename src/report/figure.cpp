@@ -11,6 +11,7 @@
 #include "math/enum_table.hpp"
 #include "process/child_process.hpp"
 #include "report/rich_text.hpp"
+#include "report/svg_theme.hpp"
 
 namespace brachisto::report {
 
@@ -129,7 +130,12 @@ DrawnFigure draw(const Figure& figure, Format format,
   if (run.code != 0 || run.out.empty()) {
     return without(fmt::format("gnuplot ended with exit code {}", run.code));
   }
-  drawn.files.push_back({picture, with_title(run.out, figure.title)});
+  if (format != Format::Svg) {
+    drawn.files.push_back({picture, run.out});
+    return drawn;
+  }
+  drawn.files.push_back(
+      {picture, with_theme(with_title(run.out, figure.title))});
   return drawn;
 }
 

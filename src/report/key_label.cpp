@@ -19,19 +19,24 @@ namespace brachisto::report {
 namespace {
 
 struct Known {
-  std::string_view key, symbol, subscript, unit;
+  std::string_view key, words, symbol, subscript, unit;
 };
 // By rank: the orientation to the right of all else, k above η_m.
-constexpr std::array<Known, 9> kKnown{{
-    {"scene.body.theta_m", "θ", "m", "°"},
-    {"scene.body.eta_m", "η", "m", ""},
-    {"scene.body.k", "k", "", ""},
-    {"scene.body.radius", "r", "", "m"},
-    {"scene.finish.L", "L", "", "m"},
-    {"scene.finish.H", "H", "", "m"},
-    {"scene.body.mass", "m", "", "kg"},
-    {"scene.gravity", "g", "", "m/s²"},
-    {"scene.limits.friction", "μ", "", ""},
+constexpr std::array<Known, 14> kKnown{{
+    {"scene.body.theta_m", "angle of the mass", "θ", "m", "°"},
+    {"scene.body.eta_m", "offset of the mass", "η", "m", ""},
+    {"scene.body.k", "inertia", "k", "", ""},
+    {"scene.body.radius", "radius", "r", "", "m"},
+    {"scene.finish.L", "distance across", "L", "", "m"},
+    {"scene.finish.H", "drop", "H", "", "m"},
+    {"scene.body.mass", "mass", "m", "", "kg"},
+    {"scene.gravity", "gravity", "g", "", "m/s²"},
+    {"scene.limits.friction", "coefficient of friction", "μ", "", ""},
+    {"scene.limits.curvature.valley", "sharpest valley", "κ", "valley", "1/m"},
+    {"scene.limits.curvature.hump", "sharpest hump", "κ", "hump", "1/m"},
+    {"scene.limits.normal_force.min", "least load", "R", "min", "m g"},
+    {"scene.limits.normal_force.max", "greatest load", "R", "max", "m g"},
+    {"scene.contact", "", "contact", "", ""},
 }};
 
 /// "η_m = 0.3": a number in SI units.
@@ -46,9 +51,13 @@ KeyLabel key_label(std::string_view key) {
   KeyLabel label;
   for (const Known& known : kKnown) {
     if (known.key == key) {
-      return {std::string(known.symbol), std::string(known.subscript),
-              std::string(known.unit),   true,
-              known.unit == "°",         label.rank};
+      return {std::string(known.words),
+              std::string(known.symbol),
+              std::string(known.subscript),
+              std::string(known.unit),
+              true,
+              known.unit == "°",
+              label.rank};
     }
     ++label.rank;
   }
@@ -78,6 +87,10 @@ std::string KeyLabel::text(Markup markup, bool with_unit) const {
   if (markup == Markup::Rich) return as_rich_text(symbol) + rest;
   return letter ? fmt::format("<i>{}</i>{}", symbol, html_words(rest))
                 : fmt::format("<code>{}</code>", xml_escaped(symbol));
+}
+
+std::string KeyLabel::in_full(Markup markup, bool with_unit) const {
+  return (words.empty() ? "" : words + " ") + text(markup, with_unit);
 }
 
 double shown_number(const SweepColumn& column, std::size_t scene) {

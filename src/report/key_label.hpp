@@ -21,6 +21,7 @@ enum class Markup { Rich, Html };
 
 /// How a quantity is named and in which unit it is shown.
 struct KeyLabel {
+  std::string words;  ///< "offset of the mass"; empty: not known
   std::string symbol;
   std::string subscript;
   std::string unit;
@@ -37,6 +38,8 @@ struct KeyLabel {
   [[nodiscard]] KeyLabel within(std::size_t letters) const;
   /// "η_m", or "η_m [°]".
   [[nodiscard]] std::string text(Markup markup, bool with_unit) const;
+  /// "angle of the mass θ_m [°]", as an axis has it.
+  [[nodiscard]] std::string in_full(Markup markup, bool with_unit) const;
 };
 
 /// θ_m in degrees for "scene.body.theta_m" and so on; what has no symbol keeps

@@ -29,7 +29,7 @@ class Places {
  public:
   Places(const SweepColumn& column, const Scenes& scenes) : column_(column) {
     const KeyLabel label = key_label(column.key).within(kLabelLetters);
-    side_.label = label.text(Markup::Rich, true);
+    side_.label = label.in_full(Markup::Rich, true);
     if (column.numeric()) {
       side_.scale = scale_of(column, scenes);
     } else {

@@ -221,11 +221,8 @@ class Planner {
     figure.drawings.push_back(
         {xy_figure(table_, plot, figure.tau), caption + "."});
     for (std::size_t c = 0; c < plot.curves.size(); ++c) {
-      if (auto structure = structure_figure(table_, plot, c)) {
-        figure.drawings.push_back(
-            {std::move(*structure),
-             fmt::format("Where limits hold along the path, against {}.",
-                         label(plot.x_column))});
+      if (auto structure = structure_drawing(table_, plot, c)) {
+        figure.drawings.push_back(std::move(*structure));
       }
     }
   }

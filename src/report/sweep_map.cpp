@@ -166,9 +166,10 @@ class Picture {
   }
   [[nodiscard]] std::string label(std::size_t column, bool with_unit) const {
     constexpr std::size_t kLetters = 40;
-    return key_label(table_.columns[column].key)
-        .within(kLetters)
-        .text(Markup::Rich, with_unit);
+    const KeyLabel label =
+        key_label(table_.columns[column].key).within(kLetters);
+    return with_unit ? label.in_full(Markup::Rich, true)
+                     : label.text(Markup::Rich, false);
   }
 
   void add_row(std::size_t scene) {

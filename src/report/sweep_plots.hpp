@@ -43,17 +43,6 @@ struct XyPlot {
 [[nodiscard]] Figure xy_figure(const SweepTable& table, const XyPlot& plot,
                                ValueRange range);
 
-/// Where along the path each limit holds, in shares of the transit time, as
-/// bands over the numeric column of a plot: one curve of it. Between scenes
-/// with the same arcs in the same order bands are joined. Where an arc is born
-/// or dies, they end half-way, and a line with a name says between which
-/// values.
-///
-/// Nothing if no limit holds in any of the scenes.
-[[nodiscard]] std::optional<Figure> structure_figure(const SweepTable& table,
-                                                     const XyPlot& plot,
-                                                     std::size_t curve);
-
 /// A way across a map: values of its first and its second column.
 using MapWay = std::vector<std::pair<double, double>>;
 
@@ -96,8 +85,8 @@ struct MarkedScene {
 [[nodiscard]] std::vector<MarkedScene> marked_scenes(const SweepTable& table,
                                                      const Scenes& scenes);
 
-/// "τ = T / √(H / 2g)", as all these pictures have it.
-inline constexpr const char* kTauLabel = "τ = T / √(H / 2g)";
+/// "transit time τ = T / √(H / 2g)", as all these pictures have it.
+inline constexpr const char* kTauLabel = "transit time τ = T / √(H / 2g)";
 
 /// Scenes by ascending numbers of a column; as they are if it has words.
 [[nodiscard]] Scenes sorted_by(const SweepColumn& column, Scenes scenes);
@@ -116,6 +105,16 @@ struct SweepDrawing {
   Figure figure;
   std::string caption;  ///< HTML
 };
+
+/// Where along the path each limit holds, in shares of the transit time, as
+/// bands over the numeric column of a plot: one curve of it. Between scenes
+/// with the same arcs in the same order bands are joined. Where an arc is born
+/// or dies, they end half-way, at a line; between which values, the caption
+/// says.
+///
+/// Nothing if no limit holds in any of the scenes.
+[[nodiscard]] std::optional<SweepDrawing> structure_drawing(
+    const SweepTable& table, const XyPlot& plot, std::size_t curve);
 
 /// Drawings of the same scenes.
 struct SweepFigure {

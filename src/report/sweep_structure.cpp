@@ -15,6 +15,7 @@
 
 #include "report/chart.hpp"
 #include "report/key_label.hpp"
+#include "report/rich_text.hpp"
 #include "report/scale.hpp"
 #include "report/sweep_plots.hpp"
 
@@ -106,7 +107,9 @@ class StructurePlot {
         chart_.subtitle = family + ", " + chart_.subtitle;
       }
     }
-    chart_.x.label = label.text(Markup::Rich, true);
+    chart_.x.label = label.in_full(Markup::Rich, true);
+    told_ = fmt::format("Where limits hold along the path, against {}",
+                        label.text(Markup::Html, false));
     chart_.x.scale = scale_of(column_, scenes_);
     chart_.y.label = "share of the transit time";
     chart_.y.low = 0.0;
@@ -131,6 +134,9 @@ class StructurePlot {
     add_failed();
     return std::move(chart_);
   }
+
+  /// What the chart shows, HTML.
+  [[nodiscard]] std::string caption() const { return told_ + "."; }
 
  private:
   [[nodiscard]] const std::vector<SweepArc>& arcs(std::size_t scene) const {
@@ -195,11 +201,15 @@ class StructurePlot {
                  .stroke = Stroke::Dashed,
                  .width = 1.2,
                  .id = fmt::format("kink {}", ++count)};
+      if (count == 1) line.name = "between scenes with other arcs";
       if (count <= kMostKinks) {
-        line.name = fmt::format(
-            "{} = {} … {}: {}", symbol_, printed(shown(i), 4),
-            printed(shown(i + 1), 4),
-            change_in_words(arcs(scenes_[i]), arcs(scenes_[i + 1])));
+        told_ +=
+            fmt::format("{} {} … {}, {}", count == 1 ? ". Arcs change at" : ";",
+                        printed(shown(i), 4), printed(shown(i + 1), 4),
+                        xml_escaped(change_in_words(arcs(scenes_[i]),
+                                                    arcs(scenes_[i + 1]))));
+      } else if (count == kMostKinks + 1) {
+        told_ += "; and more";
       }
       chart_.curves.push_back(std::move(line));
     }
@@ -226,17 +236,20 @@ class StructurePlot {
   const SweepColumn& column_;
   Scenes scenes_;
   std::string symbol_;
+  std::string told_;
   std::map<std::string, std::size_t> fills_;  ///< by limit
   Chart chart_;
 };
 
 }  // namespace
 
-std::optional<Figure> structure_figure(const SweepTable& table,
-                                       const XyPlot& plot, std::size_t curve) {
+std::optional<SweepDrawing> structure_drawing(const SweepTable& table,
+                                              const XyPlot& plot,
+                                              std::size_t curve) {
   StructurePlot structure(table, plot, curve);
   if (!structure.any()) return std::nullopt;
-  return chart_figure(structure.chart());
+  Figure figure = chart_figure(structure.chart());
+  return SweepDrawing{std::move(figure), structure.caption()};
 }
 
 }  // namespace brachisto::report

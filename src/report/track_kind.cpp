@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,6 +79,17 @@ std::string world_in_words(const World& world) {
   return fmt::format("{}, drag {}", text, fmt::join(drags, " + "));
 }
 
+/// With real minus signs before numbers.
+std::string with_minus_signs(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = text[i] == '-' && i + 1 < text.size() &&
+                      text[i + 1] >= '0' && text[i + 1] <= '9';
+    out += sign ? "−" : text.substr(i, 1);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string_view track_kind(const Scene& scene) {
@@ -115,7 +128,7 @@ std::string in_words(const Scene& scene) {
     text +=
         fmt::format(", end slope {:.6g}°", math::in_degrees(*scene.end_slope));
   }
-  return text;
+  return with_minus_signs(text);
 }
 
 std::string limits_in_words(const Scene& scene) {
@@ -143,7 +156,7 @@ std::string limits_in_words(const Scene& scene) {
     if (count == 0) continue;
     parts.push_back("clear of " + counted(count, what));
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return with_minus_signs(fmt::format("{}", fmt::join(parts, ", ")));
 }
 
 }  // namespace brachisto::report

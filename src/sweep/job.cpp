@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "brachisto/report/result.hpp"
+#include "io/consistency.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
 
@@ -76,13 +77,7 @@ Job read_design_job(const std::filesystem::path& path,
   std::string text = io::read_problem_bytes(path);
   const io::ProblemFile problem =
       io::read_problem_text(text, path.string(), overrides);
-  if (problem.design.empty()) {
-    throw io::InputError({{.file = path.string(),
-                           .key = "design.free",
-                           .message = "missing; expected what the design may "
-                                      "choose, as in design: {free: [eta_m, "
-                                      "theta_m, k]}"}});
-  }
+  io::require_design(problem, path.string());
   std::vector<int> starts(static_cast<std::size_t>(problem.design.starts));
   std::iota(starts.begin(), starts.end(), 1);
   if (problem.design.start) starts = {*problem.design.start};

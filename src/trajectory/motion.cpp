@@ -249,7 +249,9 @@ double friction_angle(const Motion& motion, const Rows& rows, double share) {
     return -infimum(motion, rows, -friction_angle_at_start(motion, rows), less)
                 .value;
   }
-  const auto next = std::ranges::upper_bound(rows, t, {}, &TrajectoryPoint::t);
+  const auto next = std::upper_bound(
+      rows.begin(), rows.end(), t,
+      [](double at, const TrajectoryPoint& row) { return at < row.t; });
   const double sigma = math::find_root(
       [&](double s) { return motion.at(s).t - t; }, (next - 1)->sigma,
       next->sigma, (next - 1)->t - t, next->t - t);

@@ -80,11 +80,6 @@ class LimitedCurve {
   [[nodiscard]] bool active(int point, int limit) const;
   /// Whether a limit of the control is one there.
   [[nodiscard]] bool holds_control(int point) const;
-  /// The same of a limit on forces at rest; false if β(0) is fixed.
-  [[nodiscard]] bool active_at_rest(int limit) const {
-    return brachisto::at(limit) < active_at_rest_.size() &&
-           active_at_rest_[brachisto::at(limit)];
-  }
 
  private:
   LimitedTime problem_;

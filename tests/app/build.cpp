@@ -20,30 +20,19 @@ namespace brachisto {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::content;
 using ::testing::HasSubstr;
+using testing::names;
 using testing::Output;
 using testing::paper_problem;
 using testing::run;
 using testing::ScratchDirectory;
 using testing::TinyDisk;
 
-const std::string kProblem = BRACHISTO_PROBLEMS_DIR "/build/cylinder.yaml";
-
-std::set<std::string> names(const fs::path& path) {
-  std::set<std::string> out;
-  for (const auto& entry : fs::directory_iterator(path)) {
-    out.insert(entry.path().filename().string());
-  }
-  return out;
-}
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+const std::string kBuilt = BRACHISTO_PROBLEMS_DIR "/build/cylinder.yaml";
 
 Output built(const fs::path& directory, std::vector<std::string> flags = {},
-             const std::string& problem = kProblem) {
+             const std::string& problem = kBuilt) {
   flags.insert(flags.begin(), {"solve", problem, "--quiet", "--track-svg",
                                directory.string()});
   return run(flags);
@@ -106,14 +95,14 @@ TEST(Build, FlagsAreRefusedWithoutADirectoryForTheSheets) {
       {"--scale", "1:5"},     {"--strip", "20"}, {"--thickness", "4"},
       {"--sheet", "600x400"}, {"--hole", "4"},   {"--rails", "15"}};
   for (const std::vector<std::string>& flags : all) {
-    const Output output = run({"solve", kProblem, flags[0], flags[1]});
+    const Output output = run({"solve", kBuilt, flags[0], flags[1]});
     EXPECT_EQ(output.code, 2) << flags[0];
     EXPECT_THAT(output.err, HasSubstr("brachisto solve: " + flags[0] +
                                       " requires --track-svg or --track-dxf"));
     EXPECT_TRUE(output.out.empty());
   }
   // A flag that nobody knows comes first.
-  EXPECT_THAT(run({"solve", kProblem, "--rails", "15", "--strp", "3"}).err,
+  EXPECT_THAT(run({"solve", kBuilt, "--rails", "15", "--strp", "3"}).err,
               HasSubstr("--strp is not a flag of solve"));
 }
 

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -132,6 +133,15 @@ class Process {
   auto output = Process(std::move(arguments)).wait();
   if (!output) throw std::runtime_error("the command does not end");
   return *output;
+}
+
+/// Processor time that goes by until the command can answer anything: that of
+/// loading its libraries, which is 15 ms on one system and 150 ms on another.
+[[nodiscard]] inline double seconds_to_load() {
+  static const double seconds =
+      std::max({run({"--version"}).cpu_seconds, run({"--version"}).cpu_seconds,
+                run({"--version"}).cpu_seconds});
+  return seconds;
 }
 
 }  // namespace brachisto::testing

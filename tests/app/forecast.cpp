@@ -18,6 +18,7 @@ using nlohmann::json;
 using testing::Output;
 using testing::paper_problem;
 using testing::run;
+using testing::seconds_to_load;
 
 const std::string kCase = paper_problem("fig04_reference_case");
 
@@ -70,10 +71,8 @@ TEST_P(ForecastOfACommand, IsWhatItTakes) {
   // limits the first is three there.
   const double factor = result.contains("limits") ? 6.0 : 4.0;
   const double seconds = size["seconds"];
-  // The forecast is of the solve. To load the command takes time too, on a busy
-  // machine up to this much.
-  constexpr double kToLoad = 0.02;
-  EXPECT_GT(seconds, (solved.cpu_seconds - kToLoad) / factor);
+  // The forecast is of the solve; to load the command takes time too.
+  EXPECT_GT(seconds, (solved.cpu_seconds - seconds_to_load()) / factor);
   EXPECT_LT(seconds, solved.cpu_seconds * factor);
 }
 

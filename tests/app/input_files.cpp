@@ -24,7 +24,7 @@ using testing::Process;
 using testing::run;
 using testing::ScratchDirectory;
 
-const std::string kProblem = paper_problem("fig06_uniform_cylinder");
+const std::string kUniform = paper_problem("fig06_uniform_cylinder");
 
 TEST(InputFiles, ThatMayNeverEndAreRefusedAtOnce) {
   const ScratchDirectory scratch;
@@ -58,12 +58,12 @@ int code_with_input(const std::string& arguments, const std::string& input) {
 }
 
 TEST(InputFiles, MayBeStandardInput) {
-  EXPECT_EQ(code_with_input("solve -", kProblem), 0);
-  EXPECT_EQ(code_with_input("solve - --set scene.finish.L=x", kProblem), 3);
-  EXPECT_EQ(code_with_input("validate -", kProblem), 0);
+  EXPECT_EQ(code_with_input("solve -", kUniform), 0);
+  EXPECT_EQ(code_with_input("solve - --set scene.finish.L=x", kUniform), 3);
+  EXPECT_EQ(code_with_input("validate -", kUniform), 0);
   EXPECT_EQ(code_with_input("validate -", "/dev/null"), 3);
   // Each method reads the file anew.
-  EXPECT_EQ(code_with_input("compare -", kProblem), 6);
+  EXPECT_EQ(code_with_input("compare -", kUniform), 6);
   const ScratchDirectory scratch;
   const std::string sweep =
       scratch.file("sweep.yaml",

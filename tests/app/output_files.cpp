@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,31 +21,20 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::content;
+using testing::names;
 using testing::Output;
 using testing::paper_problem;
 using testing::run;
 using testing::ScratchDirectory;
 
-const std::string kProblem = paper_problem("fig06_uniform_cylinder");
+const std::string kWritten = paper_problem("fig06_uniform_cylinder");
 // Solves for minutes, unless it is refused before.
 const std::string kLarge =
     "discretisation={formulation: rolling_time, degree: 5, elements: 200000}";
 // Processor time that a command takes which refuses it, with much to spare; the
 // solve takes several times as much.
 constexpr double kLessThanLarge = 0.5;
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::set<std::string> names(const fs::path& path) {
-  std::set<std::string> out;
-  for (const auto& entry : fs::directory_iterator(path)) {
-    out.insert(entry.path().filename().string());
-  }
-  return out;
-}
 
 using Names = std::set<std::string>;
 const Names kAll{"result.json", "trajectory.csv", "path.csv",
@@ -55,7 +45,7 @@ TEST(Out, WritesResultTrajectoryAndPicture) {
   const fs::path out = scratch.path() / "new" / "results";
 
   const Output output =
-      run({"solve", kProblem, "--json", "--out", out.string()});
+      run({"solve", kWritten, "--json", "--out", out.string()});
 
   ASSERT_EQ(output.code, 0) << output.err;
   EXPECT_EQ(names(out), kAll);
@@ -71,7 +61,7 @@ TEST(Out, RefusesExistingResultsBeforeItSolves) {
     fs::create_directory(out);
     std::ofstream(out / name) << "precious";
     testing::Process process(
-        {"solve", kProblem, "--out", out.string(), "--set", kLarge});
+        {"solve", kWritten, "--out", out.string(), "--set", kLarge});
 
     const auto output = process.wait();
 
@@ -88,7 +78,7 @@ TEST(Out, RefusesADirectoryThatCannotBeMadeBeforeItSolves) {
   const ScratchDirectory scratch;
   const std::string file = scratch.file("file", "text");
   testing::Process process(
-      {"solve", kProblem, "--out", file + "/below", "--set", kLarge});
+      {"solve", kWritten, "--out", file + "/below", "--set", kLarge});
 
   const auto output = process.wait();
 
@@ -100,9 +90,9 @@ TEST(Out, RefusesADirectoryThatCannotBeMadeBeforeItSolves) {
 TEST(Out, ReplacesResultsWithForce) {
   const ScratchDirectory scratch;
   const std::string out = scratch.path().string();
-  ASSERT_EQ(run({"solve", kProblem, "--out", out}).code, 0);
+  ASSERT_EQ(run({"solve", kWritten, "--out", out}).code, 0);
 
-  const Output output = run({"solve", kProblem, "--out", out, "--force",
+  const Output output = run({"solve", kWritten, "--out", out, "--force",
                              "--set", "scene.finish.L=4", "--json"});
 
   EXPECT_EQ(output.code, 0) << output.err;
@@ -115,7 +105,7 @@ TEST(Out, OfAnUnverifiedSolveIsTheResultOnly) {
   const std::string out = scratch.path().string();
 
   const Output output =
-      run({"solve", kProblem, "--out", out, "--set", "scene.body.radius=2"});
+      run({"solve", kWritten, "--out", out, "--set", "scene.body.radius=2"});
 
   EXPECT_EQ(output.code, 4);
   EXPECT_EQ(names(out), Names{"result.json"});
@@ -126,9 +116,9 @@ TEST(Out, OfAnUnverifiedSolveIsTheResultOnly) {
 TEST(Out, LeavesNoStalePathBesideAResultThatHasNone) {
   const ScratchDirectory scratch;
   const std::string out = scratch.path().string();
-  ASSERT_EQ(run({"solve", kProblem, "--out", out}).code, 0);
+  ASSERT_EQ(run({"solve", kWritten, "--out", out}).code, 0);
 
-  const Output output = run({"solve", kProblem, "--out", out, "--force",
+  const Output output = run({"solve", kWritten, "--out", out, "--force",
                              "--set", "scene.body.radius=2"});
 
   EXPECT_EQ(output.code, 4);
@@ -138,7 +128,7 @@ TEST(Out, LeavesNoStalePathBesideAResultThatHasNone) {
 TEST(Show, WritesTheSamePageAnew) {
   const ScratchDirectory scratch;
   const std::string out = scratch.path().string();
-  ASSERT_EQ(run({"solve", kProblem, "--out", out}).code, 0);
+  ASSERT_EQ(run({"solve", kWritten, "--out", out}).code, 0);
   const std::string page = content(scratch.path() / "index.html");
   fs::remove(scratch.path() / "index.html");
 
@@ -153,7 +143,7 @@ TEST(Show, WritesTheSamePageAnew) {
 TEST(Show, WritesTheMotionAsAPictureOnRequest) {
   const ScratchDirectory scratch;
   const std::string out = scratch.path().string();
-  ASSERT_EQ(run({"solve", kProblem, "--out", out, "--gif"}).code, 0);
+  ASSERT_EQ(run({"solve", kWritten, "--out", out, "--gif"}).code, 0);
   const std::string gif = content(scratch.path() / "motion.gif");
   EXPECT_TRUE(gif.starts_with("GIF89a"));
 
@@ -186,9 +176,9 @@ TEST(Show, RefusesADirectoryWithoutAResult) {
   put("result.json", "{}");
   EXPECT_TRUE(says(refusal(), "no result of `brachisto solve`"));
   put("result.json",
-      run({"solve", kProblem, "--json", "--set", "scene.body.radius=2"}).out);
+      run({"solve", kWritten, "--json", "--set", "scene.body.radius=2"}).out);
   EXPECT_TRUE(says(refusal(), "not verified"));
-  put("result.json", run({"solve", kProblem, "--json"}).out);
+  put("result.json", run({"solve", kWritten, "--json"}).out);
   EXPECT_TRUE(says(refusal(), "has no trajectory.csv"));
   put("trajectory.csv", "x,z\n0,0\n");
   EXPECT_TRUE(says(refusal(), "trajectory.csv: line 1"));
@@ -257,9 +247,29 @@ TEST(Race, RefusesOtherEndsOtherPagesAndTooFew) {
   EXPECT_NE(content(page), "mine");
 }
 
+/// On one track v² = 2 g z/(1 + k) at each place of a uniform cylinder that
+/// rolls from rest, and times are in proportion to √(1 + k).
+TEST(Race, OnOneTrackTakesTimesByTheLawOfRolling) {
+  const ScratchDirectory scratch;
+  const std::string wheels = std::string(BRACHISTO_PROBLEMS_DIR) + "/wheels/";
+
+  const Output output =
+      run({"race", wheels + "disc.yaml", wheels + "hoop.yaml", "--same-track",
+           "--out", (scratch.path() / "race.html").string()});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  const auto time_of = [&](const std::string& name) {
+    return std::stod(output.out.substr(output.out.find(name) + name.size()));
+  };
+  // Of the spline through the points of the track, which one alone rolls on.
+  constexpr double kOfSpline = 1e-6;
+  EXPECT_NEAR(time_of("hoop") / time_of("disc"), std::sqrt(2.0 / 1.5),
+              kOfSpline);
+}
+
 TEST(Set, ReplacesValuesAndMayBeRepeated) {
   const Output output =
-      run({"solve", kProblem, "--json", "--set", "scene.finish.L=2", "--set",
+      run({"solve", kWritten, "--json", "--set", "scene.finish.L=2", "--set",
            "scene.body.k=1/4", "--set", "scene.finish.L=4"});
 
   ASSERT_EQ(output.code, 0) << output.err;

@@ -19,11 +19,6 @@ namespace brachisto::testing {
 
 inline const fs::path kRoot = fs::path(BRACHISTO_PROBLEMS_DIR).parent_path();
 
-[[nodiscard]] inline std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 [[nodiscard]] inline std::vector<std::string> lines_of(
     const std::string& text) {
   std::vector<std::string> lines;

@@ -26,6 +26,7 @@ using testing::Output;
 using testing::paper_problem;
 using testing::Process;
 using testing::ScratchDirectory;
+using testing::seconds_to_load;
 
 /// What a signalled command left, and how long it worked until it ended [s].
 struct Ended {
@@ -33,7 +34,8 @@ struct Ended {
   double seconds;
 };
 
-/// Sends a signal to a solve of 100 001 nodes that has worked for some seconds.
+/// Sends a signal to a solve of 100 001 nodes that has worked for some seconds
+/// since it was loaded.
 std::optional<Ended> signalled(int signal, double after,
                                const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
@@ -41,7 +43,7 @@ std::optional<Ended> signalled(int signal, double after,
       "discretisation={degree: 5, elements: 20000}"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Process process(std::move(arguments));
-  process.work(after);
+  process.work(seconds_to_load() + after);
   const std::optional<double> before = process.cpu_seconds();
   process.signal(signal);
   std::optional<Output> output = process.wait();
@@ -108,7 +110,7 @@ TEST(Signals, SentTwiceAtOnceStillLeaveADocument) {
   // kind may become one; these both wait for the process to go on.
   Process process({"solve", paper_problem("fig04_reference_case"), "--json",
                    "--set", "discretisation={degree: 5, elements: 20000}"});
-  process.work(kSoon);
+  process.work(seconds_to_load() + kSoon);
   process.signal(SIGSTOP);
   process.signal(SIGINT);
   process.signal(SIGTERM);

@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::content;
 using testing::kScenes;
 using testing::Output;
 using testing::Process;
@@ -33,11 +34,6 @@ using testing::sweep;
 using testing::table_of;
 using testing::TinyDisk;
 using testing::wait_for;
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A program that does `mischief` the first `times` that it is run, and is a
 /// good worker afterwards.

@@ -21,32 +21,32 @@ using testing::Output;
 using testing::paper_problem;
 using testing::run;
 
-const std::string kProblem = paper_problem("fig06_uniform_cylinder");
+const std::string kCylinder = paper_problem("fig06_uniform_cylinder");
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 TEST(Texts, AResultGoesToStdout) {
-  const Output output = run({"solve", kProblem});
+  const Output output = run({"solve", kCylinder});
 
   EXPECT_TRUE(says(output.out, "τ = T √(2g/H) = 5.115100653579")) << output.out;
   EXPECT_EQ(output.err, "");
 }
 
 TEST(Texts, QuietMeansNoStdout) {
-  const Output solved = run({"solve", kProblem, "--quiet"});
+  const Output solved = run({"solve", kCylinder, "--quiet"});
   EXPECT_EQ(solved.code, 0);
   EXPECT_EQ(solved.out, "");
   EXPECT_EQ(solved.err, "");
 
   const Output failed =
-      run({"solve", kProblem, "--quiet", "--set", "scene.body.radius=2"});
+      run({"solve", kCylinder, "--quiet", "--set", "scene.body.radius=2"});
   EXPECT_EQ(failed.code, 4);
   EXPECT_EQ(failed.out, "");
   EXPECT_TRUE(says(failed.err, "inside the")) << failed.err;
 
-  const Output validated = run({"validate", kProblem, "--quiet"});
+  const Output validated = run({"validate", kCylinder, "--quiet"});
   EXPECT_EQ(validated.code, 0);
   EXPECT_EQ(validated.out, "");
 }
@@ -62,7 +62,7 @@ TEST(Texts, QuietTellsOfAResultThatIsNotVerified) {
 }
 
 TEST(Texts, TheLogGoesToStderr) {
-  const Output output = run({"solve", kProblem, "--verbose"});
+  const Output output = run({"solve", kCylinder, "--verbose"});
 
   EXPECT_EQ(output.code, 0);
   EXPECT_TRUE(says(output.err, "inf_pr")) << output.err;
@@ -102,7 +102,7 @@ TEST(Texts, HelpOfSolveTellsTheExitCodes) {
 }
 
 TEST(Texts, ValidateShowsTheEffectiveInput) {
-  const Output output = run({"validate", kProblem});
+  const Output output = run({"validate", kCylinder});
 
   EXPECT_EQ(output.code, 0);
   EXPECT_TRUE(says(output.out, "valid")) << output.out;
@@ -124,7 +124,7 @@ std::string in_a_terminal(const std::string& command) {
 }
 
 TEST(Texts, TheVerdictHasAColourIfTheTerminalWantsOne) {
-  const std::string solve = BRACHISTO_APP " solve " + kProblem;
+  const std::string solve = BRACHISTO_APP " solve " + kCylinder;
   const std::string green = "\033[32m  verdict";
 
   const std::string shown = in_a_terminal("TERM=xterm NO_COLOR= " + solve);
@@ -133,13 +133,13 @@ TEST(Texts, TheVerdictHasAColourIfTheTerminalWantsOne) {
   EXPECT_TRUE(says(shown, "feasible\033[0m")) << shown;
   EXPECT_FALSE(says(in_a_terminal("TERM=xterm NO_COLOR=1 " + solve), "\033["));
   EXPECT_FALSE(says(in_a_terminal("TERM=dumb " + solve), "\033["));
-  EXPECT_FALSE(says(run({"solve", kProblem}).out, "\033["));
+  EXPECT_FALSE(says(run({"solve", kCylinder}).out, "\033["));
 }
 
 TEST(Texts, ColoursComeAndGoAsTheFlagSays) {
-  const std::string solve = BRACHISTO_APP " solve " + kProblem;
+  const std::string solve = BRACHISTO_APP " solve " + kCylinder;
 
-  const Output always = run({"solve", kProblem, "--color", "always"});
+  const Output always = run({"solve", kCylinder, "--color", "always"});
   EXPECT_TRUE(says(always.out, "\033[32m  verdict")) << always.out;
   EXPECT_FALSE(
       says(in_a_terminal("TERM=xterm NO_COLOR= " + solve + " --color=never"),
@@ -147,8 +147,8 @@ TEST(Texts, ColoursComeAndGoAsTheFlagSays) {
   EXPECT_TRUE(
       says(in_a_terminal("TERM=dumb NO_COLOR=1 " + solve + " --color=always"),
            "\033[32m"));
-  EXPECT_FALSE(says(run({"solve", kProblem, "--color", "auto"}).out, "\033["));
-  const Output wrong = run({"solve", kProblem, "--color", "sometimes"});
+  EXPECT_FALSE(says(run({"solve", kCylinder, "--color", "auto"}).out, "\033["));
+  const Output wrong = run({"solve", kCylinder, "--color", "sometimes"});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_TRUE(says(wrong.err, "{auto,always,never}")) << wrong.err;
 }
@@ -169,7 +169,7 @@ TEST(Texts, ErrorsAndWarningsHaveARedOrAYellowHead) {
   EXPECT_TRUE(usage.err.starts_with("\033[31mbrachisto solve:\033[0m --jsno"))
       << usage.err;
 
-  const Output input = run({"validate", kProblem, "--set", "scene.body.kk=1",
+  const Output input = run({"validate", kCylinder, "--set", "scene.body.kk=1",
                             "--set", "scene.finish.L=-1", "--color=always"});
   EXPECT_EQ(input.code, 3);
   EXPECT_TRUE(input.err.starts_with("\033[31m--set scene.body.kk=1:\033[0m "))
@@ -208,9 +208,9 @@ TEST(Markdown, TablesOfVerbsHaveTheirColumns) {
   ASSERT_EQ(run({"sweep", file, "--out", map, "--quiet"}).code, 0);
 
   const Output exported = run({"export", map, "--markdown"});
-  const Output compared = run({"compare", kProblem, "--nodes", "11",
+  const Output compared = run({"compare", kCylinder, "--nodes", "11",
                                "--repetitions", "1", "--quiet", "--markdown"});
-  const Output shown = run({"compare", kProblem, "--nodes", "11",
+  const Output shown = run({"compare", kCylinder, "--nodes", "11",
                             "--repetitions", "1", "--markdown"});
 
   EXPECT_EQ(compared.out, "");
@@ -231,7 +231,7 @@ TEST(Markdown, TablesOfVerbsHaveTheirColumns) {
   }
   // The bead's brachistochrone to L = 3 H.
   EXPECT_TRUE(says(exported.out, "| 4.510563137 |")) << exported.out;
-  EXPECT_EQ(run({"compare", kProblem, "--markdown", "--json"}).code, 2);
+  EXPECT_EQ(run({"compare", kCylinder, "--markdown", "--json"}).code, 2);
 }
 
 }  // namespace

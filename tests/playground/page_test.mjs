@@ -70,6 +70,21 @@ try {
     button: 'left', buttons: phase === 'end' ? 0 : 1, clickCount: 1, ...place}));
   expect('drawn by mouse', Math.abs(await drawnTime() / STRAIGHT - 1) < PIXELS,
     await page.value(text('own-result')));
+  // τ of the answer over that of the track, of 100; none for one that slips.
+  expect('  it is scored', (await page.value(text('own-result'))).includes(
+    `Score: ${Math.round(100 * 5.11510065 / await drawnTime())} of 100`));
+  const gripOf = (value) => page.value(
+    `grip.value = ${value}; grip.dispatchEvent(new Event('input'))`);
+  await page.value(click('straight'));  // which takes a grip of 1/9
+  await gripOf(0.1);
+  expect('  not if it slips', await page.becomes(
+    `${text('own-result')}.includes('Score: 0 of 100')`) &&
+    (await page.value(text('own-remark'))).includes('takes a grip of 0.11'),
+    await page.value(text('own-result')));
+  await gripOf(2);
+  await drawStraight((phase, place) => page.send('Input.dispatchMouseEvent', {
+    type: {begin: 'mousePressed', move: 'mouseMoved', end: 'mouseReleased'}[phase],
+    button: 'left', buttons: phase === 'end' ? 0 : 1, clickCount: 1, ...place}));
   const points = `document.querySelectorAll('#points [tabindex]')`;
   expect('  it has points that keys move', await page.value(`${points}.length`) === 10);
   const before = await drawnTime();

@@ -42,16 +42,20 @@ const scenes = {
   'little inertia': {...base, k: 0.1},
   'near and deep': {...base, L: 2, H: 1.5, radius: 0.25, eta: 0.4, theta: 2},
   'bead': bead,
+  'drag': {...base, drag: 0.1},
+  'bead that rubs': {...bead, friction: 0.05},
 };
 
-function ofCommand({radius, eta, theta, k, L, H}, path = '') {
+function ofCommand({radius, eta, theta, k, L, H, friction = 0, drag = 0}, path = '') {
   const body = radius > 0
     ? `{shape: cylinder, radius: ${radius}, eta_m: ${eta}, theta_m: ${theta}, k: ${k}}`
     : '{shape: bead}';
   const folder = mkdtempSync(join(tmpdir(), 'playground-'));
   const file = join(folder, 'scene.yaml');
   try {
-    let scene = `scene:\n  body: ${body}\n  finish: {L: ${L}, H: ${H}}\n`;
+    let scene = `scene:\n  body: ${body}\n  finish: {L: ${L}, H: ${H}}\n` +
+      `  air: {quadratic: ${drag}}\n` +
+      (friction > 0 ? `  losses: {sliding: ${friction}}\n` : '');
     if (path) {
       writeFileSync(join(folder, 'track.csv'), path);
       scene += '  path: {curve: track, shape: points, file: track.csv}\n';
@@ -118,6 +122,14 @@ solver.setScene(uniform);
 expectClose('drawn straight', timeOn(straight), straightTau);
 expectClose('  from B to A', timeOn([...straight].reverse()), straightTau);
 expectClose('  not as far as A and B', timeOn(straight.slice(1, -1)), straightTau);
+// Friction turns it: R_t = k/(1 + k) m g sin α. A bead it brakes by μ m g cos α.
+const slope = H / L, rubbing = 0.05;
+const straightPoints = [[0, 0], [L / 2, H / 2], [L, H]];
+expectClose('  grip that it takes', solver.ride(straightPoints)?.grip ?? NaN,
+  k / (1 + k) * slope);
+solver.setScene({...bead, friction: rubbing});
+expectClose('  of a bead that rubs', solver.ride(straightPoints)?.tau ?? NaN,
+  straightTau / Math.sqrt((1 + k) * (1 - rubbing / slope)));
 expect('a click is no track',
   pointsOfStroke([[1, 1], [1.01, 1]], [L, H], STROKE_POINTS) === null);
 

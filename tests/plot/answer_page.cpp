@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +14,7 @@
 #include "plot/pages.hpp"
 #include "plot/tables.hpp"
 #include "plot/web_parts.hpp"
+#include "report/scale.hpp"
 #include "report/solutions.hpp"
 #include "report/xml.hpp"
 
@@ -195,6 +197,38 @@ TEST(AnswerPage, OfADesignWithoutGripSaysThatItIsInfeasible) {
 
   result["design"]["values"]["eta_m"] = 0.5;
   EXPECT_TRUE(has(page(), "Feasible:"));
+}
+
+/// What a program reads is there and folded; of checks only those that failed
+/// are not.
+TEST(AnswerPage, FoldsTheTablesOfKeysUnlessACheckFailed) {
+  Json result = document(off_centred_solution());
+  const auto page = [&] {
+    return answer_page(
+        result, off_centred_solution().scene,
+        TrajectoryTable::read(report::trajectory_csv(off_centred_solution())));
+  };
+  const std::string all = page();
+  const std::size_t first = all.find("<details");
+  EXPECT_GT(all.find("<code>"), first);
+  EXPECT_LT(all.rfind("<code>"), all.rfind("</details>"));
+  EXPECT_FALSE(has(all.substr(0, first), "<table"));
+  EXPECT_FALSE(has(all, "open=\"open\""));
+
+  result["certificate"]["checks"][0]["passed"] = false;
+
+  EXPECT_TRUE(has(page(), "<details open=\"open\"><summary>The certificate"));
+}
+
+/// The greatest speed is that of the energy: ½ v² = g·fall for a bead.
+TEST(AnswerPage, TellsTheGreatestSpeedByTheLawOfEnergy) {
+  const Solution& bead = bead_solution();
+  const auto table = TrajectoryTable::read(report::trajectory_csv(bead));
+  const double fall = std::ranges::max(table["z_c"]);
+  const double speed = std::sqrt(2.0 * bead.scene.gravity * fall);
+
+  EXPECT_TRUE(has(page_of(bead), "<dt>greatest speed of the centre</dt><dd>" +
+                                     report::printed(speed, 4) + " m/s"));
 }
 
 TEST(AnswerPage, SaysWhatFailed) {

@@ -111,7 +111,6 @@ def race_faults(brachisto, program, scenes, scratch, views):
     page = scratch / "race.html"
     subprocess.run([brachisto, "race", *scenes, "--out", page, "--quiet"], check=True)
     tables = [solved(brachisto, scene, scratch / scene.stem) for scene in scenes]
-    tables.sort(key=lambda rows: float(rows[-1]["t"]))
     faults = []
     for k, view in enumerate(views):
         number = k % len(tables)
@@ -125,6 +124,10 @@ def race_faults(brachisto, program, scenes, scratch, views):
             if end < float(row["t"]):
                 faults += place_faults(f"{name} body {i + 1}", found.found.get(f"body-{i}", {}),
                                        rows[-1])
+            arrived = "arrived" in found.found.get(f"racer-{i}", {}).get("class", "").split()
+            # Seven digits of times.
+            if abs(end - float(row["t"])) > 1e-6 and arrived != (end < float(row["t"])):
+                faults.append(f"{name}: result {i + 1} is {'' if arrived else 'not '}shown")
             clock = f"{min(float(row['t']), end):.4f} s"
             if found.texts.get(f"clock-{i}") != clock:
                 faults.append(f"{name}: clock {i + 1} has {found.texts.get(f'clock-{i}')}, "

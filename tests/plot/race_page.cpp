@@ -172,6 +172,35 @@ TEST(RacePage, MarksThoseThatCouldNotRun) {
   EXPECT_FALSE(has(race_page(three()), "nfeasible"));
 }
 
+/// What comes before the list and the list itself leave the guess open.
+TEST(RacePage, KeepsTheNumbersOfThoseThatStartAndTellsTheirPlaces) {
+  Incline slow, quick;
+  slow.time = 2.0;
+  quick.time = 1.5;
+
+  const std::string page = race_page(
+      {on_incline("slow one", slow, 9), on_incline("quick one", quick, 9)});
+
+  EXPECT_GT(page.find("quick one"), page.find("slow one"));
+  EXPECT_GT(page.find("slow one"), page.find("</h1>"));
+  const std::regex row(
+      "id=\"clock-([0-9])\">([0-9.]+) s</td>"
+      "<td class=\"result\">([0-9])</td>");
+  std::vector<std::string> told;
+  for (std::sregex_iterator match(page.begin(), page.end(), row), end;
+       match != end; ++match) {
+    told.push_back((*match)[1].str() + " " + (*match)[2].str() + " " +
+                   (*match)[3].str());
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"0 2.0000 2", "1 1.5000 1"}));
+}
+
+TEST(RacePage, OfOneTrackSaysWhose) {
+  EXPECT_TRUE(
+      has(race_page(three(), true), "on the track of " + three()[0].name));
+  EXPECT_FALSE(has(race_page(three()), "on the track of"));
+}
+
 TEST(RacePage, ShowsNamesAsTheyAre) {
   const std::string page =
       race_page({racer("</script><b>&\"']]>", testing::bead_solution())});

@@ -181,8 +181,8 @@ TEST(SweepReport, OfWordsAndNumbersHasACurvePerWord) {
   const auto files = sweep_report(table);
 
   ASSERT_EQ(files[2].name, "curve-1.svg");
-  EXPECT_TRUE(says(files[2].content, "scene.contact = smooth<"));
-  EXPECT_TRUE(says(files[2].content, "scene.contact = centre<"));
+  EXPECT_TRUE(says(files[2].content, "contact = smooth<"));
+  EXPECT_TRUE(says(files[2].content, "contact = centre<"));
 }
 
 TEST(SweepReport, TellsTheExtremesAndTheCounts) {

@@ -5,6 +5,8 @@
 import json
 import tempfile
 import unittest
+import unittest.mock
+import warnings
 
 import brachisto
 import numpy as np
@@ -70,6 +72,45 @@ class Sweeps(unittest.TestCase):
             brachisto.Sweep(CHOICES.replace("body.radius: [", "body.radius: [-1, "), "choices.yaml")
         self.assertEqual(caught.exception.diagnostics[0].line, 7)
         self.assertTrue(str(caught.exception).startswith("choices.yaml:7:"))
+
+    def test_is_a_data_frame_where_pandas_is(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        expected = brachisto.Sweep(CHOICES).table()
+
+        frame = brachisto.sweep(brachisto.Sweep(CHOICES))
+
+        self.assertIsInstance(frame, pandas.DataFrame)
+        self.assertEqual(list(frame), list(expected))
+        np.testing.assert_array_equal(frame["tau"], expected["tau"])
+
+    def test_without_pandas_it_is_a_dict_and_says_so(self):
+        with unittest.mock.patch.dict("sys.modules", {"pandas": None}):
+            with self.assertWarnsRegex(UserWarning, "pandas is not installed: the table is"):
+                table = brachisto.sweep(brachisto.Sweep(CHOICES))
+
+        self.assertIsInstance(table["tau"], np.ndarray)
+
+    def test_processes_share_the_scenes_and_find_the_same(self):
+        path = PROBLEMS / "sweeps/small.yaml"
+        with unittest.mock.patch.dict("sys.modules", {"pandas": None}), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            alone, shared = brachisto.sweep(path), brachisto.sweep(path, jobs=2)
+
+        self.assertLessEqual(set(shared), set(alone))
+        for key in set(shared) - {"seconds.total"}:
+            np.testing.assert_array_equal(shared[key], alone[key], key)
+
+    def test_what_is_no_sweep_is_refused_by_its_key(self):
+        with self.assertRaises(brachisto.InputError) as caught:
+            brachisto.sweep(PROBLEMS / "case.yaml")
+        self.assertEqual(caught.exception.diagnostics[0].key, "sweep")
+        with self.assertRaises(OSError):
+            brachisto.sweep("nowhere.yaml")
+        with self.assertRaisesRegex(ValueError, "^jobs: "):
+            brachisto.sweep(brachisto.Sweep(CHOICES), jobs=0)
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ TEST(Summary, SaysWhatTheTrackIsUnderLimits) {
   solution.scene.end_slope = -0.5;  // 28.6479 degrees
   asked(Contact::EndSlope,
         "the fastest track with the end slope given, 28.6479° up at B");
-  asked(Contact::EndSlope, "g = 9.81 m/s², end slope -28.6479°");
+  asked(Contact::EndSlope, "g = 9.81 m/s², end slope −28.6479°");
   solution.scene.body = Body::bead();
   asked(Contact::Smooth, "the fastest wire from A to B under limits");
 }

@@ -33,12 +33,11 @@ SweepTable with_arcs() {
   return table;
 }
 
-Figure structure(const SweepTable& table) {
+SweepDrawing structure(const SweepTable& table) {
   XyPlot plot;
   plot.name = "curve";
   plot.curves = {all_scenes(table)};
-  const auto figure = structure_figure(table, plot, 0);
-  return figure.value_or(Figure{});
+  return structure_drawing(table, plot, 0).value_or(SweepDrawing{});
 }
 
 TEST(SweepStructure, IsDrawnWhereLimitsHold) {
@@ -53,18 +52,19 @@ TEST(SweepStructure, IsDrawnWhereLimitsHold) {
 }
 
 TEST(SweepStructure, NamesWhereArcsEndAndBetweenWhichValues) {
-  const Figure figure = structure(with_arcs());
+  const auto [figure, caption] = structure(with_arcs());
 
-  EXPECT_NE(figure.commands.find("μ = 0.4 … 0.5: friction at 0.50 ends"),
+  EXPECT_NE(caption.find("at 0.4 … 0.5, friction at 0.50 ends; 0.7 … 0.8, "
+                         "friction leaves B."),
             std::string::npos)
-      << figure.commands;
-  EXPECT_NE(figure.commands.find("μ = 0.7 … 0.8: friction leaves B"),
-            std::string::npos);
-  EXPECT_EQ(count(figure.commands, "…"), 2U) << "no other kinks";
+      << caption;
+  EXPECT_EQ(count(caption, "…"), 2U) << "no other kinks";
+  EXPECT_EQ(count(figure.commands, "between scenes with other arcs"), 1U)
+      << "one entry of the key for one meaning";
 }
 
 TEST(SweepStructure, BandsEndHalfWayToOtherArcs) {
-  const Figure figure = structure(with_arcs());
+  const Figure figure = structure(with_arcs()).figure;
 
   // The middle arc of μ = 0.4, from 0.5 to 0.5 there, up to μ = 0.45.
   EXPECT_NE(figure.table.find(",0.45,0.5\n"), std::string::npos)
@@ -75,12 +75,12 @@ TEST(SweepStructure, BandsEndHalfWayToOtherArcs) {
 TEST(SweepStructure, HasNoBandsAcrossScenesThatFailed) {
   SweepTable table = with_arcs();
   fail(table, 2);
-  const Figure figure = structure(table);
+  const auto [figure, caption] = structure(table);
 
   EXPECT_NE(figure.commands.find("no verified result (1)"), std::string::npos);
   EXPECT_EQ(figure.table.find(",0.2,0.18"), std::string::npos)
       << "between 0.1 and 0.3 nothing is known of the arc at A";
-  EXPECT_EQ(count(figure.commands, "…"), 2U) << "what failed is no kink";
+  EXPECT_EQ(count(caption, "…"), 2U) << "what failed is no kink";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(LimitsInWords, SayEveryBoundAndMakeTwoARange) {
   scene.limits.floor = 1.2;
   scene.limits.discs = {{{1.0, 2.0}, 0.5}};
   EXPECT_EQ(limits_in_words(scene),
-            "|R_t| ≤ 0.5 R_n, R_n ≥ 0.1 m g, κ_b ≥ -2 1/m, 1 − r κ_c ≥ 0.25, "
+            "|R_t| ≤ 0.5 R_n, R_n ≥ 0.1 m g, κ_b ≥ −2 1/m, 1 − r κ_c ≥ 0.25, "
             "floor at z = 1.2 m, clear of 1 disc");
 
   scene.limits = {};
@@ -33,7 +33,7 @@ TEST(LimitsInWords, SayEveryBoundAndMakeTwoARange) {
   scene.limits.curvature = {3.0, 2.0, CurvatureLimit::Of::Centre};
   scene.limits.half_planes = {{{4.0, 0.0}, kPi}, {{-1.0, 0.0}, 0.0}};
   EXPECT_EQ(limits_in_words(scene),
-            "R_n from 0.1 to 5 m g, κ_c from -2 to 3 1/m, clear of 2 "
+            "R_n from 0.1 to 5 m g, κ_c from −2 to 3 1/m, clear of 2 "
             "half-planes");
 }
 

@@ -56,13 +56,6 @@ PrimalDual first_point(const RollingTime& problem, double phi) {
                                                  end_of_centre(scene, phi)));
 }
 
-SolverResult with(LinearSolver solver, nlp::Problem& problem,
-                  const PrimalDual& start) {
-  IpoptOptions options;
-  options.linear_solver = solver;
-  return solve_with_ipopt(problem, start, options);
-}
-
 TEST(ChainInIpopt, TakesTheIterationsOfMumps) {
   constexpr double kPhi = -0.1;
   for (const Case& c : cases()) {

@@ -64,12 +64,12 @@ Kkt kkt_at(RollingTime& problem, const std::vector<double>& x,
   return kkt;
 }
 
-struct Case {
+struct ChainCase {
   Scene scene;
   const char* name;
 };
 
-std::vector<Case> cases() {
+std::vector<ChainCase> chain_cases() {
   return {{natural(bead_scene()), "bead"},
           {natural(uniform_scene()), "uniform"},
           {natural(off_centred_scene(-0.5)), "off-centred"}};
@@ -80,7 +80,7 @@ TEST(ChainKkt, HasTheInertiaOfTheEigenvaluesAndOfMumps) {
   int minima = 0;
   int others = 0;
   int by_mumps = 0;
-  for (const Case& c : cases()) {
+  for (const ChainCase& c : chain_cases()) {
     for (int degree = 1; degree <= 8; ++degree) {
       for (const int elements : {1, 3, 10}) {
         Random random(static_cast<std::uint32_t>(100 * degree + elements));
@@ -125,7 +125,7 @@ TEST(ChainKkt, HasTheInertiaOfTheEigenvaluesAndOfMumps) {
 }
 
 TEST(ChainKkt, SolvesToRounding) {
-  for (const Case& c : cases()) {
+  for (const ChainCase& c : chain_cases()) {
     for (int degree = 1; degree <= 8; ++degree) {
       Random random(static_cast<std::uint32_t>(degree));
       RollingTime problem(c.scene, uniform_mesh(degree, 60 / degree), 0.2);
@@ -152,7 +152,7 @@ TEST(ChainKkt, SolvesToRounding) {
 }
 
 TEST(ChainKkt, StructureFitsThePatterns) {
-  for (const Case& c : cases()) {
+  for (const ChainCase& c : chain_cases()) {
     for (int degree = 1; degree <= 8; ++degree) {
       for (const int elements : {1, 2, 3, 17}) {
         const RollingTime problem(c.scene, uniform_mesh(degree, elements), 0.2);

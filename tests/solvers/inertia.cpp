@@ -20,8 +20,8 @@ namespace {
 using Eigen::MatrixXd;
 
 /// The KKT matrix of the free variables, and its eigenvalues by sign.
-Inertia by_eigenvalues(const MatrixXd& H, const MatrixXd& J,
-                       const std::vector<int>& free) {
+Inertia of_free_columns(const MatrixXd& H, const MatrixXd& J,
+                        const std::vector<int>& free) {
   const auto n = static_cast<Eigen::Index>(free.size());
   const Eigen::Index m = J.rows();
   MatrixXd kkt = MatrixXd::Zero(n + m, n + m);
@@ -74,7 +74,7 @@ TEST(KktInertia, IsThatOfTheEigenvalues) {
 
     const Inertia found = kkt_inertia(problem, somewhere(n, m));
 
-    expect_same(found, by_eigenvalues(H, J, all_of(n)), seed);
+    expect_same(found, of_free_columns(H, J, all_of(n)), seed);
     if (found.positive == n) ++minima;
   }
   EXPECT_GT(minima, 0);
@@ -95,7 +95,7 @@ TEST(KktInertia, LeavesOutFixedVariables) {
 
     const Inertia found = kkt_inertia(problem, somewhere(n, m));
 
-    expect_same(found, by_eigenvalues(H, J, {1, 2, 3, 4, 6, 7}), seed);
+    expect_same(found, of_free_columns(H, J, {1, 2, 3, 4, 6, 7}), seed);
   }
 }
 
@@ -137,7 +137,7 @@ TEST(KktInertia, SeesConstraintsThatDependOnEachOther) {
 
     const Inertia found = kkt_inertia(problem, somewhere(n, m));
 
-    expect_same(found, by_eigenvalues(H, J, all_of(n)), seed);
+    expect_same(found, of_free_columns(H, J, all_of(n)), seed);
     EXPECT_EQ(found.zero, 1) << "seed " << seed;
   }
 }

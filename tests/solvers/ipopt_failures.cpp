@@ -17,9 +17,8 @@ namespace {
 
 using testing::Function;
 using testing::HockSchittkowski7;
+using testing::kStart;
 using testing::LogarithmicBowl;
-
-const PrimalDual kStart{{2.0, 2.0}, {}};
 
 /// No relative of std::exception, so that nobody can know how to copy it.
 struct Mishap {

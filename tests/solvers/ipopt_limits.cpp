@@ -16,8 +16,7 @@ namespace {
 
 using testing::Function;
 using testing::HockSchittkowski7;
-
-const PrimalDual kStart{{2.0, 2.0}, {}};
+using testing::kStart;
 
 TEST(IterationLimit, EndsARunThatNeedsMore) {
   HockSchittkowski7 problem;

@@ -18,8 +18,7 @@ namespace {
 
 using testing::Function;
 using testing::HockSchittkowski7;
-
-const PrimalDual kStart{{2.0, 2.0}, {}};
+using testing::kStart;
 
 /// A run of Ipopt in another thread that lasts until it is let go.
 class LongRun {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "brachisto/nlp/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
 
 namespace brachisto::testing {
 
@@ -216,5 +217,16 @@ class NearestPoint final : public SmallProblem {
     values[1] = values[3] = values[4] = 0.0;
   }
 };
+
+/// Where runs of HockSchittkowski7 begin.
+inline const PrimalDual kStart{{2.0, 2.0}, {}};
+
+[[nodiscard]] inline SolverResult with(LinearSolver solver,
+                                       nlp::Problem& problem,
+                                       const PrimalDual& start) {
+  IpoptOptions options;
+  options.linear_solver = solver;
+  return solve_with_ipopt(problem, start, options);
+}
 
 }  // namespace brachisto::testing

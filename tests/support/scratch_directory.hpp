@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -46,5 +48,20 @@ class ScratchDirectory {
  private:
   fs::path path_;
 };
+
+/// All of a file.
+[[nodiscard]] inline std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What lies in a directory.
+[[nodiscard]] inline std::set<std::string> names(const fs::path& path) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    out.insert(entry.path().filename().string());
+  }
+  return out;
+}
 
 }  // namespace brachisto::testing

@@ -9,7 +9,7 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const { rows, box } = data;
-const { byId, draw, drawPlane, liftedPath, markEnds, moveBody, niceStep, pathOf, shown, tick,
+const { byId, draw, drawPlane, liftedPath, markEnds, moveBody, pathOf, shown, tick, ticksIn,
   kSector, kSteps } = Motion;
 const full = Motion.motionOf(data);
 const { body, T, at, value } = full;
@@ -189,14 +189,14 @@ function plans() {
 
   const speeds = [series("v<sub>c</sub>", (p) => p.v, "m/s")];
   if (off) speeds.push(series("v<sub>cm</sub>", massSpeed, "m/s"));
-  all.push({ id: "speed", title: off ? "Speed of the centre and of the centre of mass"
+  all.push({ id: "speed", letter: "v", title: off ? "Speed of the centre and of the centre of mass"
                                      : "Speed",
     unit: "m/s", series: speeds, range: union(...speeds.map((s) => extent(s.of))),
     also: body.rolls ? [series("ω", (p) => p.v / body.radius, "rad/s")] : [] });
 
   const forces = [series("R<sub>n</sub>", (p) => p.normal, "m g")];
   if (body.rolls) forces.push(series("R<sub>t</sub>", (p) => p.tangential, "m g"));
-  all.push({ id: "force", title: body.rolls ? "Normal force and friction force" : "Normal force",
+  all.push({ id: "force", letter: "R", title: body.rolls ? "Normal force and friction force" : "Normal force",
     unit: "m g", series: forces,
     range: union([0, 0], ranges.R_n, ...(body.rolls ? [ranges.R_t] : [])),
     lines: [0, bounds.least, bounds.greatest].filter((b) => b !== null) });
@@ -205,13 +205,13 @@ function plans() {
     const walls = (p) => p.normal * (body.walls ?? 1);  // what presses, in sum
     const needed = (p) => (p.normal > 0 ? Math.abs(p.tangential) / walls(p) : null);
     const most = Math.max(...full.poses.filter((p) => p.t > 0.02 * T).map(needed));
-    all.push({ id: "friction", title: "Friction needed", unit: "",
+    all.push({ id: "friction", letter: "μ", title: "Friction needed", unit: "",
       series: [series("|R<sub>t</sub>|/R<sub>n</sub>", needed)],
       range: [0, Math.min(2, 1.08 * (Number.isFinite(most) ? most : 2))],
       lines: bounds.friction === null ? [] : [bounds.friction] });
   }
 
-  all.push({ id: "curvature", title: "Curvature of the track, downwards positive",
+  all.push({ id: "curvature", letter: "κ", title: "Curvature of the track, downwards positive",
     unit: "1/m", series: [series("κ<sub>b</sub>", (p) => value("kappa_b", p.t), "1/m")],
     range: union([0, 0], ranges.kappa_b), lines: [0] });
 
@@ -225,12 +225,12 @@ function plans() {
     energies.push(series("given by the fall",
         (p) => data.gravity * (p.zm - start.zm) + given, "J/kg"));
   }
-  all.push({ id: "energy", title: "Energy per mass", unit: "J/kg", series: energies,
+  all.push({ id: "energy", letter: "E/m", title: "Energy per mass", unit: "J/kg", series: energies,
     range: union(...energies.map((s) => extent(s.of))) });
 
   const slacks = Object.keys(rows).filter((name) => name.startsWith("slack_"));
   if (slacks.length > 0) {
-    all.push({ id: "slack", title: "Distance from each limit, as share of its largest",
+    all.push({ id: "slack", letter: "share", title: "Distance from each limit, as share of its largest",
       unit: "", range: [-0.05, 1.06], lines: [0],
       series: slacks.map((column) => {
         const [low, high] = ranges[column];
@@ -240,6 +240,33 @@ function plans() {
       }) });
   }
   return all;
+}
+
+const axisName = (plan) => `${plan.letter} [${plan.unit || "–"}]`;
+
+/** Where curves leave their picture: the time nearest to what is seen, and
+    whether they do so at its top. */
+function leaves(plan) {
+  const [low, top] = plan.range;
+  const found = [];
+  for (const [i, s] of plan.series.entries()) {
+    const values = full.poses.map(s.of);
+    const seen = values.map((v) => v !== null && v >= low && v <= top);
+    for (let j = 0; j + 1 < values.length; ++j) {
+      if (seen[j] === seen[j + 1]) continue;
+      const [inner, outer] = seen[j] ? [j, j + 1] : [j + 1, j];
+      let up = values[outer] > top;
+      if (values[outer] === null) {
+        // Without bound at the start, if the curve makes for the rim there.
+        const before = values[inner] - values[inner + 1];
+        up = before > 0;
+        const room = up ? top - values[inner] : values[inner] - low;
+        if (outer > inner || room > 0.15 * (top - low)) continue;
+      }
+      found.push({ series: i, t: full.poses[inner].t, up });
+    }
+  }
+  return found;
 }
 
 /** Active arcs as bands, and lines at bounds. */
@@ -265,6 +292,17 @@ function underlay(plan) {
       context.stroke();
       context.setLineDash([]);
     }
+    const { series } = colours();
+    for (const mark of plan.leaves) {
+      const x = Math.max(graph.toDomXCoord(mark.t), area.x + 4);
+      const [tip, foot] = mark.up ? [area.y, area.y + 8] : [area.y + area.h, area.y + area.h - 8];
+      context.fillStyle = series[mark.series % 6];
+      context.beginPath();
+      context.moveTo(x, tip);
+      context.lineTo(x - 5, foot);
+      context.lineTo(x + 5, foot);
+      context.fill();
+    }
   };
 }
 
@@ -277,6 +315,8 @@ function makeCharts() {
   const poses = full.poses.filter((_, i) => i % step === 0 || i === full.poses.length - 1);
   const colour = colours();
   all.forEach((plan) => {
+    plan.leaves = leaves(plan);
+    if (plan.leaves.length > 0) byId("beyond-words").hidden = false;
     const part = document.createElement("section");
     part.className = "curve";
     part.innerHTML =
@@ -289,13 +329,14 @@ function makeCharts() {
     holder.appendChild(part);
     const graph = new Dygraph(part.querySelector(".canvas"),
         poses.map((p) => [p.t, ...plan.series.map((s) => s.of(p))]), {
+      xlabel: "t [s]", ylabel: axisName(plan), xLabelHeight: 16, yLabelWidth: 18,
       labels: ["t", ...plan.series.map((s, i) => `${i} ${s.name}`)],
       colors: plan.series.map((_, i) => colour.series[i % 6]),
       strokeWidth: 1.6, legend: "never", valueRange: plan.range,
       dateWindow: [0, T], highlightCircleSize: 0, animatedZooms: false,
       gridLineColor: colour.faint, axisLineColor: colour.line,
       axes: {
-        x: { axisLabelFormatter: (t) => tick(t), pixelsPerLabel: 70,
+        x: { axisLabelFormatter: (t) => tick(t), pixelsPerLabel: 64,
              axisLabelWidth: 60, axisHeight: 22 },
         y: { axisLabelFormatter: (y) => tick(y), axisLabelWidth: 44, pixelsPerLabel: 28 },
       },
@@ -353,7 +394,7 @@ function recolour() {
 /** A curve for paper: lines that are as sharp as the printer, in place of a
     canvas. */
 function curveOnPaper({ plan, part }) {
-  const width = 660, high = 150, left = 46, right = 8, bottom = 20;
+  const width = 660, high = 166, left = 62, right = 8, bottom = 36;
   const [low, top] = plan.range;
   const X = (t) => left + (width - left - right) * t / T;
   const Y = (y) => (high - bottom) * (top - y) / (top - low);
@@ -362,12 +403,15 @@ function curveOnPaper({ plan, part }) {
   draw("rect", { x: left, y: 0, width: width - left - right, height: high - bottom },
       draw("clipPath", { id: clip }, svg));
   const grid = draw("g", { class: "grid" }, svg), words = draw("g", { class: "ticks" }, svg);
-  const stepX = niceStep(T, 8), stepY = niceStep(top - low, 4);
-  for (let t = 0; t <= T; t += stepX) {
+  draw("text", { x: left + 0.5 * (width - left - right), y: high - 4, "text-anchor": "middle" },
+      words).textContent = "t [s]";
+  draw("text", { transform: `translate(12 ${0.5 * (high - bottom)}) rotate(-90)`,
+    "text-anchor": "middle" }, words).textContent = axisName(plan);
+  for (const t of ticksIn(0, T, 8)) {
     draw("path", { d: `M${X(t)} 0V${high - bottom}` }, grid);
-    draw("text", { x: X(t), y: high - 4, "text-anchor": "middle" }, words).textContent = tick(t);
+    draw("text", { x: X(t), y: high - 20, "text-anchor": "middle" }, words).textContent = tick(t);
   }
-  for (let y = Math.ceil(low / stepY) * stepY; y <= top; y += stepY) {
+  for (const y of ticksIn(low, top, 4)) {
     draw("path", { d: `M${left} ${Y(y)}H${width - right}` }, grid);
     draw("text", { x: left - 6, y: Y(y) + 4, "text-anchor": "end" }, words).textContent = tick(y);
   }

@@ -152,6 +152,14 @@ function niceStep(range, count) {
   return 10 * power;
 }
 
+/** The multiples of such a step in a range, the places of ticks. */
+function ticksIn(low, high, count) {
+  const step = niceStep(high - low, count);
+  const ticks = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) ticks.push(i * step);
+  return ticks;
+}
+
 const minus = (text) => text.replace(/-/g, "−");
 function shown(number, digits = 4) {
   if (number === null || !Number.isFinite(number)) return "–";
@@ -175,7 +183,7 @@ function tick(number) {
 function drawPlane(stage, box) {
   const width = widthOf(stage);
   const wide = box[1][0] - box[0][0], high = box[1][1] - box[0][1];
-  const left = 38, bottom = 34, tallest = Math.max(300, 0.62 * width);
+  const left = 54, bottom = 34, tallest = Math.max(300, 0.62 * width);
   const scale = Math.min((width - left - 2) / wide, tallest / high);
   const w = scale * wide, h = scale * high;
   const x0 = left + 0.5 * (width - left - w);
@@ -188,20 +196,22 @@ function drawPlane(stage, box) {
   }, stage);
   const grid = draw("g", { class: "grid" }, svg);
   const words = draw("g", { class: "ticks" }, svg);
-  const stepX = niceStep(wide, width < 600 ? 4 : 8);
-  for (let x = Math.ceil(box[0][0] / stepX) * stepX; x <= box[1][0]; x += stepX) {
+  for (const x of ticksIn(box[0][0], box[1][0], width < 600 ? 4 : 8)) {
     draw("path", { d: `M${X(x)} 2V${h + 2}` }, grid);
+    // Not a number of which the rim would cut off a half.
+    if (X(x) > width - 4 * String(tick(x)).length) continue;
     draw("text", { x: X(x), y: h + 16, "text-anchor": "middle" }, words)
         .textContent = tick(x);
   }
-  const stepZ = niceStep(high, width < 600 ? 3 : 5);
-  for (let z = Math.ceil(box[0][1] / stepZ) * stepZ; z <= box[1][1]; z += stepZ) {
+  for (const z of ticksIn(box[0][1], box[1][1], width < 600 ? 3 : 5)) {
     draw("path", { d: `M${x0} ${Y(z)}H${x0 + w}` }, grid);
     draw("text", { x: x0 - 6, y: Y(z) + 4, "text-anchor": "end" }, words)
         .textContent = tick(z);
   }
-  draw("text", { x: x0 + w, y: h + 31, "text-anchor": "end" }, words)
-      .textContent = "x [m] to the right, z [m] down";
+  draw("text", { x: x0 + 0.5 * w, y: h + 31, "text-anchor": "middle" }, words)
+      .textContent = "x [m], to the right";
+  draw("text", { transform: `translate(${x0 - left + 12} ${0.5 * h}) rotate(-90)`,
+    "text-anchor": "middle" }, words).textContent = "z [m], down";
   return { svg, width, scale, X, Y, h };
 }
 
@@ -369,7 +379,8 @@ function player(T, show) {
     for (const r of rates) {
       const label = document.createElement("label");
       label.innerHTML = `<input type="radio" name="rate" value="${r}"/> ` +
-          (r >= 1 ? `${tick(r)}:1` : `1:${tick(1 / r)}`);
+          (r === 1 ? "real time" : r > 1 ? `${tick(r)} times faster` :
+              `slow motion, ${tick(1 / r)} times`);
       label.firstChild.checked = r === best;
       holder.appendChild(label);
     }
@@ -399,14 +410,14 @@ function player(T, show) {
   }
 
   /** Begins to listen, and shows the first time. */
-  function start() {
+  function start(at = now) {
     offerRates();
     byId("play").addEventListener("click", toggle);
     byId("time").addEventListener("input", (event) => goTo(Number(event.target.value) * T));
     document.addEventListener("keydown", onKey);
     addEventListener("hashchange", fromAddress);
     addEventListener("beforeprint", stop);
-    if (!fromAddress()) showAt(now);
+    if (!fromAddress()) showAt(at);
   }
 
   /** The same for another motion. */
@@ -420,8 +431,11 @@ function player(T, show) {
   return { start, restart, goTo, now: () => now, again: () => showAt(now) };
 }
 
-/** Tables that scroll can be scrolled by keys. */
+/** Tables that scroll can be scrolled by keys, those that are folded too. */
 function letTablesScroll() {
+  for (const details of document.querySelectorAll("details")) {
+    details.ontoggle = letTablesScroll;
+  }
   for (const wide of document.querySelectorAll(".wide")) {
     if (wide.scrollWidth <= wide.clientWidth) continue;
     wide.tabIndex = 0;
@@ -435,6 +449,6 @@ function letTablesScroll() {
 }
 
 return { byId, draw, drawPlane, drawObstacles, bodyShape, outerRadius, letTablesScroll, liftedPath, markEnds,
-  motionOf, moveBody, niceStep, onResize, pathOf, player, shown, tick, kSector, kSteps };
+  motionOf, moveBody, onResize, pathOf, player, shown, tick, ticksIn, kSector, kSteps };
 
 })();

@@ -287,8 +287,5 @@ function fromAddress() {
 fromAddress();
 addEventListener("hashchange", fromAddress);
 Motion.letTablesScroll();
-for (const details of document.querySelectorAll("details")) {
-  details.addEventListener("toggle", Motion.letTablesScroll);
-}
 
 })();

@@ -13,21 +13,30 @@
 """
 
 from brachisto._core import __version__
-from brachisto._errors import Diagnostic, InputError
-from brachisto._result import Record, Result, sensitivities, solve
+from brachisto._compare import Comparison, compare
+from brachisto._errors import Diagnostic, InputError, NotVerified
+from brachisto._pages import Race, race
+from brachisto._result import Record, Result, design, sensitivities, solve
 from brachisto._scene import Scene, validate
-from brachisto._sweep import Row, Sweep
+from brachisto._sweep import Row, Sweep, sweep
 
 __all__ = [
+    "Comparison",
     "Diagnostic",
     "InputError",
+    "NotVerified",
+    "Race",
     "Record",
     "Result",
     "Row",
     "Scene",
     "Sweep",
+    "compare",
+    "design",
+    "race",
     "sensitivities",
     "solve",
+    "sweep",
     "validate",
 ]
 for _name in __all__:

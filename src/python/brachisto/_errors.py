@@ -33,3 +33,19 @@ class InputError(ValueError):
     def diagnostics(self):
         """A Diagnostic of each mistake."""
         return self.args[1]
+
+
+class NotVerified(ValueError):
+    """A result was to be shown or to race that is not verified: it has no motion.
+
+    As a string it says why.
+    """
+
+    def __init__(self, message, result=None):
+        super().__init__(message)
+        self._result = result
+
+    @property
+    def result(self):
+        """The Result that was to be shown."""
+        return self._result

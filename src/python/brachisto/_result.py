@@ -6,6 +6,8 @@ import functools
 import json
 
 from brachisto import _core
+from brachisto._errors import NotVerified
+from brachisto._pages import write_page
 from brachisto._scene import changes_of
 
 
@@ -95,6 +97,23 @@ class _Solved(Record):
         """The text that `brachisto solve` prints."""
         return self._core.summary()
 
+    def write_page(self, path, *, force=False):
+        """Writes the page of the answer, the index.html of `brachisto solve --out`.
+
+        Raises NotVerified if there is no motion to show, OSError if the page cannot be
+        written, or if it is there and `force` is not given.
+        """
+        if not self.verified:
+            raise NotVerified(f"there is no motion to show: {self._complaint()}", self)
+        write_page(path, force, self._core.page)
+
+    def _complaint(self):
+        return self.message or "; ".join(self.not_verified_because or [])
+
+    def _repr_html_(self):
+        """A small drawing of the track, and the figures that one looks for first."""
+        return self._core.card()
+
     @functools.cached_property
     def trajectory(self):
         return self._core.trajectory()
@@ -154,6 +173,21 @@ def solve(scene, *, discretisation=None, solver=None, near=None):
 
 def solved(scene, near):
     return Result(_core.solve(scene._problem, near._core if near is not None else None))
+
+
+def design(scene, *, discretisation=None, solver=None, **keys):
+    """Finds the body that is the quickest on its own extremal: the Result of its track.
+
+    `keys` are those of the section `design` of problem files, before which those of the
+    scene's file stand back: `design(scene, free=["eta_m", "theta_m"])`. What was found on
+    the way is the attribute `design` of the result.
+
+    The searches run one after the other in this process and have the numbers of
+    `brachisto design`, which uses more processes; the limit `solver.limits.seconds` is that of
+    all of them together. Errors and signals are those of `solve`.
+    """
+    options = {"discretisation": discretisation or {}, "solver": solver or {}, "design": keys}
+    return Result(_core.design(scene._with(changes_of(options))._problem))
 
 
 def sensitivities(result, second=False):

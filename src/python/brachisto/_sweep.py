@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Sweeps: families of scenes."""
 
+import json
 import os
+import pathlib
+import tempfile
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 
-from brachisto import _core
+from brachisto import _command, _core
 from brachisto._result import SCHEMA, Result, solved
 from brachisto._scene import Scene, bytes_of
 
@@ -58,6 +62,7 @@ class Sweep:
     """
 
     def __init__(self, text, name="<text>"):
+        self._source = (text, name)
         self._core = _core.Sweep(text, name, [])
 
     @classmethod
@@ -107,3 +112,48 @@ class Sweep:
             for key, values in columns.items()
             if any(value is not None for value in values)
         }
+
+
+_SOME_FAILED = 4  # the code with which the command then exits
+
+
+def _table_of_processes(found, jobs):
+    """What `brachisto export` has of a sweep by the command."""
+    text, name = found._source
+    text = text.encode("utf-8") if isinstance(text, str) else text
+    beside = pathlib.Path(os.fsdecode(name)).parent
+    with tempfile.TemporaryDirectory(prefix="brachisto-") as directory:
+        _command.run("sweep", "-", "--out", directory, "--jobs", jobs, "--quiet", "--force",
+                     text=text, directory=beside, codes=(0, _SOME_FAILED))
+        rows = json.loads(_command.run("export", directory, "--json"))["rows"]
+    columns = {key: [row[key] for row in rows] for key in rows[0]}
+    return {
+        key: _column(values)
+        for key, values in columns.items()
+        if any(value is not None for value in values)
+    }
+
+
+def sweep(what, *, jobs=None):
+    """Solves all scenes of a sweep: a pandas.DataFrame with a row for each.
+
+    `what` is a Sweep or the name of a problem file with a section `sweep`. Its columns are
+    those of `Sweep.table`. With `jobs` so many processes share the scenes, which the command
+    `brachisto` starts, and the columns are those of `brachisto export`; without it they are
+    solved in this one. Either way the numbers are the same.
+
+    Without pandas it says so in a warning and returns the dict of NumPy arrays.
+
+    Raises InputError for a file that is no sweep, OSError if it cannot be read.
+    """
+    found = what if isinstance(what, Sweep) else Sweep.from_file(what)
+    table = found.table() if jobs is None else _table_of_processes(found, jobs)
+    try:
+        import pandas
+    except ImportError:
+        warnings.warn(
+            "pandas is not installed: the table is a dict of NumPy arrays, one for each column",
+            stacklevel=2,
+        )
+        return table
+    return pandas.DataFrame(table)

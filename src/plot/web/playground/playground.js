@@ -17,17 +17,26 @@ const DURATIONS = 15;          // of answers that the shown one is the median of
 const PAUSE = 0.6;             // of the animation at B [s]
 const STROKE_POINTS = 10;      // of a track drawn in one stroke
 const DEGREE = Math.PI / 180;
-const REFERENCE = {radius: 1 / 3, eta: 2 / 3, theta: 0, k: 1 / 2, L: 3, H: 1};
+const REFERENCE = {radius: 1 / 3, eta: 2 / 3, theta: 0, k: 1 / 2, L: 3, H: 1,
+  friction: 0, drag: 0, grip: 2};
+const NO_LIMIT = 2;            // of the grip
+const OF_BOTH = ['L', 'H', 'drag'];  // controls that both kinds have
 
 /** Sliders, their units, and what they show. */
 const SLIDERS = {
   eta: {unit: 1, show: (v) => v.toFixed(3)},
-  theta: {unit: DEGREE, show: (v) => `${(v / DEGREE).toFixed(0)}°`},
+  theta: {unit: DEGREE, show: (v) => signed(`${(v / DEGREE).toFixed(0)}°`)},
   k: {unit: 1, show: (v) => v.toFixed(3)},
   radius: {unit: 1, show: (v) => `${v.toFixed(3)} m`},
   L: {unit: 1, show: (v) => `${v.toFixed(2)} m`},
   H: {unit: 1, show: (v) => `${v.toFixed(2)} m`},
+  friction: {unit: 1, show: (v) => v.toFixed(3)},
+  drag: {unit: 1, show: (v) => `${v.toFixed(3)} 1/m`},
+  grip: {unit: 1, show: (v) => (v < NO_LIMIT ? v.toFixed(2) : 'no limit')},
 };
+
+/** With real minus signs. */
+const signed = (text) => text.replace(/-(?=\d)/g, '−');
 
 const element = (id) => document.getElementById(id);
 const picture = element('picture');
@@ -51,10 +60,11 @@ let dragging = false;
 
 function scene() {
   if (wanted.bead) {
-    return {radius: 0, eta: 0, theta: 0, k: 0, L: wanted.L, H: wanted.H};
+    const {L, H, friction, drag} = wanted;
+    return {radius: 0, eta: 0, theta: 0, k: 0, L, H, friction, drag};
   }
-  const {radius, eta, theta, k, L, H} = wanted;
-  return {radius, eta, theta, k: Math.min(k, 1 - eta * eta), L, H};
+  const {radius, eta, theta, k, L, H, drag} = wanted;
+  return {radius, eta, theta, k: Math.min(k, 1 - eta * eta), L, H, friction: 0, drag};
 }
 
 // The controls.
@@ -63,11 +73,12 @@ function showControls() {
   const now = scene();
   for (const [id, {unit, show}] of Object.entries(SLIDERS)) {
     const input = element(id);
-    const value = wanted.bead && !['L', 'H'].includes(id) ? wanted[id] : now[id];
+    const none = !OF_BOTH.includes(id) && wanted.bead !== (id === 'friction');
+    const value = none ? wanted[id] : now[id] ?? wanted[id];
     input.value = value / unit;
     element(`${id}-out`).textContent = show(value);
     input.setAttribute('aria-valuetext', show(value));
-    input.disabled = wanted.bead && !['L', 'H'].includes(id);
+    input.disabled = none;
   }
 }
 
@@ -143,7 +154,7 @@ function check() {
   showAnswer('');
   updateOwn();
   let verdict = `Confirmed: τ = ${full.tau.toFixed(12)} to a relative ` +
-    `${full.error.toExponential(0)}, by the indirect method.`;
+    `${signed(full.error.toExponential(0))}, by the indirect method.`;
   if (quick && !(difference <= AGREEMENT)) {
     verdict = `What was drawn as you dragged, τ = ${quick.tau.toFixed(8)}, was ` +
       'another extremal. This is the principal one, which is connected with ' +
@@ -191,7 +202,7 @@ function showChecks(full, quick, verdict) {
     head.scope = 'row';
     head.textContent = name;
     const cell = document.createElement('td');
-    cell.textContent = passed ? value : `${value} ✗`;
+    cell.textContent = signed(passed ? value : `${value} ✗`);
     cell.classList.toggle('fails', !passed);
     row.append(head, cell);
     return row;
@@ -203,14 +214,30 @@ function showChecks(full, quick, verdict) {
 
 /** The scene as a file for the command, number for number. */
 function problemFile() {
-  const {radius, eta, theta, k, L, H} = scene();
+  const {radius, eta, theta, k, L, H, friction, drag} = scene();
   const body = wanted.bead ? '{shape: bead}'
     : `{shape: cylinder, radius: ${radius}, eta_m: ${eta}, ` +
       `theta_m: ${theta}, k: ${k}}`;
-  return `scene:\n  body: ${body}\n  finish: {L: ${L}, H: ${H}}\n`;
+  const more = [
+    friction > 0 && `losses: {sliding: ${friction}}`,
+    drag > 0 && `air: {quadratic: ${drag}}`,
+    isLimited() && `limits: {friction: ${wanted.grip}}`];
+  return `scene:\n  body: ${body}\n  finish: {L: ${L}, H: ${H}}\n` +
+    more.filter(Boolean).map((line) => `  ${line}\n`).join('');
 }
 
 // One's own track.
+
+function isLimited() {
+  return !wanted.bead && wanted.grip < NO_LIMIT;
+}
+
+/** Of 100, by the rules: what touches the track all the way and does not slip. */
+function scoreOf(numbers) {
+  const lifts = !wanted.bead && numbers.leastForce < -1e-9;
+  const slips = isLimited() && !(numbers.grip <= wanted.grip);
+  return lifts || slips ? 0 : Math.round(100 * answer.numbers.tau / numbers.tau);
+}
 
 function ownTrack() {
   const {L, H} = wanted;
@@ -244,7 +271,8 @@ function updateOwn() {
   result.textContent = `Your track: τ = ${numbers.tau.toFixed(6)}, ` +
     `${Math.abs(100 * share).toFixed(digits)} % ` +
     `${share < 0 ? 'faster' : 'slower'} than the answer ` +
-    `(${seconds < 0 ? '−' : '+'}${Math.abs(1000 * seconds).toFixed(digits)} ms).`;
+    `(${seconds < 0 ? '−' : '+'}${Math.abs(1000 * seconds).toFixed(digits)} ms). ` +
+    `Score: ${scoreOf(numbers)} of 100.`;
   const remarks = [];
   // The spline's quadrature and the extremal's own error are far below this.
   if (share < -1e-9 && !wanted.bead) {
@@ -252,6 +280,11 @@ function updateOwn() {
       'elsewhere, and between A and B themselves no track is the fastest for ' +
       'a body with a radius. The answer is stationary among tracks that bring ' +
       'the centre to the place where its own ends.');
+  }
+  if (isLimited() && !(numbers.grip <= wanted.grip)) {
+    remarks.push(`The body would slip: this track takes a grip of ${
+      numbers.grip.toFixed(2)}. The answer is that without a limit; the command ` +
+      'finds the one with it.');
   }
   if (numbers.leastForce < -1e-9) {
     remarks.push('A real body would lift off near x = ' +

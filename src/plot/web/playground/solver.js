@@ -42,8 +42,8 @@ class Solver {
   }
 
   /** @returns {boolean} false if the scene is refused; see text */
-  setScene({radius, eta, theta, k, L, H}) {
-    return this.module.set_scene(radius, eta, theta, k, L, H) === 0;
+  setScene({radius, eta, theta, k, L, H, friction = 0, drag = 0}) {
+    return this.module.set_scene(radius, eta, theta, k, L, H, friction, drag) === 0;
   }
 
   /**
@@ -68,9 +68,9 @@ class Solver {
     const at = this.module.table(2 * points.length);
     new Float64Array(this.module.memory.buffer, at).set(points.flat());
     if (this.module.ride(points.length) !== 0) return null;
-    const [tau, time, error, leastForce, leastForceX, foldMargin] =
-      this.numbers(6);
-    return {tau, time, error, leastForce, leastForceX, foldMargin};
+    const [tau, time, error, leastForce, leastForceX, foldMargin, grip] =
+      this.numbers(7);
+    return {tau, time, error, leastForce, leastForceX, foldMargin, grip};
   }
 
   sampleExtremal(rows) {

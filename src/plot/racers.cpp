@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "plot/racers.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/report/result.hpp"
+
+namespace brachisto::plot {
+
+namespace {
+
+/// The ends of a track, from A to B.
+std::array<Point, 2> ends(const Racer& racer) {
+  const std::vector<double>&x = racer.table["x_b"], &z = racer.table["z_b"];
+  return {{{x.front(), z.front()}, {x.back(), z.back()}}};
+}
+
+std::string ends_in_words(const Racer& racer) {
+  const auto [a, b] = ends(racer);
+  return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", a.x, a.z, b.x,
+                     b.z);
+}
+
+}  // namespace
+
+void check_ends(const std::string& file, const Racer& first,
+                const Racer& racer) {
+  const std::array<Point, 2> there = ends(first), here = ends(racer);
+  // As much as the points of a given path may miss A and B.
+  const double close = kCloseToEnds * std::hypot(there[1].x, there[1].z);
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    if (std::hypot(here[i].x - there[i].x, here[i].z - there[i].z) <= close) {
+      continue;
+    }
+    throw io::InputError(
+        {{.file = file,
+          .line = 0,
+          .column = 0,
+          .key = "scene.finish",
+          .message = fmt::format("the track runs {}, that of \"{}\" {}: "
+                                 "all have to start and to finish together",
+                                 ends_in_words(racer), first.name,
+                                 ends_in_words(first))}});
+  }
+}
+
+Racer racer_of(const std::string& name, const Solution& solution) {
+  return {.name = name,
+          .result = report::Json::parse(report::result_json(solution)),
+          .scene = solution.scene,
+          .table = TrajectoryTable::read(report::trajectory_csv(solution))};
+}
+
+std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
+  constexpr int kPieces = 400;  // fewer show in times, more in curvatures
+  GivenPath path;
+  path.curve = GivenPath::Curve::Track;
+  path.shape = GivenPath::Shape::Points;
+  for (int i = 0; i <= kPieces; ++i) {
+    path.points.push_back(
+        solution.motion()->at(1.0 * i / kPieces).motion.contact);
+  }
+  // What rounding leaves of the ends.
+  path.points.front() = {0.0, 0.0};
+  path.points.back() = {solution.scene.L, solution.scene.H};
+  return std::make_shared<const GivenPath>(std::move(path));
+}
+
+}  // namespace brachisto::plot

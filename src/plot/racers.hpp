@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Who may race: verified solutions whose tracks have the same ends.
+
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "brachisto/study/solution.hpp"
+#include "plot/race_page.hpp"
+
+namespace brachisto::plot {
+
+inline constexpr std::size_t kFewestRacers = 2, kMostRacers = 24;
+
+/// What has to be known of a verified solution.
+[[nodiscard]] Racer racer_of(const std::string& name, const Solution& solution);
+
+/// The track of a verified solution as one that is given: by points that are
+/// dense at A, where its curvature may have no bound.
+[[nodiscard]] std::shared_ptr<const GivenPath> track_of(
+    const Solution& solution);
+
+/// \param file  whose fault it is
+/// \throws io::InputError  if a track does not begin and end where the first
+///                         one does
+void check_ends(const std::string& file, const Racer& first,
+                const Racer& racer);
+
+}  // namespace brachisto::plot

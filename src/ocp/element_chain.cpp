@@ -58,9 +58,11 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
       if (c == 0) chain.scale[at(i)] = 1.0 / root;
       chain.scale[at(n + layout.defect(c, 0) + i)] = root;
     }
-    chain.scale[at(layout.control(c))] = 1.0 / root;
     const int block = last ? 2 * (element + 1) : 2 * element + 1;
-    if (last) chain.block[at(layout.control(c))] = block;
+    for (int k = 0; k < layout.num_controls(); ++k) {
+      chain.scale[at(layout.control(c, k))] = 1.0 / root;
+      if (last) chain.block[at(layout.control(c, k))] = block;
+    }
     for (int i = 0; i < layout.num_limits(); ++i) {
       const std::size_t row = at(n + layout.limit(c, i));
       chain.block[row] = block;
@@ -88,7 +90,9 @@ std::vector<double> element_weights(const Layout& layout,
       if (c == 0) weights[at(i)] = share;
       weights[at(n + layout.defect(c, 0) + i)] = b;
     }
-    weights[at(layout.control(c))] = b;
+    for (int k = 0; k < layout.num_controls(); ++k) {
+      weights[at(layout.control(c, k))] = b;
+    }
     for (int i = 0; i < layout.num_limits(); ++i) {
       weights[at(n + layout.limit(c, i))] = share;
     }

@@ -119,8 +119,8 @@ class VariableLayout : public ocp::Layout {
  private:
   VariableLayout(int num_points, bool has_theta, int num_states,
                  bool has_control, int num_rows)
-      : Layout(num_points, has_theta ? 0 : 1 << kTheta, num_states, has_control,
-               num_rows) {}
+      : Layout(num_points, has_theta ? 0 : 1 << kTheta, num_states,
+               has_control ? 1 : 0, num_rows) {}
 
   static constexpr int kTheta = static_cast<int>(StateComponent::Theta);
   [[nodiscard]] bool slope_is_state() const {

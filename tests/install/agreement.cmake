@@ -3,7 +3,8 @@
 # What is written twice agrees: the documents quote the programs as they stand, and
 # brachisto.hpp includes every other public header.
 foreach(pair README:solve_scene docs/library:read_track docs/library:follow_offset
-    docs/library:hanging_rope docs/library:double_integrator)
+    docs/library:hanging_rope docs/library:double_integrator docs/library:least_time
+    docs/library:keeping_off docs/library:fastest_bead)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 document)
   list(GET pair 1 program)

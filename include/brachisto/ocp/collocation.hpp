@@ -32,7 +32,7 @@ namespace brachisto::ocp {
 ///
 /// The defects are in integral form: a tolerance on them means the same on
 /// every mesh. Points of Gauss's scheme lie between the nodes. Those of Radau's
-/// are nodes; the control's unknown is then h u, so that no entry of the
+/// are nodes; a control's unknown is then h u, so that no entry of the
 /// KKT matrix falls with h.
 ///
 /// What a description says that nothing depends on has no entries.
@@ -54,7 +54,7 @@ class Collocation : public EvaluatedPoints<Description> {
   [[nodiscard]] const CollocationScheme& scheme() const { return *scheme_; }
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// Of states and control at a point, those on which anything depends; the
+  /// Of states and controls at a point, those on which anything depends; the
   /// others are 0.
   [[nodiscard]] Locals locals(std::span<const double> x, const Mesh& mesh,
                               int point) const {
@@ -64,7 +64,7 @@ class Collocation : public EvaluatedPoints<Description> {
       double sum = 0.0;
       spread(point, a,
              [&](int index, double share) { sum += share * x[at(index)]; });
-      yu[at(a)] = a == kControl ? sum * per_length(mesh, point) : sum;
+      yu[at(a)] = is_control(a) ? sum * per_length(mesh, point) : sum;
     }
     return yu;
   }
@@ -214,10 +214,10 @@ class Collocation : public EvaluatedPoints<Description> {
   }
 
   /// Calls with(index, share) for each unknown that a local one of a point is
-  /// made of; of the control its unknown.
+  /// made of; of a control its unknown.
   template <class With>
   void spread(int point, int local, With&& with) const {
-    if (local == kControl) return with(layout_.control(point), 1.0);
+    if (is_control(local)) return with(control(point, local), 1.0);
     if (scheme_->points_are_nodes) {
       return with(layout_.state(point + 1, local), 1.0);
     }
@@ -230,16 +230,23 @@ class Collocation : public EvaluatedPoints<Description> {
   }
 
  private:
-  /// Derivatives of s b L − λ·f by states and control.
+  [[nodiscard]] static constexpr bool is_control(int local) {
+    return local >= kControl;
+  }
+  /// The unknown of a local one that is a control.
+  [[nodiscard]] int control(int point, int local) const {
+    return layout_.control(point, local - kControl);
+  }
+  /// Derivatives of s b L − λ·f by states and controls.
   struct Density {
     std::array<double, kLocals> gradient;
     std::array<double, Jet::kPairs> hessian;
   };
   /// h of a state, 1 of a control whose unknown has h in it.
   [[nodiscard]] double length(int local, double h) const {
-    return local == kControl && scheme_->points_are_nodes ? 1.0 : h;
+    return is_control(local) && scheme_->points_are_nodes ? 1.0 : h;
   }
-  /// By what the control's unknown is multiplied for the control.
+  /// By what a control's unknown is multiplied for the control.
   [[nodiscard]] double per_length(const Mesh& mesh, int point) const {
     return scheme_->points_are_nodes
                ? 1.0 / mesh.length(point / scheme_->degree)
@@ -270,7 +277,7 @@ class Collocation : public EvaluatedPoints<Description> {
   /// A slope by a local one of a point, by the unknowns that it is made of.
   void put_slope(Entries& put, int row, int point, int local,
                  double slope) const {
-    if (local == kControl) return put(row, layout_.control(point), slope);
+    if (is_control(local)) return put(row, control(point, local), slope);
     if (scheme_->points_are_nodes) {
       return put(row, layout_.state(point + 1, local), slope);
     }
@@ -281,8 +288,7 @@ class Collocation : public EvaluatedPoints<Description> {
 
   void put_at_node(int point, const Density& D, Entries& put) const {
     const auto index = [&](int a) {
-      return a == kControl ? layout_.control(point)
-                           : layout_.state(point + 1, a);
+      return is_control(a) ? control(point, a) : layout_.state(point + 1, a);
     };
     for (const auto& [a, b] : local_.pairs) {
       const auto [low, high] = std::minmax({index(a), index(b)});
@@ -304,12 +310,14 @@ class Collocation : public EvaluatedPoints<Description> {
     // What the controls have alone comes first: an entry of the element's first
     // node alone would be counted as one of the element before.
     for (int j = 0; j < p; ++j) {
-      const int control = layout_.control(first + j);
-      if (local_.pairs.back() == std::pair(kControl, kControl)) {
-        put(control, control, of[at(j)].hessian[Jet::pair(kControl, kControl)]);
+      for (const auto& [a, b] : local_.pairs) {
+        if (!is_control(b)) continue;
+        put(control(first + j, a), control(first + j, b),
+            of[at(j)].hessian[Jet::pair(a, b)]);
       }
-      if (local_.by_duration.back() == kControl) {
-        put(layout_.last(), control, of[at(j)].gradient[kControl]);
+      for (const int a : local_.by_duration) {
+        if (!is_control(a)) continue;
+        put(layout_.last(), control(first + j, a), of[at(j)].gradient[at(a)]);
       }
     }
     const int stride = layout_.stride();
@@ -326,12 +334,12 @@ class Collocation : public EvaluatedPoints<Description> {
       return out;
     };
     for (const auto& [a, b] : local_.pairs) {
-      if (b == kControl) continue;
+      if (is_control(b)) continue;
       const std::size_t pair = Jet::pair(a, b);
       const int first_b = layout_.state(first, b);
-      if (a == kControl) {
+      if (is_control(a)) {
         for (int j = 0; j < p; ++j) {
-          put.lower(layout_.control(first + j), first_b, stride, I.row(j),
+          put.lower(control(first + j, a), first_b, stride, I.row(j),
                     of[at(j)].hessian[pair]);
         }
         continue;
@@ -344,7 +352,7 @@ class Collocation : public EvaluatedPoints<Description> {
       }
     }
     for (const int a : local_.by_duration) {
-      if (a == kControl) continue;
+      if (is_control(a)) continue;
       put.row(layout_.last(), layout_.state(first, a), stride,
               interpolated(p + 1,
                            [&](int j) { return of[at(j)].gradient[at(a)]; }));

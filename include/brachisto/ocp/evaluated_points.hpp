@@ -25,8 +25,8 @@ namespace brachisto::ocp {
 /// Read off the description's own text. What has no entry here is 0 wherever
 /// the point is.
 ///
-/// \tparam kLocals  states and the control
-template <int kLocals>
+/// \tparam kStates  how many of the locals are states; the others are controls
+template <int kStates, int kLocals>
 struct LocalStructure {
   using On = math::Dependence<kLocals>;
   using Jet = math::Jet2<double, kLocals>;
@@ -46,7 +46,7 @@ struct LocalStructure {
   LocalStructure(const Description& description, const Layout& layout) {
     PointOf<Description, On> variables;
     for (int a = 0; a < kLocals; ++a) {
-      if (a == kLocals - 1 || layout.has_state(a)) {
+      if (a >= kStates || layout.has_state(a)) {
         variables[at(a)] = On::variable(a);
       }
     }
@@ -65,7 +65,7 @@ struct LocalStructure {
       all += on;
     };
     see(rates.cost);
-    for (int s = 0; s + 1 < kLocals; ++s) {
+    for (int s = 0; s < kStates; ++s) {
       see(layout.has_state(s) ? rates.states[at(s)] : On());
     }
     by_duration = members(all);
@@ -106,8 +106,10 @@ template <class Description>
 class EvaluatedPoints {
  public:
   static constexpr int kStates = static_cast<int>(Description::kStates);
-  static constexpr int kControl = kStates;
-  static constexpr int kLocals = kStates + 1;  ///< states and the control
+  static constexpr int kControl = kStates;  ///< the first
+  /// States and controls.
+  static constexpr int kLocals =
+      kStates + static_cast<int>(num_controls<Description>());
   using Jet = math::Jet2<double, kLocals>;
   using FirstJet = math::Jet1<double, kLocals>;
   using Locals = PointOf<Description, double>;
@@ -117,10 +119,12 @@ class EvaluatedPoints {
   void describe(Description description) {
     description_ = std::move(description);
   }
-  [[nodiscard]] const LocalStructure<kLocals>& local() const { return local_; }
+  [[nodiscard]] const LocalStructure<kStates, kLocals>& local() const {
+    return local_;
+  }
 
   /// L and f at an evaluated point with their first two derivatives by states
-  /// and control.
+  /// and controls.
   [[nodiscard]] decltype(auto) second(int point) const {
     return as<Jet>(point);
   }
@@ -144,11 +148,11 @@ class EvaluatedPoints {
     });
   }
 
-  /// Of each limit whether it depends on the control.
+  /// Of each limit whether it depends on a control.
   [[nodiscard]] std::vector<bool> limits_of_control() const {
     std::vector<bool> out;
     for (const std::vector<int>& row : local_.limit_rows) {
-      out.push_back(!row.empty() && row.back() == kControl);
+      out.push_back(!row.empty() && row.back() >= kControl);
     }
     return out;
   }
@@ -211,7 +215,7 @@ class EvaluatedPoints {
       return here.rates(present(yu));
     }
   }
-  /// States and control as variables; what is absent is a constant.
+  /// States and controls as variables; what is absent is a constant.
   [[nodiscard]] PointOf<Description, Jet> present(const Locals& yu) const {
     PointOf<Description, Jet> jets;
     for (int a = 0; a < kLocals; ++a) {
@@ -254,7 +258,7 @@ class EvaluatedPoints {
   NotCopied<Jet> limits_;  ///< of a point, one after the other
 
  protected:
-  LocalStructure<kLocals> local_;
+  LocalStructure<kStates, kLocals> local_;
 };
 
 }  // namespace brachisto::ocp

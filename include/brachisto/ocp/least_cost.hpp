@@ -22,6 +22,7 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/collocation.hpp"
+#include "brachisto/ocp/end_functions.hpp"
 #include "brachisto/ocp/mesh.hpp"
 #include "brachisto/ocp/point_function.hpp"
 #include "brachisto/ocp/program.hpp"
@@ -36,6 +37,23 @@ struct Ends {
   std::optional<double> duration;
 };
 
+/// Between what states stay all along, and controls, and U.
+template <std::size_t States, std::size_t Controls>
+struct Box {
+  std::array<Bounds, States> states = filled<States>();
+  std::array<Bounds, Controls> controls = filled<Controls>();
+  Bounds duration{0.0, std::numeric_limits<double>::infinity()};
+
+ private:
+  template <std::size_t Size>
+  static constexpr std::array<Bounds, Size> filled() {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::array<Bounds, Size> out{};
+    out.fill({-kNone, kNone});
+    return out;
+  }
+};
+
 /// A place of an answer.
 template <std::size_t States>
 struct PathPlace {
@@ -48,15 +66,17 @@ struct PathPlace {
 
 /// Radau IIA collocation of
 ///
-///     minimise ∫₀ᵁ L(y, u) ds  subject to
-///     y' = f(y, u),  lower ≤ c(y, u) ≤ upper,
+///     minimise ∫₀ᵁ L(y, u) ds + φ(y(0), y(U), U)  subject to
+///     y' = f(y, u),  lower ≤ c(y, u) ≤ upper,  lower ≤ ψ(y(0), y(U), U) ≤
+///     upper,
 ///
-/// states given or free at the ends, U > 0 as well. Limits are asked for at the
-/// collocation points.
+/// states given or free at the ends, U > 0 as well, states and controls within
+/// a box. Limits and the box are asked for at the collocation points.
 template <ControlProblem Description>
 class LeastCost final : public Program {
  public:
   static constexpr std::size_t kStates = Description::kStates;
+  static constexpr std::size_t kControls = num_controls<Description>();
   static_assert(kStates >= 1 && kStates <= std::size_t{Layout::kMostStates});
 
   /// \throws std::invalid_argument for a degree that is not 1 … kLargestDegree,
@@ -64,13 +84,14 @@ class LeastCost final : public Program {
   ///         positive and finite, an end that is not finite, and bounds of
   ///         which the upper one is the smaller
   LeastCost(Description description, const Mesh& mesh,
-            const Ends<kStates>& ends);
+            const Ends<kStates>& ends, const Box<kStates, kControls>& box = {});
 
   [[nodiscard]] const Description& description() const {
     return collocation_.description();
   }
-  /// States straight from end to end, a free one as at the other end, the
-  /// control 0, without multipliers.
+  [[nodiscard]] const Layout& layout() const { return collocation_.layout(); }
+  /// States straight from end to end, a free one as at the other end, controls
+  /// 0, without multipliers.
   ///
   /// \param duration  U where it is free
   [[nodiscard]] PrimalDual straight_guess(double duration = 1.0) const;
@@ -81,13 +102,11 @@ class LeastCost final : public Program {
   ///
   /// \throws std::invalid_argument for a point of another program
   [[nodiscard]] std::vector<PathPlace<kStates>> path(
-      const PrimalDual& point) const;
+      const PrimalDual& point) const requires(kControls == 1);
 
-  [[nodiscard]] nlp::ChainStructure chain_structure() const override {
-    return element_chain(layout(), mesh(), num_constraints(),
-                         collocation_.limits_of_control());
-  }
-  /// "v[3]", "U"; of the control "h u[3]", h being the length of an element of
+  /// None where the ends of the path are coupled by a condition.
+  [[nodiscard]] nlp::ChainStructure chain_structure() const override;
+  /// "v[3]", "U"; of a control "h u[3]", h being the length of an element of
   /// the mesh.
   [[nodiscard]] std::string variable_name(int index) const override;
   /// "defect of v[3]", "thrust[3]".
@@ -100,46 +119,65 @@ class LeastCost final : public Program {
     return {mesh.num_points(),
             {},
             states,
-            true,
+            static_cast<int>(kControls),
             states + static_cast<int>(description.num_limits())};
   }
   [[nodiscard]] static const Mesh& checked(const Mesh& mesh);
-  [[nodiscard]] const Layout& layout() const { return collocation_.layout(); }
   [[nodiscard]] double duration() const { return x(layout().last()); }
 
   bool evaluate() override;
   [[nodiscard]] double do_eval_f() const override {
-    return collocation_.objective(mesh(), duration());
+    return collocation_.objective(mesh(), duration()) + ends_.cost();
   }
   void do_eval_grad_f(std::span<double> grad_f) const override {
     collocation_.put_gradient(mesh(), duration(), grad_f);
+    ends_.add_gradient(grad_f);
   }
   void do_eval_g(std::span<double> g) const override {
     collocation_.put_constraints(x(), mesh(), g);
+    ends_.put_conditions(g);
   }
   void put_jac_g(Entries& put) const override {
     collocation_.put_jac_g(mesh(), duration(), put);
+    ends_.put_jac_g(put);
   }
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
                     Entries& put) const override {
     collocation_.put_hess_lag(mesh(), duration(), objective_factor, lambda,
                               put);
+    ends_.put_hess_lag(objective_factor, lambda, put);
   }
 
   Collocation<Description> collocation_;
+  EndFunctions<Description> ends_;
 };
 
 template <ControlProblem Description>
 LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
-                                  const Ends<kStates>& ends)
+                                  const Ends<kStates>& ends,
+                                  const Box<kStates, kControls>& box)
     : Program(checked(mesh), layout_of(description, mesh).num_variables(),
-              layout_of(description, mesh).end_of_points(),
+              layout_of(description, mesh).end_of_points() +
+                  EndFunctions<Description>::kConditions,
               "collocation point"),
       collocation_(description, radau_scheme(mesh.degree),
-                   layout_of(description, mesh)) {
+                   layout_of(description, mesh)),
+      ends_(collocation_.description(), layout()) {
   weigh(element_weights(layout(), collocation_.scheme(), mesh,
                         num_constraints()));
   const int last = layout().num_points();
+  for (int node = 0; node <= last; ++node) {
+    for (std::size_t s = 0; s < kStates; ++s) {
+      bound(layout().state(node, static_cast<int>(s)), box.states[s].lower,
+            box.states[s].upper);
+    }
+    if (node == last) break;
+    const double h = mesh.length(node / mesh.degree);
+    for (std::size_t k = 0; k < kControls; ++k) {
+      bound(layout().control(node, static_cast<int>(k)),
+            h * box.controls[k].lower, h * box.controls[k].upper);
+    }
+  }
   for (std::size_t s = 0; s < kStates; ++s) {
     const int state = static_cast<int>(s);
     for (const auto& end : {ends.start[s], ends.end[s]}) {
@@ -158,7 +196,7 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
     }
     fix(layout().last(), *ends.duration);
   } else {
-    bound(layout().last(), 0.0, std::numeric_limits<double>::infinity());
+    bound(layout().last(), box.duration.lower, box.duration.upper);
   }
   for (int i = 0; i < layout().num_limits(); ++i) {
     const Bounds bounds = description.bounds(at(i));
@@ -171,7 +209,25 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
       bound_row(layout().limit(c, i), bounds.lower, bounds.upper);
     }
   }
+  if constexpr (EndFunctions<Description>::kConditions > 0) {
+    for (int i = 0; i < EndFunctions<Description>::kConditions; ++i) {
+      const Bounds bounds = description.end_bounds(at(i));
+      bound_row(ends_.row(i), bounds.lower, bounds.upper);
+    }
+  }
   build_patterns();
+}
+
+template <ControlProblem Description>
+nlp::ChainStructure LeastCost<Description>::chain_structure() const {
+  if (ends_.couple()) return {};
+  nlp::ChainStructure chain = element_chain(layout(), mesh(), num_constraints(),
+                                            collocation_.limits_of_control());
+  for (int i = 0; i < EndFunctions<Description>::kConditions; ++i) {
+    chain.block[at(num_variables() + ends_.row(i))] =
+        ends_.is_of_start(i) ? 0 : 2 * mesh().num_elements();
+  }
+  return chain;
 }
 
 template <ControlProblem Description>
@@ -220,7 +276,8 @@ PrimalDual LeastCost<Description>::straight_guess(double duration) const {
 
 template <ControlProblem Description>
 std::vector<PathPlace<LeastCost<Description>::kStates>>
-LeastCost<Description>::path(const PrimalDual& point) const {
+LeastCost<Description>::path(const PrimalDual& point) const
+    requires(kControls == 1) {
   const bool costates = !point.lambda.empty();
   if (point.x.size() != at(num_variables()) ||
       (costates && point.lambda.size() != at(num_constraints()))) {
@@ -267,13 +324,26 @@ template <ControlProblem Description>
 std::string LeastCost<Description>::variable_name(int index) const {
   if (index == layout().last()) return "U";
   const std::string place = "[" + std::to_string(layout().node_of(index)) + "]";
-  if (!layout().is_state(index)) return "h u" + place;
+  if (!layout().is_state(index)) {
+    const int control = index % layout().stride() - layout().num_states();
+    if constexpr (requires { description().control_name(0); }) {
+      return "h " + std::string(description().control_name(at(control))) +
+             place;
+    }
+    return "h u" + (kControls == 1 ? "" : std::to_string(control)) + place;
+  }
   return std::string(description().state_name(at(index % layout().stride()))) +
          place;
 }
 
 template <ControlProblem Description>
 std::string LeastCost<Description>::constraint_name(int index) const {
+  if constexpr (EndFunctions<Description>::kConditions > 0) {
+    if (index >= layout().end_of_points()) {
+      return std::string(
+          description().end_name(at(index - layout().end_of_points())));
+    }
+  }
   const int point = layout().point_of(index);
   const int row = index - layout().defect(point, 0);
   const std::string place = "[" + std::to_string(point) + "]";
@@ -292,7 +362,9 @@ bool LeastCost<Description>::evaluate() {
   const auto refused = collocation_.evaluate(
       x(), mesh(), [&](int) -> const auto& { return description(); },
       [](int, int) { return true; });
-  return !refused || refuse(refused->point, refused->because);
+  if (refused) return refuse(refused->point, refused->because);
+  return ends_.evaluate(description(), x()) ||
+         refuse(-1, "what is asked of the ends is not finite");
 }
 
 }  // namespace brachisto::ocp

@@ -113,7 +113,7 @@ inline constexpr int kLargestDegree = 12;
 namespace brachisto::ocp {
 
 /// A group of unknowns for each node along the path, its states and behind them
-/// the control of the point that follows, and one global unknown last; a group
+/// the controls of the point that follows, and one global unknown last; a group
 /// of constraints for each point, which leads from node to node: a defect of
 /// each state, then the limits. So what couples lies close together. More rows
 /// may follow.
@@ -121,18 +121,18 @@ namespace brachisto::ocp {
 /// A state of the description on which nothing depends can be absent.
 class Layout {
  public:
-  static constexpr int kMostStates = 8;
+  static constexpr int kMostStates = 16;
   using States = std::bitset<kMostStates>;
 
-  /// \param has_control  false: all along the path are states, and the first
-  ///                     node is given
-  /// \param num_rows     constraints of a point
-  Layout(int num_points, States absent, int num_states, bool has_control,
+  /// \param num_controls  none: all along the path are states, and the first
+  ///                      node is given
+  /// \param num_rows      constraints of a point
+  Layout(int num_points, States absent, int num_states, int num_controls,
          int num_rows)
       : num_points_(num_points),
         absent_(absent),
         num_states_(num_states),
-        num_controls_(has_control ? 1 : 0),
+        num_controls_(num_controls),
         num_rows_(num_rows) {
     for (std::size_t s = 1; s < offsets_.size(); ++s) {
       offsets_[s] = offsets_[s - 1] + (absent[s - 1] ? 0 : 1);
@@ -145,12 +145,14 @@ class Layout {
   }
   /// Of a node.
   [[nodiscard]] int num_states() const { return num_states_; }
+  /// Of a collocation point.
+  [[nodiscard]] int num_controls() const { return num_controls_; }
   /// Collocation points or pieces.
   [[nodiscard]] int num_points() const { return num_points_; }
   /// The start included.
   [[nodiscard]] int num_nodes() const { return num_points_ + 1; }
   [[nodiscard]] int num_variables() const {
-    return num_points_ * stride() + num_controls_ * num_states_ + 1;
+    return num_points_ * stride() + (has_controls() ? num_states_ : 0) + 1;
   }
   /// From a node's unknowns to the next one's.
   [[nodiscard]] int stride() const { return num_states_ + num_controls_; }
@@ -159,9 +161,9 @@ class Layout {
     return stride() * (node - first_node()) +
            offsets_[static_cast<std::size_t>(state)];
   }
-  /// Index of the control at a collocation point.
-  [[nodiscard]] int control(int point) const {
-    return stride() * point + num_states_;
+  /// Index of a control at a collocation point.
+  [[nodiscard]] int control(int point, int control = 0) const {
+    return stride() * point + num_states_ + control;
   }
   /// Index of the global unknown.
   [[nodiscard]] int last() const { return num_variables() - 1; }

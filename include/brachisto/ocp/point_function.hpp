@@ -6,7 +6,7 @@
 /// of one point, written once for any scalar.
 ///
 /// Minimise ∫ L(y, u) ds subject to y' = f(y, u) and bounds of c(y, u). A point
-/// is the states y and behind them the one control u. The function is asked
+/// is the states y and behind them the controls u. The function is asked
 /// with numbers, with jets for derivatives, and with whatever else counts.
 
 #pragma once
@@ -31,9 +31,16 @@ struct ByControl {
   Scalar value, first, second;
 };
 
-/// States and the control behind them.
+/// How many controls a problem has, as it says by `kControls`, or one.
+template <class Problem>
+consteval std::size_t num_controls() {
+  if constexpr (requires { Problem::kControls; }) return Problem::kControls;
+  return 1;
+}
+
+/// States and the controls behind them.
 template <class Problem, class Scalar>
-using PointOf = std::array<Scalar, Problem::kStates + 1>;
+using PointOf = std::array<Scalar, Problem::kStates + num_controls<Problem>()>;
 
 /// The bounds of one limit, lower ≤ c(y, u) ≤ upper; ±infinity: none.
 struct Bounds {
@@ -42,7 +49,7 @@ struct Bounds {
 
 /// A problem is what has
 ///
-/// - `kStates`, and `state_name(i)` of each;
+/// - `kStates`, and `state_name(i)` of each; `kControls`, unless it is one;
 /// - `rates(yu)`: L and f;
 /// - `num_limits()`, and of each its `limit_name(i)`, its `bounds(i)` and its
 ///   value `limit(i, yu)`.

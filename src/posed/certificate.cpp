@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "posed/certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+
+#include "brachisto/math/index.hpp"
+#include "nlp/active_set.hpp"
+#include "posed/guess.hpp"
+#include "solvers/inertia.hpp"
+
+namespace brachisto::ocp {
+
+namespace {
+
+/// The largest value, and where it is.
+struct Worst {
+  double value = 0.0;
+  std::string where;
+  void see(double other, const std::string& what, double time) {
+    if (!(other > value) && !std::isnan(other)) return;
+    value = std::isnan(other) ? kNoBound : other;
+    where = fmt::format("{} at t = {:.6g}", what, time);
+  }
+  [[nodiscard]] Check check(const char* name, double allowed) const {
+    return {name, value, allowed, where};
+  }
+};
+
+class Certifier {
+ public:
+  Certifier(const Posed& problem, const MeshPath& path)
+      : problem_(problem),
+        said_(problem.statement()),
+        path_(path),
+        states_(said_.states.size() + said_.parameters.size()) {}
+
+  /// The equations of motion, by steps of order 8 that know no polynomial but
+  /// the control's, from node to node of what they arrive at.
+  [[nodiscard]] Worst integrated() const {
+    Worst worst;
+    boost::numeric::odeint::runge_kutta_fehlberg78<std::vector<double>> stepper;
+    const Mesh& mesh = path_.mesh();
+    const double duration = path_.duration();
+    std::vector<double> y = path_.values(0, 0.0).states;
+    constexpr int kSteps = 4;
+    for (int e = 0; e < mesh.num_elements(); ++e) {
+      const auto system = [&](const std::vector<double>& state,
+                              std::vector<double>& slope, double t) {
+        std::vector<double> yu = state;
+        const PathValues here = values(e, t);
+        yu.insert(yu.end(), here.controls.begin(), here.controls.end());
+        const std::vector<double> all = formulas(yu);
+        slope.resize(states_);
+        for (std::size_t s = 0; s < states_; ++s) {
+          slope[s] = duration * mesh.length(e) * all[s + 1];
+        }
+      };
+      for (int i = 0; i < kSteps; ++i) {
+        stepper.do_step(system, y, static_cast<double>(i) / kSteps,
+                        1.0 / kSteps);
+      }
+      const PathValues end = path_.values(e, 1.0);
+      for (std::size_t s = 0; s < states_; ++s) {
+        worst.see(std::abs(y[s] - end.states[s]) /
+                      std::max(1.0, std::abs(end.states[s])),
+                  name(s), duration * mesh.boundaries[at(e + 1)]);
+      }
+    }
+    return worst;
+  }
+
+  /// Bounds and limits, relative to their sizes, between the points as well.
+  [[nodiscard]] Worst exceeded() const {
+    Worst worst;
+    each_place([&](double time, const PathValues& here) {
+      const std::vector<double> yu = here.point();
+      const auto see = [&](double value, double lower, double upper,
+                           double scale, const std::string& what) {
+        worst.see(std::max(lower - value, value - upper) / scale, what, time);
+      };
+      for (std::size_t i = 0; i < yu.size(); ++i) {
+        const Variable& one = variable(said_, i);
+        const double scale = problem_.scales()[i];
+        see(yu[i] * scale, one.lower, one.upper, scale, one.name);
+      }
+      const std::vector<double> all = formulas(yu);
+      for (std::size_t i = 0; i < said_.limits.size(); ++i) {
+        const Limit& limit = said_.limits[i];
+        double scale = 1.0;
+        for (const double bound : {limit.lower, limit.upper}) {
+          if (std::isfinite(bound)) scale = std::max(scale, std::abs(bound));
+        }
+        see(all[1 + states_ + i], limit.lower, limit.upper, scale, limit.name);
+      }
+    });
+    return worst;
+  }
+
+  /// 𝓗 = L + p·f is the same all along.
+  [[nodiscard]] Worst hamiltonian() const {
+    struct Weighted {
+      double value, share;
+    };
+    std::vector<Weighted> all;
+    double size = 0.0, mean = 0.0;
+    const Mesh& mesh = path_.mesh();
+    const CollocationScheme& scheme = radau_scheme(mesh.degree);
+    for (int e = 0; e < mesh.num_elements(); ++e) {
+      for (int j = 0; j < mesh.degree; ++j) {
+        const PathValues here = path_.values(e, scheme.rule.points[at(j)]);
+        const std::vector<double> values = formulas(here.point());
+        double h = values[0], terms = std::abs(values[0]);
+        for (std::size_t s = 0; s < states_; ++s) {
+          h += here.costates[s] * values[s + 1];
+          terms += std::abs(here.costates[s] * values[s + 1]);
+        }
+        all.push_back({h, mesh.length(e) * scheme.rule.weights[at(j)]});
+        mean += all.back().share * h;
+        size += all.back().share * terms;
+      }
+    }
+    // An integral: next to a junction it need not be so at each point.
+    double sum = 0.0;
+    for (const Weighted& one : all)
+      sum += one.share * std::abs(one.value - mean);
+    Worst worst;
+    worst.see(sum / std::max(size, 1e-300), "mean over the path",
+              path_.duration());
+    return worst;
+  }
+
+  [[nodiscard]] std::string jump() const {
+    std::string found;
+    each_element([&](int e) {
+      constexpr int kParts = 16;
+      for (int i = 0; i < kParts && found.empty(); ++i) {
+        double a = static_cast<double>(i) / kParts, b = a + 1.0 / kParts;
+        found = jump_between(e, a, b);
+      }
+    });
+    return found;
+  }
+
+ private:
+  [[nodiscard]] PathValues values(int element, double t) const {
+    PathValues here = path_.values(element, t);
+    keep_in_bounds(said_, problem_.scales(), here);
+    return here;
+  }
+  [[nodiscard]] std::vector<double> formulas(
+      const std::vector<double>& yu) const {
+    std::vector<double> out(1 + states_ + said_.limits.size());
+    problem_.evaluate(yu, out);
+    return out;
+  }
+  [[nodiscard]] const std::string& name(std::size_t i) const {
+    return variable(said_, i).name;
+  }
+  template <class With>
+  void each_element(With&& with) const {
+    for (int e = 0; e < path_.mesh().num_elements(); ++e) with(e);
+  }
+  template <class With>
+  void each_place(With&& with) const {
+    each_element([&](int e) {
+      constexpr int kParts = 10;
+      for (int i = 0; i <= kParts; ++i) {
+        const double t = static_cast<double>(i) / kParts;
+        with(path_.duration() * path_.mesh().sigma(e, t), values(e, t));
+      }
+    });
+  }
+  /// Where a rate changes by as much on shorter and shorter stretches.
+  [[nodiscard]] std::string jump_between(int e, double a, double b) const {
+    const auto rates = [&](double t) { return formulas(values(e, t).point()); };
+    std::vector<double> left = rates(a), right = rates(b);
+    for (std::size_t s = 0; s <= states_; ++s) {
+      double l = a, r = b, vl = left[s], vr = right[s];
+      const double first = std::abs(vr - vl);
+      if (!(first > 1e-6 * (1.0 + std::abs(vl)))) continue;
+      for (int i = 0; i < 36; ++i) {
+        const double middle = 0.5 * (l + r), vm = rates(middle)[s];
+        if (std::abs(vm - vl) > std::abs(vr - vm)) {
+          r = middle, vr = vm;
+        } else {
+          l = middle, vl = vm;
+        }
+      }
+      if (std::abs(vr - vl) < 0.5 * first) continue;
+      const PathValues here = values(e, l);
+      std::string place;
+      for (std::size_t i = 0; i < said_.states.size(); ++i) {
+        place += fmt::format("{}{} = {:.6g}", i == 0 ? "" : ", ", name(i),
+                             here.states[i] * problem_.scales()[i]);
+      }
+      return fmt::format(
+          "{} jumps at t = {:.6g}, where {}: formulas have to be smooth",
+          s == 0 ? "the cost's rate" : "the rate of " + name(s - 1),
+          path_.duration() * path_.mesh().sigma(e, l), place);
+    }
+    return {};
+  }
+
+  const Posed& problem_;
+  const Statement& said_;
+  const MeshPath& path_;
+  std::size_t states_;
+};
+
+}  // namespace
+
+nlp::KktResidual first_order(nlp::Problem& program, const PrimalDual& point) {
+  nlp::KktResidual residual = nlp::kkt_residual(program, point);
+  residual.complementarity =
+      nlp::kkt_residual(program, point, {}).complementarity;
+  return residual;
+}
+
+std::vector<Check> certify(const Posed& problem, nlp::Problem& program,
+                           const PrimalDual& point, const MeshPath& path,
+                           double relative_error, double tolerance,
+                           bool exact) {
+  const Certifier ask(problem, path);
+  std::vector<Check> checks;
+  const nlp::KktResidual residual = first_order(program, point);
+  checks.push_back(
+      {"optimality conditions", residual.max(), 1e-7, residual.worst_variable});
+  // States err by the root of what the cost does, at worst.
+  const double of_states = 10.0 * std::sqrt(tolerance);
+  checks.push_back(ask.integrated().check("states integrated", of_states));
+  checks.push_back(ask.exceeded().check("limits between points", of_states));
+  checks.push_back(ask.hamiltonian().check("constant Hamiltonian", of_states));
+  checks.push_back({"estimated error", relative_error, tolerance, ""});
+  if (!exact) return checks;
+  // (n, m, 0): a strict minimum of the program.
+  const nlp::ActiveSet active = nlp::active_set(program, point);
+  const Inertia inertia = kkt_inertia(program, point);
+  const int others = inertia.zero +
+                     std::abs(inertia.positive - active.num_free()) +
+                     std::abs(inertia.negative - active.num_equations());
+  checks.push_back({"second order", inertia.known ? others : kNoBound, 0.0,
+                    "eigenvalues of another sign"});
+  return checks;
+}
+
+std::string jump_along(const Posed& problem, const MeshPath& path) {
+  return Certifier(problem, path).jump();
+}
+
+}  // namespace brachisto::ocp

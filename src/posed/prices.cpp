@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "posed/prices.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "brachisto/math/index.hpp"
+#include "posed/guess.hpp"
+
+namespace brachisto::ocp {
+
+void put_prices(const Posed& problem, nlp::Problem& program,
+                const MeshPath& path, const PrimalDual& point, Answer& answer) {
+  const Statement& said = problem.statement();
+  const std::size_t states = said.states.size() + said.parameters.size();
+  const Layout& layout = path.layout();
+  const std::vector<long double> slope =
+      nlp::lagrangian_gradient(program, point.lambda);
+  const auto by = [&](int index, double scale) {
+    return program.variable_range(index).single()
+               ? static_cast<double>(slope[at(index)]) / scale
+               : std::numeric_limits<double>::quiet_NaN();
+  };
+  answer.by_start.clear();
+  answer.by_end.clear();
+  answer.prices.clear();
+  for (std::size_t s = 0; s < said.states.size(); ++s) {
+    const double scale = problem.scales()[s];
+    const int state = static_cast<int>(s);
+    answer.by_start.push_back(by(layout.state(0, state), scale));
+    answer.by_end.push_back(
+        by(layout.state(layout.num_points(), state), scale));
+  }
+  answer.by_duration = by(layout.last(), 1.0);
+  const auto put = [&](const std::string& name, double lower, double upper) {
+    if (lower != 0.0 || upper != 0.0) {
+      answer.prices.push_back({name, lower, upper});
+    }
+  };
+  for (std::size_t i = 0; i < states + said.controls.size(); ++i) {
+    double lower = 0.0, upper = 0.0;
+    const bool is_state = i < states;
+    for (int c = is_state ? -1 : 0; c < layout.num_points(); ++c) {
+      const int index = is_state
+                            ? layout.state(c + 1, static_cast<int>(i))
+                            : layout.control(c, static_cast<int>(i - states));
+      if (program.variable_range(index).single()) continue;
+      const double h =
+          is_state ? 1.0 : path.mesh().length(c / path.mesh().degree);
+      const double share = h / problem.scales()[i];
+      if (!point.z_lower.empty()) lower += share * point.z_lower[at(index)];
+      if (!point.z_upper.empty()) upper -= share * point.z_upper[at(index)];
+    }
+    put(variable(said, i).name, lower, upper);
+  }
+  const auto put_rows = [&](const std::string& name, auto&& rows) {
+    double lower = 0.0, upper = 0.0;
+    for (const int row : rows) {
+      const double value = -point.lambda[at(row)];
+      (value > 0.0 ? lower : upper) += value;
+    }
+    put(name, lower, upper);
+  };
+  for (std::size_t i = 0; i < said.limits.size(); ++i) {
+    std::vector<int> rows;
+    for (int c = 0; c < layout.num_points(); ++c) {
+      rows.push_back(layout.limit(c, static_cast<int>(i)));
+    }
+    put_rows(said.limits[i].name, rows);
+  }
+  for (std::size_t i = 0; i < said.end_conditions.size(); ++i) {
+    put_rows(said.end_conditions[i].name,
+             std::vector{layout.end_of_points() + static_cast<int>(i)});
+  }
+}
+
+}  // namespace brachisto::ocp

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What the least cost changes by with what is given and with bounds.
+
+#pragma once
+
+#include "brachisto/posed/problem.hpp"
+#include "posed/mesh_path.hpp"
+
+namespace brachisto::ocp {
+
+/// From multipliers, in the problem's own units. The program has been moved to
+/// the point.
+void put_prices(const Posed& problem, nlp::Problem& program,
+                const MeshPath& path, const PrimalDual& point, Answer& answer);
+
+}  // namespace brachisto::ocp

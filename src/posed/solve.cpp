@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// From a statement to a checked answer: mesh from mesh, each solved twice, as
+// it is and with its elements cut in two.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "brachisto/math/index.hpp"
+#include "brachisto/posed/problem.hpp"
+#include "brachisto/solvers/program_solvers.hpp"
+#include "math/cpu_clock.hpp"
+#include "nlp/active_set.hpp"
+#include "posed/certificate.hpp"
+#include "posed/guess.hpp"
+#include "posed/mesh_path.hpp"
+#include "posed/prices.hpp"
+#include "posed/refine.hpp"
+
+namespace brachisto::ocp {
+
+namespace {
+
+/// A mesh with its program and what was found on it.
+struct OnMesh {
+  Mesh mesh;
+  Layout layout;
+  std::unique_ptr<nlp::Problem> program;
+  SolverResult result;
+  double cost = 0.0;
+  /// The bounds' multipliers times what is left to them.
+  double gap = 0.0;
+  /// What holds as an equation is known, and does to the last digit.
+  bool exact = false;
+
+  [[nodiscard]] MeshPath path() const { return {mesh, layout, result.point}; }
+  [[nodiscard]] bool solved() const { return result.status == Status::Solved; }
+};
+
+class Solve {
+ public:
+  Solve(const Posed& problem, const SolveBy& by)
+      : problem_(problem),
+        by_(by),
+        said_(problem.statement()),
+        states_(said_.states.size() + said_.parameters.size()) {}
+
+  [[nodiscard]] Answer run();
+
+ private:
+  [[nodiscard]] OnMesh on(const Mesh& mesh) const {
+    return {mesh, problem_.layout(mesh), problem_.on(mesh), {}, 0.0, 0.0,
+            false};
+  }
+  /// \param nearby  a path to start from; the guess without one
+  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby);
+  [[nodiscard]] std::string why_not(OnMesh& here) const;
+  [[nodiscard]] std::vector<std::vector<int>> held(const OnMesh& here) const;
+  [[nodiscard]] double size_of_cost(const OnMesh& here) const;
+  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held);
+  const Posed& problem_;
+  const SolveBy& by_;
+  const Statement& said_;
+  std::size_t states_;
+  Answer answer_;
+  int iterations_ = 0;
+};
+
+std::string Solve::why_not(OnMesh& here) const {
+  const Status status = here.result.status;
+  if (was_stopped(status)) return std::string(describe(status));
+  const std::vector<double>& x = here.result.point.x;
+  if (x.empty()) return here.result.message;
+  const MeshPath path = here.path();
+  // The largest value, and the equation that is missed most.
+  constexpr double kHuge = 1e5;
+  double largest = 0.0;
+  std::string grown;
+  for (int c = 0; c < here.layout.num_points(); ++c) {
+    const std::vector<double> yu = path.values(sigma(here.mesh, c)).point();
+    for (std::size_t i = 0; i < yu.size(); ++i) {
+      if (!(std::abs(yu[i]) > largest)) continue;
+      largest = std::abs(yu[i]);
+      grown = fmt::format("{} has grown to {:.3g} at t = {:.4g}",
+                          variable(said_, i).name, yu[i] * problem_.scales()[i],
+                          sigma(here.mesh, c) * path.duration());
+    }
+  }
+  if (path.duration() > kHuge * said_.duration.guess) {
+    return fmt::format(
+        "the cost falls without bound, as far as it was followed: the duration "
+        "has grown to {:.3g}; bound it",
+        path.duration());
+  }
+  if (largest > kHuge) {
+    return "the cost falls without bound, as far as it was followed: " + grown +
+           "; bound it";
+  }
+  if (here.program->set_point(x)) {
+    std::vector<double> g(at(here.program->num_constraints()));
+    here.program->eval_g(g);
+    double missed = 0.0;
+    int worst = -1;
+    for (int i = 0; i < here.program->num_constraints(); ++i) {
+      const nlp::Range range = here.program->constraint_range(i);
+      const double by =
+          std::max(range.lower - g[at(i)], g[at(i)] - range.upper);
+      if (by > missed) missed = by, worst = i;
+    }
+    if (missed > 1e-6) {
+      std::string name = here.program->constraint_name(worst);
+      std::string when;
+      if (worst < here.layout.end_of_points()) {
+        name = name.substr(0, name.rfind('['));
+        when = fmt::format(
+            " at t = {:.4g}",
+            sigma(here.mesh, here.layout.point_of(worst)) * path.duration());
+      }
+      return fmt::format(
+          "no path was found that keeps to all that is asked: the {} is "
+          "missed by {:.2g}{}",
+          name, missed, when);
+    }
+  } else {
+    return "a formula was not finite where the search went: " +
+           here.program->refusal();
+  }
+  return fmt::format("the solver came to no end: {}", here.result.message);
+}
+
+OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
+  OnMesh here = on(mesh);
+  const PrimalDual start =
+      nearby != nullptr ? nearby->on(mesh, here.layout) : guess(problem_, mesh);
+  if (nearby == nullptr) {
+    here.result.message = not_finite(problem_, {mesh, here.layout, start});
+    if (!here.result.message.empty()) {
+      here.result.status = Status::NotEvaluable;
+      return here;
+    }
+  }
+  IpoptOptions options;
+  options.tolerance = 1e-9;
+  // All bounds together leave a tenth of what the cost may err by.
+  options.complementarity =
+      std::clamp(0.1 * by_.tolerance /
+                     (2.0 * static_cast<double>(here.program->num_variables())),
+                 1e-14, 1e-12);
+  options.max_iterations = by_.most_iterations;
+  options.linear_solver = by_.linear_solver;
+  options.stop = by_.stop;
+  // Short of the last digits: what is left counts in the estimate.
+  constexpr double kGood = 1e-7;
+  for (const double looser : {1.0, 1e3, 1e5}) {
+    IpoptOptions some = options;
+    some.complementarity = std::min(1e-8, looser * *options.complementarity);
+    here.result = solve_with_ipopt(*here.program, start, some);
+    iterations_ += here.result.iterations;
+    if (here.result.status != Status::NotConverged ||
+        here.result.point.x.empty() ||
+        !here.program->set_point(here.result.point.x)) {
+      break;
+    }
+    if (first_order(*here.program, here.result.point).max() < kGood) {
+      here.result.status = Status::Solved;
+      break;
+    }
+  }
+  if (!here.solved()) {
+    here.result.message = why_not(here);
+    return here;
+  }
+  NewtonOptions newton;
+  newton.tolerance = 1e-10;
+  newton.to_rounding = true;
+  newton.max_iterations = 8;
+  newton.stop = by_.stop;
+  NewtonResult polished =
+      solve_with_newton(*here.program, here.result.point, newton);
+  if (polished.status == Status::Solved && polished.active_set_holds) {
+    here.result.point = std::move(polished.point);
+    here.exact = true;
+  }
+  if (!here.program->set_point(here.result.point.x)) {
+    here.result.status = Status::NotEvaluable;
+    here.result.message = why_not(here);
+    return here;
+  }
+  here.cost = here.program->eval_f();
+  const PrimalDual& point = here.result.point;
+  for (int i = 0; i < here.program->num_variables(); ++i) {
+    const nlp::Range range = here.program->variable_range(i);
+    if (range.single()) continue;
+    if (!point.z_lower.empty() && std::isfinite(range.lower)) {
+      here.gap +=
+          std::abs(point.z_lower[at(i)] * (point.x[at(i)] - range.lower));
+    }
+    if (!point.z_upper.empty() && std::isfinite(range.upper)) {
+      here.gap +=
+          std::abs(point.z_upper[at(i)] * (range.upper - point.x[at(i)]));
+    }
+  }
+  return here;
+}
+
+std::vector<std::vector<int>> Solve::held(const OnMesh& here) const {
+  const nlp::ActiveSet active =
+      nlp::active_set(*here.program, here.result.point);
+  std::vector<std::vector<int>> out;
+  for (int c = 0; c < here.layout.num_points(); ++c) {
+    std::vector<int> row;
+    const auto put = [&](nlp::Held held, bool equation) {
+      row.push_back(equation ? 0 : static_cast<int>(held));
+    };
+    for (int i = 0; i < here.layout.num_states() + here.layout.num_controls();
+         ++i) {
+      const int index =
+          i < here.layout.num_states()
+              ? here.layout.state(c + 1, i)
+              : here.layout.control(c, i - here.layout.num_states());
+      put(active.variables[at(index)],
+          here.program->variable_range(index).single());
+    }
+    for (int i = 0; i < here.layout.num_limits(); ++i) {
+      const int index = here.layout.limit(c, i);
+      put(active.constraints[at(index)],
+          here.program->constraint_range(index).single());
+    }
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+double Solve::size_of_cost(const OnMesh& here) const {
+  const MeshPath path = here.path();
+  const CollocationScheme& scheme = radau_scheme(here.mesh.degree);
+  std::vector<double> out(1 + states_ + said_.limits.size());
+  double sum = 0.0;
+  for (int c = 0; c < here.layout.num_points(); ++c) {
+    problem_.evaluate(path.values(sigma(here.mesh, c)).point(), out);
+    sum += here.mesh.length(c / here.mesh.degree) *
+           scheme.rule.weights[at(c % here.mesh.degree)] * std::abs(out[0]);
+  }
+  return std::max(std::abs(here.cost), sum * path.duration());
+}
+
+void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
+  answer_.cost = fine.cost;
+  answer_.duration = fine.path().duration();
+  answer_.parameters.clear();
+  for (std::size_t s = said_.states.size(); s < states_; ++s) {
+    answer_.parameters.push_back(
+        fine.result.point.x[at(fine.layout.state(0, static_cast<int>(s)))] *
+        problem_.scales()[s]);
+  }
+  answer_.junctions.clear();
+  for (int c = 0; c + 1 < fine.layout.num_points(); ++c) {
+    if (held[at(c)] == held[at(c + 1)]) continue;
+    const double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
+    answer_.junctions.push_back(place * answer_.duration);
+  }
+  answer_.mesh_ = fine.mesh;
+  answer_.point_ = fine.result.point;
+  put_prices(problem_, *fine.program, fine.path(), fine.result.point, answer_);
+}
+
+Answer Solve::run() {
+  const double began = thread_cpu_seconds();
+  answer_.statement_ = said_;
+  answer_.scales_ = problem_.scales();
+  RefinedMesh next{uniform_mesh(by_.degree, by_.elements).boundaries, {}};
+  std::optional<OnMesh> best;
+  std::optional<MeshPath> nearby;
+  double relative = kNoBound;
+  const auto ended = [&](Status status, std::string message) {
+    answer_.status = status;
+    answer_.message = said_.name + ": " + std::move(message);
+  };
+  ended(Status::NotConverged, "");
+  for (int pass = 0; pass < by_.most_passes; ++pass) {
+    iterations_ = 0;
+    const Mesh mesh = next.mesh(by_.degree);
+    OnMesh coarse = solved_on(mesh, nearby ? &*nearby : nullptr);
+    // What high degrees do not reach from a guess low ones may lead to.
+    for (const int elements : {10, 40}) {
+      if (coarse.solved() || nearby ||
+          coarse.result.status == Status::NotEvaluable ||
+          was_stopped(coarse.result.status)) {
+        break;
+      }
+      const OnMesh low = solved_on(uniform_mesh(1, elements), nullptr);
+      if (!low.solved()) continue;
+      const MeshPath from = low.path();
+      coarse = solved_on(mesh, &from);
+    }
+    OnMesh* failed = coarse.solved() ? nullptr : &coarse;
+    std::optional<OnMesh> halves;
+    if (failed == nullptr) {
+      const MeshPath from = coarse.path();
+      halves.emplace(solved_on(halved(mesh), &from));
+      if (!halves->solved()) failed = &*halves;
+    }
+    if (failed != nullptr) {
+      if (by_.verbose) {
+        std::fprintf(stderr, "%s: %d elements: %s\n", said_.name.c_str(),
+                     failed->mesh.num_elements(),
+                     failed->result.message.c_str());
+      }
+      if (!best || was_stopped(failed->result.status)) {
+        ended(failed->result.status, failed->result.message);
+      }
+      break;
+    }
+    OnMesh& fine = *halves;
+    const double size = size_of_cost(fine);
+    const double change = std::abs(coarse.cost - fine.cost);
+    // Next to junctions the finer path need not be the better one.
+    const double error = 2.0 * change + fine.gap;
+    answer_.passes.push_back(
+        {fine.mesh.num_elements(), iterations_, fine.cost, change});
+    const MeshPath coarse_path = coarse.path(), fine_path = fine.path();
+    const auto held = this->held(fine);
+    const std::vector<double> errors =
+        element_errors(problem_, {coarse_path, fine_path, held});
+    if (by_.verbose) {
+      std::fprintf(stderr,
+                   "%s: %d elements, %d iterations, %.14g, change %.1e\n",
+                   said_.name.c_str(), fine.mesh.num_elements(), iterations_,
+                   fine.cost, change);
+    }
+    nearby.emplace(fine_path);
+    if (!best || error / size < relative) {
+      relative = error / size;
+      answer_.estimated_error = error;
+      put_down(fine, held);
+      best.emplace(std::move(fine));
+    }
+    if (relative <= by_.tolerance) {
+      ended(Status::Solved, "solved");
+      break;
+    }
+    const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
+    RefinedMesh after =
+        refined(next, {coarse_path, fine_path, held}, errors, share);
+    if (after.mesh(by_.degree).boundaries == mesh.boundaries) {
+      for (int e = 0; e < mesh.num_elements(); ++e) {
+        after.boundaries.push_back(mesh.sigma(e, 0.5));
+      }
+      std::ranges::sort(after.boundaries);
+    }
+    if (after.mesh(by_.degree).num_elements() > by_.most_elements) break;
+    next = std::move(after);
+  }
+  if (best) {
+    const MeshPath path = best->path();
+    if (answer_.status == Status::NotConverged) {
+      const std::string jump = jump_along(problem_, path);
+      ended(Status::NotConverged,
+            jump.empty()
+                ? fmt::format("the estimated error stays at {:.1e}, {:.1e} is "
+                              "wanted; a control may jump or be singular",
+                              relative, by_.tolerance)
+                : jump);
+    }
+    answer_.certificate = certify(problem_, *best->program, best->result.point,
+                                  path, relative, by_.tolerance, best->exact);
+  }
+  answer_.seconds = thread_cpu_seconds() - began;
+  return answer_;
+}
+
+}  // namespace
+
+Answer solve(const Posed& problem, const SolveBy& by) {
+  return Solve(problem, by).run();
+}
+
+}  // namespace brachisto::ocp

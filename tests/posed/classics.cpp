@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Stated problems against their closed forms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "brachisto/ocp.hpp"
+
+namespace brachisto::ocp {
+namespace {
+
+/// Solved and verified, and the cost as near to the closed form as is said.
+template <class Formulas>
+Answer expect_cost(const Problem<Formulas>& problem, double exact,
+                   const SolveBy& by = {}) {
+  const Answer answer = problem.solve(by);
+  EXPECT_TRUE(answer.verified()) << answer.message << "; " << answer.why_not();
+  // What is estimated, and what is wanted of Newton's method.
+  const double rounding = 1e-13 * (1.0 + std::abs(exact));
+  EXPECT_NEAR(answer.cost, exact, answer.estimated_error + rounding);
+  EXPECT_LE(answer.estimated_error, by.tolerance * std::max(1.0, exact) * 10.0);
+  return answer;
+}
+
+struct Cart : Sizes<2, 1> {
+  bool effort = false;
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const S& u = at.controls[0];
+    return {effort ? u * u * 0.5 : S(1.0), {at.states[1], u}};
+  }
+};
+
+Statement cart(double strongest_brake, double strongest_push) {
+  return {.name = "cart",
+          .states = {{.name = "s", .start = 0.0, .end = 1.0},
+                     {.name = "v", .start = 0.0, .end = 0.0}},
+          .controls = {{.name = "push",
+                        .lower = -strongest_brake,
+                        .upper = strongest_push}}};
+}
+
+/// Pushed by 2 and braked by 1: v² (1/4 + 1/2) = 1 at the switch, which is
+/// passed after v/2; T = 3 v/2.
+TEST(Posed, TheLeastTimeOfACartFindsItsSwitch) {
+  const Problem problem(Cart{}, cart(1.0, 2.0));
+
+  const Answer answer = expect_cost(problem, std::sqrt(3.0));
+
+  ASSERT_FALSE(answer.junctions.empty());
+  for (const double junction : answer.junctions) {
+    EXPECT_NEAR(junction, 1.0 / std::sqrt(3.0), 1e-3);
+  }
+}
+
+TEST(Posed, EstimatesOfABangBangControlAreHonest) {
+  const Problem problem(Cart{}, cart(1.0, 2.0));
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    expect_cost(problem, std::sqrt(3.0), {.tolerance = tolerance});
+  }
+}
+
+/// u = 6 − 12 t, and with the end 1 the cost is 6·1²: it changes by 12.
+TEST(Posed, TheLeastEffortOfACartIsSix) {
+  Statement statement = cart(kNoBound, kNoBound);
+  statement.duration = Duration::fixed(1.0);
+  const Problem problem(Cart{{}, true}, statement);
+
+  const Answer answer = expect_cost(problem, 6.0);
+
+  EXPECT_NEAR(answer.by_end[0], 12.0, 1e-9);
+  EXPECT_NEAR(answer.at(0.25).controls[0], 3.0, 1e-9);
+  EXPECT_NEAR(answer.at(0.25).costates[0], -12.0, 1e-9);
+}
+
+/// The push as a difference of two, whose sum costs.
+struct Fuel : Sizes<2, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const auto& [push, brake] = at.controls;
+    return {push + brake, {at.states[1], push - brake}};
+  }
+};
+
+/// In the time 3: v (3 − v) = 1, pushed and braked for v each.
+TEST(Posed, TheLeastFuelOfACartCoasts) {
+  Statement statement = cart(0.0, 1.0);
+  statement.controls = {{.name = "push", .lower = 0.0, .upper = 1.0},
+                        {.name = "brake", .lower = 0.0, .upper = 1.0}};
+  statement.duration = Duration::fixed(3.0);
+  const Problem problem(Fuel{}, statement);
+
+  expect_cost(problem, 3.0 - std::sqrt(5.0));
+}
+
+/// Bryson and Denham (1963): x ≤ l is kept by the cost 4/(9 l) for l ≤ 1/6.
+TEST(Posed, BrysonAndDenhamKeepOff) {
+  Statement statement = cart(kNoBound, kNoBound);
+  statement.states = {
+      {.name = "x", .upper = 1.0 / 9.0, .start = 0.0, .end = 0.0},
+      {.name = "v", .start = 1.0, .end = -1.0}};
+  statement.duration = Duration::fixed(1.0);
+  const Problem problem(Cart{{}, true}, statement);
+
+  const Answer answer = expect_cost(problem, 4.0, {.tolerance = 1e-5});
+
+  ASSERT_EQ(answer.prices.size(), 1U);
+  // d(4/9l)/dl = −36; multipliers err by the root of what the cost does.
+  EXPECT_NEAR(answer.prices[0].by_upper, -36.0, 36.0 * 1e-2);
+}
+
+/// x' = v cos β, z' = v sin β, v' = g sin β, g = 1/2.
+struct Bead : Sizes<3, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const S& v = at.states[2];
+    const S c = cos(at.controls[0]), s = sin(at.controls[0]);
+    return {S(1.0), {v * c, v * s, s * 0.5}};
+  }
+};
+
+/// The cycloid with the ends 3 apart and 1 below each other.
+TEST(Posed, TheFastestBeadRunsOnACycloid) {
+  const Problem problem(
+      Bead{}, {.name = "bead",
+               .states = {{.name = "x", .start = 0.0, .end = 3.0},
+                          {.name = "z", .start = 0.0, .end = 1.0},
+                          {.name = "v",
+                           .lower = 0.0,
+                           .start = 0.0,
+                           .guess = [](double t) { return std::sqrt(t); }}},
+               .controls = {{.name = "slope",
+                             .lower = -2.0,
+                             .upper = 2.0,
+                             .guess = [](double t) { return 1.5 - 2.0 * t; }}},
+               .duration = {.guess = 4.0}});
+
+  expect_cost(problem, 4.510563136746752);
+}
+
+/// ∫ x ds of a chain of given length.
+struct Chain : Sizes<2, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const S& u = at.controls[0];
+    const S along = sqrt(u * u + 1.0);
+    return {at.states[0] * along, {u, along}};
+  }
+};
+
+/// x = a cosh((t − b)/a) + c through (0, 1) and (1, 3) with the length 4.
+TEST(Posed, AHangingChainIsACatenary) {
+  double low = 0.01, high = 10.0;
+  for (int i = 0; i < 200; ++i) {
+    const double a = 0.5 * (low + high);
+    (2.0 * a * std::sinh(0.5 / a) > std::sqrt(12.0) ? low : high) = a;
+  }
+  const double a = low, b = 0.5 - a * std::atanh(0.5);
+  const double c = 1.0 - a * std::cosh(b / a);
+  const double exact =
+      0.5 * a +
+      0.25 * a * a * (std::sinh(2.0 * (1.0 - b) / a) + std::sinh(2.0 * b / a)) +
+      4.0 * c;
+  const Problem problem(
+      Chain{}, {.name = "chain",
+                .states = {{.name = "x", .start = 1.0, .end = 3.0},
+                           {.name = "length", .start = 0.0, .end = 4.0}},
+                .controls = {{.name = "slope",
+                              .guess = [](double t) { return 8.0 * t - 3.0; }}},
+                .duration = Duration::fixed(1.0)});
+
+  expect_cost(problem, exact);
+}
+
+struct Drift : Sizes<1, 1, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const S& u = at.controls[0];
+    return {u * u * 0.5, {at.parameters[0] + u}};
+  }
+  template <class S>
+  [[nodiscard]] S end_cost(const Ends<S>& ends) const {
+    return ends.parameters[0] * ends.parameters[0] * 0.5;
+  }
+};
+
+/// Half of the way each.
+TEST(Posed, AParameterSharesWhatItCosts) {
+  const Problem problem(Drift{},
+                        {.name = "drift",
+                         .states = {{.name = "x", .start = 0.0, .end = 1.0}},
+                         .controls = {{.name = "u"}},
+                         .parameters = {{.name = "drift"}},
+                         .duration = Duration::fixed(1.0)});
+
+  const Answer answer = expect_cost(problem, 0.25);
+
+  EXPECT_NEAR(answer.parameters[0], 0.5, 1e-9);
+}
+
+/// To a circle of radius 1 about (2, 0).
+struct ToACircle : Sizes<2, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const auto& [u, v] = at.controls;
+    return {(u * u + v * v) * 0.5, {u, v}};
+  }
+  template <class S>
+  [[nodiscard]] std::array<S, 1> limits(const Point<S>& at) const {
+    return {at.controls[0]};
+  }
+  template <class S>
+  [[nodiscard]] std::array<S, 1> end_conditions(const Ends<S>& ends) const {
+    const S x = ends.end[0] - 2.0, y = ends.end[1];
+    return {x * x + y * y};
+  }
+};
+
+/// At the distance 1, straight and evenly: 1/2.
+TEST(Posed, AConditionOfTheEndIsKept) {
+  Statement statement{
+      .name = "to a circle",
+      .states = {{.name = "x", .start = 0.0}, {.name = "y", .start = 0.0}},
+      .controls = {{.name = "u"}, {.name = "v"}},
+      .limits = {{.name = "speed", .upper = 2.0}},
+      .end_conditions = {{"circle", 1.0, 1.0}},
+      .duration = Duration::fixed(1.0)};
+  const Problem problem(ToACircle{}, statement);
+
+  expect_cost(problem, 0.5);
+}
+
+}  // namespace
+}  // namespace brachisto::ocp

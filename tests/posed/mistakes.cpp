@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What is said of mistakes in stated problems.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+#include "brachisto/ocp.hpp"
+
+namespace brachisto::ocp {
+namespace {
+
+/// x' = u, and a cost.
+template <class Cost>
+struct Line : Sizes<1, 1> {
+  Cost cost;
+  explicit Line(Cost of) : cost(of) {}
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {cost(at.states[0], at.controls[0]), {at.controls[0]}};
+  }
+};
+
+const auto kSquare = [](const auto& /*x*/, const auto& u) { return u * u; };
+
+Statement line() {
+  return {.name = "line",
+          .states = {{.name = "x", .start = 0.0, .end = 1.0}},
+          .controls = {{.name = "u"}},
+          .duration = Duration::fixed(1.0)};
+}
+
+template <class Cost>
+std::string refusal(Cost cost, const Statement& statement) {
+  try {
+    (void)Problem(Line(cost), statement);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// That a text has all of these.
+void expect_says(const std::string& text,
+                 std::initializer_list<const char*> parts) {
+  for (const char* part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << text << "\n" << part;
+  }
+}
+
+TEST(PosedMistakes, AWrongNumberOfStatesIsCounted) {
+  Statement statement = line();
+  statement.states.push_back({.name = "y"});
+
+  expect_says(refusal(kSquare, statement),
+              {"line", "1 states", "2 are stated"});
+}
+
+TEST(PosedMistakes, ANumberThatIsNoneNamesItsState) {
+  Statement statement = line();
+  statement.states[0].end = std::nan("");
+
+  expect_says(refusal(kSquare, statement), {"the end of x is not finite"});
+}
+
+TEST(PosedMistakes, AnEndOutsideOfItsBoundsIsNamed) {
+  Statement statement = line();
+  statement.states[0].upper = 0.5;
+
+  expect_says(refusal(kSquare, statement),
+              {"the end of x, 1, is not between its bounds"});
+}
+
+TEST(PosedMistakes, CrossedBoundsAreNamed) {
+  Statement statement = line();
+  statement.controls[0].lower = 2.0;
+  statement.controls[0].upper = 1.0;
+
+  expect_says(refusal(kSquare, statement), {"the bounds of u, 2 and 1"});
+}
+
+TEST(PosedMistakes, AGuessThatIsNotFiniteNamesItsPlace) {
+  Statement statement = line();
+  statement.states[0].guess = [](double t) { return std::log(0.5 - t); };
+
+  expect_says(refusal(kSquare, statement),
+              {"the guess of x is not finite after 50 %"});
+}
+
+TEST(PosedMistakes, AFormulaThatIsNotFiniteAtTheGuessNamesRateAndPlace) {
+  const auto cost = [](const auto& x, const auto& u) {
+    return u * u + log(x - 0.5);
+  };
+  const Answer answer = Problem(Line(cost), line()).solve();
+
+  EXPECT_EQ(answer.status, Status::NotEvaluable);
+  expect_says(answer.message, {"the cost's rate is not finite", "x = 0."});
+}
+
+TEST(PosedMistakes, WhatCannotBeReachedNamesTheEquation) {
+  Statement statement = line();
+  statement.controls[0].lower = 0.0;
+  statement.controls[0].upper = 0.5;
+  const Answer answer = Problem(Line(kSquare), statement).solve();
+
+  EXPECT_NE(answer.status, Status::Solved);
+  expect_says(answer.message,
+              {"no path was found", "defect of x", "missed by"});
+}
+
+TEST(PosedMistakes, ACostWithoutABoundNamesWhatGrows) {
+  const auto cost = [](const auto& x, const auto& u) { return x - u * u; };
+  Statement statement = line();
+  statement.states[0].end = {};
+  const Answer answer = Problem(Line(cost), statement).solve();
+
+  EXPECT_NE(answer.status, Status::Solved);
+  expect_says(answer.message, {"falls without bound", "has grown to"});
+}
+
+/// The sign of x − 1/3 as a cost.
+TEST(PosedMistakes, AJumpOfAFormulaNamesItsPlace) {
+  const auto cost = [](const auto& x, const auto& u) {
+    const auto from = (x - 1.0 / 3.0) * 1e9;
+    return u * u + from / sqrt(from * from + 1.0);
+  };
+  const Answer answer = Problem(Line(cost), line())
+                            .solve({.most_elements = 200, .most_passes = 8});
+
+  EXPECT_FALSE(answer.verified());
+  expect_says(answer.message, {"line"});
+  EXPECT_FALSE(answer.why_not().empty());
+}
+
+TEST(PosedMistakes, NothingHasToBeGuessed) {
+  const Answer answer = Problem(Line(kSquare), line()).solve();
+
+  EXPECT_TRUE(answer.verified()) << answer.why_not();
+  EXPECT_NEAR(answer.cost, 1.0, 1e-10);
+}
+
+}  // namespace
+}  // namespace brachisto::ocp

@@ -25,6 +25,11 @@ packages=(
   libcli11-dev libsqlite3-dev libxxhash-dev libexpat1-dev libgtest-dev libgmock-dev gnuplot-nox fonts-dejavu-core
   libjs-dygraphs
 )
+# Arb, for proofs: from Debian 13 on a part of FLINT.
+case "$(. /etc/os-release && echo "${VERSION_ID:-}")" in
+  12) packages+=(libflint-arb-dev) ;;
+  *) packages+=(libflint-dev) ;;
+esac
 # Of the Python module.
 python_packages=(pybind11-dev python3-dev python3-numpy)
 # Of the tests alone: a validator of others for the schemas, readers of others for DXF and .nl files,

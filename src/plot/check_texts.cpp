@@ -19,6 +19,9 @@ constexpr std::array kTexts{
     CheckText{"closure",
               "the slope at the end, against the one that the place of the end "
               "was built from"},
+    CheckText{"shooting",
+              "what the path misses at its end that was shot, with others side "
+              "by side"},
     CheckText{"closure_at_A",
               "the same at the start, which an initial speed leaves open"},
     CheckText{"end_slope", "the slope at B, against the one that is given"},

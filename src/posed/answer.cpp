@@ -16,30 +16,30 @@ namespace brachisto::ocp {
 namespace {
 
 MeshPath path_of(const Answer& answer) {
-  const Statement& said = answer.statement_;
+  const Statement& said = answer.made_of.statement;
   const int states =
       static_cast<int>(said.states.size() + said.parameters.size());
-  const Layout layout(answer.mesh_.num_points(), {}, states,
+  const Layout layout(answer.made_of.mesh.num_points(), {}, states,
                       static_cast<int>(said.controls.size()),
                       states + static_cast<int>(said.limits.size()));
-  return {answer.mesh_, layout, answer.point_};
+  return {answer.made_of.mesh, layout, answer.made_of.point};
 }
 
 Place place_of(const Answer& answer, const MeshPath& path, double sigma,
                PathValues here) {
-  keep_in_bounds(answer.statement_, answer.scales_, here);
+  keep_in_bounds(answer.made_of.statement, answer.made_of.scales, here);
   Place out{.time = sigma * path.duration(),
             .states = {},
             .controls = {},
             .costates = {}};
-  const std::size_t states = answer.statement_.states.size();
+  const std::size_t states = answer.made_of.statement.states.size();
   for (std::size_t s = 0; s < states; ++s) {
-    out.states.push_back(here.states[s] * answer.scales_[s]);
-    out.costates.push_back(here.costates[s] / answer.scales_[s]);
+    out.states.push_back(here.states[s] * answer.made_of.scales[s]);
+    out.costates.push_back(here.costates[s] / answer.made_of.scales[s]);
   }
   for (std::size_t k = 0; k < here.controls.size(); ++k) {
     out.controls.push_back(here.controls[k] *
-                           answer.scales_[here.states.size() + k]);
+                           answer.made_of.scales[here.states.size() + k]);
   }
   return out;
 }
@@ -75,24 +75,25 @@ Place Answer::at(double time) const {
 std::vector<Place> Answer::nodes() const {
   const MeshPath path = path_of(*this);
   std::vector<Place> out{place_of(*this, path, 0.0, path.values(0, 0.0))};
-  for (int e = 0; e < mesh_.num_elements(); ++e) {
-    for (const double t : radau_scheme(mesh_.degree).rule.points) {
+  for (int e = 0; e < made_of.mesh.num_elements(); ++e) {
+    for (const double t : radau_scheme(made_of.mesh.degree).rule.points) {
       out.push_back(
-          place_of(*this, path, mesh_.sigma(e, t), path.values(e, t)));
+          place_of(*this, path, made_of.mesh.sigma(e, t), path.values(e, t)));
     }
   }
   return out;
 }
 
 std::string Answer::csv() const {
-  std::string out = with_unit("t", statement_.time_unit);
-  for (const Variable& state : statement_.states) {
+  std::string out = with_unit("t", made_of.statement.time_unit);
+  for (const Variable& state : made_of.statement.states) {
     out += "," + with_unit(state.name, state.unit);
   }
-  for (const Variable& control : statement_.controls) {
+  for (const Variable& control : made_of.statement.controls) {
     out += "," + with_unit(control.name, control.unit);
   }
-  for (const Variable& state : statement_.states) out += ",p_" + state.name;
+  for (const Variable& state : made_of.statement.states)
+    out += ",p_" + state.name;
   out += '\n';
   for (const Place& place : nodes()) {
     out += fmt::format("{:.17g}", place.time);
@@ -110,17 +111,18 @@ std::string Answer::svg() const {
   std::vector<Place> places;
   constexpr int kSteps = 400;
   for (int i = 0; i <= kSteps; ++i) places.push_back(at(duration * i / kSteps));
-  const std::size_t states = statement_.states.size();
-  const std::size_t count = states + statement_.controls.size();
+  const std::size_t states = made_of.statement.states.size();
+  const std::size_t count = states + made_of.statement.controls.size();
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" "
       "font-family=\"sans-serif\" font-size=\"12\">\n<title>{}</title>\n",
       kLeft + kWidth + kGap,
       kGap + static_cast<double>(count) * (kHeight + kGap) + kGap,
-      statement_.name);
+      made_of.statement.name);
   for (std::size_t i = 0; i < count; ++i) {
-    const Variable& variable =
-        i < states ? statement_.states[i] : statement_.controls[i - states];
+    const Variable& variable = i < states
+                                   ? made_of.statement.states[i]
+                                   : made_of.statement.controls[i - states];
     const auto value = [&](const Place& place) {
       return i < states ? place.states[i] : place.controls[i - states];
     };

@@ -265,15 +265,15 @@ void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
     const double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
     answer_.junctions.push_back(place * answer_.duration);
   }
-  answer_.mesh_ = fine.mesh;
-  answer_.point_ = fine.result.point;
+  answer_.made_of.mesh = fine.mesh;
+  answer_.made_of.point = fine.result.point;
   put_prices(problem_, *fine.program, fine.path(), fine.result.point, answer_);
 }
 
 Answer Solve::run() {
   const double began = thread_cpu_seconds();
-  answer_.statement_ = said_;
-  answer_.scales_ = problem_.scales();
+  answer_.made_of.statement = said_;
+  answer_.made_of.scales = problem_.scales();
   RefinedMesh next{uniform_mesh(by_.degree, by_.elements).boundaries, {}};
   std::optional<OnMesh> best;
   std::optional<MeshPath> nearby;

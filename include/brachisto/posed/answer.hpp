@@ -92,17 +92,19 @@ class Answer {
   [[nodiscard]] Place at(double time) const;
   /// The start and the collocation points.
   [[nodiscard]] std::vector<Place> nodes() const;
-  [[nodiscard]] const Statement& statement() const { return statement_; }
+  [[nodiscard]] const Statement& statement() const { return made_of.statement; }
   /// Names with units in the first line, then nodes().
   [[nodiscard]] std::string csv() const;
   /// Curves of states and controls over time, one below the other.
   [[nodiscard]] std::string svg() const;
 
-  // What it was made of.
-  Statement statement_;
-  Mesh mesh_;
-  PrimalDual point_;  ///< in scaled variables
-  std::vector<double> scales_;
+  /// What the path is read from.
+  struct Source {
+    Statement statement;
+    Mesh mesh;
+    PrimalDual point;  ///< in scaled variables
+    std::vector<double> scales;
+  } made_of;
 };
 
 }  // namespace brachisto::ocp

@@ -43,7 +43,7 @@ struct Tree {
   const fs::path out = tools.path() / "out";
   const int status = std::system(("cd '" + where.string() + "' && PATH='" +
                                   tree().programs.string() +
-                                  "':$PATH timeout 60 " + with + " '" + script +
+                                  "':$PATH timeout 600 " + with + " '" + script +
                                   "' < /dev/null > '" + out.string() + "' 2>&1")
                                      .c_str());
   return {WEXITSTATUS(status), content(out), ""};

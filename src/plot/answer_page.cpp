@@ -243,7 +243,7 @@ std::string motion_section(const Scene& scene, const Json& result,
   }
   std::string said =
       scene.body.rolls()
-          ? "The dark sectors of the rim leave the dark pieces of "
+          ? "The thick sectors of the rim leave the thick pieces of "
             "the track: as long as each other, for the body does "
             "not slip. The ring marks where they touch. "
           : "";

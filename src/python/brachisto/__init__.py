@@ -15,7 +15,7 @@
 from brachisto._core import __version__
 from brachisto._compare import Comparison, compare
 from brachisto._errors import Diagnostic, InputError, NotVerified
-from brachisto._pages import Race, race
+from brachisto._race import Race, race
 from brachisto._result import Record, Result, design, sensitivities, solve
 from brachisto._scene import Scene, validate
 from brachisto._sweep import Row, Sweep, sweep

@@ -17,6 +17,7 @@
 #include "math/angle.hpp"
 #include "plot/answer_tables.hpp"
 #include "plot/motion_data.hpp"
+#include "plot/result_values.hpp"
 #include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
@@ -35,23 +36,6 @@ using report::xml_escaped;
 
 /// Dashes of tracks that share a colour.
 constexpr std::array kTrackDashes{"", "7 3", "2 3", "9 3 2 3"};
-
-double numeric(const Json& json, std::string_view key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
-                                                   : std::nan("");
-}
-
-std::string said(const Json& json, std::string_view key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>()
-                                                   : std::string();
-}
-
-bool holds(const Json& json, std::string_view key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_boolean() && found->get<bool>();
-}
 
 /// Between ticks: 1, 2 or 5 times a power of ten, at most so many steps on a
 /// range.
@@ -261,12 +245,6 @@ void name_ends(Drawing& drawing, const TrajectoryTable& table) {
   drawing.end("B", {x.back(), z.back()}, {0.0, 16.0});
 }
 
-/// T or τ with the digits that the error leaves.
-std::string with_its_error(const Json& result, std::string_view key) {
-  const double value = numeric(result, key);
-  return report::with_error(value, numeric(result, "estimated_error") * value);
-}
-
 std::string card(const std::string& content) {
   return "<div class=\"brachisto-card\" style=\"display:flex;flex-wrap:wrap;"
          "gap:1em 2em;align-items:center\">\n" +
@@ -282,24 +260,22 @@ std::string row(std::string_view name, const std::string& value) {
 }
 
 std::string judged(const Json& result) {
-  if (!holds(result, "verified")) return "not verified";
-  if (holds(result, "feasible")) return "verified, feasible";
+  if (!is_true(result, "verified")) return "not verified";
+  if (is_true(result, "feasible")) return "verified, feasible";
   std::string out = "verified, infeasible";
-  const Json reasons = result.value("infeasible_because", Json::array());
+  const std::vector<std::string> reasons = words(result, "infeasible_because");
   for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!reasons[i].is_string()) continue;
-    out += (i == 0 ? ": " : "; ") + symbols_html(reasons[i].get<std::string>());
+    out += (i == 0 ? ": " : "; ") + symbols_html(reasons[i]);
   }
   return out;
 }
 
 std::string figure_rows(const Json& result, const Scene& scene) {
   std::string out =
-      row("transit time T", with_its_error(result, "transit_time") + " s") +
-      row("τ = T √(2g/H)", with_its_error(result, "tau")) +
-      row("length of the track",
-          printed(numeric(result, "rail_length")) + " m");
-  const double turned = numeric(result, "rotation");
+      row("transit time T", time_text(result, "transit_time") + " s") +
+      row("τ = T √(2g/H)", time_text(result, "tau")) +
+      row("length of the track", printed(number(result, "rail_length")) + " m");
+  const double turned = number(result, "rotation");
   if (scene.body.rolls() && std::isfinite(turned)) {
     out += row("the body turns", printed(math::in_degrees(turned)) + "°");
   }
@@ -307,8 +283,8 @@ std::string figure_rows(const Json& result, const Scene& scene) {
       force != result.end() && force->is_object()) {
     out += row(symbols_html("normal force R_n"),
                fmt::format("{} to {} m g",
-                           printed(told_force(numeric(*force, "min")), 4),
-                           printed(numeric(*force, "max"), 4)));
+                           printed(told_force(number(*force, "min")), 4),
+                           printed(number(*force, "max"), 4)));
   }
   return out + row("verdict", judged(result));
 }
@@ -341,8 +317,8 @@ std::string answer_card(const Json& result, const Scene& scene,
 std::string failure_card(const Json& result) {
   return card(
       fmt::format("<table>\n<tbody>\n{}{}{}</tbody>\n</table>\n",
-                  row("status", xml_escaped(said(result, "status"))),
-                  row("why", symbols_html(said(result, "message"))),
+                  row("status", xml_escaped(text_of(result, "status"))),
+                  row("why", symbols_html(text_of(result, "message"))),
                   row("verdict", "not verified: there is no motion to show")));
 }
 
@@ -366,15 +342,15 @@ std::string race_card(const std::vector<Racer>& racers) {
     const std::string style = stroke(i, below);
     drawing.track(racer.table, style);
     constexpr double kShownOfT = 5e-7;  // [s]
-    const double T = numeric(racer.result, "transit_time");
-    const double error = numeric(racer.result, "estimated_error") * T;
+    const double T = number(racer.result, "transit_time");
+    const double error = number(racer.result, "estimated_error") * T;
     rows += fmt::format(
         "<tr><td>{}</td><th scope=\"row\" style=\"text-align:left\">"
         "<svg viewBox=\"0 0 30 6\" width=\"30\" height=\"6\" "
         "aria-hidden=\"true\"><path d=\"M0 3H30\" {}/></svg> {}{}</th>"
         "<td>{}</td><td>{}</td></tr>\n",
         i + 1, style, xml_escaped(racer.name),
-        holds(racer.result, "feasible") ? "" : " (infeasible)",
+        is_true(racer.result, "feasible") ? "" : " (infeasible)",
         report::within_error(T, std::max(error, kShownOfT)),
         behind(racers.front(), racer));
   }

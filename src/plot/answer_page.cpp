@@ -18,6 +18,7 @@
 #include "plot/answer_drawings.hpp"
 #include "plot/answer_tables.hpp"
 #include "plot/motion_data.hpp"
+#include "plot/result_values.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
@@ -33,33 +34,6 @@ namespace {
 using report::Json;
 using report::printed;
 using report::xml_escaped;
-
-double number(const Json& json, std::string_view key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
-                                                   : std::nan("");
-}
-
-bool is_true(const Json& json, std::string_view key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_boolean() && found->get<bool>();
-}
-
-std::vector<std::string> words(const Json& json, std::string_view key) {
-  std::vector<std::string> out;
-  const auto found = json.find(key);
-  if (found == json.end() || !found->is_array()) return out;
-  for (const Json& one : *found) {
-    if (one.is_string()) out.push_back(one.get<std::string>());
-  }
-  return out;
-}
-
-/// T or τ with the digits that the error leaves.
-std::string time_text(const Json& result, std::string_view key) {
-  const double value = number(result, key);
-  return report::with_error(value, number(result, "estimated_error") * value);
-}
 
 std::string degrees(double radians) {
   return printed(math::in_degrees(radians), 6) + "°";

@@ -176,23 +176,33 @@ class Certifier {
       }
     });
   }
-  /// Where a rate changes by as much on shorter and shorter stretches.
+  /// Where a rate changes by half as much between points as good as one.
   [[nodiscard]] std::string jump_between(int e, double a, double b) const {
-    const auto rates = [&](double t) { return formulas(values(e, t).point()); };
-    std::vector<double> left = rates(a), right = rates(b);
+    constexpr double kOne = 1e-7, kMuch = 1e-3, kHalf = 0.5;
+    const auto point = [&](double t) { return values(e, t).point(); };
+    const auto apart = [&](double l, double r) {
+      const std::vector<double> one = point(l), other = point(r);
+      double most = 0.0;
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        most = std::max(most, std::abs(one[i] - other[i]));
+      }
+      return most;
+    };
+    const std::vector<double> left = formulas(point(a)),
+                              right = formulas(point(b));
     for (std::size_t s = 0; s <= states_; ++s) {
       double l = a, r = b, vl = left[s], vr = right[s];
       const double first = std::abs(vr - vl);
-      if (!(first > 1e-6 * (1.0 + std::abs(vl)))) continue;
-      for (int i = 0; i < 36; ++i) {
-        const double middle = 0.5 * (l + r), vm = rates(middle)[s];
+      if (!(first > kMuch * (1.0 + std::abs(vl)))) continue;
+      while (apart(l, r) > kOne && std::abs(vr - vl) >= kHalf * first) {
+        const double middle = 0.5 * (l + r), vm = formulas(point(middle))[s];
         if (std::abs(vm - vl) > std::abs(vr - vm)) {
           r = middle, vr = vm;
         } else {
           l = middle, vl = vm;
         }
       }
-      if (std::abs(vr - vl) < 0.5 * first) continue;
+      if (!(std::abs(vr - vl) >= kHalf * first)) continue;
       const PathValues here = values(e, l);
       std::string place;
       for (std::size_t i = 0; i < said_.states.size(); ++i) {

@@ -21,12 +21,6 @@ const Variable& variable(const Statement& said, std::size_t i) {
   return said.controls[i - said.parameters.size()];
 }
 
-double sigma(const Mesh& mesh, int point) {
-  const CollocationScheme& scheme = radau_scheme(mesh.degree);
-  return mesh.sigma(point / mesh.degree,
-                    scheme.rule.points[at(point % mesh.degree)]);
-}
-
 PrimalDual guess(const Posed& problem, const Mesh& mesh) {
   const Statement& said = problem.statement();
   const std::size_t states = said.states.size() + said.parameters.size();

@@ -17,9 +17,6 @@ namespace brachisto::ocp {
 /// Of states, then parameters, then controls.
 [[nodiscard]] const Variable& variable(const Statement& said, std::size_t i);
 
-/// Where a collocation point is, 0 … 1.
-[[nodiscard]] double sigma(const Mesh& mesh, int point);
-
 [[nodiscard]] PrimalDual guess(const Posed& problem, const Mesh& mesh);
 
 /// Which formula is not finite on a path, and where; empty if all are.

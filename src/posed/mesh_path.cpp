@@ -29,6 +29,12 @@ double MeshPath::duration() const {
   return point_.x[at(layout_.last())];
 }
 
+double sigma(const Mesh& mesh, int point) {
+  const CollocationScheme& scheme = radau_scheme(mesh.degree);
+  return mesh.sigma(point / mesh.degree,
+                    scheme.rule.points[at(point % mesh.degree)]);
+}
+
 PathValues MeshPath::values(int element, double t) const {
   const CollocationScheme& scheme = radau_scheme(mesh_.degree);
   const int p = mesh_.degree;
@@ -68,14 +74,9 @@ PrimalDual MeshPath::on(const Mesh& mesh, const Layout& layout) const {
   PrimalDual out;
   out.x.assign(at(layout.num_variables()), 0.0);
   out.x[at(layout.last())] = duration();
-  const CollocationScheme& scheme = radau_scheme(mesh.degree);
   for (int node = 0; node < layout.num_nodes(); ++node) {
     const int c = node - 1;
-    const double sigma =
-        node == 0 ? 0.0
-                  : mesh.sigma(c / mesh.degree,
-                               scheme.rule.points[at(c % mesh.degree)]);
-    const PathValues here = values(sigma);
+    const PathValues here = values(node == 0 ? 0.0 : sigma(mesh, c));
     for (int s = 0; s < layout.num_states(); ++s) {
       out.x[at(layout.state(node, s))] = here.states[at(s)];
     }

@@ -50,6 +50,9 @@ class MeshPath {
   PrimalDual point_;
 };
 
+/// Where a collocation point of Radau's scheme is, 0 … 1.
+[[nodiscard]] double sigma(const Mesh& mesh, int point);
+
 /// Each element cut in two.
 [[nodiscard]] Mesh halved(const Mesh& mesh);
 

@@ -69,6 +69,7 @@ class Checker {
 
   void operator()(const Variable& variable, bool is_state) {
     named(variable.name);
+    printable(variable.unit, "the unit of " + variable.name);
     range(variable.name, variable.lower, variable.upper);
     if (!(variable.scale >= 0.0) || std::isinf(variable.scale)) {
       refuse("the scale of {} is not a positive number", variable.name);
@@ -104,6 +105,12 @@ class Checker {
              lower, upper);
     }
   }
+  /// Texts stand in tables and pictures as they are.
+  void printable(const std::string& text, const std::string& what) {
+    if (text.find_first_of(",<>&\"\n") != std::string::npos) {
+      refuse("{} holds one of , < > & \" or a new line", what);
+    }
+  }
   template <class... Values>
   [[noreturn]] void refuse(const char* text, const Values&... values) {
     throw std::invalid_argument(said_.name + ": " +
@@ -113,6 +120,7 @@ class Checker {
  private:
   void named(const std::string& name) {
     if (name.empty()) refuse("something has no name");
+    printable(name, "the name " + name);
     if (!names_.insert(name).second) refuse("two things are named {}", name);
   }
 
@@ -124,6 +132,8 @@ class Checker {
 
 void check(const Statement& statement) {
   Checker check(statement);
+  check.printable(statement.name, "this name");
+  check.printable(statement.time_unit, "the unit of time");
   for (const Variable& state : statement.states) check(state, true);
   for (const Variable& parameter : statement.parameters) {
     check(parameter, false);

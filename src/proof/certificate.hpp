@@ -29,6 +29,10 @@ class Refused : public std::runtime_error {
 /// \throws NotProven  if not even that the extremal exists
 [[nodiscard]] Json prove(const Scene& scene, const Accuracy& accuracy);
 
+/// Of a certificate without its digest: tells what was changed by accident or
+/// by an editor. What a check believes does not rest on it.
+[[nodiscard]] std::string digest(Json certificate);
+
 /// The scene of a certificate.
 /// \throws Refused  if it is of another version, or its digest is not its own
 [[nodiscard]] Scene scene_of(const Json& certificate);

@@ -15,7 +15,7 @@ namespace brachisto {
 
 namespace {
 
-bool fits(const ScenePosed& posed) {
+bool fits(const SceneToSolve& posed) {
   const auto* program = posed.options.of<Collocation>();
   return program != nullptr && program->in_lanes &&
          posed.options.follows_the_branch() &&
@@ -29,7 +29,7 @@ bool fits(const ScenePosed& posed) {
              posed.scene.body.theta_m;
 }
 
-std::optional<Solution> judged(const ScenePosed& posed,
+std::optional<Solution> judged(const SceneToSolve& posed,
                                const lanes::Extremal& extremal) {
   const double wanted =
       posed.options.or_default<Collocation>().discretisation.wanted_tolerance();
@@ -57,7 +57,7 @@ std::optional<Solution> judged(const ScenePosed& posed,
 }  // namespace
 
 std::vector<std::optional<Solution>> solve_in_lanes(
-    std::span<const ScenePosed> scenes) {
+    std::span<const SceneToSolve> scenes) {
   const WallClock::time_point begin = WallClock::now();
   std::vector<std::size_t> places;
   std::vector<Scene> fitting;

@@ -15,7 +15,7 @@
 namespace brachisto {
 
 /// A scene and how it is to be solved.
-struct ScenePosed {
+struct SceneToSolve {
   Scene scene;
   SolveOptions options;
 };
@@ -26,6 +26,6 @@ struct ScenePosed {
 /// nothing: their own solve is for them. No solution depends on which scenes
 /// stand beside it.
 [[nodiscard]] std::vector<std::optional<Solution>> solve_in_lanes(
-    std::span<const ScenePosed> scenes);
+    std::span<const SceneToSolve> scenes);
 
 }  // namespace brachisto

@@ -10,13 +10,13 @@
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "brachisto/report/result.hpp"
 #include "report/csv.hpp"
 #include "report/text_table.hpp"
+#include "sweep/lanes.hpp"
 #include "sweep/outcome.hpp"
 
 namespace brachisto::sweep {
@@ -69,18 +69,18 @@ constexpr const char* kSlopes[] = {
 
 std::vector<const char*> figures_of(const io::SweepFile& file) {
   std::vector<const char*> figures(std::begin(kFigures), std::end(kFigures));
-  const auto swept = [&](std::string_view path) {
-    return std::ranges::any_of(
-        file.keys(), [&](const io::SweepKey& key) { return key.path == path; });
-  };
-  const Collocation first =
-      file.num_scenes() > 0 ? file.problem(0).options.or_default<Collocation>()
-                            : Collocation{};
-  if (swept("solver.sensitivities") ||
-      first.sensitivities != SensitivityOrder::None) {
+  const bool swept =
+      std::ranges::any_of(file.keys(), [](const io::SweepKey& key) {
+        return key.path == "solver.sensitivities";
+      });
+  const bool asked =
+      file.num_scenes() > 0 &&
+      file.problem(0).options.or_default<Collocation>().sensitivities !=
+          SensitivityOrder::None;
+  if (swept || asked) {
     figures.insert(figures.end(), std::begin(kSlopes), std::end(kSlopes));
   }
-  if (swept("solver.method") || first.in_lanes) figures.push_back("/engine");
+  if (asks_for_lanes(file)) figures.push_back("/engine");
   return figures;
 }
 

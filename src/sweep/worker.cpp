@@ -18,8 +18,8 @@
 
 #include "brachisto/study/solve.hpp"
 #include "math/wall_clock.hpp"
-#include "study/in_lanes.hpp"
 #include "sweep/job.hpp"
+#include "sweep/lanes.hpp"
 #include "sweep/message.hpp"
 #include "sweep/outcome.hpp"
 
@@ -45,45 +45,6 @@ Answer search_from_scene(const io::SweepFile& file, std::size_t scene,
   }
   return answer;
 }
-
-/// What lanes make of scenes, eight at a time, in the order of these.
-class InLanes {
- public:
-  InLanes(const io::SweepFile& file, std::size_t first, std::size_t last)
-      : file_(file), next_(first), last_(last) {}
-
-  /// The solution of the next scene, or nothing.
-  std::optional<Solution> next() {
-    if (place_ == found_.size()) look_ahead();
-    return std::move(found_[place_++]);
-  }
-
- private:
-  static constexpr std::size_t kAtOnce = 8;
-
-  void look_ahead() {
-    const std::size_t end = std::min(last_, next_ + kAtOnce);
-    std::vector<ScenePosed> posed;
-    for (; next_ < end; ++next_) {
-      try {
-        const io::ProblemFile problem = file_.problem(next_);
-        posed.push_back({problem.scene, problem.options});
-      } catch (const std::exception&) {
-        posed.emplace_back();  // its own solve says why
-      }
-    }
-    place_ = 0;
-    try {
-      found_ = solve_in_lanes(posed);
-    } catch (const std::exception&) {
-      found_.assign(posed.size(), std::nullopt);
-    }
-  }
-
-  const io::SweepFile& file_;
-  std::size_t next_, last_, place_ = 0;
-  std::vector<std::optional<Solution>> found_;
-};
 
 /// Solves one scene; `neighbour` becomes what the next may start from.
 /// \param in_lanes  its solution, if it was solved with others already
@@ -135,7 +96,7 @@ void run_worker(std::istream& in, std::ostream& out) {
       }
     }
     const WallClock::time_point begin = WallClock::now();
-    InLanes lanes(job.file, request.first, request.last);
+    Lanes lanes(job.file, request.first, request.last);
     for (std::size_t i = request.first; i < request.last; ++i) {
       std::optional<double> left = request.seconds;
       if (left) *left -= seconds_since(begin);

@@ -38,10 +38,6 @@ LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
                         nlp::Held::No);
     }
   }
-  for (int i = 0; i < layout.num_start_rows(); ++i) {
-    active_at_rest_.push_back(
-        set.constraints[brachisto::at(layout.start_row(i))] != nlp::Held::No);
-  }
   if (problem_.held()) return;
   // At the end multipliers vanish with p_β, whether a limit is active or not.
   const int limits = layout.num_limits();

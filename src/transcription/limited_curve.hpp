@@ -85,7 +85,7 @@ class LimitedCurve {
   LimitedTime problem_;
   PrimalDual point_;
   double transit_time_;
-  std::vector<bool> active_, active_at_rest_;
+  std::vector<bool> active_;
 };
 
 /// States, controls, costates and multipliers given as a function of the place

@@ -41,11 +41,11 @@ struct Tree {
   const ScratchDirectory tools;
   const std::string script = tools.file("lines", lines + "\n");
   const fs::path out = tools.path() / "out";
-  const int status = std::system(("cd '" + where.string() + "' && PATH='" +
-                                  tree().programs.string() +
-                                  "':$PATH timeout 600 " + with + " '" + script +
-                                  "' < /dev/null > '" + out.string() + "' 2>&1")
-                                     .c_str());
+  const int status = std::system(
+      ("cd '" + where.string() + "' && PATH='" + tree().programs.string() +
+       "':$PATH timeout 600 " + with + " '" + script + "' < /dev/null > '" +
+       out.string() + "' 2>&1")
+          .c_str());
   return {WEXITSTATUS(status), content(out), ""};
 }
 

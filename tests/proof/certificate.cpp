@@ -84,6 +84,35 @@ TEST(Certificate, IsRefusedWhenEditedOrOfAnother) {
   EXPECT_FALSE(is_of(certificate(), other));
 }
 
+/// What check() says of an edited file whose digest is its own again.
+std::string refusal_of_forged(const std::function<void(Json&)>& edit) {
+  return refusal([&](Json& c) {
+    edit(c);
+    c["digest"] = digest(c);
+  });
+}
+
+// τ to more digits than can be shown, an end that is not that of the ball, and
+// a theorem that nobody shows.
+TEST(Certificate, IsRefusedWhenForgedThoughItsDigestFits) {
+  const Bits bits(256);
+  Real tau;
+  ASSERT_TRUE(Real::read(
+      certificate()["enclosures"]["tau"]["ball"].get<std::string>(), tau));
+  EXPECT_NE(refusal_of_forged([&](Json& c) {
+              c["enclosures"]["tau"]["ball"] = tau.middle().exact();
+            }).find("its tau"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_forged([](Json& c) {
+              c["enclosures"]["tau"]["upper"] = "4.6";
+            }).find("its tau"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_forged([](Json& c) {
+              c["theorems"]["global_minimum"] = {{"holds", true}};
+            }).find("global_minimum"),
+            std::string::npos);
+}
+
 Unknowns box_of(const Json& made) {
   Unknowns out;
   std::size_t i = 0;

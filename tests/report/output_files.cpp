@@ -13,39 +13,22 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "brachisto/math/clock.hpp"
+#include "support/scratch_directory.hpp"
 
 namespace brachisto::report {
 namespace {
 
 namespace fs = std::filesystem;
+using brachisto::testing::content;
+using brachisto::testing::names;
 
 class OutputFiles : public ::testing::Test {
  protected:
-  OutputFiles() {
-    std::string name =
-        (fs::temp_directory_path() / "brachisto-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) std::abort();
-    directory = name;
-  }
-  ~OutputFiles() override { fs::remove_all(directory); }
-
-  [[nodiscard]] static std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  [[nodiscard]] static std::set<std::string> names(const fs::path& path) {
-    std::set<std::string> out;
-    for (const auto& entry : fs::directory_iterator(path)) {
-      out.insert(entry.path().filename().string());
-    }
-    return out;
-  }
   /// What a failing call says; "" if it does not fail.
   [[nodiscard]] std::string failure(const fs::path& where, bool force,
                                     const std::vector<OutputFile>& files) {
@@ -57,7 +40,8 @@ class OutputFiles : public ::testing::Test {
     return "";
   }
 
-  fs::path directory;
+  const brachisto::testing::ScratchDirectory scratch;
+  const fs::path directory = scratch.path();
 };
 
 using Names = std::set<std::string>;

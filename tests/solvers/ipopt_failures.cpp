@@ -19,6 +19,7 @@ using testing::Function;
 using testing::HockSchittkowski7;
 using testing::kStart;
 using testing::LogarithmicBowl;
+using testing::NearestPoint;
 
 /// No relative of std::exception, so that nobody can know how to copy it.
 struct Mishap {
@@ -60,6 +61,20 @@ TEST_P(ExceptionInAnEvaluation, EndsTheRunAtOnce) {
                Mishap);
 
   EXPECT_EQ(thrown, 1);
+}
+
+// With fixed variables Ipopt holds an array while it asks for the Hessian,
+// which is lost if an exception passes: the leak sanitizer would tell.
+TEST(ExceptionInTheHessian, WithAFixedVariableLeaksNothing) {
+  NearestPoint problem;
+  problem.fix(2, 1.0);
+  problem.on_call = [](Function function) {
+    if (function == Function::HessLag) throw Mishap{5, ""};
+  };
+
+  EXPECT_THROW(
+      static_cast<void>(solve_with_ipopt(problem, {{2.0, 2.0, 1.0}, {}}, {})),
+      Mishap);
 }
 
 TEST(ExceptionInALaterIteration, IsRethrownToo) {

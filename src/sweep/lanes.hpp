@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Scenes of a sweep that are solved side by side.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "brachisto/io/problem_file.hpp"
+#include "brachisto/study/solution.hpp"
+
+namespace brachisto::sweep {
+
+/// Whether any scene of a sweep may be.
+[[nodiscard]] bool asks_for_lanes(const io::SweepFile& file);
+
+/// What lanes make of scenes, eight at a time, in the order of these.
+class Lanes {
+ public:
+  Lanes(const io::SweepFile& file, std::size_t first, std::size_t last)
+      : file_(file), asked_(asks_for_lanes(file)), next_(first), last_(last) {}
+
+  /// The solution of the next scene, or nothing.
+  [[nodiscard]] std::optional<Solution> next();
+
+ private:
+  static constexpr std::size_t kAtOnce = 8;
+
+  void look_ahead();
+
+  const io::SweepFile& file_;
+  bool asked_;
+  std::size_t next_, last_, place_ = 0;
+  std::vector<std::optional<Solution>> found_;
+};
+
+}  // namespace brachisto::sweep

@@ -13,6 +13,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "lanes/by_share.hpp"
 #include "lanes/falling_lanes.hpp"
 #include "lanes/many_scenes.hpp"
 #include "lanes/newton_step.hpp"
@@ -37,62 +38,6 @@ using Targets = std::array<Target, kLanes>;
 using Extremals = std::array<Extremal, kLanes>;
 
 namespace detail {
-
-/// The control at the places of the last stages, and by the parabola through
-/// three of them about at another one: stages come back and forth, and the last
-/// one may be far.
-template <class Number>
-class LastControls {
- public:
-  [[nodiscard]] Number near(double sigma) const {
-    Number out(0.0);
-    for (std::size_t i = 0; i < known_; ++i) {
-      double weight = 1.0;
-      for (std::size_t j = 0; j < known_; ++j) {
-        if (j != i) weight *= (sigma - at_[j]) / (at_[i] - at_[j]);
-      }
-      out = out + controls_[i] * Number(weight);
-    }
-    return out;
-  }
-  [[nodiscard]] bool any() const { return known_ > 0; }
-  void see(double sigma, const Number& control) {
-    // A place that comes again keeps its turn: no two are the same.
-    std::size_t place = 0;
-    while (place < known_ && at_[place] != sigma) ++place;
-    if (place == known_) {
-      place = known_ < kMost ? known_++ : oldest_;
-      if (known_ == kMost) oldest_ = (place + 1) % kMost;
-    }
-    at_[place] = sigma;
-    controls_[place] = control;
-  }
-
- private:
-  static constexpr std::size_t kMost = 3;
-  std::array<double, kMost> at_{};
-  std::array<Number, kMost> controls_{};
-  std::size_t known_ = 0, oldest_ = 0;
-};
-
-/// The rates of a flow by the share σ = u/U of each scene's own rolling time.
-template <class Inner, class Number>
-struct BySharePath {
-  using Stack = typename Inner::Stack;
-
-  Inner inner;
-  Number rolling_time;
-  LastControls<Number>* controls;  ///< one for all copies of this
-  bool failed = false;
-
-  void operator()(const Stack& stack, Stack& rates, double sigma) {
-    if (controls->any()) inner.control = controls->near(sigma);
-    inner(stack, rates, sigma);
-    controls->see(sigma, inner.control);
-    failed = inner.failed;
-    for (Number& rate : rates) rate = rate * rolling_time;
-  }
-};
 
 template <int Set>
 class Shooting {
@@ -176,7 +121,7 @@ class Shooting {
                            OnStep&& on_step) const {
     const Flow flow = this->flow();
     using Inner = ocp::FlowRates<Flow, Derivatives, kPX, kPTheta + 1>;
-    using Path = ocp::AdaptiveIntegration<BySharePath<Inner, Number>>;
+    using Path = ocp::AdaptiveIntegration<ByShare<Inner, Number>>;
     const State y0 = start(flow, by);
     LastControls<Number> controls;
     Path path({Inner{flow, start_angle_}, by[3], &controls},

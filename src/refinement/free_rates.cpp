@@ -52,7 +52,7 @@ Scene posed_for_rates(const Scene& scene, const Mesh& mesh,
 }
 
 /// With the law of the first element's side at the start too.
-Scene beginning_on(Scene scene, const std::vector<SphereSide>& sides) {
+Scene beginning_on(Scene scene, const std::vector<FieldSide>& sides) {
   scene.world.side.reset();
   if (!sides.empty()) scene.world.side = sides.front();
   return scene;

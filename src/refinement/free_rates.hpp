@@ -60,7 +60,7 @@ class FreeRates final : public TimeRates {
   /// nothing where there is no sphere.
   struct Elements {
     Mesh mesh;
-    std::vector<SphereSide> sides;
+    std::vector<FieldSide> sides;
   };
   /// The equations of a scene.
   struct Equations {

@@ -70,7 +70,7 @@ void RollingTime::fix_start() {
   fix(layout().state(0, W), initial_w(scene()));
 }
 
-void RollingTime::hold_sides(std::vector<SphereSide> sides) {
+void RollingTime::hold_sides(std::vector<FieldSide> sides) {
   sides_ = std::move(sides);
   forget_point();
 }
@@ -154,7 +154,7 @@ bool RollingTime::evaluate() {
             x(), mesh(),
             [&](int e) -> const auto& {
               if (sides_.empty()) return by_place;
-              return sides_[at(e)] == SphereSide::Inside ? inside : outside;
+              return sides_[at(e)] == FieldSide::Inside ? inside : outside;
             },
             [](int, int) { return false; });
         return !refused || refuse(refused->point, refused->because);

@@ -64,8 +64,8 @@ class RollingTime final : public Transcription {
   /// point is forgotten.
   ///
   /// \param sides  of as many elements, or none: each point by its place
-  void hold_sides(std::vector<SphereSide> sides);
-  [[nodiscard]] const std::vector<SphereSide>& sides() const { return sides_; }
+  void hold_sides(std::vector<FieldSide> sides);
+  [[nodiscard]] const std::vector<FieldSide>& sides() const { return sides_; }
 
   /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
   void set_start_slope(double alpha);
@@ -106,7 +106,7 @@ class RollingTime final : public Transcription {
   std::variant<ocp::Collocation<rolling::SteeredFalling>,
                ocp::Collocation<rolling::Steered>>
       collocation_;
-  std::vector<SphereSide> sides_;  ///< held, by element, or none
+  std::vector<FieldSide> sides_;  ///< held, by element, or none
 };
 
 }  // namespace brachisto

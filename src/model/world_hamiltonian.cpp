@@ -23,11 +23,6 @@ PhasePoint<double> phase_of(const MovingState& state, const Costates& p,
           p.p_z,          p.p_theta,      p.p_w,       beta};
 }
 
-/// Whether the closed forms of model/hamiltonian.hpp hold.
-bool ordinary(const Scene& scene) {
-  return !scene.world.changes_rates();
-}
-
 /// 𝓗 and its derivatives by β alone.
 SlopeHamiltonian by_slope(const Scene& scene, const PhasePoint<double>& at) {
   using Jet = math::Jet2<double, 1>;
@@ -52,37 +47,27 @@ PhaseJet hamiltonian_jet(const Scene& scene, double inverse_radius,
        variable(at.p_theta, 6), variable(at.p_w, 7), variable(at.beta, 8)});
 }
 
+namespace in_world {
+
 SlopeHamiltonian slope_hamiltonian(const Scene& scene, const MovingState& state,
                                    const Costates& p, double beta) {
-  if (ordinary(scene)) {
-    return slope_hamiltonian(scene.body, scene.gravity, {state.theta, state.w},
-                             p, beta);
-  }
   return by_slope(scene, phase_of(state, p, beta));
 }
 
 double hamiltonian(const Scene& scene, const MovingState& state,
                    const Costates& p, double beta) {
-  if (ordinary(scene)) {
-    return hamiltonian(scene.body, scene.gravity, {state.theta, state.w}, p,
-                       beta);
-  }
   return hamiltonian_of(scene, inverse_radius(scene.body),
                         phase_of(state, p, beta));
 }
 
 double gain_of_other_directions(const Scene& scene, const MovingState& state,
                                 const Costates& p, double beta) {
-  if (ordinary(scene)) {
-    return gain_of_other_directions(scene.body, scene.gravity,
-                                    {state.theta, state.w}, p, beta);
-  }
   constexpr int kDirections = 64;
-  const double own = hamiltonian(scene, state, p, beta);
+  const double own = in_world::hamiltonian(scene, state, p, beta);
   double gain = 0.0;
   for (int i = 0; i < kDirections && !std::isnan(gain); ++i) {
     const double other = 2.0 * std::numbers::pi * i / kDirections;
-    const double better = own - hamiltonian(scene, state, p, other);
+    const double better = own - in_world::hamiltonian(scene, state, p, other);
     // Written so that a NaN stays.
     gain = better <= gain ? gain : better;
   }
@@ -104,10 +89,6 @@ double slope_rate_along(const Scene& scene, const MovingState& state,
 
 double slope_rate(const Scene& scene, const MovingState& state,
                   const Costates& p, double beta) {
-  if (ordinary(scene)) {
-    return slope_rate(scene.body, scene.gravity, {state.theta, state.w}, p,
-                      beta);
-  }
   const PhaseJet h = hamiltonian_jet(scene, inverse_radius(scene.body),
                                      phase_of(state, p, beta));
   // Hamilton's equations.
@@ -118,13 +99,11 @@ double slope_rate(const Scene& scene, const MovingState& state,
 
 double minimising_slope(const Scene& scene, const MovingState& state,
                         const Costates& p, double near) {
-  if (ordinary(scene)) {
-    return minimising_slope(scene.body, scene.gravity, {state.theta, state.w},
-                            p, near);
-  }
   return math::nearest_minimum(
       [&](double beta) { return by_slope(scene, phase_of(state, p, beta)); },
       near);
 }
+
+}  // namespace in_world
 
 }  // namespace brachisto

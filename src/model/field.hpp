@@ -123,7 +123,9 @@ template <class Scalar>
                                    const Scalar& z, const Scalar& theta) {
   using std::cos;
   using std::sin;
-  if (!scene.body.off_centred()) return field_at(scene, x, z);
+  if (!scene.body.off_centred() || !scene.world.field_varies()) {
+    return field_at(scene, x, z);
+  }
   const double r_m = scene.body.radius * scene.body.eta_m;
   return field_at(scene, Scalar(x + cos(theta) * r_m),
                   Scalar(z + sin(theta) * r_m));

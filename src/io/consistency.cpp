@@ -189,21 +189,30 @@ constexpr std::array<Excluded, 5> kOfOrdinaryWorld{
 
 void check_world(const Check& check) {
   constexpr std::string_view kUniform = "scene.field.uniform";
-  constexpr std::string_view kSphere = "scene.field.sphere";
-  const bool sphere = check.entry(kSphere) != nullptr;
+  std::vector<std::string> names, keys;
+  const char* stated = nullptr;  // the last of the fields
+  int fields = 0;
+  for (const FieldKind& kind : kFieldKinds) {
+    keys.emplace_back(kind.key);
+    names.push_back(keys.back().substr(keys.back().rfind('.') + 1));
+    if (check.entry(kind.key) == nullptr) continue;
+    stated = kind.key;
+    ++fields;
+  }
   const bool gravity = check.entry("scene.gravity") != nullptr;
   const Entry* field = check.entry("scene.field");
   if (field != nullptr && field->value.kind == YamlValue::Kind::Map &&
       field->value.entries.empty()) {
-    check.refuse_key("scene.field",
-                     "has nothing in it; expected uniform or sphere");
+    check.refuse_key("scene.field", "has nothing in it; expected uniform or {}",
+                     fmt::join(names, " or "));
   }
-  const bool uniform_too = check.entry(kUniform) && (sphere || gravity);
-  if (uniform_too || (sphere && gravity)) {
+  const bool uniform_too = check.entry(kUniform) && (fields > 0 || gravity);
+  if (uniform_too || fields + (gravity ? 1 : 0) > 1) {
     check.refuse_key(
-        uniform_too ? kUniform : kSphere,
-        "says again what pulls the body; allowed is one of "
-        "scene.gravity, scene.field.uniform and scene.field.sphere");
+        uniform_too ? kUniform : stated,
+        "says again what pulls the body; allowed is one of scene.gravity, "
+        "scene.field.uniform and {}",
+        fmt::join(keys, " and "));
   }
   if (check.problem.scene.world.ordinary()) return;
   exclude(check, kOfOrdinaryWorld,

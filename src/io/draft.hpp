@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "brachisto/io/problem_file.hpp"
+#include "model/field.hpp"
 
 namespace brachisto::io {
 
@@ -58,9 +59,7 @@ struct Draft : ProblemFile {
     ProblemFile out = *this;
     out.scene = with_implied_limits(scene);
     out.scene.body = as_it_rolls(scene.body);
-    if (const auto& sphere = scene.world.sphere) {
-      out.scene.gravity = sphere->strength_at({0.0, 0.0});
-    }
+    out.scene.gravity = gravity_at_A(scene);
     if (method == MethodWord::Extremal) {
       out.options.method = shooting;
     } else if (method == MethodWord::Fsolve) {

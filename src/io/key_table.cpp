@@ -245,8 +245,8 @@ Keys limit_keys() {
   return keys;
 }
 
-constexpr bool has_sphere(const World& world) {
-  return world.sphere.has_value();
+bool has_field(const World& world) {
+  return world.field_varies();
 }
 constexpr bool has_speed(const World& world) {
   return world.start_speed != 0.0;
@@ -260,7 +260,7 @@ bool has_losses(const World& world) {
 constexpr auto world = [](auto& p) -> auto& {
   return p.scene.world;
 };
-constexpr auto kField = stated_place<has_sphere>(world);
+constexpr auto kField = stated_place<has_field>(world);
 constexpr auto kStart = stated_place<has_speed>(world);
 constexpr auto kHasAir = stated_place<has_air>(world);
 constexpr auto kHasLosses = stated_place<has_losses>(world);
@@ -275,16 +275,28 @@ Binding world_number(const WorldParameter& parameter) {
           .set =
               [&parameter](Draft& p, const Json& value) {
                 World& world = p.scene.world;
-                if (!parameter.find(world)) world.sphere.emplace();
+                for (const FieldKind& kind : kFieldKinds) {
+                  if (std::string_view(parameter.key).starts_with(kind.key) &&
+                      !kind.stands_in(world)) {
+                    kind.put_into(world);
+                  }
+                }
                 *parameter.find_in(world) = value.get<double>();
               }};
 }
 
-/// Gravity, which the field of a sphere says in other words.
+/// A map of those numbers, where the world has its field.
+Binding field_map(const FieldKind& kind) {
+  return {.type = KeyType::Map, .get = [&kind](const Draft& p) {
+            return kind.stands_in(p.scene.world) ? Json::object() : Json();
+          }};
+}
+
+/// Gravity, which another field says in other words.
 Binding gravity() {
   Binding binding = number(kScene, &Scene::gravity);
   binding.get = [bare = binding.get](const Draft& p) {
-    return has_sphere(p.scene.world) ? Json() : bare(p);
+    return has_field(p.scene.world) ? Json() : bare(p);
   };
   return binding;
 }
@@ -303,11 +315,6 @@ Keys world_keys() {
        "what pulls the body; see [Other worlds](#other-worlds)"},
       {"scene.field.uniform", uniform_field(),
        "g, what `gravity` means: one of the two", positive("m/s²")},
-      {"scene.field.sphere", map(kField),
-       "a homogeneous sphere: its pull grows linearly from its centre to its "
-       "surface, and falls with the inverse square of the distance outside"},
-      {"scene.field.sphere.centre", map(kField), "where its centre is",
-       required()},
       {"scene.start", silent_map(kStart), "how the motion begins"},
       {"scene.air", silent_map(kHasAir),
        "drag on the centre, against its motion: c_1 v + c_2 v² per mass"},
@@ -315,11 +322,18 @@ Keys world_keys() {
        "what the track takes in proportion to the load R_n; see "
        "[Losses](#losses)"},
   };
+  for (auto at = keys.begin() + 2; const FieldKind& kind : kFieldKinds) {
+    at = keys.insert(at, {kind.key, field_map(kind), kind.meaning}) + 1;
+    if (*kind.place == '\0') continue;
+    at = keys.insert(at, {kind.place, field_map(kind), kind.place_meaning,
+                          required()}) +
+         1;
+  }
   // Behind the last key of its map.
   for (const WorldParameter& parameter : kWorldParameters) {
     KeySpec key(parameter.key, world_number(parameter), parameter.meaning,
-                {.presence = parameter.of_part ? Presence::Required
-                                               : Presence::Optional,
+                {.presence = parameter.of_field ? Presence::Required
+                                                : Presence::Optional,
                  .unit = parameter.unit,
                  .physical = interval_of(parameter.allowed)});
     const auto after =

@@ -10,90 +10,86 @@
 #include <cmath>
 
 #include "brachisto/model/scene.hpp"
+#include "model/field_formulas.hpp"
 #include "model/inertia.hpp"
 #include "model/losses.hpp"
 
 namespace brachisto {
 
-/// A force per mass.
-template <class Scalar>
-struct Pull {
-  Scalar x, z;
-};
-
-/// The number in a jet.
-template <class Scalar>
-[[nodiscard]] double plain(const Scalar& number) {
-  if constexpr (requires { number.value; }) {
-    return plain(number.value);
-  } else {
-    return static_cast<double>(number);
-  }
+/// Whether the field has a kink on a surface.
+[[nodiscard]] constexpr bool has_surface(const World& world) {
+  return world.by_field([] { return false; },
+                        [](const auto& field) {
+                          return requires {
+                            fields::height(field, 0.0, 0.0);
+                          };
+                        });
 }
 
-/// above() where a number lies above a bound, otherwise below(): decided by its
-/// value, or by whatever stands for it.
-template <class Scalar, class Above, class Below>
-[[nodiscard]] Scalar where_above(const Scalar& number, double bound,
-                                 const Above& above, const Below& below) {
-  return plain(number) > bound ? above() : below();
-}
+/// On which side of that surface a place is; on the surface itself inside.
+[[nodiscard]] FieldSide side_of_surface(const Scene& scene, Point place);
 
-/// On which side of the surface of the scene's sphere a place is; on the
-/// surface itself inside.
-[[nodiscard]] SphereSide side_of_surface(const Scene& scene, Point place);
-
-/// d − R, how far a place is beyond the surface of the scene's sphere.
+/// How far a place is beyond that surface.
 template <class Scalar>
 [[nodiscard]] Scalar height_above_surface(const Scene& scene, const Scalar& x,
                                           const Scalar& z) {
-  using std::sqrt;
-  const Sphere& sphere = *scene.world.sphere;
-  const Scalar dx = x - Scalar(sphere.centre.x);
-  const Scalar dz = z - Scalar(sphere.centre.z);
-  return sqrt(dx * dx + dz * dz) - Scalar(sphere.radius);
+  return scene.world.by_field(
+      [] { return Scalar(0.0); },
+      [&](const auto& field) {
+        if constexpr (requires { fields::height(field, x, z); }) {
+          return fields::height(field, x, z);
+        } else {
+          return Scalar(0.0);
+        }
+      });
 }
 [[nodiscard]] inline double height_above_surface(const Scene& scene,
                                                  Point place) {
   return height_above_surface(scene, place.x, place.z);
 }
 
-/// Force per mass of the field at a place: (0, g), or towards the centre of a
-/// sphere of radius R with the surface gravity g_s, at the distance d,
-///
-///     g_s d/R inside,  g_s (R/d)² outside.
+/// Force per mass of the field at a place: (0, g), or that of the field that
+/// stands in its place.
 template <class Scalar>
 [[nodiscard]] Pull<Scalar> field_at(const Scene& scene, const Scalar& x,
                                     const Scalar& z) {
-  using std::sqrt;
   const World& world = scene.world;
-  if (!world.sphere) return {Scalar(0.0), Scalar(scene.gravity)};
-  const Sphere& sphere = *world.sphere;
-  const double R = sphere.radius;
-  const Scalar dx = x - Scalar(sphere.centre.x);
-  const Scalar dz = z - Scalar(sphere.centre.z);
-  const Scalar square = dx * dx + dz * dz;
-  const double share = world.sphere_share;
-  const double at_surface = share * sphere.surface_gravity / R;
-  const auto inside = [&] { return Scalar(-at_surface); };
-  const auto outside = [&]() -> Scalar {
-    return Scalar(-at_surface * R * R * R) / (square * sqrt(square));
-  };
-  const Scalar per_length = !world.side
-                                ? where_above(square, R * R, outside, inside)
-                            : *world.side == SphereSide::Outside ? outside()
-                                                                 : inside();
-  return {dx * per_length,
-          dz * per_length + Scalar((1.0 - share) * scene.gravity)};
+  return world.by_field(
+      [&]() -> Pull<Scalar> {
+        return {Scalar(0.0), Scalar(scene.gravity)};
+      },
+      [&](const auto& field) -> Pull<Scalar> {
+        const double share = world.field_share;
+        const auto pull = fields::pull(field, share, world.side, x, z);
+        return {pull.x, pull.z + Scalar((1.0 - share) * scene.gravity)};
+      });
+}
+
+/// g, or the strength there of the field that stands in its place.
+[[nodiscard]] inline double gravity_at_A(const Scene& scene) {
+  return scene.world.by_field([&] { return scene.gravity; },
+                              [](const auto& field) {
+                                return fields::strength(field, {0.0, 0.0});
+                              });
+}
+
+/// The place about which all of a field of places may be turned, if any.
+[[nodiscard]] inline std::optional<Point> turning_centre(const World& world) {
+  using Centre = std::optional<Point>;
+  return world.by_field(
+      [] { return Centre(); },
+      [](const auto& field) -> Centre {
+        if constexpr (requires { fields::turning_centre(field); }) {
+          return fields::turning_centre(field);
+        } else {
+          return {};
+        }
+      });
 }
 
 /// By how much the potential of that field per mass falls from one place to
-/// another [m²/s²], the potential being −g z, or with a sphere
-///
-///     Φ = g_s (d² − 3 R²)/(2 R) inside,  −g_s R²/d outside,
-///
-/// without the digits that the difference loses where the sphere is large
-/// beside their distance.
+/// another [m²/s²], the uniform one being −g z, without the digits that the
+/// difference loses where a sphere is large beside their distance.
 ///
 /// \param by  to − from, which may be known to more digits than the places
 [[nodiscard]] double potential_fall(const Scene& scene, Point from, Point to,
@@ -101,6 +97,17 @@ template <class Scalar>
 [[nodiscard]] inline double potential_fall(const Scene& scene, Point from,
                                            Point to) {
   return potential_fall(scene, from, to, {to.x - from.x, to.z - from.z});
+}
+
+/// How far the centre of mass is beyond the surface of the field.
+template <class Scalar>
+[[nodiscard]] Scalar height_of_mass(const Scene& scene, const Scalar& x,
+                                    const Scalar& z, const Scalar& theta) {
+  using std::cos;
+  using std::sin;
+  const double r_m = scene.body.radius * scene.body.eta_m;
+  return height_above_surface(scene, Scalar(x + cos(theta) * r_m),
+                              Scalar(z + sin(theta) * r_m));
 }
 
 /// The centre of mass, eqs. (2)–(3).
@@ -116,7 +123,9 @@ template <class Scalar>
                                    const Scalar& z, const Scalar& theta) {
   using std::cos;
   using std::sin;
-  if (!scene.body.off_centred()) return field_at(scene, x, z);
+  if (!scene.body.off_centred() || !scene.world.field_varies()) {
+    return field_at(scene, x, z);
+  }
   const double r_m = scene.body.radius * scene.body.eta_m;
   return field_at(scene, Scalar(x + cos(theta) * r_m),
                   Scalar(z + sin(theta) * r_m));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace brachisto {
 
@@ -85,7 +86,8 @@ constexpr LimitEntry kFrictionEntry{
               std::min(limit.lower,
                        limit.number * (std::min(0.0, free.min_normal) * 1.2));
           return true;
-        }};
+        },
+    .looser = "a larger friction"};
 
 constexpr LimitEntry kLeastForceEntry{
     .key = "scene.limits.normal_force.min",
@@ -121,7 +123,8 @@ constexpr LimitEntry kLeastForceEntry{
           limit.lower = std::min(limit.lower, free.min_normal - 0.5);
           limit.upper = std::max(limit.upper, free.max_normal + 0.5);
           return false;
-        }};
+        },
+    .looser = "a smaller normal_force.min"};
 
 constexpr LimitEntry kGreatestForceEntry{
     .key = "scene.limits.normal_force.max",
@@ -142,7 +145,8 @@ constexpr LimitEntry kGreatestForceEntry{
     .loosened = [](const Scene&, double most,
                    double by) { return most + kWeights * by; },
     .pose = nullptr,
-    .widen = nullptr};
+    .widen = nullptr,
+    .looser = "a larger normal_force.max"};
 
 constexpr LimitEntry kHumpEntry{
     .key = "scene.limits.curvature.hump",
@@ -178,7 +182,8 @@ constexpr LimitEntry kHumpEntry{
           limit.number =
               std::max({limit.number, 2.0 * free.max_hump, 1.0 / scene.H});
           return true;
-        }};
+        },
+    .looser = "a larger curvature.hump"};
 
 constexpr LimitEntry kValleyEntry{
     .key = "scene.limits.curvature.valley",
@@ -218,7 +223,8 @@ constexpr LimitEntry kValleyEntry{
           constexpr double kSharpValley = 60.0;  // per H
           limit.number = std::max(limit.number, kSharpValley / scene.H);
           return true;
-        }};
+        },
+    .looser = "a larger curvature.valley"};
 
 constexpr LimitEntry kFoldMarginEntry{
     .key = "scene.limits.fold_margin",
@@ -241,7 +247,8 @@ constexpr LimitEntry kFoldMarginEntry{
           return scene.contact == Contact::Optimal ? m : m * (1.0 - by);
         },
     .pose = nullptr,
-    .widen = nullptr};
+    .widen = nullptr,
+    .looser = "a smaller fold_margin"};
 
 constexpr LimitEntry kFloorEntry{
     .key = "scene.limits.floor",
@@ -272,7 +279,12 @@ constexpr LimitEntry kFloorEntry{
         [](const Scene& scene, const FreePath& free, PathInequality& limit) {
           limit.number = std::max(limit.number, free.deepest + 0.1 * scene.H);
           return false;
-        }};
+        },
+    .forbids =
+        [](double D) {
+          return HalfPlane{{0.0, D}, -0.5 * std::numbers::pi};
+        },
+    .looser = "a lower floor"};
 
 constexpr LimitEntry kEntries[] = {
     kFrictionEntry, kLeastForceEntry, kGreatestForceEntry, kHumpEntry,

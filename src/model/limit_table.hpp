@@ -68,6 +68,10 @@ struct LimitEntry {
       const PathLimits& limits) const {
     return bound_in(const_cast<PathLimits&>(limits));  // which changes nothing
   }
+  /// What it keeps bodies off, where that is a half-plane.
+  HalfPlane (*forbids)(double bound) = nullptr;
+  const char* looser;  ///< what to try where it leaves no path
+
   /// As LimitOnPath has it.
   [[nodiscard]] std::string_view name() const;
 };

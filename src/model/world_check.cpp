@@ -17,29 +17,28 @@ namespace brachisto {
 
 namespace {
 
-constexpr const char* kCentre = "scene.field.sphere.centre";
 constexpr const char* kSpeed = "scene.start.speed";
 constexpr const char* kSliding = "scene.losses.sliding";
 constexpr const char* kRolling = "scene.losses.rolling";
 constexpr const char* kNormalMin = "scene.limits.normal_force.min";
 
-/// Each number by itself: those of optional parts, or the others.
-void check_numbers(const World& world, bool of_parts, SceneChecker& check) {
+/// Each number by itself: those of the field, or the others.
+void check_numbers(const World& world, bool of_field, SceneChecker& check) {
   for (const WorldParameter& parameter : kWorldParameters) {
     const double* number = parameter.find(world);
-    if (number == nullptr || parameter.of_part != of_parts) continue;
+    if (number == nullptr || parameter.of_field != of_field) continue;
     check.number(parameter.key, *number, parameter.unit, parameter.allowed,
                  parameter.reason);
   }
 }
 
-void check_sphere(const Scene& scene, SceneChecker& check) {
-  const Sphere& sphere = *scene.world.sphere;
-  if (check.sound() && !(sphere.strength_at({0.0, 0.0}) > 0.0)) {
-    check.add(kCentre,
-              "the centre of the sphere is A, where nothing pulls, so that "
-              "there is no g for τ = T √(2 g/H) to refer to");
-  }
+void check_field(const Scene& scene, SceneChecker& check) {
+  const FieldKind* kind = field_kind(scene.world);
+  if (kind == nullptr || !check.sound() || gravity_at_A(scene) > 0.0) return;
+  check.add(*kind->place != '\0' ? kind->place : kind->key,
+            fmt::format("{}, so that there is no g for τ = T √(2 g/H) to refer "
+                        "to",
+                        kind->powerless));
 }
 
 /// A scene's energy per mass at best, less what brakes it takes [m²/s²].
@@ -55,43 +54,37 @@ struct EnergyBound {
 ///     centre of mass at the start: C_A + r η e(θ_m), |C_A − A| = r,
 ///     centre of mass at the end: r (1 − η) to r (1 + η) from B,
 ///
-/// or r η from it where B is the end of the centre's path. The potential of a
-/// sphere grows with the distance from its centre O, so that the start counts
-/// at its furthest place from O and the end at its nearest.
+/// or r η from it where B is the end of the centre's path. The start counts at
+/// its place of most potential and the end at that of the least.
 EnergyBound energy_bound(const Scene& scene, bool is_open) {
   const Body& body = scene.body;
   const double v_0 = scene.world.start_speed;
   const bool touches = body.rolls() && scene.contact != Contact::Centre;
   const double to_centre = touches ? body.radius : 0.0;
   const double to_mass = body.radius * body.eta_m;
-  const Point O = scene.world.sphere->centre;
-  // So far from `place`, away from O.
-  const auto off = [&](Point place, double by) -> Point {
-    const double d = std::hypot(place.x - O.x, place.z - O.z);
-    if (d == 0.0) return {place.x + by, place.z};
-    return {place.x + by * (place.x - O.x) / d,
-            place.z + by * (place.z - O.z) / d};
-  };
-  const Point start =
-      is_open ? off(mass_centre(body, {0.0, 0.0}, body.theta_m), to_centre)
-              : mass_centre(body, start_of_centre(scene), body.theta_m);
-  const Point B{scene.L, scene.H};
-  const double distance = std::hypot(B.x - O.x, B.z - O.z);
-  const double furthest = to_centre + to_mass;
-  const double nearest = std::abs(to_centre - to_mass);
-  const Point end = distance >= furthest ? off(B, -furthest)
-                    : distance < nearest ? off(B, -nearest)
-                                         : O;
   const double A = body.off_centred()
                        ? (1.0 + body.eta_m) * (1.0 + body.eta_m) + body.k
                        : axisymmetric_inertia_factor(body);
-  return {potential_fall(scene, start, end), 0.5 * A * v_0 * v_0};
+  const double fall = scene.world.by_field(
+      [] { return 0.0; },
+      [&](const auto& field) {
+        const Point start =
+            is_open ? fields::highest(
+                          field, mass_centre(body, {0.0, 0.0}, body.theta_m),
+                          to_centre)
+                    : mass_centre(body, start_of_centre(scene), body.theta_m);
+        const Point end =
+            fields::lowest(field, {scene.L, scene.H},
+                           std::abs(to_centre - to_mass), to_centre + to_mass);
+        return potential_fall(scene, start, end);
+      });
+  return {fall, 0.5 * A * v_0 * v_0};
 }
 
-/// Energy says where B cannot be reached: in the field of a sphere alone, for
-/// in a uniform one B lies below A.
+/// Energy says where B cannot be reached: in a field of places alone, for in a
+/// uniform one B lies below A.
 void check_energy(const Scene& scene, SceneChecker& check) {
-  if (!scene.world.sphere || !check.sound()) return;
+  if (!scene.world.field_varies() || !check.sound()) return;
   const EnergyBound most = energy_bound(scene, slope_at_A_is_open(scene));
   const double missing = -(most.at_start + most.fall);
   if (missing < 0.0) return;
@@ -175,7 +168,7 @@ void check_world(const Scene& scene, SceneChecker& check) {
   const World& world = scene.world;
   if (world.ordinary()) return;
   check_numbers(world, true, check);
-  if (world.sphere) check_sphere(scene, check);
+  check_field(scene, check);
   check_numbers(world, false, check);
   check_losses(scene, check);
   // A given path tells itself where energy does not suffice.

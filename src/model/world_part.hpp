@@ -17,12 +17,12 @@ namespace brachisto {
 }
 
 /// A scene on the way from in_ordinary_world(): with so much of its numbers
-/// that are 0 there, and of the sphere's field, the rest being uniform.
+/// that are 0 there, and of its field, the rest being uniform.
 [[nodiscard]] inline Scene part_of_world(Scene scene, double fraction) {
   for (const WorldParameter& parameter : kWorldParameters) {
-    if (!parameter.of_part) *parameter.find_in(scene.world) *= fraction;
+    if (!parameter.of_field) *parameter.find_in(scene.world) *= fraction;
   }
-  scene.world.sphere_share = fraction;
+  scene.world.field_share = fraction;
   return scene;
 }
 

@@ -34,7 +34,7 @@ class CollocationFormulas final : public ProgramInFormulas {
  public:
   /// \param sides  of a sphere's surface, by element, or none
   CollocationFormulas(const Problem& problem, const Description& described,
-                      std::vector<SphereSide> sides)
+                      std::vector<FieldSide> sides)
       : problem_(problem),
         by_place_(described),
         inside_(described),
@@ -96,8 +96,8 @@ class CollocationFormulas final : public ProgramInFormulas {
   }
   [[nodiscard]] const Description& seen_from(int point) const {
     if (sides_.empty()) return by_place_;
-    return sides_[at(element_of(point))] == SphereSide::Inside ? inside_
-                                                               : outside_;
+    return sides_[at(element_of(point))] == FieldSide::Inside ? inside_
+                                                              : outside_;
   }
   /// What the program does not have is 0, and nothing depends on it.
   [[nodiscard]] bool has(int state) const { return layout().has_state(state); }
@@ -145,7 +145,7 @@ class CollocationFormulas final : public ProgramInFormulas {
   }
   const Problem& problem_;
   Description by_place_, inside_, outside_;
-  std::vector<SphereSide> sides_;
+  std::vector<FieldSide> sides_;
   mutable int rated_ = -1;
   mutable ocp::Rates<Formula, kStates> rates_;
 };
@@ -153,7 +153,7 @@ class CollocationFormulas final : public ProgramInFormulas {
 template <class Description, class Problem>
 std::unique_ptr<ProgramInFormulas> formulas_of(
     const Problem& problem, std::vector<PathInequality> limits,
-    std::vector<SphereSide> sides) {
+    std::vector<FieldSide> sides) {
   const Body& body = problem.scene().body;
   const double per_length = body.off_centred() ? 1.0 / body.radius : 0.0;
   return std::make_unique<CollocationFormulas<Problem, Description>>(

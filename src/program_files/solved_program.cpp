@@ -28,9 +28,9 @@ PrimalDual guess_for(const RollingTime& problem, const PosedProblem& posed) {
 /// Where every element of the answer lies on one side of a sphere's surface,
 /// each has the law of its side: the same answer, of a program that is smooth.
 void hold_sides(RollingTime& problem, const ExtremalCurve& answer) {
-  std::vector<SphereSide> sides;
+  std::vector<FieldSide> sides;
   for (int e = 0; e < problem.mesh().num_elements(); ++e) {
-    const std::optional<SphereSide> side = answer.scene_in(e).world.side;
+    const std::optional<FieldSide> side = answer.scene_in(e).world.side;
     if (!side) return;
     sides.push_back(*side);
   }

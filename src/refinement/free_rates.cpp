@@ -52,7 +52,7 @@ Scene posed_for_rates(const Scene& scene, const Mesh& mesh,
 }
 
 /// With the law of the first element's side at the start too.
-Scene beginning_on(Scene scene, const std::vector<SphereSide>& sides) {
+Scene beginning_on(Scene scene, const std::vector<FieldSide>& sides) {
   scene.world.side.reset();
   if (!sides.empty()) scene.world.side = sides.front();
   return scene;
@@ -126,14 +126,6 @@ FreeRates::FreeRates(const Scene& scene, Elements elements,
   if (!at_.system.evaluate(point_.x, point_.lambda, 0.0)) return;
   time_ = at_.problem.eval_f();
   pull_ = nlp::lagrangian_gradient(at_.problem, point_.lambda);
-  for (const nlp::TangencyCondition* slope : at_.slopes()) {
-    const nlp::SparseVector& turn = slope->fixed_rates();
-    double sum = 0.0;
-    for (std::size_t i = 0; i < turn.index.size(); ++i) {
-      sum += static_cast<double>(pull_[at(turn.index[i])] * turn.value[i]);
-    }
-    by_closing_.push_back(sum);
-  }
   at_.system.evaluate_jacobian();
   chain_ = BorderedChain::make(at_.system);
   regular_ = chain_ && chain_->factorise() && linearise_around_chain();
@@ -206,20 +198,33 @@ FreeRates::Elements FreeRates::moved_passage(std::size_t number,
           elements_.sides};
 }
 
+FreeRates::Rates FreeRates::followed(Partial by) {
+  for (double& value : by.residual) value = -value;
+  std::vector<double> direction(by.residual.size());
+  if (!chain_->solve(by.residual, direction, kOfSolves)) {
+    by.open.setConstant(std::nan(""));
+    return {by.lagrangian, by.open};
+  }
+  for (Eigen::Index i = 0; i < by.open.size(); ++i) {
+    by.open[i] += along(rows_[static_cast<std::size_t>(i)], direction,
+                        at_.problem.num_variables());
+  }
+  return {by.lagrangian, by.open};
+}
+
 bool FreeRates::linearise_around_chain() {
-  const int n = at_.problem.num_variables();
-  around_.rows = at_.rows(point_);
-  const auto size = static_cast<Eigen::Index>(around_.rows.size());
-  around_.jacobian = Eigen::MatrixXd::Zero(size, size);
-  std::vector<std::vector<double>> moving;  // −F_c
+  rows_ = at_.rows(point_);
   for (const nlp::TangencyCondition* slope : at_.slopes()) {
-    const auto i = static_cast<Eigen::Index>(moving.size());
-    around_.jacobian(i, i) = around_.rows[moving.size()].by_parameter;
-    std::vector<double>& moved = moving.emplace_back(at(at_.system.size()));
+    const std::size_t i = closing_.size();
+    Partial by = nothing();
     const nlp::SparseVector& rates = slope->fixed_rates();
     for (std::size_t j = 0; j < rates.index.size(); ++j) {
-      moved[at(rates.index[j])] = rates.value[j];
+      by.residual[at(rates.index[j])] = -rates.value[j];
+      by.lagrangian +=
+          static_cast<double>(pull_[at(rates.index[j])] * rates.value[j]);
     }
+    by.open[static_cast<Eigen::Index>(i)] = rows_[i].by_parameter;
+    closing_.push_back(followed(std::move(by)));
   }
   for (std::size_t k = 0; k < at_.passages.size(); ++k) {
     // All is linear in it: any step will do that leaves elements their order.
@@ -227,35 +232,20 @@ bool FreeRates::linearise_around_chain() {
     const Mesh& mesh = elements_.mesh;
     const double step = kShare * std::min(mesh.length(at_.passages[k] - 1),
                                           mesh.length(at_.passages[k]));
-    Partial by = partial(step, [&](double place) {
+    closing_.push_back(followed(partial(step, [&](double place) {
       return std::pair(scene(), moved_passage(k, place));
-    });
-    around_.jacobian.col(static_cast<Eigen::Index>(moving.size())) = by.open;
-    by_closing_.push_back(by.lagrangian);
-    for (double& value : by.residual) value = -value;
-    moving.push_back(std::move(by.residual));
+    })));
   }
-  for (Eigen::Index j = 0; j < size; ++j) {
-    std::vector<double>& turn =
-        around_.turns.emplace_back(at(at_.system.size()));
-    if (!chain_->solve(moving[static_cast<std::size_t>(j)], turn, kOfSolves)) {
-      return false;
-    }
-    for (Eigen::Index i = 0; i < size; ++i) {
-      around_.jacobian(i, j) +=
-          along(around_.rows[static_cast<std::size_t>(i)], turn, n);
-    }
-  }
-  const double determinant = math::determinant(around_.jacobian);
+  const double determinant = math::determinant(jacobian_of(closing_));
   return std::isfinite(determinant) && determinant != 0.0;
 }
 
 Eigen::VectorXd FreeRates::misses() const {
-  Eigen::VectorXd open(around_.jacobian.rows());
+  Eigen::VectorXd open(static_cast<Eigen::Index>(rows_.size()));
   for (Eigen::Index i = 0; i < open.size(); ++i) {
-    open[i] = -around_.rows[static_cast<std::size_t>(i)].residual;
+    open[i] = -rows_[static_cast<std::size_t>(i)].residual;
   }
-  return math::solve_square(around_.jacobian, open)
+  return math::solve_square(jacobian_of(closing_), open)
       .tail(static_cast<Eigen::Index>(at_.passages.size()));
 }
 
@@ -270,13 +260,15 @@ PrimalDual FreeRates::turned_to(const Scene& scene) const {
   return out;
 }
 
+FreeRates::Partial FreeRates::nothing() const {
+  return {std::vector<double>(at(at_.system.size())),
+          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows_.size()))};
+}
+
 FreeRates::Partial FreeRates::partial(
     double step,
     const std::function<std::pair<Scene, Elements>(double)>& moved_to) {
-  Partial out;
-  out.residual.assign(at(at_.system.size()), 0.0);
-  out.open =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(around_.rows.size()));
+  Partial out = nothing();
   double objective = 0.0;
   math::central_difference_by_place(step, [&](double place, double weight) {
     const auto [there, elements] = moved_to(place);
@@ -326,28 +318,8 @@ TimeRate FreeRates::by(SceneCoordinate coordinate) {
     rate.at_fixed_contacts -= static_cast<double>(
         by.start_angle * r * (x * std::cos(beta_0) + z * std::sin(beta_0)));
   }
-  if (by_closing_.empty()) return rate;
-  const Eigen::VectorXd closing = closing_rates(by);
-  for (std::size_t c = 0; c < by_closing_.size(); ++c) {
-    rate.total += by_closing_[c] * closing[static_cast<Eigen::Index>(c)];
-  }
+  if (!closing_.empty()) rate.total = closed_rate(followed(by), closing_);
   return rate;
-}
-
-Eigen::VectorXd FreeRates::closing_rates(const Partial& by) {
-  const auto size = static_cast<Eigen::Index>(by_closing_.size());
-  std::vector<double> right = by.residual;
-  for (double& value : right) value = -value;
-  std::vector<double> direction(right.size());
-  if (!chain_->solve(right, direction, kOfSolves)) {
-    return Eigen::VectorXd::Constant(size, std::nan(""));
-  }
-  Eigen::VectorXd open = -by.open;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    open[i] -= along(around_.rows[static_cast<std::size_t>(i)], direction,
-                     at_.problem.num_variables());
-  }
-  return math::solve_square(around_.jacobian, open);
 }
 
 /// F = (∂²𝓗/∂β²) κ next to the answer.
@@ -356,9 +328,9 @@ double FreeRates::contact_response() {
   const double per_kink =
       at_.contact->linearise(point_.x, point_.lambda).by_parameter;
   // The slope at B is the first of what closes.
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(around_.jacobian.rows());
+  Eigen::VectorXd right = nothing().open;
   right[0] = per_kink;
-  return math::solve_square(around_.jacobian, right)[0];
+  return math::solve_square(jacobian_of(closing_), right)[0];
 }
 
 std::unique_ptr<TimeRates> FreeRates::next(SceneCoordinate coordinate,

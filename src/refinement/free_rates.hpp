@@ -60,7 +60,7 @@ class FreeRates final : public TimeRates {
   /// nothing where there is no sphere.
   struct Elements {
     Mesh mesh;
-    std::vector<SphereSide> sides;
+    std::vector<FieldSide> sides;
   };
   /// The equations of a scene.
   struct Equations {
@@ -85,11 +85,10 @@ class FreeRates final : public TimeRates {
     double lagrangian = 0.0;  ///< of 𝓛, the values of fixed variables moving
     double start_angle = 0.0;
   };
-  /// What closes, as all unknowns follow from it.
-  struct AroundChain {
-    std::vector<nlp::TangencyCondition::Linearisation> rows;  ///< C
-    std::vector<std::vector<double>> turns;  ///< −F_y⁻¹ F_c, by column
-    Eigen::MatrixXd jacobian;                ///< of C, y following c
+  /// Of 𝓛 and C by one number, y following.
+  struct Rates {
+    double time = 0.0;
+    Eigen::VectorXd open;
   };
 
   FreeRates(const Scene& scene, Elements elements, const PrimalDual& point,
@@ -100,6 +99,7 @@ class FreeRates final : public TimeRates {
                                                          PrimalDual point,
                                                          double phi);
   [[nodiscard]] bool linearise_around_chain();
+  [[nodiscard]] Partial nothing() const;
   /// \param moved_to  the scene and the elements for a value of the number, 0
   ///                  for those of the solution
   [[nodiscard]] Partial partial(
@@ -109,8 +109,8 @@ class FreeRates final : public TimeRates {
   [[nodiscard]] Elements moved_passage(std::size_t number, double by) const;
   /// By how much the element ends miss the passages, as Newton's method has it.
   [[nodiscard]] Eigen::VectorXd misses() const;
-  /// c_p; NaN where it is not found.
-  [[nodiscard]] Eigen::VectorXd closing_rates(const Partial& by);
+  /// With y following; NaN where it cannot.
+  [[nodiscard]] Rates followed(Partial by);
   /// The point, with θ turned as in another scene.
   [[nodiscard]] PrimalDual turned_to(const Scene& scene) const;
 
@@ -120,10 +120,10 @@ class FreeRates final : public TimeRates {
   double phi_;
   double time_ = 0.0;
   bool regular_ = false;
-  std::vector<long double> pull_;   ///< ∂𝓛/∂x
-  std::vector<double> by_closing_;  ///< 𝓛_c
+  std::vector<long double> pull_;  ///< ∂𝓛/∂x
   std::unique_ptr<BorderedChain> chain_;
-  AroundChain around_;
+  std::vector<nlp::TangencyCondition::Linearisation> rows_;  ///< C
+  std::vector<Rates> closing_;                               ///< by c
 };
 
 }  // namespace brachisto

@@ -8,7 +8,6 @@
 
 #include "brachisto/math/index.hpp"
 #include "math/central_difference.hpp"
-#include "math/dense.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -103,15 +102,7 @@ TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
       more.ends.start = second;
     }
   }
-  const PathRates direct = system_.to(less, more, width);
-  out.total = direct.time;
-  if (unknowns_.empty()) return out;
-  // The open conditions go on to hold.
-  const Eigen::VectorXd follow =
-      math::solve_square(jacobian_of(unknowns_), -direct.open);
-  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-    out.total += follow[static_cast<Eigen::Index>(i)] * unknowns_[i].time;
-  }
+  out.total = closed_rate(system_.to(less, more, width), unknowns_);
   return out;
 }
 

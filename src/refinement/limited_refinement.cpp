@@ -30,14 +30,10 @@ class LimitedSolve {
   LimitedSolve(const Scene& scene, const Discretisation& wanted,
                const ExtremalCurve& free, double phi,
                const MeshOptions& options)
-      : scene_(scene),
-        wanted_(wanted),
-        limits_(inequalities(scene.body, scene.limits)),
-        options_(options),
-        protocol_(options.progress),
-        free_(&free),
-        phi_(phi),
-        tightening_(std::in_place, scene, free, phi, options.ipopt, protocol_) {
+      : LimitedSolve(scene, wanted, options) {
+    free_ = &free;
+    phi_ = phi;
+    tightening_.emplace(scene, free, phi, options.ipopt, protocol_);
   }
   /// Beside a path of another scene.
   LimitedSolve(const Scene& scene, const Discretisation& wanted,
@@ -77,9 +73,10 @@ class LimitedSolve {
       blocking = tightening_->blocking();
     }
     if (protocol_.status != Status::Solved && passes_surface()) {
-      protocol_.message +=
-          ". It passes the surface of the sphere, where the field has a kink, "
-          "and under limits a path is followed on one side alone";
+      protocol_.message += fmt::format(
+          ". It passes {}, where the field has a kink, and under limits a path "
+          "is followed on one side alone",
+          field_kind(scene_.world)->surface);
     }
     return {std::move(protocol_).finished(), std::move(answer_),
             std::move(blocking), std::move(loosened_)};

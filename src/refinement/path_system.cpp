@@ -310,13 +310,4 @@ double PathSystem::of_fixed(const PathSetting& changed) const {
   return static_cast<double>(sum);
 }
 
-Eigen::MatrixXd jacobian_of(const std::vector<PathRates>& rates) {
-  const auto n = static_cast<Eigen::Index>(rates.size());
-  Eigen::MatrixXd jacobian(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    jacobian.col(i) = rates[static_cast<std::size_t>(i)].open;
-  }
-  return jacobian;
-}
-
 }  // namespace brachisto

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "refinement/arcs.hpp"
+#include "refinement/time_rates.hpp"
 #include "solvers/bordered_chain.hpp"
 #include "solvers/kkt_system.hpp"
 
@@ -115,8 +116,5 @@ class PathSystem {
   PrimalDual point_;
   Eigen::VectorXd open_;
 };
-
-/// The open conditions of each unknown as columns.
-[[nodiscard]] Eigen::MatrixXd jacobian_of(const std::vector<PathRates>& rates);
 
 }  // namespace brachisto

@@ -276,7 +276,7 @@ class Elements {
   Elements(const Scene& scene, const Discretisation& wanted,
            const ExtremalCurve& curve, double phi)
       : scene_(scene),
-        meets_surface_(scene.world.sphere.has_value()),
+        meets_surface_(has_surface(scene.world)),
         fixed_(wanted.fixed()),
         degree_is_fixed_(wanted.degree.has_value()),
         tolerance_(wanted.tolerance.value_or(kDefaultTolerance)),

@@ -15,7 +15,7 @@ std::vector<double> surface_passages(
     const Scene& scene, const Mesh& mesh,
     const std::function<Point(double)>& heavy_at) {
   std::vector<double> out;
-  if (!scene.world.sphere) return out;
+  if (!has_surface(scene.world)) return out;
   const auto height = [&](double sigma) {
     return height_above_surface(scene, heavy_at(sigma));
   };
@@ -52,11 +52,11 @@ std::vector<double> surface_passages(const LimitedCurve& curve) {
   });
 }
 
-std::vector<SphereSide> sides_of_elements(const ExtremalCurve& curve,
-                                          const Mesh& mesh) {
-  std::vector<SphereSide> out;
+std::vector<FieldSide> sides_of_elements(const ExtremalCurve& curve,
+                                         const Mesh& mesh) {
+  std::vector<FieldSide> out;
   const Scene& scene = curve.scene();
-  if (!scene.world.sphere) return out;
+  if (!has_surface(scene.world)) return out;
   for (int e = 0; e < mesh.num_elements(); ++e) {
     const ExtremalPoint at = curve.without_slope(mesh.sigma(e, 0.5));
     out.push_back(
@@ -65,7 +65,7 @@ std::vector<SphereSide> sides_of_elements(const ExtremalCurve& curve,
   return out;
 }
 
-std::vector<int> elements_beyond(const std::vector<SphereSide>& sides) {
+std::vector<int> elements_beyond(const std::vector<FieldSide>& sides) {
   std::vector<int> out;
   for (std::size_t e = 1; e < sides.size(); ++e) {
     if (sides[e] != sides[e - 1]) out.push_back(static_cast<int>(e));

@@ -44,12 +44,12 @@ namespace brachisto {
 
 /// On which side of the surface the middle of each element lies; nothing where
 /// there is no sphere.
-[[nodiscard]] std::vector<SphereSide> sides_of_elements(
+[[nodiscard]] std::vector<FieldSide> sides_of_elements(
     const ExtremalCurve& curve, const Mesh& mesh);
 
 /// Elements that begin on another side than the one before ends on.
 [[nodiscard]] std::vector<int> elements_beyond(
-    const std::vector<SphereSide>& sides);
+    const std::vector<FieldSide>& sides);
 
 /// The mesh with the beginnings of these elements at other places, the others
 /// between them in proportion: its lengths are linear in each place.

@@ -8,7 +8,9 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
 
+#include "math/dense.hpp"
 #include "model/scene_coordinate.hpp"
 
 namespace brachisto {
@@ -19,6 +21,36 @@ struct TimeRate {
   /// The slopes at A and B that the places of the centre follow from held.
   double at_fixed_contacts = 0.0;
 };
+
+/// The open conditions of each unknown as columns.
+template <class Rates>
+[[nodiscard]] Eigen::MatrixXd jacobian_of(const std::vector<Rates>& rates) {
+  const auto n = static_cast<Eigen::Index>(rates.size());
+  Eigen::MatrixXd jacobian(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    jacobian.col(i) = rates[static_cast<std::size_t>(i)].open;
+  }
+  return jacobian;
+}
+
+/// The rate of the time by one number where unknowns move along so that the
+/// open conditions go on to hold.
+///
+/// \param direct    by the number, the unknowns held: `time`, and `open` of the
+///                  conditions
+/// \param unknowns  the same by each of them
+template <class Rates>
+[[nodiscard]] double closed_rate(const Rates& direct,
+                                 const std::vector<Rates>& unknowns) {
+  double time = direct.time;
+  if (unknowns.empty()) return time;
+  const Eigen::VectorXd follow =
+      math::solve_square(jacobian_of(unknowns), -direct.open);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    time += follow[static_cast<Eigen::Index>(i)] * unknowns[i].time;
+  }
+  return time;
+}
 
 /// An answer as the root of its conditions, which are explicit in the scene:
 /// so its derivatives follow from one solution with their Jacobian each. Units

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "model/limit_table.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -99,7 +101,10 @@ std::vector<Outline> obstacles(const PathLimits& limits, Point low,
     constexpr std::size_t kFewest = 3;
     if (area.size() >= kFewest) all.push_back(std::move(area));
   };
-  if (limits.floor) add(behind({{0.0, *limits.floor}, kUp}, frame));
+  for (const LimitEntry& limit : limit_table()) {
+    const std::optional<double>& bound = limit.bound(limits);
+    if (bound && limit.forbids) add(behind(limit.forbids(*bound), frame));
+  }
   for (const HalfPlane& plane : limits.half_planes) add(behind(plane, frame));
   for (const Disc& disc : limits.discs) {
     constexpr int kCorners = 120;

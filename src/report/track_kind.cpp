@@ -3,6 +3,7 @@
 
 #include "report/track_kind.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,6 +23,7 @@ namespace {
 
 /// "0.5/s", "2 m".
 std::string with_unit(double number, std::string_view unit) {
+  if (unit.empty()) return fmt::format("{:.6g}", number);
   return unit.starts_with("1/")
              ? fmt::format("{:.6g}{}", number, unit.substr(1))
              : fmt::format("{:.6g} {}", number, unit);
@@ -54,28 +56,24 @@ std::string body_in_words(const Body& body) {
 /// " at A of a sphere of 8 m about (1, 10), v_0 = 1 m/s"; "" if ordinary.
 std::string world_in_words(const World& world) {
   std::string text;
-  if (world.sphere) {
-    const Sphere& sphere = *world.sphere;
-    text += fmt::format(" at A of a sphere of {:.6g} m about ({:.6g}, {:.6g})",
-                        sphere.radius, sphere.centre.x, sphere.centre.z);
-  }
-  if (world.start_speed != 0.0) {
-    text += fmt::format(", v_0 = {:.6g} m/s", world.start_speed);
-  }
-  if (world.losses.sliding != 0.0) {
-    text += fmt::format(", sliding friction {:.6g}", world.losses.sliding);
-  }
-  if (world.losses.rolling != 0.0) {
-    text += fmt::format(", rolling resistance {:.6g}", world.losses.rolling);
-  }
-  if (!world.air.any()) return text;
+  fmt::dynamic_format_arg_store<fmt::format_context> of_field;
   std::vector<std::string> drags;
   for (const WorldParameter& parameter : kWorldParameters) {
-    if (*parameter.times == '\0') continue;
-    drags.push_back(
-        fmt::format("{} {}", with_unit(*parameter.find(world), parameter.unit),
-                    parameter.times));
+    const double* number = parameter.find(world);
+    if (number == nullptr) continue;
+    const std::string told = with_unit(*number, parameter.unit);
+    if (parameter.of_field) {
+      of_field.push_back(*number);
+    } else if (*parameter.times != '\0') {
+      drags.push_back(fmt::format("{} {}", told, parameter.times));
+    } else if (*number != 0.0) {
+      text += ", " + fmt::format(fmt::runtime(parameter.words), told);
+    }
   }
+  if (const FieldKind* kind = field_kind(world)) {
+    text = " at A " + fmt::vformat(kind->words, of_field) + text;
+  }
+  if (!world.air.any()) return text;
   return fmt::format("{}, drag {}", text, fmt::join(drags, " + "));
 }
 

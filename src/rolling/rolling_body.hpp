@@ -61,21 +61,17 @@ class Moving {
     return kNames.at(i);
   }
 
-  /// Whether the field has a kink, at the surface of a sphere.
+  /// Whether the field has a kink.
   [[nodiscard]] bool has_surface() const {
-    return scene_.world.sphere.has_value();
+    return brachisto::has_surface(scene_.world);
   }
   /// How far the centre of mass is above it.
   template <class Scalar, std::size_t Size>
   [[nodiscard]] Scalar height(const std::array<Scalar, Size>& y) const {
-    using std::cos;
-    using std::sin;
-    const double r_m = scene_.body.radius * scene_.body.eta_m;
-    return height_above_surface(scene_, Scalar(y[kX] + cos(y[kTheta]) * r_m),
-                                Scalar(y[kZ] + sin(y[kTheta]) * r_m));
+    return height_of_mass(scene_, y[kX], y[kZ], y[kTheta]);
   }
   void keep_to_side(bool above) {
-    scene_.world.side = above ? SphereSide::Outside : SphereSide::Inside;
+    scene_.world.side = above ? FieldSide::Outside : FieldSide::Inside;
   }
 
   /// Why a point is none of a path; nullptr if it may be one. The body moves

@@ -51,7 +51,7 @@ std::string asked_for(const World& world) {
   if (world.start_speed != 0.0) parts.emplace_back("the start speed");
   if (world.air.any()) parts.emplace_back("the drag");
   if (world.losses.any()) parts.emplace_back("the losses");
-  if (world.sphere) parts.emplace_back("the field of the sphere");
+  if (const auto* kind = field_kind(world)) parts.emplace_back(kind->name);
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
@@ -104,7 +104,7 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
     if (slope_at_A_is_open(part)) {
       part.world.start_slope = out.curve->at(0.0).beta;
     }
-    // Its field has a kink on the surface of its sphere.
+    // Its field may have a kink.
     const Mesh mesh =
         with_ends_at(out.curve->mesh(), surface_passages(part, *out.curve));
     RollingTime problem(part, mesh, out.phi);

@@ -60,14 +60,7 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
 std::string advice(const Scene& scene, const StatedLimit& limit,
                    bool of_friction) {
   const bool of_normal = limit.name.starts_with("normal_force");
-  std::string out =
-      of_friction || limit.name.starts_with("curvature")
-          ? fmt::format("a larger {}", limit.name)
-      : limit.name == "floor"            ? "a lower floor"
-      : limit.name == "fold_margin"      ? "a smaller fold_margin"
-      : limit.name == "normal_force.min" ? "a smaller normal_force.min"
-      : limit.name == "normal_force.max" ? "a larger normal_force.max"
-                                         : "more room at " + limit.name;
+  std::string out = limit.looser;
   if ((of_friction || of_normal) && scene.body.off_centred()) {
     out += ", a smaller eta_m";
   }

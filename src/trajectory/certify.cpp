@@ -190,13 +190,13 @@ void check_energy(const ExtremalCurve& curve, double threshold,
 /// for they are read as constants.
 void check_turning(const ExtremalCurve& curve, double threshold,
                    Certificate& certificate) {
-  const auto& sphere = curve.scene().world.sphere;
-  if (!sphere) return;
+  const std::optional<Point> O = turning_centre(curve.scene().world);
+  if (!O) return;
   const auto costate = [&](const ExtremalPoint& at) {
-    return at.p.p_z * (at.centre.x - sphere->centre.x) -
-           at.p.p_x * (at.centre.z - sphere->centre.z) + at.p.p_theta;
+    return at.p.p_z * (at.centre.x - O->x) - at.p.p_x * (at.centre.z - O->z) +
+           at.p.p_theta;
   };
-  const double distance = std::hypot(sphere->centre.x, sphere->centre.z);
+  const double distance = std::hypot(O->x, O->z);
   const double scale = curve.transit_time() * std::max(1.0, distance);
   const double end = costate(curve.at(1.0));
   const ElementPlace first(gauss_scheme(curve.mesh().degree), 0.0);

@@ -229,7 +229,7 @@ std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(
 void PrescribedMotion::end_pieces() {
   ends_ = curve_->joints();
   ends_.push_back(1.0);
-  if (scene_.world.sphere) {
+  if (has_surface(scene_.world)) {
     // Between so many places a path is as good as straight.
     const int parts = std::max(1, 64 / static_cast<int>(ends_.size()));
     constexpr double kNoLength = 1e-6;  // A itself may lie on the surface

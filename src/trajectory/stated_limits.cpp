@@ -43,12 +43,13 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
            return limit.is(*kept, kind, lower);
          },
          [&limit](PathLimits& l, double by) { *limit.bound_in(l) += by; },
-         units.measured(1.0, limit.dimension)});
+         units.measured(1.0, limit.dimension), limit.looser});
   }
   for (std::size_t i = 0; i < limits.discs.size(); ++i) {
     const Disc disc = limits.discs[i];
     all.push_back({numbered("clear_of.disc", i, limits.discs.size()),
-                   disc.radius, std::nullopt,
+                   disc.radius,
+                   std::nullopt,
                    [=](At p) {
                      return std::hypot(p.centre.x - disc.centre.x,
                                        p.centre.z - disc.centre.z) -
@@ -58,14 +59,16 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
                      return kind == Kind::Disc && index == static_cast<int>(i);
                    },
                    [=](PathLimits& l, double by) { l.discs[i].radius += by; },
-                   1.0 / units.length});
+                   1.0 / units.length,
+                   {}});
   }
   for (std::size_t i = 0; i < limits.half_planes.size(); ++i) {
     const HalfPlane plane = limits.half_planes[i];
     const Point n{std::cos(plane.normal), std::sin(plane.normal)};
     all.push_back(
         {numbered("clear_of.half_plane", i, limits.half_planes.size()),
-         std::nullopt, std::nullopt,
+         std::nullopt,
+         std::nullopt,
          [=](At p) {
            return (p.centre.x - plane.point.x) * n.x +
                   (p.centre.z - plane.point.z) * n.z - R;
@@ -77,7 +80,11 @@ std::vector<StatedLimit> stated_limits(const Scene& scene) {
            l.half_planes[i].point.x += n.x * by;
            l.half_planes[i].point.z += n.z * by;
          },
-         1.0 / units.length});
+         1.0 / units.length,
+         {}});
+  }
+  for (StatedLimit& limit : all) {
+    if (limit.looser.empty()) limit.looser = "more room at " + limit.name;
   }
   return all;
 }

@@ -32,6 +32,7 @@ struct StatedLimit {
   /// its normal.
   std::function<void(PathLimits&, double by)> move;
   double natural = 1.0;  ///< one of its unit in natural_units() of the scene
+  std::string looser;    ///< "a lower floor"
 };
 
 /// All of a scene's, in the order of PathLimits. A disc or a half-plane is

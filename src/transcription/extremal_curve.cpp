@@ -127,11 +127,11 @@ ExtremalCurve::ExtremalCurve(const RollingTime& problem,
       node[kT] = t;
     }
   }
-  if (scene_.world.sphere) find_sides();
+  if (has_surface(scene_.world)) find_sides();
 }
 
 void ExtremalCurve::find_sides() {
-  for (const SphereSide side : {SphereSide::Inside, SphereSide::Outside}) {
+  for (const FieldSide side : {FieldSide::Inside, FieldSide::Outside}) {
     sides_.push_back(scene_);
     sides_.back().world.side = side;
   }
@@ -141,10 +141,10 @@ void ExtremalCurve::find_sides() {
                            mass_centre(scene_.body, there.centre, there.theta));
   };
   for (int e = 0; e < mesh_.num_elements(); ++e) {
-    std::optional<SphereSide> common;
+    std::optional<FieldSide> common;
     bool same = true;
     for (const double t : scheme_->points.nodes()) {
-      const SphereSide side = side_at(e, t);
+      const FieldSide side = side_at(e, t);
       same = same && side == common.value_or(side);
       common = side;
     }
@@ -154,7 +154,7 @@ void ExtremalCurve::find_sides() {
 
 const Scene& ExtremalCurve::scene_in(int element) const {
   if (side_.empty() || !side_[at_index(element)]) return scene_;
-  return sides_[*side_[at_index(element)] == SphereSide::Inside ? 0 : 1];
+  return sides_[*side_[at_index(element)] == FieldSide::Inside ? 0 : 1];
 }
 
 ExtremalPoint ExtremalCurve::without_slope(int element,

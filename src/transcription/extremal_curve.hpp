@@ -118,7 +118,7 @@ class ExtremalCurve {
   std::vector<double> beta_points_, w_points_;
   /// With a sphere: the scenes of both sides, and what each element sees.
   std::vector<Scene> sides_;
-  std::vector<std::optional<SphereSide>> side_;
+  std::vector<std::optional<FieldSide>> side_;
 };
 
 /// Share of each element in the error of T between the given end points.

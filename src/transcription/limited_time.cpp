@@ -41,18 +41,20 @@ int num_start_rows(const Scene& scene,
 LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
                          Mesh mesh, const LimitedEnds& ends,
                          std::optional<HeldLimits> held)
-    : Transcription(
+    : CollocatedTime(
           scene, mesh,
           VariableLayout::with_limits(
               mesh.num_points(), scene.body.off_centred(),
               static_cast<int>(limits.size()), num_contact_rows(scene, ends),
               num_start_rows(scene, limits, ends)),
-          {}, "collocation point"),
+          [&](const ocp::Layout& on) {
+            return ocp::Collocation<rolling::Turning>(
+                {scene, std::move(limits),
+                 scene.body.rolls() ? 1.0 / scene.body.radius : 1.0},
+                radau_scheme(mesh.degree), on);
+          }),
       ends_(ends),
-      held_(std::move(held)),
-      collocation_({scene, std::move(limits),
-                    scene.body.rolls() ? 1.0 / scene.body.radius : 1.0},
-                   radau_scheme(mesh.degree), layout()) {
+      held_(std::move(held)) {
   set_up();
   build_patterns();
 }
@@ -67,7 +69,7 @@ void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
                          const LimitedEnds& ends) {
   rolling::Turning changed = body();
   changed.change_limits(std::move(limits));
-  collocation_.describe(std::move(changed));
+  std::get<0>(collocation_).describe(std::move(changed));
   ends_ = ends;
   change_lengths(std::move(mesh));
   set_up();
@@ -100,7 +102,7 @@ void LimitedTime::bound_limits() {
     }
     // The place of the last point is given: its limit would say so again.
     if (!free_contacts() &&
-        collocation_.limit_is_of(i, {rolling::kX, rolling::kZ})) {
+        collocation().limit_is_of(i, {rolling::kX, rolling::kZ})) {
       bound_row(layout().limit(layout().num_points() - 1, i), -kInfinity,
                 kInfinity);
     }
@@ -156,7 +158,7 @@ nlp::Held LimitedTime::held_at(int point, int limit) const {
 
 nlp::ChainStructure LimitedTime::chain_structure() const {
   nlp::ChainStructure chain = ocp::element_chain(
-      layout(), mesh(), num_constraints(), collocation_.limits_of_control());
+      layout(), mesh(), num_constraints(), collocation().limits_of_control());
   const int last = mesh().num_elements() - 1;
   for (int i = 0; i < num_end_rows(); ++i) {
     const auto row = at(num_variables() + layout().contact_row(i));
@@ -169,13 +171,7 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
 std::optional<Transcription::End> LimitedTime::end(
     std::span<const double> x, std::span<const double> lambda) {
   const int last = layout().num_points();
-  End out;
-  out.state.w = x[at(layout().state(last, W))];
-  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
-  if (layout().has_theta()) {
-    out.state.theta = x[at(layout().state(last, Theta))];
-    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
-  }
+  End out = state_at_end(x);
   out.p = end_costates(lambda);
   const int p = mesh().degree;
   for (int j = 0; j < p; ++j) {
@@ -212,19 +208,6 @@ Costates LimitedTime::start_costates(std::span<const double> lambda) const {
   return out;
 }
 
-bool LimitedTime::evaluate() {
-  if (!(x(layout().rolling_time()) > 0.0)) {
-    return refuse(-1, "the rolling time U is not positive");
-  }
-  // What is neither held nor an inequality is not asked for.
-  const auto refused = collocation_.evaluate(
-      x(), mesh(), [&](int) -> const auto& { return body(); },
-      [&](int c, int limit) {
-        return !held_ || held_at(c, limit) != nlp::Held::No;
-      });
-  return !refused || refuse(refused->point, refused->because);
-}
-
 template <class With>
 void LimitedTime::each_end_row(With&& with) const {
   using On = math::Dependence<4>;
@@ -240,23 +223,15 @@ void LimitedTime::each_end_row(With&& with) const {
   }
 }
 
-double LimitedTime::do_eval_f() const {
-  return collocation_.objective(mesh(), x(layout().rolling_time()));
-}
-
-void LimitedTime::do_eval_grad_f(std::span<double> grad_f) const {
-  collocation_.put_gradient(mesh(), x(layout().rolling_time()), grad_f);
-}
-
 void LimitedTime::do_eval_g(std::span<double> g) const {
-  collocation_.put_constraints(x(), mesh(), g);
+  CollocatedTime::do_eval_g(g);
   each_end_row([&](int row, int, const EndJet& value, const auto&) {
     g[at(row)] = value.value;
   });
 }
 
 void LimitedTime::put_jac_g(Entries& put) const {
-  collocation_.put_jac_g(mesh(), x(layout().rolling_time()), put);
+  CollocatedTime::put_jac_g(put);
   each_end_row([&](int row, int node, const EndJet& value, const auto& on) {
     for (std::size_t k = 0; k < kOfEnds.size(); ++k) {
       if (on.any[k]) {
@@ -269,8 +244,7 @@ void LimitedTime::put_jac_g(Entries& put) const {
 void LimitedTime::put_hess_lag(double objective_factor,
                                std::span<const double> lambda,
                                Entries& put) const {
-  collocation_.put_hess_lag(mesh(), x(layout().rolling_time()),
-                            objective_factor, lambda, put);
+  CollocatedTime::put_hess_lag(objective_factor, lambda, put);
   constexpr int kSlope = 3;  // nothing else bends them
   each_end_row([&](int row, int node, const EndJet& value, const auto&) {
     const int beta = layout().state(node, Beta);
@@ -282,8 +256,8 @@ void LimitedTime::put_hess_lag(double objective_factor,
 void LimitedTime::add_rates_by_length(int element, double rate,
                                       std::span<const double> lambda,
                                       std::span<double> out) const {
-  ocp::add_rates_by_length(collocation_, element, mesh().length(element),
-                           x(layout().rolling_time()), rate, x(), lambda, out);
+  ocp::add_rates_by_length(collocation(), element, mesh().length(element),
+                           rolling_time(), rate, x(), lambda, out);
 }
 
 }  // namespace brachisto

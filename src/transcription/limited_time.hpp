@@ -14,12 +14,11 @@
 
 #include "brachisto/math/index.hpp"
 #include "brachisto/math/jet.hpp"
-#include "brachisto/ocp/collocation.hpp"
 #include "model/start_under_limits.hpp"
 #include "nlp/active_set.hpp"
 #include "rolling/rolling_body.hpp"
+#include "transcription/collocated_time.hpp"
 #include "transcription/program_formulas.hpp"
-#include "transcription/transcription.hpp"
 
 namespace brachisto {
 
@@ -63,7 +62,7 @@ struct HeldLimits {
 ///
 /// All of that is ocp::Collocation's of that body; what is added are the bounds
 /// and the rows at the ends.
-class LimitedTime final : public Transcription {
+class LimitedTime final : public CollocatedTime<rolling::Turning> {
  public:
   /// \param scene   valid, in units of the caller's choice
   /// \param limits  in the same units
@@ -73,7 +72,7 @@ class LimitedTime final : public Transcription {
               const LimitedEnds& ends, std::optional<HeldLimits> held = {});
 
   [[nodiscard]] const CollocationScheme& scheme() const {
-    return collocation_.scheme();
+    return collocation().scheme();
   }
   [[nodiscard]] const std::vector<PathInequality>& limits() const {
     return body().limits();
@@ -152,8 +151,11 @@ class LimitedTime final : public Transcription {
   void set_up();
   void fix_start();
   void bound_limits();
+  [[nodiscard]] const ocp::Collocation<rolling::Turning>& collocation() const {
+    return std::get<0>(collocation_);
+  }
   [[nodiscard]] const rolling::Turning& body() const {
-    return collocation_.description();
+    return collocation().description();
   }
   /// By x, z, w and β of their node.
   using EndJet = math::Jet2<double, 4>;
@@ -163,9 +165,10 @@ class LimitedTime final : public Transcription {
   template <class With>
   void each_end_row(With&& with) const;
 
-  bool evaluate() override;
-  [[nodiscard]] double do_eval_f() const override;
-  void do_eval_grad_f(std::span<double> grad_f) const override;
+  /// What is held or an inequality.
+  [[nodiscard]] bool asks_for(int point, int limit) const override {
+    return !held_ || held_at(point, limit) != nlp::Held::No;
+  }
   void do_eval_g(std::span<double> g) const override;
   void put_jac_g(Entries& put) const override;
   void put_hess_lag(double objective_factor, std::span<const double> lambda,
@@ -173,7 +176,6 @@ class LimitedTime final : public Transcription {
 
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
-  ocp::Collocation<rolling::Turning> collocation_;
 };
 
 }  // namespace brachisto

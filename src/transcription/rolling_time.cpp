@@ -41,9 +41,10 @@ std::variant<Falling, InWorld> collocated(const Scene& scene,
 }  // namespace
 
 RollingTime::RollingTime(const Scene& scene, Mesh mesh, double phi)
-    : Transcription(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
-                    {}, "collocation point"),
-      collocation_(collocated(scene, scheme(), layout())) {
+    : CollocatedTime(scene, mesh, {mesh.num_points(), scene.body.off_centred()},
+                     [&](const ocp::Layout& on) {
+                       return collocated(scene, gauss_scheme(mesh.degree), on);
+                     }) {
   fix_start();
   set_end_angle(phi);
   build_patterns();
@@ -68,11 +69,6 @@ void RollingTime::fix_start() {
   fix(layout().state(0, X), start.x);
   fix(layout().state(0, Z), start.z);
   fix(layout().state(0, W), initial_w(scene()));
-}
-
-void RollingTime::hold_sides(std::vector<SphereSide> sides) {
-  sides_ = std::move(sides);
-  forget_point();
 }
 
 void RollingTime::set_start_slope(double alpha) {
@@ -111,13 +107,7 @@ std::optional<Transcription::End> RollingTime::end(
   const int last = layout().num_points();
   const int row_x = layout().defect(last - 1, X);
   const int row_z = layout().defect(last - 1, Z);
-  End out;
-  out.state.w = x[at(layout().state(last, W))];
-  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
-  if (layout().has_theta()) {
-    out.state.theta = x[at(layout().state(last, Theta))];
-    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
-  }
+  End out = state_at_end(x);
   const double b = scheme().rule.weights.back();
   out.p.p_x = -lambda[at(row_x)] / b;
   out.p.p_z = -lambda[at(row_z)] / b;
@@ -140,78 +130,11 @@ Costates RollingTime::end_costates(std::span<const double> lambda) const {
   return p;
 }
 
-bool RollingTime::evaluate() {
-  if (!(x(layout().rolling_time()) > 0.0)) {
-    return refuse(-1, "the rolling time U is not positive");
-  }
-  return std::visit(
-      [&](auto& collocation) {
-        const auto& by_place = collocation.description();
-        auto inside = by_place, outside = by_place;
-        inside.keep_to_side(false);
-        outside.keep_to_side(true);
-        const auto refused = collocation.evaluate(
-            x(), mesh(),
-            [&](int e) -> const auto& {
-              if (sides_.empty()) return by_place;
-              return sides_[at(e)] == SphereSide::Inside ? inside : outside;
-            },
-            [](int, int) { return false; });
-        return !refused || refuse(refused->point, refused->because);
-      },
-      collocation_);
-}
-
-double RollingTime::do_eval_f() const {
-  return std::visit(
-      [&](const auto& collocation) {
-        return collocation.objective(mesh(), x(layout().rolling_time()));
-      },
-      collocation_);
-}
-
-void RollingTime::do_eval_grad_f(std::span<double> grad_f) const {
-  std::visit(
-      [&](const auto& collocation) {
-        collocation.put_gradient(mesh(), x(layout().rolling_time()), grad_f);
-      },
-      collocation_);
-}
-
-void RollingTime::do_eval_g(std::span<double> g) const {
-  std::visit(
-      [&](const auto& collocation) {
-        collocation.put_constraints(x(), mesh(), g);
-      },
-      collocation_);
-}
-
-void RollingTime::put_jac_g(Entries& put) const {
-  std::visit(
-      [&](const auto& collocation) {
-        collocation.put_jac_g(mesh(), x(layout().rolling_time()), put);
-      },
-      collocation_);
-}
-
-void RollingTime::put_hess_lag(double objective_factor,
-                               std::span<const double> lambda,
-                               Entries& put) const {
-  std::visit(
-      [&](const auto& collocation) {
-        collocation.put_hess_lag(mesh(), x(layout().rolling_time()),
-                                 objective_factor, lambda, put);
-      },
-      collocation_);
-}
-
 ocp::Rates<RollingTime::Jet, 4> RollingTime::rates(std::span<const double> x,
                                                    int point) const {
-  return std::visit(
-      [&](const auto& collocation) {
-        return collocation.jets_at(collocation.locals(x, mesh(), point));
-      },
-      collocation_);
+  return visit([&](const auto& collocation) {
+    return collocation.jets_at(collocation.locals(x, mesh(), point));
+  });
 }
 
 // p = Σ_j b_j (p_j + c_j hU (λ_w/b)_j ∂w'/∂x), p_j = −(λ_x/b)_j, and likewise
@@ -223,17 +146,16 @@ Transcription::End RollingTime::world_end(
   const int e = mesh().num_elements() - 1;
   const int last = layout().num_points();
   const double h = mesh().length(e);
-  const double U = x(layout().rolling_time());
-  End out;
-  out.state.w = x(layout().state(last, W));
-  if (layout().has_theta()) out.state.theta = x(layout().state(last, Theta));
+  const double U = rolling_time();
+  End out = state_at_end(x());
   std::map<int, End::Rate> by_x;
   const auto by = [&](int index) -> End::Rate& {
     return by_x.try_emplace(index, End::Rate{index, 0.0, 0.0, 0.0, 0.0})
         .first->second;
   };
-  by(layout().state(last, W)).w = 1.0;
-  if (layout().has_theta()) by(layout().state(last, Theta)).theta = 1.0;
+  for (const End::Rate& rate : std::exchange(out.by_x, {})) {
+    by(rate.index) = rate;
+  }
   for (int j = 0; j < p; ++j) {
     const int point = e * p + j;
     const int row_x = layout().defect(point, X);

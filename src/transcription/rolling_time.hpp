@@ -8,13 +8,11 @@
 #pragma once
 
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "brachisto/ocp/collocation.hpp"
 #include "brachisto/ocp/mesh.hpp"
 #include "rolling/steered_falling.hpp"
-#include "transcription/transcription.hpp"
+#include "transcription/collocated_time.hpp"
 
 namespace brachisto {
 
@@ -39,7 +37,8 @@ namespace brachisto {
 ///
 /// A point is refused unless U > 0 and, at every collocation point, w > 0 and
 /// A > 0: the body moves on and its kinetic energy is positive.
-class RollingTime final : public Transcription {
+class RollingTime final
+    : public CollocatedTime<rolling::SteeredFalling, rolling::Steered> {
  public:
   /// \param scene  valid, in units of the caller's choice
   /// \param phi    end angle φ [rad]; without effect with Contact::Centre
@@ -58,14 +57,6 @@ class RollingTime final : public Transcription {
   /// the same, on as many elements of the same degree: bounds and values
   /// change, patterns do not.
   void move_to(const Scene& scene, Mesh mesh, double phi);
-
-  /// From now on element e takes the law of sides[e] of a sphere for its field,
-  /// wherever its points lie: so all is smooth in its ends and in the scene. A
-  /// point is forgotten.
-  ///
-  /// \param sides  of as many elements, or none: each point by its place
-  void hold_sides(std::vector<SphereSide> sides);
-  [[nodiscard]] const std::vector<SphereSide>& sides() const { return sides_; }
 
   /// Moves the start of the centre to C_A(α), with the w that v₀ means there.
   void set_start_slope(double alpha);
@@ -87,26 +78,12 @@ class RollingTime final : public Transcription {
 
  private:
   void fix_start();
-  bool evaluate() override;
-  [[nodiscard]] double do_eval_f() const override;
-  void do_eval_grad_f(std::span<double> grad_f) const override;
-  void do_eval_g(std::span<double> g) const override;
-  void put_jac_g(Entries& put) const override;
-  void put_hess_lag(double objective_factor, std::span<const double> lambda,
-                    Entries& put) const override;
-
   /// Whether the field depends on the place, so that p_x and p_z are not
   /// constant.
   [[nodiscard]] bool place_matters() const {
     return scene().world.field_varies();
   }
   [[nodiscard]] End world_end(std::span<const double> lambda) const;
-
-  /// A body that falls, and in another world.
-  std::variant<ocp::Collocation<rolling::SteeredFalling>,
-               ocp::Collocation<rolling::Steered>>
-      collocation_;
-  std::vector<SphereSide> sides_;  ///< held, by element, or none
 };
 
 }  // namespace brachisto

@@ -30,7 +30,7 @@ double potential_at(const Scene& scene, Point place) {
   const double of_sphere =
       d > R ? -g_s * R * R / d : 0.5 * g_s * (d * d / R - 3.0 * R);
   return std::lerp(-scene.gravity * place.z, of_sphere,
-                   scene.world.sphere_share);
+                   scene.world.field_share);
 }
 
 TEST(AField, IsMinusTheGradientOfItsPotential) {
@@ -38,7 +38,7 @@ TEST(AField, IsMinusTheGradientOfItsPotential) {
   scene.world.sphere->radius = 5.5;  // some of the places are outside
   constexpr double h = 1e-4;
   for (const double share : {0.0, 0.3, 1.0}) {
-    scene.world.sphere_share = share;
+    scene.world.field_share = share;
     for (const Point at : {Point{0.3, -0.7}, {2.0, 1.0}, {-1.0, 4.0}}) {
       const Pull<double> G = field_at(scene, at.x, at.z);
       const double by_x = (potential_at(scene, {at.x + h, at.z}) -
@@ -59,7 +59,7 @@ TEST(AField, FallsInPotentialByTheDifferenceOfPotentials) {
   scene.world.sphere->radius = 5.0;
   const Point places[] = {{0.3, -0.7}, {2.0, 1.0}, {-1.0, 4.0}, {0.0, -2.0}};
   for (const double share : {0.0, 0.3, 1.0}) {
-    scene.world.sphere_share = share;
+    scene.world.field_share = share;
     for (const Point from : places) {
       for (const Point to : places) {
         // Some ulps of potentials up to 1e2.

@@ -41,7 +41,7 @@ Scene in_all_of_the_world() {
   scene.limits.discs = {{{1.5, 1.3}, 0.3}};
   scene.limits.half_planes = {{{1.5, 1.2}, -1.4}};
   scene = in_natural_units(scene);
-  scene.world.side = SphereSide::Inside;
+  scene.world.side = FieldSide::Inside;
   return scene;
 }
 

@@ -60,7 +60,7 @@ template <class Problem>
       cases.push_back(program_case<RollingTime>(
           std::string(name) + (held ? "HeldToSides" : "OnBothSides"),
           [scene, held] {
-            using enum SphereSide;
+            using enum FieldSide;
             auto problem = std::make_unique<RollingTime>(
                 scene, uniform_mesh(kDegree, kElements), -0.2);
             if (held) problem->hold_sides({Outside, Inside, Outside});

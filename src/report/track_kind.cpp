@@ -79,17 +79,6 @@ std::string world_in_words(const World& world) {
   return fmt::format("{}, drag {}", text, fmt::join(drags, " + "));
 }
 
-/// With real minus signs before numbers.
-std::string with_minus_signs(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool sign = text[i] == '-' && i + 1 < text.size() &&
-                      text[i + 1] >= '0' && text[i + 1] <= '9';
-    out += sign ? "−" : text.substr(i, 1);
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string_view track_kind(const Scene& scene) {

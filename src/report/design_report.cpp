@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "math/angle.hpp"
+#include "report/scale.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/text_table.hpp"
 
@@ -109,11 +110,12 @@ std::string minimum_in_words(const DesignMinimum& minimum) {
 
 /// "θ_m = −30°: dτ/d(bound) = 0.2 per rad".
 std::string bound_in_words(const BoundOfDesign& held) {
-  return with_minus_signs(held.name == "theta_m"
-             ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
-                           math::in_degrees(held.bound), held.multiplier)
-             : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
-                           held.bound, held.multiplier));
+  return with_minus_signs(
+      held.name == "theta_m"
+          ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
+                        math::in_degrees(held.bound), held.multiplier)
+          : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
+                        held.bound, held.multiplier));
 }
 
 /// Searches that led nowhere, the first few with the reason.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "math/angle.hpp"
+#include "report/scale.hpp"
 #include "report/text_table.hpp"
 #include "trajectory/stated_limits.hpp"
 

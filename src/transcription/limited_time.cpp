@@ -169,13 +169,7 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
 std::optional<Transcription::End> LimitedTime::end(
     std::span<const double> x, std::span<const double> lambda) {
   const int last = layout().num_points();
-  End out;
-  out.state.w = x[at(layout().state(last, W))];
-  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
-  if (layout().has_theta()) {
-    out.state.theta = x[at(layout().state(last, Theta))];
-    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
-  }
+  End out = end_of_states(x);
   out.p = end_costates(lambda);
   const int p = mesh().degree;
   for (int j = 0; j < p; ++j) {

@@ -111,13 +111,7 @@ std::optional<Transcription::End> RollingTime::end(
   const int last = layout().num_points();
   const int row_x = layout().defect(last - 1, X);
   const int row_z = layout().defect(last - 1, Z);
-  End out;
-  out.state.w = x[at(layout().state(last, W))];
-  out.by_x.push_back({layout().state(last, W), 0.0, 1.0, 0.0, 0.0});
-  if (layout().has_theta()) {
-    out.state.theta = x[at(layout().state(last, Theta))];
-    out.by_x.push_back({layout().state(last, Theta), 1.0, 0.0, 0.0, 0.0});
-  }
+  End out = end_of_states(x);
   const double b = scheme().rule.weights.back();
   out.p.p_x = -lambda[at(row_x)] / b;
   out.p.p_z = -lambda[at(row_z)] / b;

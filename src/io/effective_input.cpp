@@ -22,7 +22,7 @@ void add_section(Json& document, const Draft& problem,
                         spec.path.starts_with(fmt::format("{}.", section));
     const bool of_another_body =
         spec.of_cylinder() && !problem.scene.body.rolls();
-    if (!inside || !spec.value.get || of_another_body ||
+    if (!inside || !spec.value.is_echoed() || of_another_body ||
         spec.path.starts_with(absent)) {
       continue;
     }

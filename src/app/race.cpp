@@ -85,10 +85,7 @@ int run(const RaceFlags& flags) {
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::string& file = flags.files[i];
     if (flags.same_track && i > 0) {
-      Scene& scene = problems[i].scene;
-      scene.path = track;
-      scene.contact = Contact::Smooth;
-      scene.limits = {};
+      problems[i].scene = plot::on_track(problems[i].scene, track);
     }
     const Solution solution =
         solve_in_time(problems[i], false, {.interrupt = &signal});

@@ -3,8 +3,6 @@
 
 #include "io/effective_input.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,22 +11,27 @@ namespace brachisto::io {
 
 namespace {
 
+/// Whether a key stands below another one.
+bool below(std::string_view path, std::string_view key) {
+  return path.size() > key.size() && path[key.size()] == '.' &&
+         path.starts_with(key);
+}
+
 /// Adds the keys of a section to a document.
 void add_section(Json& document, const Draft& problem,
                  std::string_view section) {
-  std::string absent = "\n";  // what begins so, the problem does not have
+  std::string_view absent = "\n";  // what is below, the problem does not have
   for (const KeySpec& spec : key_table()) {
-    const bool inside = spec.path == section ||
-                        spec.path.starts_with(fmt::format("{}.", section));
+    const bool inside = spec.path == section || below(spec.path, section);
     const bool of_another_body =
         spec.of_cylinder() && !problem.scene.body.rolls();
     if (!inside || !spec.value.is_echoed() || of_another_body ||
-        spec.path.starts_with(absent)) {
+        below(spec.path, absent)) {
       continue;
     }
     Json value = spec.used(problem) ? spec.value.get(problem) : Json();
     if (value.is_object()) continue;  // its keys follow
-    absent = fmt::format("{}.", spec.path);
+    absent = spec.path;
     if (spec.value.silent && value.is_null()) continue;
     Json* place = &document;
     for (const std::string& part : parts_of(spec.path)) {

@@ -63,7 +63,7 @@ class FallingLanes {
   [[nodiscard]] Number least_control(const std::array<Number, 2 * kStates>& y,
                                      const Number& near) const {
     constexpr int kMostSteps = 12;
-    constexpr double kLastStep = 1e-9;  // its square is below rounding
+    constexpr double kLastStep = 1e-8;  // its square is below rounding
     const Number last(kLastStep);
     Number at = near;
     auto moving = Number(1.0) > Number(0.0);

@@ -13,6 +13,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "lanes/by_share.hpp"
 #include "lanes/falling_lanes.hpp"
 #include "lanes/many_scenes.hpp"
 #include "lanes/newton_step.hpp"
@@ -21,10 +22,8 @@
 
 namespace brachisto::lanes {
 
-/// From the cycloid to the scene in so many equal steps of η.
-inline constexpr int kOffsets = 8;
-/// Steps of the integration on the way, where few digits are needed.
-inline constexpr int kCoarseSteps = 10;
+/// The most steps from the cycloid to a scene that there is room for.
+inline constexpr int kMostOffsets = kFine.offsets;
 
 /// What is shot for, in natural units.
 struct Target {
@@ -32,29 +31,13 @@ struct Target {
   double contact_radius = 0.0;  ///< by which the centre is off the track
   double rotation_per_length = 0.0;
   double L = 0.0, H = 0.0;
-  std::array<double, kOffsets + 1> start_angle{};   ///< with i η/kOffsets
-  double p_x = 0.0, p_z = 0.0, rolling_time = 0.0;  ///< of the cycloid
+  std::array<double, kMostOffsets + 1> start_angle{};  ///< on the way
+  double p_x = 0.0, p_z = 0.0, rolling_time = 0.0;     ///< of the cycloid
 };
 using Targets = std::array<Target, kLanes>;
 using Extremals = std::array<Extremal, kLanes>;
 
 namespace detail {
-
-/// The rates of a flow by the share σ = u/U of each scene's own rolling time.
-template <class Inner, class Number>
-struct BySharePath {
-  using Stack = typename Inner::Stack;
-
-  Inner inner;
-  Number rolling_time;
-  bool failed = false;
-
-  void operator()(const Stack& stack, Stack& rates, double) {
-    inner(stack, rates, 0.0);
-    failed = inner.failed;
-    for (Number& rate : rates) rate = rate * rolling_time;
-  }
-};
 
 template <int Set>
 class Shooting {
@@ -68,7 +51,8 @@ class Shooting {
   static constexpr std::size_t kUnknowns = 4;
   using Unknowns = std::array<Number, kUnknowns>;
 
-  explicit Shooting(const Targets& targets) : targets_(targets) {
+  Shooting(const Targets& targets, const Fineness& fineness)
+      : targets_(targets), fineness_(fineness) {
     each([&](std::size_t i, const Target& target) {
       theta_m_.set(i, target.theta_m);
       k_.set(i, target.k);
@@ -106,7 +90,7 @@ class Shooting {
 
   void set_offset(int step) {
     each([&](std::size_t i, const Target& target) {
-      eta_.set(i, target.eta_m * step / kOffsets);
+      eta_.set(i, target.eta_m * step / fineness_.offsets);
       start_angle_.set(i, target.start_angle[static_cast<std::size_t>(step)]);
     });
   }
@@ -136,10 +120,12 @@ class Shooting {
   [[nodiscard]] Shot shoot(const Unknowns& by, int steps,
                            OnStep&& on_step) const {
     const Flow flow = this->flow();
-    using Inner = ocp::FlowRates<Flow, Derivatives>;
-    using Path = ocp::AdaptiveIntegration<BySharePath<Inner, Number>>;
+    using Inner = ocp::FlowRates<Flow, Derivatives, kPX, kPTheta + 1>;
+    using Path = ocp::AdaptiveIntegration<ByShare<Inner, Number>>;
     const State y0 = start(flow, by);
-    Path path({Inner{flow, start_angle_}, by[3]}, Inner::stack_of(y0));
+    LastControls<Number> controls;
+    Path path({Inner{flow, start_angle_}, by[3], &controls},
+              Inner::stack_of(y0));
     on_step(0, flow, path.now(), path.rates().inner.control);
     Jacobi jacobi;
     for (int i = 1; i <= steps; ++i) {
@@ -281,6 +267,7 @@ class Shooting {
   void finish(Extremals& out);
 
   const Targets& targets_;
+  const Fineness& fineness_;
   Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_;
   Unknowns by_;
   Mask good_;
@@ -300,7 +287,7 @@ void Shooting<Set>::follow_offset() {
     by_[3].set(i, target.rolling_time);
   });
   std::array<Unknowns, 3> past{by_, by_, by_};
-  for (int step = 1; step <= kOffsets; ++step) {
+  for (int step = 1; step <= fineness_.offsets; ++step) {
     set_offset(step);
     // By the polynomial through the last ones, equally far apart.
     for (std::size_t j = 0; j < kUnknowns; ++j) {
@@ -311,7 +298,7 @@ void Shooting<Set>::follow_offset() {
     }
     auto moving = good_;
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
-      const Shot shot = shoot<true>(by_, kCoarseSteps, ignore);
+      const Shot shot = shoot<true>(by_, fineness_.on_the_way, ignore);
       const auto solved = newton_step(shot.jacobian, shot.residual);
       if (step == 1 && i == 0) sign_ = solved.sign;
       const Number far = size(solved.step);
@@ -333,7 +320,7 @@ template <int Set>
 void Shooting<Set>::finish(Extremals& out) {
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
-  constexpr int kHalf = kSteps / 2;
+  const int steps = kSteps * fineness_.within, half = steps / 2;
   const auto ignore = [](auto&&...) {};
   // T to B itself, to the second order of what is missed: p = −∂T/∂(end).
   const auto time_of = [](const Shot& shot, const Unknowns& by) {
@@ -344,9 +331,9 @@ void Shooting<Set>::finish(Extremals& out) {
   auto moving = good_;
   for (int i = 0; i < kMostSteps && any(moving); ++i) {
     if (i < 2) {
-      whole = shoot<true>(by_, kHalf, ignore);
+      whole = shoot<true>(by_, half, ignore);
     } else {
-      const Shot next = shoot<false>(by_, kHalf, ignore);
+      const Shot next = shoot<false>(by_, half, ignore);
       whole.residual = next.residual;
       whole.T = next.T;
     }
@@ -362,15 +349,16 @@ void Shooting<Set>::finish(Extremals& out) {
           (whole.by_length > Number(0.0));
 
   // Once to take up what doubled steps change, once for the path.
-  const Shot first = shoot<false>(by_, kSteps, ignore);
+  const Shot first = shoot<false>(by_, steps, ignore);
   const auto solved = newton_step(whole.jacobian, first.residual);
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     by_[j] = by_[j] + solved.step[j];
   }
   Number least_legendre(std::numeric_limits<double>::infinity());
   const Shot last = shoot<false>(
-      by_, kSteps,
+      by_, steps,
       [&](int i, const Flow& flow, const auto& stack, const Number& control) {
+        if (i % fineness_.within != 0) return;
         State y;
         std::copy_n(stack.begin(), Flow::kSize, y.begin());
         typename Flow::template At<typename Flow::SecondOrder> at;
@@ -386,7 +374,7 @@ void Shooting<Set>::finish(Extremals& out) {
           beta_rate = beta_rate + by_state[j] * rates[j];
         }
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          out[lane].path[static_cast<std::size_t>(i)] = {
+          out[lane].path[static_cast<std::size_t>(i / fineness_.within)] = {
               .x = y[kX][lane],
               .z = y[kZ][lane],
               .theta = y[kTheta][lane],
@@ -405,7 +393,7 @@ void Shooting<Set>::finish(Extremals& out) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   const Number touched = abs(by_[0] * L_) + abs(by_[1] * H_) + abs(T);
   const Number error =
-      (abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + kSteps))) / T;
+      (abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + steps))) / T;
   Number mismatch(0.0);
   for (const Number& missed : last.residual) {
     mismatch = where(!(abs(missed) < mismatch), abs(missed), mismatch);
@@ -432,8 +420,9 @@ void Shooting<Set>::finish(Extremals& out) {
 
 /// Eight scenes with one set of instructions.
 template <Instructions Set>
-void shoot_eight(const Targets& targets, Extremals& out) {
-  detail::Shooting<static_cast<int>(Set)>(targets).run(out);
+void shoot_eight(const Targets& targets, const Fineness& fineness,
+                 Extremals& out) {
+  detail::Shooting<static_cast<int>(Set)>(targets, fineness).run(out);
 }
 
 }  // namespace brachisto::lanes

@@ -5,6 +5,7 @@
 
 namespace brachisto::lanes {
 
-template void shoot_eight<Instructions::Avx512>(const Targets&, Extremals&);
+template void shoot_eight<Instructions::Avx512>(const Targets&, const Fineness&,
+                                                Extremals&);
 
 }  // namespace brachisto::lanes

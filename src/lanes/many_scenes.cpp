@@ -17,17 +17,20 @@ namespace brachisto::lanes {
 
 #if defined(__x86_64__)
 extern template void shoot_eight<Instructions::Avx2>(const Targets&,
+                                                     const Fineness&,
                                                      Extremals&);
 extern template void shoot_eight<Instructions::Avx512>(const Targets&,
+                                                       const Fineness&,
                                                        Extremals&);
 #endif
 extern template void shoot_eight<Instructions::Baseline>(const Targets&,
+                                                         const Fineness&,
                                                          Extremals&);
 
 namespace {
 
 /// \return nothing where there is no cycloid
-bool aim(const Scene& natural, Target& out) {
+bool aim(const Scene& natural, int offsets, Target& out) {
   const ExtremalGuess cycloid = cycloid_guess(natural);
   if (!cycloid.state) return false;
   const ExtremalState start = cycloid.state(0.0);
@@ -43,8 +46,8 @@ bool aim(const Scene& natural, Target& out) {
          .p_z = start.p_z,
          .rolling_time = cycloid.rolling_time};
   Body on_the_way = body;
-  for (int i = 0; i <= kOffsets; ++i) {
-    on_the_way.eta_m = body.eta_m * i / kOffsets;
+  for (int i = 0; i <= offsets; ++i) {
+    on_the_way.eta_m = body.eta_m * i / offsets;
     out.start_angle[static_cast<std::size_t>(i)] = start_angle(on_the_way);
   }
   return true;
@@ -67,6 +70,7 @@ Instructions best_instructions() {
 }
 
 std::vector<Extremal> shoot(std::span<const Scene> scenes,
+                            const Fineness& fineness,
                             Instructions instructions) {
   std::vector<Extremal> out(scenes.size());
   Targets targets;
@@ -78,7 +82,7 @@ std::vector<Extremal> shoot(std::span<const Scene> scenes,
     for (std::size_t i = 0; i < count; ++i) {
       const Scene natural =
           in_natural_units(without_whole_turns(scenes[first + i]));
-      aimed[i] = fits(natural) && aim(natural, targets[i]);
+      aimed[i] = fits(natural) && aim(natural, fineness.offsets, targets[i]);
       if (aimed[i]) some = i;
     }
     if (some == kLanes) continue;
@@ -89,14 +93,14 @@ std::vector<Extremal> shoot(std::span<const Scene> scenes,
     switch (instructions) {
 #if defined(__x86_64__)
       case Instructions::Avx512:
-        shoot_eight<Instructions::Avx512>(targets, *eight);
+        shoot_eight<Instructions::Avx512>(targets, fineness, *eight);
         break;
       case Instructions::Avx2:
-        shoot_eight<Instructions::Avx2>(targets, *eight);
+        shoot_eight<Instructions::Avx2>(targets, fineness, *eight);
         break;
 #endif
       default:
-        shoot_eight<Instructions::Baseline>(targets, *eight);
+        shoot_eight<Instructions::Baseline>(targets, fineness, *eight);
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (aimed[i]) out[first + i] = (*eight)[i];

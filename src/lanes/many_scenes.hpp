@@ -60,10 +60,19 @@ enum class Instructions { Baseline, Avx2, Avx512 };
 /// The best one that this processor has.
 [[nodiscard]] Instructions best_instructions();
 
+/// How finely scenes are followed.
+struct Fineness {
+  int offsets;     ///< from the cycloid to η_m in so many equal steps
+  int on_the_way;  ///< steps of the integration there
+  int within;      ///< and for each step of the path that is kept, at the end
+};
+/// Enough for three scenes of four, and for most of the others.
+inline constexpr Fineness kPlain{8, 10, 1}, kFine{16, 20, 2};
+
 /// The principal extremal of each scene.
 /// \pre fits() and validate() is empty of all
 [[nodiscard]] std::vector<Extremal> shoot(
-    std::span<const Scene> scenes,
+    std::span<const Scene> scenes, const Fineness& fineness = kPlain,
     Instructions instructions = best_instructions());
 
 }  // namespace brachisto::lanes

@@ -40,7 +40,7 @@ class AdaptiveIntegration {
 
   AdaptiveIntegration(const Rates& rates, const Stack& start)
       : rates_(rates), now_(start) {
-    rates_(now_, slope_, 0.0);
+    rates_(now_, slope_, u_);
   }
 
   [[nodiscard]] const Stack& now() const { return now_; }
@@ -59,33 +59,35 @@ class AdaptiveIntegration {
     constexpr double kSafety = 0.9;
     constexpr double kOrder = 8.0;
     Stack next, error;
-    stepper_.do_step(rates_, now_, slope_, 0.0, next, h, error);
+    stepper_.do_step(rates_, now_, slope_, u_, next, h, error);
     const double ratio = rates_.relative_error(now_, error, tolerance);
     factor_ = std::clamp(kSafety * std::pow(ratio, -1.0 / kOrder), 0.2, 3.0);
     if (!(ratio <= 1.0)) return false;
     if (halve) {
-      stepper_.do_step(rates_, now_, slope_, 0.0, next, 0.5 * h);
+      stepper_.do_step(rates_, now_, slope_, u_, next, 0.5 * h);
       const Stack middle = next;
-      stepper_.do_step(rates_, middle, 0.0, next, 0.5 * h);
+      stepper_.do_step(rates_, middle, u_ + 0.5 * h, next, 0.5 * h);
     }
-    move_to(next);
+    move_to(next, h);
     return true;
   }
 
   /// A step of length h, whatever its error.
   void step_unchecked(double h) {
     Stack next;
-    stepper_.do_step(rates_, now_, slope_, 0.0, next, h);
-    move_to(next);
+    stepper_.do_step(rates_, now_, slope_, u_, next, h);
+    move_to(next, h);
   }
 
  private:
-  void move_to(const Stack& next) {
+  void move_to(const Stack& next, double h) {
     now_ = next;
-    rates_(now_, slope_, 0.0);
+    u_ += h;
+    rates_(now_, slope_, u_);
   }
 
   Rates rates_;
+  double u_ = 0.0;
   Stack now_, slope_;
   double factor_ = 1.0;
   Stepper<Stack> stepper_;

@@ -21,20 +21,20 @@
 namespace brachisto::ocp {
 
 /// A flow as odeint wants it: states, costates and ∫L; behind them, if asked
-/// for, row by row their derivatives by the state at the start. Of ignorable
-/// states neither the column is kept, by which nothing else changes, nor the
-/// row of the costate, which is constant. Remembers the last control, near
-/// which the next one is searched. Odeint works on a copy: that a stage found
-/// none shows in the error of its step.
-template <class Flow, bool Derivatives>
+/// for, row by row their derivatives by the components First to End − 1 of the
+/// state at the start. Of ignorable states neither the column is kept, by which
+/// nothing else changes, nor the row of the costate, which is constant.
+/// Remembers the last control, near which the next one is searched. Odeint
+/// works on a copy: that a stage found none shows in the error of its step.
+template <class Flow, bool Derivatives, std::size_t First = Flow::kIgnorable,
+          std::size_t End = Flow::kSize>
 struct FlowRates {
   using Number = typename Flow::Number;
   static constexpr std::size_t kPath = Flow::kSize + 1;
   static constexpr std::size_t kCost = Flow::kSize;  ///< position of ∫L
-  static constexpr std::size_t kFirst = Flow::kIgnorable;
-  static constexpr std::size_t kColumns =
-      Derivatives ? Flow::kSize - kFirst : 0;
-  static constexpr std::size_t kRows = kPath - kFirst;
+  static_assert(First >= Flow::kIgnorable && End <= Flow::kSize);
+  static constexpr std::size_t kColumns = Derivatives ? End - First : 0;
+  static constexpr std::size_t kRows = kPath - Flow::kIgnorable;
   using Stack = std::array<Number, kPath + kRows * kColumns>;
   using State = typename Flow::State;
   using At = typename Flow::template At<std::conditional_t<
@@ -45,22 +45,28 @@ struct FlowRates {
   bool failed = false;
 
   [[nodiscard]] static constexpr bool is_constant(std::size_t component) {
-    return component >= Flow::kStates && component < Flow::kStates + kFirst;
+    return component >= Flow::kStates && component < Flow::kStates + Flow::kIgnorable;
   }
   /// Where the row of a component that is not constant begins.
   [[nodiscard]] static constexpr std::size_t row_of(std::size_t component) {
     const std::size_t row =
-        component < Flow::kStates ? component : component - kFirst;
+        component < Flow::kStates ? component
+                                  : component - Flow::kIgnorable;
     return kPath + row * kColumns;
   }
+  /// Whether a component of the state at the start has a column.
+  [[nodiscard]] static constexpr bool has_column(std::size_t by) {
+    return First <= by && by < End;
+  }
   /// ∂(component)/∂(another one at the start).
+  /// \pre the other one is ignorable or has a column
   [[nodiscard]] static Number derivative(const Stack& stack,
                                          std::size_t component,
                                          std::size_t by) {
-    if (by < kFirst || is_constant(component)) {
+    if (!has_column(by) || is_constant(component)) {
       return Number(component == by ? 1.0 : 0.0);
     }
-    return stack[row_of(component) + by - kFirst];
+    return stack[row_of(component) + by - First];
   }
 
   void operator()(const Stack& stack, Stack& rates, double) {
@@ -78,9 +84,9 @@ struct FlowRates {
       for (std::size_t i = 0; i < kPath; ++i) {
         if (is_constant(i)) continue;
         std::array<Number, kColumns> row{};
-        for (std::size_t k = kFirst; k < Flow::kSize; ++k) {
+        for (std::size_t k = Flow::kIgnorable; k < Flow::kSize; ++k) {
           if (is_constant(k)) {
-            row[k - kFirst] = row[k - kFirst] + by[i][k];
+            if (has_column(k)) row[k - First] = row[k - First] + by[i][k];
             continue;
           }
           const Number* other = stack.data() + row_of(k);
@@ -115,7 +121,7 @@ struct FlowRates {
     if (!Derivatives || flow.judges_costates) return largest;
     constexpr double kOfDerivatives = 1e-8;
     for (std::size_t i = 0; i < Flow::kStates; ++i) {
-      for (std::size_t j = 0; j < Flow::kStates - kFirst; ++j) {
+      for (std::size_t j = 0; First + j < Flow::kStates; ++j) {
         const std::size_t place = row_of(i) + j;
         const double ratio = magnitude(error[place]) /
                              (kOfDerivatives * (1.0 + magnitude(now[place])));
@@ -137,7 +143,7 @@ struct FlowRates {
     Stack stack{};
     std::copy(y.begin(), y.end(), stack.begin());
     for (std::size_t j = 0; j < kColumns; ++j) {
-      if (!is_constant(j + kFirst)) stack[row_of(j + kFirst) + j] = Number(1.0);
+      if (!is_constant(j + First)) stack[row_of(j + First) + j] = Number(1.0);
     }
     return stack;
   }

@@ -81,4 +81,11 @@ std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
   return std::make_shared<const GivenPath>(std::move(path));
 }
 
+Scene on_track(Scene scene, std::shared_ptr<const GivenPath> track) {
+  scene.path = std::move(track);
+  scene.contact = Contact::Smooth;
+  scene.limits = {};
+  return scene;
+}
+
 }  // namespace brachisto::plot

@@ -24,6 +24,9 @@ inline constexpr std::size_t kFewestRacers = 2, kMostRacers = 24;
 /// dense at A, where its curvature may have no bound.
 [[nodiscard]] std::shared_ptr<const GivenPath> track_of(
     const Solution& solution);
+/// A scene whose body takes that track: its own path and limits do not count.
+[[nodiscard]] Scene on_track(Scene scene,
+                             std::shared_ptr<const GivenPath> track);
 
 /// \param file  whose fault it is
 /// \throws io::InputError  if a track does not begin and end where the first

@@ -226,9 +226,18 @@ PYBIND11_MODULE(_core, module) {
                                return report::input_json(problem.scene,
                                                          problem.options);
                              })
-      .def_property_readonly("warnings", [](const io::ProblemFile& problem) {
-        return to_python(problem.warnings);
-      });
+      .def_property_readonly("warnings",
+                             [](const io::ProblemFile& problem) {
+                               return to_python(problem.warnings);
+                             })
+      .def(
+          "on_track_of",
+          [](io::ProblemFile problem, const Answered& first) {
+            problem.scene = plot::on_track(std::move(problem.scene),
+                                           plot::track_of(first.solution));
+            return problem;
+          },
+          py::arg("first"));
 
   py::class_<io::SweepFile>(module, "Sweep")
       .def(py::init([](const std::string& text, const std::string& name,
@@ -261,8 +270,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("MOST_RACERS") = plot::kMostRacers;
   py::class_<python::Race>(module, "Race")
       .def(py::init<const std::vector<std::string>&,
-                    const std::vector<const Answered*>&>(),
-           py::arg("names"), py::arg("answers"))
+                    const std::vector<const Answered*>&, bool>(),
+           py::arg("names"), py::arg("answers"), py::arg("same_track"))
       .def_property_readonly("names", &python::Race::names)
       .def_property_readonly("behind", &python::Race::behind)
       .def("card", &python::Race::card)

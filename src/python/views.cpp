@@ -61,7 +61,8 @@ std::string card_of(const Answered& answered) {
 }
 
 Race::Race(const std::vector<std::string>& names,
-           const std::vector<const Answered*>& answers) {
+           const std::vector<const Answered*>& answers, bool same_track)
+    : same_track_(same_track) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     racers_.push_back(plot::racer_of(names[i], answers[i]->solution));
     try {
@@ -94,7 +95,7 @@ std::vector<std::string> Race::behind() const {
 
 std::string Race::page(const std::atomic<int>& interrupt) const {
   const StopScope scope(unless(interrupt));
-  return plot::race_page(racers_);
+  return plot::race_page(racers_, same_track_);
 }
 
 std::string Race::card() const {

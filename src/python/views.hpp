@@ -39,7 +39,7 @@ class Race {
   /// \throws io::InputError  if the tracks do not have the same ends
   /// \pre all are verified, and of each there is a name
   Race(const std::vector<std::string>& names,
-       const std::vector<const Answered*>& answers);
+       const std::vector<const Answered*>& answers, bool same_track);
 
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] std::vector<std::string> behind() const;
@@ -49,6 +49,7 @@ class Race {
  private:
   std::vector<plot::Racer> racers_;    ///< as they start
   std::vector<plot::Racer> arrivals_;  ///< as they arrive
+  bool same_track_;
 };
 
 /// Writes one file, in full or not at all.

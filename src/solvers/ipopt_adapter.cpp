@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "brachisto/math/index.hpp"
 
@@ -52,6 +53,18 @@ bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
   } catch (...) {
     exception_ = std::current_exception();
     throw;
+  }
+}
+
+// Of the gradient and the Hessian Ipopt's callers hold an array that they would
+// leak if an exception passed, where variables are fixed. Of these functions it
+// takes the answer false for the end, too.
+template <class Evaluate>
+bool IpoptAdapter::answered(const Number* x, bool new_x, Evaluate&& evaluate) {
+  try {
+    return guarded(x, new_x, std::forward<Evaluate>(evaluate));
+  } catch (...) {
+    return false;
   }
 }
 
@@ -108,7 +121,7 @@ bool IpoptAdapter::eval_f(Index, const Number* x, bool new_x,
 
 bool IpoptAdapter::eval_grad_f(Index n, const Number* x, bool new_x,
                                Number* grad_f) {
-  return guarded(x, new_x, [&] { problem_.eval_grad_f({grad_f, at(n)}); });
+  return answered(x, new_x, [&] { problem_.eval_grad_f({grad_f, at(n)}); });
 }
 
 bool IpoptAdapter::eval_g(Index, const Number* x, bool new_x, Index m,
@@ -141,16 +154,10 @@ bool IpoptAdapter::eval_h(Index, const Number* x, bool new_x, Number obj_factor,
     copy_pattern(problem_.hess_lag_pattern(), iRow, jCol);
     return true;
   }
-  // What is thrown must not pass through Ipopt here: its caller of eval_h holds
-  // an array that it would leak. The answer false ends the run as soon.
-  try {
-    return guarded(x, new_x, [&] {
-      problem_.eval_hess_lag(obj_factor, {lambda, at(m)},
-                             {values, at(nele_hess)});
-    });
-  } catch (...) {
-    return false;
-  }
+  return answered(x, new_x, [&] {
+    problem_.eval_hess_lag(obj_factor, {lambda, at(m)},
+                           {values, at(nele_hess)});
+  });
 }
 
 bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,

@@ -78,6 +78,9 @@ class IpoptAdapter final : public Ipopt::TNLP {
   /// problem refuses x; keeps an exception if one is thrown on.
   template <class Evaluate>
   bool guarded(const Ipopt::Number* x, bool new_x, Evaluate&& evaluate);
+  /// The same, but what is thrown is false.
+  template <class Evaluate>
+  bool answered(const Ipopt::Number* x, bool new_x, Evaluate&& evaluate);
 
   nlp::Problem& problem_;
   const PrimalDual& start_;

@@ -60,20 +60,26 @@ std::vector<std::optional<Solution>> solve_in_lanes(
     std::span<const SceneToSolve> scenes) {
   const WallClock::time_point begin = WallClock::now();
   std::vector<std::size_t> places;
-  std::vector<Scene> fitting;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     if (!fits(scenes[i])) continue;
     places.push_back(i);
-    fitting.push_back(scenes[i].scene);
   }
   std::vector<std::optional<Solution>> out(scenes.size());
-  if (fitting.empty()) return out;
-  const std::vector<lanes::Extremal> found = lanes::shoot(fitting);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    out[places[i]] = judged(scenes[places[i]], found[i]);
+  if (places.empty()) return out;
+  for (const lanes::Fineness& fineness : {lanes::kPlain, lanes::kFine}) {
+    std::vector<std::size_t> left;
+    std::vector<Scene> tried;
+    for (const std::size_t place : places) {
+      if (out[place]) continue;
+      left.push_back(place);
+      tried.push_back(scenes[place].scene);
+    }
+    const std::vector<lanes::Extremal> found = lanes::shoot(tried, fineness);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      out[left[i]] = judged(scenes[left[i]], found[i]);
+    }
   }
-  const double each =
-      seconds_since(begin) / static_cast<double>(fitting.size());
+  const double each = seconds_since(begin) / static_cast<double>(places.size());
   for (const std::size_t place : places) {
     if (out[place]) out[place]->effort.seconds = each;
   }

@@ -67,7 +67,16 @@ LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
                  extremal.rolling_time, scene, units,
                  extremal.transit_time * units.time),
       extremal_(std::make_shared<const lanes::Extremal>(extremal)),
-      turn_(arcs::rotation_per_length(natural)) {}
+      turn_(arcs::rotation_per_length(natural)),
+      step_(extremal.rolling_time / kSteps) {
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    const lanes::Place& at = extremal.path[i];
+    const double s = std::sin(at.beta);
+    const double a = s + std::cos(at.theta) * natural.body.eta_m;
+    changes_[i] = {at.w * std::cos(at.beta) * step_, at.w * s * step_,
+                   at.w * turn_ * step_, natural.gravity * a * step_};
+  }
+}
 
 double LaneMotion::start_angle() const {
   return extremal_->path.front().beta;
@@ -76,27 +85,23 @@ double LaneMotion::start_angle() const {
 MeshMotion::Place LaneMotion::place(int element, double t) const {
   const int first = std::clamp(element - 1, 0, kSteps - 3);
   const Weights weights(element - first + t);
-  const double step = extremal_->rolling_time / kSteps;
-  const Body& body = natural().body;
   Place out;
   PathState& state = out.state;
-  for (int i = 0; i < Weights::kPlaces; ++i) {
-    const lanes::Place& at =
-        extremal_->path[static_cast<std::size_t>(first + i)];
-    const auto k = static_cast<std::size_t>(i);
-    const double value = weights.value[k], rate = weights.rate[k] * step;
-    const double c = std::cos(at.beta), s = std::sin(at.beta);
-    state.centre.x += value * at.x + rate * at.w * c;
-    state.centre.z += value * at.z + rate * at.w * s;
-    state.theta += value * at.theta + rate * at.w * turn_;
-    state.w += value * at.w +
-               rate * natural().gravity * (s + std::cos(at.theta) * body.eta_m);
-    state.beta += value * at.beta + rate * at.beta_rate;
+  for (std::size_t k = 0; k < Weights::kPlaces; ++k) {
+    const std::size_t i = static_cast<std::size_t>(first) + k;
+    const lanes::Place& at = extremal_->path[i];
+    const Change& change = changes_[i];
+    const double value = weights.value[k], rate = weights.rate[k];
+    state.centre.x += value * at.x + rate * change.x;
+    state.centre.z += value * at.z + rate * change.z;
+    state.theta += value * at.theta + rate * change.theta;
+    state.w += value * at.w + rate * change.w;
+    state.beta += value * at.beta + rate * step_ * at.beta_rate;
     state.beta_rate +=
-        weights.slope[k] * at.beta / step + weights.twist[k] * at.beta_rate;
-    out.t += value * at.t + rate * at.root;
+        weights.slope[k] * at.beta / step_ + weights.twist[k] * at.beta_rate;
+    out.t += value * at.t + rate * step_ * at.root;
   }
-  out.s = (state.theta - body.theta_m) / turn_;
+  out.s = (state.theta - natural().body.theta_m) / turn_;
   return out;
 }
 
@@ -164,13 +169,12 @@ Certificate certify(const LaneMotion& motion) {
   // Of the path nothing is taken but its slopes: θ is as far as it came.
   static const math::QuadratureRule rule = math::gauss_legendre(4);
   double x = start.x, z = start.z, turned = 0.0, t = 0.0;
-  const double step = extremal.rolling_time / kSteps;
   for (int e = 0; e < kSteps; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
       const double E = energy_height(body, at.centre.z - start.z, at.theta);
       const double w = fall_speed(scene.gravity, E);
-      const double du = rule.weights[i] * step;
+      const double du = rule.weights[i] * motion.step_;
       x += du * w * std::cos(at.beta);
       z += du * w * std::sin(at.beta);
       turned += du * w * motion.turn_;

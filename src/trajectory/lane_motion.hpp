@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "lanes/many_scenes.hpp"
@@ -35,8 +36,15 @@ class LaneMotion final : public MeshMotion {
   [[nodiscard]] Place place(int element, double t) const override;
   [[nodiscard]] StartLimits limits_at_start() const override;
 
+  /// How an extremal changes at one of its places, over a step.
+  struct Change {
+    double x, z, theta, w;
+  };
+
   std::shared_ptr<const lanes::Extremal> extremal_;
   double turn_;  ///< dθ/ds
+  double step_;  ///< of u
+  std::array<Change, lanes::kSteps + 1> changes_;
 };
 
 /// Tests an extremal found side by side with others.

@@ -128,6 +128,20 @@ class Pages(unittest.TestCase):
 
         self.assertEqual(self.read("own.html"), self.read("race.html"))
 
+    def test_of_a_race_on_one_track_is_that_of_the_command(self):
+        names = ["uniform_cylinder", "cylinder_off_centre"]
+        files = [PROBLEMS / f"race/{name}.yaml" for name in names]
+        run("race", *files, "--same-track", "--out", f"{self.directory}/race.html", "--quiet")
+        scenes = {name.replace("_", " "): brachisto.Scene.from_file(file)
+                  for name, file in zip(names, files)}
+
+        brachisto.race(scenes, same_track=True).write_page(f"{self.directory}/own.html")
+
+        self.assertEqual(self.read("own.html"), self.read("race.html"))
+        with self.assertRaisesRegex(TypeError, "give its Scene"):
+            second = brachisto.solve(scenes["cylinder off centre"])
+            brachisto.race(scenes | {"cylinder off centre": second}, same_track=True)
+
     def test_is_not_replaced_unless_it_is_said(self):
         result = brachisto.solve(BEAD)
         path = f"{self.directory}/new/page.html"

@@ -63,13 +63,14 @@ TEST_P(ExceptionInAnEvaluation, EndsTheRunAtOnce) {
   EXPECT_EQ(thrown, 1);
 }
 
-// With fixed variables Ipopt holds an array while it asks for the Hessian,
-// which is lost if an exception passes: the leak sanitizer would tell.
-TEST(ExceptionInTheHessian, WithAFixedVariableLeaksNothing) {
+// With fixed variables Ipopt holds an array while it asks for the gradient or
+// the Hessian, which is lost if an exception passes: the leak sanitizer would
+// tell.
+TEST_P(ExceptionInAnEvaluation, WithAFixedVariableLeaksNothing) {
   NearestPoint problem;
   problem.fix(2, 1.0);
   problem.on_call = [](Function function) {
-    if (function == Function::HessLag) throw Mishap{5, ""};
+    if (function == GetParam()) throw Mishap{5, ""};
   };
 
   EXPECT_THROW(

@@ -10,10 +10,11 @@ from brachisto._scene import Scene
 
 
 class Race:
-    """Bodies that start together, each on its own track, in the order of their arrival."""
+    """Bodies that start together, in the order of their arrival."""
 
-    def __init__(self, results):
-        self._core = _core.Race(list(results), [result._core for result in results.values()])
+    def __init__(self, results, same_track=False):
+        answers = [result._core for result in results.values()]
+        self._core = _core.Race(list(results), answers, same_track)
         self._results = {name: results[name] for name in self._core.names}
 
     @property
@@ -53,11 +54,12 @@ class Race:
         return f"<Race: {order}>"
 
 
-def race(racers):
+def race(racers, *, same_track=False):
     """Lets bodies start together, each on its own track: a Race.
 
     `racers` is a mapping from a name to a Scene, which is solved, or to a Result. Their
-    tracks have to have the same ends A and B.
+    tracks have to have the same ends A and B. With `same_track` all take the track of the
+    first one, and only that may be a Result; limits and paths of the others do not count.
 
     Raises InputError for what cannot race together, NotVerified if a scene fails.
     """
@@ -70,9 +72,15 @@ def race(racers):
         if not isinstance(racer, (Scene, Result)):
             kind = type(racer).__name__
             raise TypeError(f"{name}: expected a Scene or a Result, read one of type {kind}")
+        if same_track and results:
+            if isinstance(racer, Result):
+                raise TypeError(f"{name}: on the track of another one it has to be solved anew; "
+                                "give its Scene")
+            first = next(iter(results.values()))
+            racer = Scene._of_problem(racer._problem.on_track_of(first._core))
         result = solve(racer) if isinstance(racer, Scene) else racer
         if not result.verified:
             raise NotVerified(f"{name}: {result._complaint()}", result)
         results[str(name)] = result
-    return Race(results)
+    return Race(results, same_track)
 

@@ -59,7 +59,7 @@ class Scene:
         return scene
 
     @classmethod
-    def _of_sweep(cls, problem):
+    def _of_problem(cls, problem):
         """Without a text of its own, that of its input serves."""
         scene = cls.__new__(cls)
         scene._source, scene._problem = (problem.input, _core.KEYWORDS, []), problem

@@ -79,7 +79,7 @@ class Sweep:
 
     def __getitem__(self, scene):
         """The Scene of that number."""
-        return Scene._of_sweep(self._core.problem(scene))
+        return Scene._of_problem(self._core.problem(scene))
 
     def __iter__(self):
         near = None

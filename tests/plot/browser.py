@@ -69,6 +69,22 @@ def shown(program, page, t, more, home):
     return Elements(run.stdout), said
 
 
+def height_faults(program, page, home):
+    """A page is no taller than three windows, with everything folded that can be."""
+    most = 3000  # px at a width of 1280
+    told = ("<script>addEventListener('load', () => document.body.setAttribute("
+            "'data-height', document.documentElement.scrollHeight))</script></body>")
+    measured = page.with_name("measured.html")
+    measured.write_text(page.read_text(encoding="utf-8").replace("</body>", told),
+                        encoding="utf-8")
+    found, _ = shown(program, measured, "0", ["--window-size=1280,1000"], home)
+    measured.unlink()
+    height = re.search(r'data-height="(\d+)"', found.document)
+    if height is None or not 500 < int(height[1]) <= most:
+        return [f"{page.parent.name}: {height and height[1]} px tall, not {most} at most"]
+    return []
+
+
 def distance_to_line(x, y, path):
     points = [tuple(map(float, p.split())) for p in re.split("[ML]", path)[1:]]
     best = math.inf
@@ -144,7 +160,7 @@ def sweep_faults(brachisto, program, problems, scratch, views):
     subprocess.run([brachisto, "show", out, "--quiet"], check=True)
     with open(out / "report" / "scenes.csv", encoding="utf-8") as table:
         scenes = list(csv.DictReader(table))
-    faults = []
+    faults = height_faults(program, out / "report" / "index.html", scratch / "home")
     for k, view in enumerate(views):
         scene = scenes[(k + 1) * len(scenes) // (len(views) + 1)]
         name = f"sweep scene {scene['scene']} {' '.join(view)}"
@@ -184,6 +200,7 @@ def main():
         for number, (scene, changes) in enumerate(scenes):
             out = pathlib.Path(scratch) / f"out{number}"
             rows = solved(brachisto, problems / scene, out, changes)
+            faults += height_faults(program, out / "index.html", pathlib.Path(scratch) / "home")
             for k, view in enumerate(views):
                 row = rows[(k + 1) * len(rows) // (len(views) + 1)]
                 name = f"{scene} {' '.join(changes)} {' '.join(view)}"

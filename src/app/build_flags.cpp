@@ -172,6 +172,16 @@ void BuildFlags::write(const std::vector<Drawing>& drawings, bool force) const {
 
 std::vector<Flag> BuildFlags::flags() {
   const std::vector<const char*> directories{"--track-svg", "--track-dxf"};
+  const auto in_millimetres = [&](const char* name, auto& value,
+                                  const char* text, const char* placeholder) {
+    return Flag{.name = name,
+                .value = &value,
+                .text = text,
+                .placeholder = placeholder,
+                .check = millimetres(),
+                .shows_default = true,
+                .needs = directories};
+  };
   return {
       directory_flag("--track-svg", svg_,
                      "Write the track there in parts to cut, with all that a "
@@ -195,27 +205,11 @@ std::vector<Flag> BuildFlags::flags() {
                         "two numbers from 0.001 to 1000000, as in 1:5"),
        .shows_default = true,
        .needs = directories},
-      {.name = "--strip",
-       .value = &strip_,
-       .text = "Width of the strips, at most [mm]",
-       .placeholder = "WIDTH",
-       .check = millimetres(),
-       .shows_default = true,
-       .needs = directories},
-      {.name = "--thickness",
-       .value = &thickness_,
-       .text = "Thickness of the material [mm]",
-       .placeholder = "THICKNESS",
-       .check = millimetres(),
-       .shows_default = true,
-       .needs = directories},
-      {.name = "--hole",
-       .value = &hole_,
-       .text = "Diameter of the holes [mm]",
-       .placeholder = "DIAMETER",
-       .check = millimetres(),
-       .shows_default = true,
-       .needs = directories},
+      in_millimetres("--strip", strip_, "Width of the strips, at most [mm]",
+                     "WIDTH"),
+      in_millimetres("--thickness", thickness_,
+                     "Thickness of the material [mm]", "THICKNESS"),
+      in_millimetres("--hole", hole_, "Diameter of the holes [mm]", "DIAMETER"),
       {.name = "--rails",
        .value = &gauge_,
        .text = "Two strips with so much between them, and spacers [mm]",

@@ -55,6 +55,20 @@ double dot(const auto& a, const auto& b) {
 constexpr std::array<Component, 8> kWithoutSlope{kX,  kZ,  kTheta,  kW,
                                                  kPX, kPZ, kPTheta, kPW};
 
+/// use(flow, at, ∂(control, μ)/∂y, rates) of the point found at y; false if
+/// there is none.
+template <class Flows, class Use>
+bool with_point(const Flows& flows, const Node& y, double& control, Use use) {
+  return std::visit(
+      [&]<class Flow>(const Flow& flow) {
+        typename Flow::template At<typename Flow::SecondOrder> at;
+        if (!flow.find(array_of<Flow>(y), control, at)) return false;
+        use(flow, at, flow.eliminated(at), Flow::rates(at));
+        return true;
+      },
+      flows);
+}
+
 }  // namespace
 
 double rotation_per_length(const Scene& natural) {
@@ -97,77 +111,69 @@ Node ArcFlow::node_of(const State& y) const {
 }
 
 bool ArcFlow::find(const Node& y, double& control, LinearPoint& out) const {
-  return std::visit(
-      [&]<class Flow>(const Flow& flow) {
-        typename Flow::template At<typename Flow::SecondOrder> at;
-        if (!flow.find(array_of<Flow>(y), control, at)) return false;
-        const auto by = flow.eliminated(at);
-        const auto rates = Flow::rates(at);
-        typename Flow::State h;  // ∂𝓗/∂(y, p)
-        for (std::size_t i = 0; i < Flow::kStates; ++i) {
-          h[i] = -rates[Flow::kStates + i];
-          h[Flow::kStates + i] = rates[i];
-        }
-        out.hamiltonian = jet_of(at.hamiltonian.value, h);
-        out.multiplier = jet_of(at.multiplier, by.multiplier);
-        const auto variable = [&](std::size_t i) {
-          const auto place = static_cast<int>(i);
-          return Jet::variable(y(place), place);
-        };
-        if constexpr (kSteered<Flow>) {
-          for (std::size_t i = 0; i < kWithoutSlope.size(); ++i) {
-            out.y[kWithoutSlope[i]] = variable(i);
-          }
-          out.y[kBeta] = jet_of(control, by.control);
-          out.y[kPBeta] = Jet(0.0);
-        } else {
-          for (std::size_t i = 0; i < kSize; ++i) out.y[i] = variable(i);
-        }
-        out.p_x = out.y[kPX];
-        out.p_z = out.y[kPZ];
-        if (kind_ == Kind::Place) {
-          const auto normal = normal_at(held_->limit, out.y);
-          out.y[kPX] += out.multiplier * normal.x;
-          out.y[kPZ] += out.multiplier * normal.z;
-        }
-        return true;
-      },
-      flow_);
+  return with_point(flow_, y, control,
+                    [&]<class Flow>(const Flow&, const auto& at, const auto& by,
+                                    const auto& rates) {
+                      typename Flow::State h;  // ∂𝓗/∂(y, p)
+                      for (std::size_t i = 0; i < Flow::kStates; ++i) {
+                        h[i] = -rates[Flow::kStates + i];
+                        h[Flow::kStates + i] = rates[i];
+                      }
+                      out.hamiltonian = jet_of(at.hamiltonian.value, h);
+                      out.multiplier = jet_of(at.multiplier, by.multiplier);
+                      const auto variable = [&](std::size_t i) {
+                        const auto place = static_cast<int>(i);
+                        return Jet::variable(y(place), place);
+                      };
+                      if constexpr (kSteered<Flow>) {
+                        for (std::size_t i = 0; i < kWithoutSlope.size(); ++i) {
+                          out.y[kWithoutSlope[i]] = variable(i);
+                        }
+                        out.y[kBeta] = jet_of(control, by.control);
+                        out.y[kPBeta] = Jet(0.0);
+                      } else {
+                        for (std::size_t i = 0; i < kSize; ++i)
+                          out.y[i] = variable(i);
+                      }
+                      out.p_x = out.y[kPX];
+                      out.p_z = out.y[kPZ];
+                      if (kind_ == Kind::Place) {
+                        const auto normal = normal_at(held_->limit, out.y);
+                        out.y[kPX] += out.multiplier * normal.x;
+                        out.y[kPZ] += out.multiplier * normal.z;
+                      }
+                    });
 }
 
 bool ArcFlow::find(const Node& y, double& control, ArcPoint& out) const {
-  return std::visit(
-      [&]<class Flow>(const Flow& flow) {
-        typename Flow::template At<typename Flow::SecondOrder> at;
-        if (!flow.find(array_of<Flow>(y), control, at)) return false;
-        const auto by = flow.eliminated(at);
-        const auto rates = Flow::rates(at);
-        out = {};
-        out.root = at.rates.cost.value;
-        if constexpr (kSteered<Flow>) {
-          for (std::size_t i = 0; i < kWithoutSlope.size(); ++i) {
-            out.y[kWithoutSlope[i]] = y(static_cast<Eigen::Index>(i));
-          }
-          out.y[kBeta] = control;
-          out.q = dot(by.control, rates);
-          if (kind_ == Kind::Free) {
-            out.legendre = Flow::legendre(at);
-            return true;
-          }
-          out.jump = at.multiplier;
-          out.nu = dot(by.multiplier, rates);
-          const auto normal =
-              rolling::normal_of(held_->limit, out.y[kX], out.y[kZ]);
-          out.y[kPX] += at.multiplier * normal.x;
-          out.y[kPZ] += at.multiplier * normal.z;
-        } else {
-          std::copy_n(y.data(), kSize, out.y.begin());
-          out.q = control;
-          out.nu = -at.multiplier;
-        }
-        return true;
-      },
-      flow_);
+  return with_point(flow_, y, control,
+                    [&]<class Flow>(const Flow&, const auto& at, const auto& by,
+                                    const auto& rates) {
+                      out = {};
+                      out.root = at.rates.cost.value;
+                      if constexpr (kSteered<Flow>) {
+                        for (std::size_t i = 0; i < kWithoutSlope.size(); ++i) {
+                          out.y[kWithoutSlope[i]] =
+                              y(static_cast<Eigen::Index>(i));
+                        }
+                        out.y[kBeta] = control;
+                        out.q = dot(by.control, rates);
+                        if (kind_ == Kind::Free) {
+                          out.legendre = Flow::legendre(at);
+                          return;
+                        }
+                        out.jump = at.multiplier;
+                        out.nu = dot(by.multiplier, rates);
+                        const auto normal = rolling::normal_of(
+                            held_->limit, out.y[kX], out.y[kZ]);
+                        out.y[kPX] += at.multiplier * normal.x;
+                        out.y[kPZ] += at.multiplier * normal.z;
+                      } else {
+                        std::copy_n(y.data(), kSize, out.y.begin());
+                        out.q = control;
+                        out.nu = -at.multiplier;
+                      }
+                    });
 }
 
 // With q(y) from d(y, q) = b along the arc, the limit is c(y, q(y)), and for

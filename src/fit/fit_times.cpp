@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
+#include "math/dense.hpp"
 #include "model/losses.hpp"
 #include "report/text_table.hpp"
 
@@ -137,39 +136,19 @@ class Residuals {
   int evaluations_ = 0;
 };
 
-/// What Eigen calls.
-struct Functor {
-  Residuals& residuals;
-  Eigen::Index rows;
-
-  [[nodiscard]] Eigen::Index values() const { return rows; }
-  int operator()(const VectorXd& x, VectorXd& values) const {
-    // Where the body does not arrive any step back is a gain.
-    constexpr double kFar = 1e30;
-    if (!residuals.evaluate(x, values)) values.setConstant(kFar);
-    return 0;
-  }
-  int df(const VectorXd& x, MatrixXd& J) const {
-    residuals.derive(x, J);
-    J = -J;
-    return 0;
-  }
-};
-
 /// J with columns of length 1, what they were, and its singular values.
 struct ScaledColumns {
   VectorXd norms;
-  Eigen::JacobiSVD<MatrixXd> svd;
+  math::SingularValues of;
 
   explicit ScaledColumns(const MatrixXd& J) : norms(J.colwise().norm()) {
     const VectorXd inverse = norms.unaryExpr(
         [](double norm) { return norm > 0.0 ? 1.0 / norm : 0.0; });
-    svd.compute(J * inverse.asDiagonal(), Eigen::ComputeThinV);
+    of = math::singular_values(J * inverse.asDiagonal());
   }
   /// Of the normal matrix.
   [[nodiscard]] double condition() const {
-    const VectorXd& values = svd.singularValues();
-    const double root = values[0] / values[values.size() - 1];
+    const double root = of.values[0] / of.values[of.values.size() - 1];
     return root * root;
   }
 };
@@ -187,7 +166,7 @@ void check_told_apart(const ScaledColumns& columns, const Residuals& of) {
   const double condition = columns.condition();
   if (condition < kSingular) return;
   const VectorXd least =
-      columns.svd.matrixV().col(columns.norms.size() - 1).cwiseAbs();
+      columns.of.right.col(columns.norms.size() - 1).cwiseAbs();
   constexpr double kTakesPart = 0.1;
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < least.size(); ++i) {
@@ -202,23 +181,30 @@ void check_told_apart(const ScaledColumns& columns, const Residuals& of) {
 
 /// The values of the least χ².
 VectorXd minimise(Residuals& residuals, std::size_t rows) {
-  Functor functor{residuals, static_cast<Eigen::Index>(rows)};
-  Eigen::LevenbergMarquardt<Functor> solver(functor);
+  const math::SumOfSquares chi_squared{
+      .rows = static_cast<Eigen::Index>(rows),
+      .residuals =
+          [&](const VectorXd& x, VectorXd& values) {
+            // Where the body does not arrive any step back is a gain.
+            constexpr double kFar = 1e30;
+            if (!residuals.evaluate(x, values)) values.setConstant(kFar);
+          },
+      .jacobian =
+          [&](const VectorXd& x, MatrixXd& J) {
+            residuals.derive(x, J);
+            J = -J;
+          }};
   // χ² is flat about its minimum: its digits end at √ε of the values, which is
   // far within their errors, and ε of rounding ends what is asked for here.
   constexpr double kTolerance = 1e-12;
-  solver.parameters.ftol = kTolerance;
-  solver.parameters.xtol = kTolerance;
-  VectorXd x = residuals.start();
-  namespace space = Eigen::LevenbergMarquardtSpace;
-  const space::Status status = solver.minimize(x);
-  if (status == space::TooManyFunctionEvaluation ||
-      status == space::ImproperInputParameters || !x.allFinite()) {
+  const std::optional<VectorXd> x =
+      math::least_sum_of_squares(chi_squared, residuals.start(), kTolerance);
+  if (!x) {
     throw CannotFit(
         fmt::format("the least squares do not converge within {} evaluations",
                     residuals.evaluations()));
   }
-  return x;
+  return *x;
 }
 
 }  // namespace
@@ -272,9 +258,9 @@ Fit fit_times(const Scene& scene, const PlaneCurvePtr& centre,
   out.sigma_known = wanted.sigma_known;
   out.condition = columns.condition();
   // (JᵀJ)⁻¹ from J = U Σ Vᵀ of the scaled columns.
-  const VectorXd inverse = columns.svd.singularValues().cwiseInverse();
+  const VectorXd inverse = columns.of.values.cwiseInverse();
   const MatrixXd root = columns.norms.cwiseInverse().asDiagonal() *
-                        columns.svd.matrixV() * inverse.asDiagonal();
+                        columns.of.right * inverse.asDiagonal();
   MatrixXd covariance = root * root.transpose();
   if (!wanted.sigma_known) covariance *= out.chi_squared / out.freedom;
   const VectorXd errors = covariance.diagonal().cwiseSqrt();

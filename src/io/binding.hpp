@@ -3,16 +3,15 @@
 
 /// \file
 /// What joins a key to a problem: the part of the problem where it lives, and a
-/// member of that part. One such lens reads and writes.
+/// member of that part, which one lens reads and writes.
 
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "io/key_spec.hpp"
 
@@ -69,93 +68,91 @@ template <auto stated, class Lens>
 template <class Value>
 struct Bare {
   using type = Value;
-  static Json json(const Value& value) { return value; }
+  static std::optional<double> number(const Value& value) {
+    return static_cast<double>(value);
+  }
 };
 template <class Value>
 struct Bare<std::optional<Value>> {
   using type = Value;
-  static Json json(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json();
+  static std::optional<double> number(const std::optional<Value>& value) {
+    return value ? Bare<Value>::number(*value) : std::nullopt;
+  }
+};
+
+/// A member of a part, as a number.
+template <const auto& place, auto member>
+struct Member {
+  using Bared =
+      Bare<std::remove_cvref_t<decltype(place.make(std::declval<Draft&>()).*
+                                        member)>>;
+  using Value = typename Bared::type;
+
+  static std::optional<double> number(const Draft& problem, Binding::Row) {
+    const auto* part = place.find(problem);
+    return part ? Bared::number(part->*member) : std::nullopt;
+  }
+  static void put(Draft& problem, double value, Binding::Row) {
+    place.make(problem).*member = static_cast<Value>(value);
   }
 };
 
 /// A number, an integer if the member is one; the member may be optional.
-template <class Part, class Value>
-[[nodiscard]] Binding number(Place<Part> place, Value Part::*member) {
-  using Stored = typename Bare<Value>::type;
-  return {
-      .type = std::is_integral_v<Stored> ? KeyType::Integer : KeyType::Number,
-      .get =
-          [=](const Draft& problem) {
-            const Part* part = place.find(problem);
-            return part ? Bare<Value>::json(part->*member) : Json();
-          },
-      .set =
-          [=](Draft& problem, const Json& value) {
-            place.make(problem).*member =
-                static_cast<Stored>(value.get<double>());
-          },
-      .used = place.used};
+template <const auto& place, auto member>
+[[nodiscard]] Binding number() {
+  using Of = Member<place, member>;
+  return {.type = std::is_integral_v<typename Of::Value> ? KeyType::Integer
+                                                         : KeyType::Number,
+          .number = Of::number,
+          .put = Of::put,
+          .used = place.used};
 }
 
-/// One key for parts of two methods, which is read into both.
-[[nodiscard]] inline Binding shared(const Binding& one, const Binding& other) {
-  Binding both = one;
-  both.get = [=](const Draft& problem) {
-    return (other.used(problem) ? other : one).get(problem);
+/// One key for a member of parts of two methods, which is read into both.
+template <const auto& place, auto member, const auto& other, auto other_member>
+[[nodiscard]] Binding shared() {
+  using One = Member<place, member>;
+  using Other = Member<other, other_member>;
+  Binding both = number<place, member>();
+  both.number = [](const Draft& problem, Binding::Row row) {
+    return (other.used(problem) ? Other::number : One::number)(problem, row);
   };
-  both.set = [=](Draft& problem, const Json& value) {
-    one.set(problem, value);
-    other.set(problem, value);
+  both.put = [](Draft& problem, double value, Binding::Row row) {
+    One::put(problem, value, row);
+    Other::put(problem, value, row);
   };
-  both.used = [=](const Draft& problem) {
-    return one.used(problem) || other.used(problem);
+  both.used = [](const Draft& problem) {
+    return place.used(problem) || other.used(problem);
   };
   return both;
 }
 
-template <class Part, class Value>
-[[nodiscard]] Binding angle(Place<Part> place, Value Part::*member) {
-  Binding binding = number(place, member);
+template <const auto& place, auto member>
+[[nodiscard]] Binding angle() {
+  Binding binding = number<place, member>();
   binding.type = KeyType::Angle;
   return binding;
 }
 
-/// A word as JSON has it: those of truth are no texts.
-[[nodiscard]] inline Json as_json(std::string_view word) {
-  if (word == "true" || word == "false") return word == "true";
-  return word;
-}
-
-/// One of some words, each of which stands for a value.
-template <class Part, class Value>
+/// One of some words, each of which stands for a value of the member; of
+/// another value speaks a map of keys below.
+template <const auto& place, auto member>
 [[nodiscard]] Binding choice(
-    Place<Part> place, Value Part::*member,
-    std::vector<std::pair<std::string_view, std::type_identity_t<Value>>>
+    std::initializer_list<
+        std::pair<std::string_view, typename Member<place, member>::Value>>
         words) {
-  Binding binding{.type = KeyType::Choice, .used = place.used};
-  for (const auto& [word, value] : words) binding.words.push_back(word);
-  binding.get = [=](const Draft& problem) -> Json {
-    const Part* part = place.find(problem);
-    if (part == nullptr) return {};
-    for (const auto& [word, value] : words) {
-      if (part->*member == value) return as_json(word);
-    }
-    return {};
-  };
-  binding.set = [=](Draft& problem, const Json& chosen) {
-    for (const auto& [word, value] : words) {
-      if (word == chosen.get_ref<const std::string&>()) {
-        place.make(problem).*member = value;
-      }
-    }
-  };
+  Binding binding = number<place, member>();
+  binding.type = KeyType::Choice;
+  for (const auto& [word, value] : words) {
+    binding.words.push_back(word);
+    binding.values.push_back(static_cast<double>(value));
+  }
   return binding;
 }
 
-template <class Part>
-[[nodiscard]] Binding yes_or_no(Place<Part> place, bool Part::*member) {
-  return choice(place, member, {{"true", true}, {"false", false}});
+template <const auto& place, auto member>
+[[nodiscard]] Binding yes_or_no() {
+  return choice<place, member>({{"true", true}, {"false", false}});
 }
 
 /// A map of further keys.
@@ -164,20 +161,18 @@ template <class Part>
 }
 
 /// The same where a problem need not have the part that they are about.
-template <class Part>
-[[nodiscard]] Binding map(Place<Part> place) {
+template <const auto& place>
+[[nodiscard]] Binding map() {
   return {.type = KeyType::Map,
-          .get =
-              [=](const Draft& problem) {
-                return place.find(problem) ? Json::object() : Json();
+          .number =
+              [](const Draft& problem, Binding::Row) {
+                return place.find(problem) ? std::optional(0.0) : std::nullopt;
               },
           .used = place.used};
 }
 
-/// A map that the echo leaves out where there is nothing to say.
-template <class Part>
-[[nodiscard]] Binding silent_map(Place<Part> place) {
-  Binding binding = map(place);
+/// What the echo leaves out where there is nothing to say.
+[[nodiscard]] inline Binding silent(Binding binding) {
   binding.silent = true;
   return binding;
 }

@@ -105,7 +105,7 @@ void read_clear_of(Draft& problem, const KeySpec& spec, const YamlValue& list,
               [&](const YamlValue& item) { read_item(limits, reader, item); });
 }
 
-Json clear_of_json(const Draft& problem) {
+Json clear_of_json(const Draft& problem, Binding::Row) {
   Json list;
   for (const Obstacle& obstacle : obstacles()) {
     for (const Numbers& numbers : obstacle.stored(problem.scene.limits)) {
@@ -136,7 +136,7 @@ Json clear_of_schema() {
 
 Binding clear_of_list() {
   return {.type = KeyType::List,
-          .get = clear_of_json,
+          .echo = clear_of_json,
           .silent = true,
           .read_list = read_clear_of,
           .items = clear_of_schema};

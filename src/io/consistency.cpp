@@ -84,7 +84,7 @@ void check_use(const Check& check) {
   for (const KeySpec& spec : key_table()) {
     const bool of_solve = spec.path.starts_with("discretisation.") ||
                           spec.path.starts_with("solver.");
-    if (!of_solve || !check.sound_entry(spec.path) || !spec.value.get ||
+    if (!of_solve || !check.sound_entry(spec.path) || !spec.value.is_echoed() ||
         spec.used(draft) || spec.value.get(draft) == spec.value.get({})) {
       continue;
     }

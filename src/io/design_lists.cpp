@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -90,7 +89,7 @@ void read_free(Draft& problem, const KeySpec& spec, const YamlValue& list,
   });
 }
 
-Json free_json(const Draft& problem) {
+Json free_json(const Draft& problem, Binding::Row) {
   if (problem.design.empty()) return {};
   Json list = Json::array();
   for (const BodyKey key : problem.design.free) list.push_back(name(key));
@@ -130,8 +129,9 @@ Interval allowed(BodyKey key) {
   return {};
 }
 
-void read_bounds(BodyKey key, Draft& problem, const KeySpec& spec,
-                 const YamlValue& list, Findings& findings) {
+void read_bounds(Draft& problem, const KeySpec& spec, const YamlValue& list,
+                 Findings& findings) {
+  const auto key = static_cast<BodyKey>(spec.value.row);
   const ListReader reader(spec, findings);
   std::vector<double> ends;
   reader.each(list, [&](const YamlValue& item) {
@@ -153,7 +153,7 @@ void read_bounds(BodyKey key, Draft& problem, const KeySpec& spec,
         ", the greater one last. What has one value belongs in scene.body and "
         "is not free");
   } else {
-    problem.design.bounds[static_cast<std::size_t>(key)] = {ends[0], ends[1]};
+    problem.design.bounds[spec.value.row] = {ends[0], ends[1]};
   }
 }
 
@@ -161,22 +161,22 @@ void read_bounds(BodyKey key, Draft& problem, const KeySpec& spec,
 
 Binding free_list() {
   return {.type = KeyType::List,
-          .get = free_json,
+          .echo = free_json,
           .read_list = read_free,
           .items = free_schema};
 }
 
 Binding bounds_list(BodyKey key) {
   return {.type = KeyType::List,
-          .get =
-              [key](const Draft& p) {
-                const auto& bounds =
-                    p.design.bounds[static_cast<std::size_t>(key)];
+          .echo =
+              [](const Draft& p, Binding::Row row) {
+                const auto& bounds = p.design.bounds[row];
                 return bounds ? Json::array({bounds->lower, bounds->upper})
                               : Json();
               },
-          .read_list = std::bind_front(read_bounds, key),
-          .items = number_or_text_schema};
+          .read_list = read_bounds,
+          .items = number_or_text_schema,
+          .row = static_cast<Binding::Row>(key)};
 }
 
 }  // namespace brachisto::io

@@ -25,7 +25,7 @@ void add_section(Json& document, const Draft& problem,
     const bool inside = spec.path == section || below(spec.path, section);
     const bool of_another_body =
         spec.of_cylinder() && !problem.scene.body.rolls();
-    if (!inside || !spec.value.get || of_another_body ||
+    if (!inside || !spec.value.is_echoed() || of_another_body ||
         below(spec.path, absent)) {
       continue;
     }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "io/findings.hpp"
+#include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
 #include "math/angle.hpp"
 
@@ -172,11 +173,6 @@ void check_no_sum(std::string_view text) {
   }
 }
 
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
 mu::Parser make_parser() {
   mu::Parser parser;
   parser.ClearConst();  // its own _pi has 13 digits only
@@ -293,7 +289,7 @@ class Expression::Program {
 };
 
 Expression::Expression(std::string_view text, Unit unit, Names names)
-    : text_(trimmed(text)) {
+    : text_(trimmed(text, kBlanks)) {
   if (text_.size() > kMaxExpressionLength) {
     throw ExpressionError(
         fmt::format("it is longer than {} characters", kMaxExpressionLength));
@@ -309,7 +305,7 @@ Expression::Expression(std::string_view text, Unit unit, Names names)
           fmt::format("{} is a unit of angles, and this is none", suffix));
     }
     degrees_ = suffix == "deg";
-    number = trimmed(number.substr(0, number.size() - suffix.size()));
+    number = trimmed(number.substr(0, number.size() - suffix.size()), kBlanks);
     check_no_sum(number);
   }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -52,6 +53,29 @@ std::string written(const Json& value) {
 
 }  // namespace
 
+Json as_json(std::string_view word) {
+  if (word == "true" || word == "false") return word == "true";
+  return word;
+}
+
+Json Binding::get(const Draft& problem) const {
+  if (echo != nullptr) return echo(problem, row);
+  const std::optional<double> found = number(problem, row);
+  if (!found) return {};
+  if (type == KeyType::Integer) return static_cast<std::int64_t>(*found);
+  if (type == KeyType::Number || type == KeyType::Angle) return *found;
+  const auto value = std::ranges::find(values, *found);
+  if (value == values.end()) return Json::object();
+  return as_json(words[static_cast<std::size_t>(value - values.begin())]);
+}
+
+void Binding::set(Draft& problem, const std::string& text) const {
+  if (put_text != nullptr) return put_text(problem, text);
+  const auto word = std::ranges::find(words, text);
+  if (word == words.end()) return;
+  put(problem, values[static_cast<std::size_t>(word - words.begin())], row);
+}
+
 std::string_view KeySpec::name() const {
   return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
 }
@@ -65,7 +89,7 @@ void KeySpec::complete(const Draft& fresh) {
   if (bounds.empty()) bounds = words_of(interval);
   if (bounds.empty()) bounds = words_of(physical);
   const bool has_default =
-      type() != KeyType::Map && value.get && !is_required();
+      type() != KeyType::Map && value.is_echoed() && !is_required();
   if (fallback.empty() && has_default) fallback = written(value.get(fresh));
 }
 
@@ -119,7 +143,7 @@ std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
     const KeySpec* key = find_key(path);
     for (const std::string_view word : key->value.words) {
       Draft other = draft;
-      key->value.set(other, word);
+      key->value.set(other, std::string(word));
       if (spec.used(other)) return KeyWord{key, word};
     }
   }

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -62,26 +62,41 @@ struct Interval {
 struct KeySpec;
 struct YamlValue;
 class Findings;
-/// Stores a list, or reports what is wrong with it.
-using ListReading =
-    std::function<void(Draft&, const KeySpec&, const YamlValue&, Findings&)>;
 
-/// Where the value of a key lives, in both directions. Made by the functions of
-/// io/binding.hpp.
+/// Where the value of a key lives, in both directions: functions without
+/// captures, made by those of io/binding.hpp. `row` is that of the binding.
 struct Binding {
+  using Row = std::size_t;
+
   KeyType type = KeyType::Reserved;
-  /// The value, of use or not; null if there is none; an empty map if its keys
-  /// say it. Empty: it is not echoed.
-  std::function<Json(const Draft&)> get = {};
-  /// Stores a number, a text, or one of the words.
-  std::function<void(Draft&, const Json&)> set = {};
+  /// The number, or that of the word; of a map any. Nothing: there is none.
+  std::optional<double> (*number)(const Draft&, Row) = nullptr;
+  void (*put)(Draft&, double, Row) = nullptr;
   std::vector<std::string_view> words = {};  ///< of a Choice
+  std::vector<double> values = {};           ///< that they stand for
+  /// Of what has no number: in place of both.
+  Json (*echo)(const Draft&, Row) = nullptr;
+  void (*put_text)(Draft&, const std::string&) = nullptr;
+  /// Whether the value means something to the problem. Null: always.
+  bool (*used)(const Draft&) = nullptr;
   /// If there is none, the echo leaves the key out instead of saying null.
   bool silent = false;
-  /// Whether the value means something to the problem. Empty: always.
-  std::function<bool(const Draft&)> used = {};
-  ListReading read_list = {};
-  std::function<Json()> items = {};  ///< schema of the items of a list
+  /// Stores a list, or reports what is wrong with it.
+  void (*read_list)(Draft&, const KeySpec&, const YamlValue&,
+                    Findings&) = nullptr;
+  Json (*items)() = nullptr;  ///< schema of the items of a list
+  Row row = 0;                ///< of a table that has an entry for each key
+
+  /// Whether the effective input has the key.
+  [[nodiscard]] bool is_echoed() const {
+    return number != nullptr || echo != nullptr;
+  }
+  /// The value, of use or not; null if there is none; an empty map if keys
+  /// below say it. \pre is_echoed()
+  [[nodiscard]] Json get(const Draft& problem) const;
+  /// Stores a number; a text or a word.
+  void set(Draft& problem, double value) const { put(problem, value, row); }
+  void set(Draft& problem, const std::string& text) const;
 };
 
 /// What holds of a key, where there is anything to say.
@@ -116,7 +131,7 @@ struct KeySpec : KeyRules {
   [[nodiscard]] std::string_view parent() const;  ///< the rest, may be ""
   [[nodiscard]] KeyType type() const { return value.type; }
   [[nodiscard]] bool used(const Draft& draft) const {
-    return !value.used || value.used(draft);
+    return value.used == nullptr || value.used(draft);
   }
   [[nodiscard]] bool of_cylinder() const {
     return presence == Presence::RequiredOfCylinder ||
@@ -165,6 +180,9 @@ struct KeyWord {
 /// mean something; nothing if no single one would do.
 [[nodiscard]] std::optional<KeyWord> word_that_uses(const KeySpec& spec,
                                                     const Draft& draft);
+
+/// A word as JSON has it: those of truth are no texts.
+[[nodiscard]] Json as_json(std::string_view word);
 
 /// Why a word is not one of a Choice, with what is expected; "" if it is.
 [[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);

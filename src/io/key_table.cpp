@@ -111,45 +111,43 @@ constexpr Place<GivenPath> kPath{
 
 /// The start angle is echoed as it is in force.
 Binding start_angle() {
-  Binding binding = angle(kPath, &GivenPath::start_angle);
-  binding.get = [](const Draft& p) {
+  Binding binding = angle<kPath, &GivenPath::start_angle>();
+  binding.number = [](const Draft& p, Binding::Row) {
     const auto& path = p.scene.path;
     return path && path->has_start_angle()
-               ? Json(path->start_angle_or_vertical())
-               : Json();
+               ? std::optional(path->start_angle_or_vertical())
+               : std::nullopt;
   };
   return binding;
 }
 
 /// The file of points, whose content is echoed in its place.
 Binding points_file() {
-  return {.type = KeyType::Text, .set = [](Draft& p, const Json& text) {
-            p.points_file = text.get<std::string>();
+  return {.type = KeyType::Text,
+          .put_text = [](Draft& p, const std::string& name) {
+            p.points_file = name;
             kPath.make(p);
           }};
 }
 
 /// A word, or in its place a map with the slope at B.
 Binding contact() {
-  Binding binding = choice(kScene, &Scene::contact,
-                           {{"smooth", Contact::Smooth},
-                            {"centre", Contact::Centre},
-                            {"optimal", Contact::Optimal}});
-  binding.get = [word = binding.get](const Draft& p) {
-    return p.scene.contact == Contact::EndSlope ? Json::object() : word(p);
-  };
-  binding.set = [word = binding.set](Draft& p, const Json& chosen) {
+  Binding binding =
+      choice<kScene, &Scene::contact>({{"smooth", Contact::Smooth},
+                                       {"centre", Contact::Centre},
+                                       {"optimal", Contact::Optimal}});
+  binding.put = [](Draft& p, double word, Binding::Row) {
     p.scene.end_slope.reset();
-    word(p, chosen);
+    p.scene.contact = static_cast<Contact>(word);
   };
   return binding;
 }
 
 Binding end_slope() {
-  Binding binding = angle(kScene, &Scene::end_slope);
-  binding.set = [slope = binding.set](Draft& p, const Json& value) {
+  Binding binding = angle<kScene, &Scene::end_slope>();
+  binding.put = [](Draft& p, double slope, Binding::Row) {
     p.scene.contact = Contact::EndSlope;
-    slope(p, value);
+    p.scene.end_slope = slope;
   };
   return binding;
 }
@@ -189,46 +187,47 @@ Interval interval_of(Allowed allowed) {
   return {};
 }
 
-Binding limit_number(const LimitEntry& limit) {
+/// \param row  in limit_table()
+Binding limit_number(std::size_t row) {
   return {.type = KeyType::Number,
-          .get =
-              [&limit](const Draft& p) {
-                const std::optional<double>& bound =
-                    limit.bound(p.scene.limits);
-                return bound ? Json(*bound) : Json();
+          .number =
+              [](const Draft& p, Binding::Row row) {
+                return limit_table()[row].bound(p.scene.limits);
               },
-          .set =
-              [&limit](Draft& p, const Json& value) {
-                limit.bound_in(p.scene.limits) = value.get<double>();
-              }};
+          .put =
+              [](Draft& p, double value, Binding::Row row) {
+                limit_table()[row].bound_in(p.scene.limits) = value;
+              },
+          .row = row};
 }
 
 Keys limit_keys() {
   using Of = CurvatureLimit::Of;
   constexpr std::string_view kForces = "scene.limits.normal_force";
   constexpr std::string_view kCurvatures = "scene.limits.curvature";
-  Keys keys{{"scene.limits", silent_map(kPathLimits),
+  Keys keys{{"scene.limits", silent(map<kPathLimits>()),
              "what the motion has to keep to; see [Limits](#limits)"}};
   std::string_view group = keys.front().path;
-  for (const LimitEntry& limit : limit_table()) {
-    KeySpec key(limit.key, limit_number(limit), limit.meaning,
+  for (std::size_t row = 0; row < limit_table().size(); ++row) {
+    const LimitEntry& limit = limit_table()[row];
+    KeySpec key(limit.key, limit_number(row), limit.meaning,
                 {.unit = limit.unit, .physical = interval_of(limit.allowed)});
     if (limit.allowed == Allowed::Fraction) key.bounds = "0 ≤ m < 1";
     if (key.parent() != group) {
       if (group == kCurvatures) {
         keys.emplace_back(
             "scene.limits.curvature.of",
-            choice(kCurvature, &CurvatureLimit::of,
-                   {{"track", Of::Track}, {"centre", Of::Centre}}),
+            choice<kCurvature, &CurvatureLimit::of>(
+                {{"track", Of::Track}, {"centre", Of::Centre}}),
             "whose curvature: of the track, or of the path of the centre");
       }
       group = key.parent();
       if (group == kForces) {
-        keys.emplace_back(group, map(kForce),
+        keys.emplace_back(group, map<kForce>(),
                           "R_n, force of the track on the body across it");
       } else if (group == kCurvatures) {
         keys.emplace_back(
-            group, map(kHasCurvature),
+            group, map<kHasCurvature>(),
             "how sharply the track, or the path of the centre, may turn");
       }
     }
@@ -265,15 +264,17 @@ constexpr auto kStart = stated_place<has_speed>(world);
 constexpr auto kHasAir = stated_place<has_air>(world);
 constexpr auto kHasLosses = stated_place<has_losses>(world);
 
-Binding world_number(const WorldParameter& parameter) {
+/// \param row  in kWorldParameters
+Binding world_number(std::size_t row) {
   return {.type = KeyType::Number,
-          .get =
-              [&parameter](const Draft& p) {
-                const double* number = parameter.find(p.scene.world);
-                return number ? Json(*number) : Json();
+          .number =
+              [](const Draft& p, Binding::Row i) {
+                const double* number = kWorldParameters[i].find(p.scene.world);
+                return number ? std::optional(*number) : std::nullopt;
               },
-          .set =
-              [&parameter](Draft& p, const Json& value) {
+          .put =
+              [](Draft& p, double value, Binding::Row i) {
+                const WorldParameter& parameter = kWorldParameters[i];
                 World& world = p.scene.world;
                 for (const FieldKind& kind : kFieldKinds) {
                   if (std::string_view(parameter.key).starts_with(kind.key) &&
@@ -281,57 +282,69 @@ Binding world_number(const WorldParameter& parameter) {
                     kind.put_into(world);
                   }
                 }
-                *parameter.find_in(world) = value.get<double>();
-              }};
+                *parameter.find_in(world) = value;
+              },
+          .row = row};
 }
 
 /// A map of those numbers, where the world has its field.
-Binding field_map(const FieldKind& kind) {
-  return {.type = KeyType::Map, .get = [&kind](const Draft& p) {
-            return kind.stands_in(p.scene.world) ? Json::object() : Json();
-          }};
+/// \param row  in kFieldKinds
+Binding field_map(std::size_t row) {
+  return {.type = KeyType::Map,
+          .number =
+              [](const Draft& p, Binding::Row i) {
+                return kFieldKinds[i].stands_in(p.scene.world)
+                           ? std::optional(0.0)
+                           : std::nullopt;
+              },
+          .row = row};
 }
 
 /// Gravity, which another field says in other words.
 Binding gravity() {
-  Binding binding = number(kScene, &Scene::gravity);
-  binding.get = [bare = binding.get](const Draft& p) {
-    return has_field(p.scene.world) ? Json() : bare(p);
+  Binding binding = number<kScene, &Scene::gravity>();
+  binding.number = [](const Draft& p, Binding::Row) {
+    return has_field(p.scene.world) ? std::nullopt
+                                    : std::optional(p.scene.gravity);
   };
   return binding;
 }
 
 /// The same by another name, under which it is not echoed.
 Binding uniform_field() {
-  Binding binding = number(kScene, &Scene::gravity);
-  binding.get = [](const Draft&) { return Json(); };
-  binding.silent = true;
-  return binding;
+  Binding binding = number<kScene, &Scene::gravity>();
+  binding.number = [](const Draft&, Binding::Row) {
+    return std::optional<double>();
+  };
+  return silent(binding);
 }
 
 Keys world_keys() {
   Keys keys{
-      {"scene.field", silent_map(kField),
+      {"scene.field", silent(map<kField>()),
        "what pulls the body; see [Other worlds](#other-worlds)"},
       {"scene.field.uniform", uniform_field(),
        "g, what `gravity` means: one of the two", positive("m/s²")},
-      {"scene.start", silent_map(kStart), "how the motion begins"},
-      {"scene.air", silent_map(kHasAir),
+      {"scene.start", silent(map<kStart>()), "how the motion begins"},
+      {"scene.air", silent(map<kHasAir>()),
        "drag on the centre, against its motion: c_1 v + c_2 v² per mass"},
-      {"scene.losses", silent_map(kHasLosses),
+      {"scene.losses", silent(map<kHasLosses>()),
        "what the track takes in proportion to the load R_n; see "
        "[Losses](#losses)"},
   };
-  for (auto at = keys.begin() + 2; const FieldKind& kind : kFieldKinds) {
-    at = keys.insert(at, {kind.key, field_map(kind), kind.meaning}) + 1;
+  auto at = keys.begin() + 2;
+  for (std::size_t row = 0; row < std::size(kFieldKinds); ++row) {
+    const FieldKind& kind = kFieldKinds[row];
+    at = keys.insert(at, {kind.key, field_map(row), kind.meaning}) + 1;
     if (*kind.place == '\0') continue;
-    at = keys.insert(at, {kind.place, field_map(kind), kind.place_meaning,
-                          required()}) +
+    at = keys.insert(
+             at, {kind.place, field_map(row), kind.place_meaning, required()}) +
          1;
   }
   // Behind the last key of its map.
-  for (const WorldParameter& parameter : kWorldParameters) {
-    KeySpec key(parameter.key, world_number(parameter), parameter.meaning,
+  for (std::size_t row = 0; row < std::size(kWorldParameters); ++row) {
+    const WorldParameter& parameter = kWorldParameters[row];
+    KeySpec key(parameter.key, world_number(row), parameter.meaning,
                 {.presence = parameter.of_field ? Presence::Required
                                                 : Presence::Optional,
                  .unit = parameter.unit,
@@ -362,20 +375,13 @@ constexpr auto kRails = ball_with<&Ball::gauge>();
 constexpr auto kRoundRails = ball_with<&Ball::rail_radius>();
 constexpr auto kGroove = ball_with<&Ball::groove>();
 
-/// The same, silent where there is none.
-Binding silent(Binding binding) {
-  binding.silent = true;
-  return binding;
-}
-
 /// Mass distributions that have names, in place of k, which is echoed.
 Binding inertia() {
-  Binding binding = choice(kBody, &Body::k,
-                           {{"disc", 1.0 / 2.0},
-                            {"ring", 1.0},
-                            {"ball", 2.0 / 5.0},
-                            {"hollow_ball", 2.0 / 3.0}});
-  binding.get = nullptr;
+  Binding binding = choice<kBody, &Body::k>({{"disc", 1.0 / 2.0},
+                                             {"ring", 1.0},
+                                             {"ball", 2.0 / 5.0},
+                                             {"hollow_ball", 2.0 / 3.0}});
+  binding.number = nullptr;
   return binding;
 }
 
@@ -386,31 +392,30 @@ Keys scene_keys() {
       {"scene", map(), "what is to roll where", required()},
       {"scene.body", map(), "the body", required()},
       {"scene.body.shape",
-       choice(kBody, &Body::shape,
-              {{"cylinder", Shape::Cylinder},
-               {"ball", Shape::Ball},
-               {"bead", Shape::Bead}}),
+       choice<kBody, &Body::shape>({{"cylinder", Shape::Cylinder},
+                                    {"ball", Shape::Ball},
+                                    {"bead", Shape::Bead}}),
        "a cylinder rolls without slip, a ball likewise, a bead slides",
        required()},
       {"scene.body.radius",
-       number(kBody, &Body::radius),
+       number<kBody, &Body::radius>(),
        "r, radius of the cylinder; of a ball R",
        {.presence = Presence::RequiredOfCylinder,
         .unit = "m",
         .physical = kPositive}},
       {"scene.body.eta_m",
-       number(kBody, &Body::eta_m),
+       number<kBody, &Body::eta_m>(),
        "η_m, distance of the centre of mass from the axis, in radii",
        {.presence = Presence::OptionalOfCylinder,
         .bounds = "0 ≤ η_m < 1",
         .physical = {.lower = 0.0, .upper = 1.0, .upper_allowed = false}}},
       {"scene.body.theta_m",
-       angle(kBody, &Body::theta_m),
+       angle<kBody, &Body::theta_m>(),
        "θ_m, direction from the axis to the centre of mass at the start, from "
        "+x towards +z (down)",
        {.presence = Presence::OptionalOfCylinder, .unit = "rad"}},
       {"scene.body.k",
-       number(kBody, &Body::k),
+       number<kBody, &Body::k>(),
        "k = I_cm/(m r²), moment of inertia about the centre of mass",
        {.presence = Presence::RequiredOfCylinder,
         .bounds = "0 ≤ k ≤ 1 − η_m²",
@@ -420,21 +425,21 @@ Keys scene_keys() {
        "in place of k: 1/2, 1, 2/5, 2/3",
        {.presence = Presence::OptionalOfCylinder}},
       {"scene.body.rails",
-       silent_map(kRails),
+       silent(map<kRails>()),
        "the two rails a ball runs on; see [A ball on rails](#a-ball-on-rails)",
        {.presence = Presence::OptionalOfCylinder}},
-      {"scene.body.rails.gauge", silent(number(kRails, &Ball::gauge)),
+      {"scene.body.rails.gauge", silent(number<kRails, &Ball::gauge>()),
        "b, between the edges of thin rails, or between the axes of round ones",
        required_length()},
       {"scene.body.rails.radius",
-       silent(number(kRoundRails, &Ball::rail_radius)),
+       silent(number<kRoundRails, &Ball::rail_radius>()),
        "ρ, of round rails; thin ones have none", positive("m")},
       {"scene.body.groove",
-       silent_map(kGroove),
+       silent(map<kGroove>()),
        "in place of rails: the groove a ball runs in",
        {.presence = Presence::OptionalOfCylinder}},
       {"scene.body.groove.angle",
-       silent(angle(kGroove, &Ball::groove)),
+       silent(angle<kGroove, &Ball::groove>()),
        "2γ, from wall to wall",
        {.presence = Presence::Required,
         .unit = "rad",
@@ -450,13 +455,13 @@ Keys scene_keys() {
        {.presence = Presence::OptionalOfCylinder,
         .bounds = "a list of parts, as in [\"ring:m=2\", "
                   "\"point:m=1,at=0.3@-30deg\"]"}},
-      {"scene.body.mass", number(kBody, &Body::mass),
+      {"scene.body.mass", number<kBody, &Body::mass>(),
        "m, only needed for forces in newtons", positive("kg")},
       {"scene.finish", map(), "the point B to be reached from A = (0, 0)",
        required()},
-      {"scene.finish.L", number(kScene, &Scene::L),
+      {"scene.finish.L", number<kScene, &Scene::L>(),
        "L, horizontal distance from A to B", required_length()},
-      {"scene.finish.H", number(kScene, &Scene::H), "H, drop from A to B",
+      {"scene.finish.H", number<kScene, &Scene::H>(), "H, drop from A to B",
        required_length()},
       {"scene.gravity", gravity(), "g, acceleration of gravity",
        positive("m/s²")},
@@ -472,19 +477,18 @@ Keys scene_keys() {
         .unit = "rad",
         .bounds = "from −π to π",
         .physical = {-std::numbers::pi, std::numbers::pi}}},
-      {"scene.path", map(kPath),
+      {"scene.path", map<kPath>(),
        "a given path, which is evaluated; without it the extremal is found"},
       {"scene.path.curve",
-       choice(kPath, &GivenPath::curve,
-              {{"centre", Curve::Centre}, {"track", Curve::Track}}),
+       choice<kPath, &GivenPath::curve>(
+           {{"centre", Curve::Centre}, {"track", Curve::Track}}),
        "whose curve it is: the path of the centre, or the track from A to B"},
       {"scene.path.shape",
-       choice(kPath, &GivenPath::shape,
-              {{"straight", Form::Straight},
-               {"parabola", Form::Parabola},
-               {"circular_arc", Form::CircularArc},
-               {"cycloid", Form::Cycloid},
-               {"points", Form::Points}}),
+       choice<kPath, &GivenPath::shape>({{"straight", Form::Straight},
+                                         {"parabola", Form::Parabola},
+                                         {"circular_arc", Form::CircularArc},
+                                         {"cycloid", Form::Cycloid},
+                                         {"points", Form::Points}}),
        "a parabola has a horizontal axis if it starts vertically, a vertical "
        "one otherwise; a cycloid has its cusp at the start; points: a cubic "
        "spline",
@@ -510,32 +514,31 @@ Keys discretisation_keys() {
   return {
       {"discretisation", map(), "wanted accuracy, or a fixed mesh"},
       {"discretisation.formulation",
-       choice(kMesh, &Discretisation::formulation,
-              {{"rolling_time", Formulation::RollingTime},
-               {"arc_length", Formulation::ArcLength}}),
+       choice<kMesh, &Discretisation::formulation>(
+           {{"rolling_time", Formulation::RollingTime},
+            {"arc_length", Formulation::ArcLength}}),
        "how the problem is made finite. rolling_time: collocation; arc_length: "
        "the paper's variables, on straight pieces, of order 2"},
       {"discretisation.tolerance",
-       shared(number(kMesh, &Discretisation::tolerance),
-              number(kShooting, &Shooting::tolerance)),
+       shared<kMesh, &Discretisation::tolerance, kShooting,
+              &Shooting::tolerance>(),
        "wanted relative error of the transit time; the mesh follows unless it "
        "is fixed. arc_length: 1e-9 or more, 1e-6 if absent",
        {.fallback = "1e-10",
         .bounds = "from 1e-13 to 1e-1",
         .interval = {kSmallestTolerance, kLargestTolerance}}},
       {"discretisation.degree",
-       number(kElements, &Discretisation::degree),
+       number<kElements, &Discretisation::degree>(),
        "p, polynomial degree of an element; not for arc_length",
        {.fallback = "follows the tolerance, 5 on a fixed mesh",
         .interval = {kMinDegree, kMaxDegree}}},
       {"discretisation.elements",
-       number(kMesh, &Discretisation::elements),
+       number<kMesh, &Discretisation::elements>(),
        "N, number of elements, of straight pieces for arc_length; fixes the "
        "mesh",
        {.bounds = "from 1 to 10 million", .interval = {1, kMaxElements}}},
       {"discretisation.nodes",
-       shared(number(kMesh, &Discretisation::nodes),
-              number(kSystem, &DiscreteSystem::nodes)),
+       shared<kMesh, &Discretisation::nodes, kSystem, &DiscreteSystem::nodes>(),
        "number of nodes, N p + 1, or N + 1 for arc_length; fixes the mesh in "
        "place of elements. With method: fsolve any n ≥ 3",
        {.fallback = "follows the tolerance, 100 with method: fsolve",
@@ -551,12 +554,11 @@ Keys solver_keys() {
   return {
       {"solver", map(), "how the finite problem is solved"},
       {"solver.method",
-       choice(kMethod, &Draft::method,
-              {{"ipopt", MethodWord::Ipopt},
-               {"newton_kkt", MethodWord::NewtonKkt},
-               {"extremal", MethodWord::Extremal},
-               {"fsolve", MethodWord::Fsolve},
-               {"auto", MethodWord::Auto}}),
+       choice<kMethod, &Draft::method>({{"ipopt", MethodWord::Ipopt},
+                                        {"newton_kkt", MethodWord::NewtonKkt},
+                                        {"extremal", MethodWord::Extremal},
+                                        {"fsolve", MethodWord::Fsolve},
+                                        {"auto", MethodWord::Auto}}),
        "auto: free scenes of a sweep side by side by the indirect method, all "
        "others as ipopt; ipopt: collocation and a nonlinear program; "
        "newton_kkt: the same by "
@@ -564,52 +566,51 @@ Keys solver_keys() {
        "extremal: Pontryagin's conditions by multiple shooting; fsolve: the "
        "paper's discrete system, for comparison, never verified"},
       {"solver.linear_solver",
-       choice(kProgram, &Collocation::linear_solver,
-              {named(LinearSolver::Auto), named(LinearSolver::Mumps),
-               named(LinearSolver::Chain)}),
+       choice<kProgram, &Collocation::linear_solver>(
+           {named(LinearSolver::Auto), named(LinearSolver::Mumps),
+            named(LinearSolver::Chain)}),
        "what factorises the KKT matrix. chain: along the chain of elements; "
        "mumps: a general sparse solver; auto: chain where it is possible, "
        "mumps otherwise"},
-      {"solver.threads", number(kProgram, &Collocation::threads),
+      {"solver.threads", number<kProgram, &Collocation::threads>(),
        "that factorise a chain of thousands of elements; the digits are the "
        "same for any number",
        within(1, kMostThreads)},
-      {"solver.tolerance", number(kProgram, &Collocation::tolerance),
+      {"solver.tolerance", number<kProgram, &Collocation::tolerance>(),
        "largest scaled KKT residual of a solution",
        within(kSmallestResidual, kLargestResidual)},
       {"solver.search",
-       choice(kCollocation, &Collocation::search,
-              {{"principal", Search::Principal}, {"global", Search::Global}}),
+       choice<kCollocation, &Collocation::search>(
+           {{"principal", Search::Principal}, {"global", Search::Global}}),
        "which extremal is the answer. principal: the one that continues from "
        "the cycloid as η_m grows from 0; global: of the smooth contacts that a "
        "search finds the fastest verified and feasible one"},
-      {"solver.polish", yes_or_no(kProgram, &Collocation::polish),
+      {"solver.polish", yes_or_no<kProgram, &Collocation::polish>(),
        "last digits by Newton's method on the optimality conditions and the "
        "contact together"},
       {"solver.certify",
-       choice(kProgram, &Collocation::certify,
-              {{"none", Certify::None}, {"extremal", Certify::Extremal}}),
+       choice<kProgram, &Collocation::certify>(
+           {{"none", Certify::None}, {"extremal", Certify::Extremal}}),
        "extremal: solve once more by multiple shooting and compare"},
       {"solver.sensitivities",
-       choice(kCollocation, &Collocation::sensitivities,
-              {{"false", SensitivityOrder::None},
-               {"true", SensitivityOrder::First},
-               {"second", SensitivityOrder::Second}}),
+       choice<kCollocation, &Collocation::sensitivities>(
+           {{"false", SensitivityOrder::None},
+            {"true", SensitivityOrder::First},
+            {"second", SensitivityOrder::Second}}),
        "derivatives of the time by body and finish; second: those of second "
        "order too. Not for a given path"},
       {"solver.guess",
-       choice(kColdStart, &Collocation::guess,
-              {{"cycloid", Guess::Cycloid},
-               {"straight", Guess::Straight},
-               {"random", Guess::Random}}),
+       choice<kColdStart, &Collocation::guess>({{"cycloid", Guess::Cycloid},
+                                                {"straight", Guess::Straight},
+                                                {"random", Guess::Random}}),
        "where a cold start begins; straight and random are tried in addition "
        "and reported, the answer does not depend on them"},
-      {"solver.seed", number(kProgram, &Collocation::seed),
+      {"solver.seed", number<kProgram, &Collocation::seed>(),
        "of the random guess", within(0, kMaxInt)},
       {"solver.limits", map(), "bounds on the work"},
-      {"solver.limits.iterations", number(kIterations, &Limits::iterations),
+      {"solver.limits.iterations", number<kIterations, &Limits::iterations>(),
        "of the solver, in all passes together", within(1, kMaxInt)},
-      {"solver.limits.seconds", number(kLimits, &Limits::seconds),
+      {"solver.limits.seconds", number<kLimits, &Limits::seconds>(),
        "wall-clock time", seconds()},
   };
 }
@@ -620,37 +621,37 @@ Keys fsolve_keys() {
   using Datum = DiscreteReading::Datum;
   using Slopes = DiscreteReading::Slopes;
   return {
-      {"solver.fsolve", map(kSystem),
+      {"solver.fsolve", map<kSystem>(),
        "of method: fsolve, what the paper leaves open"},
       {"solver.fsolve.quadrature",
-       choice(kReading, &DiscreteReading::quadrature,
-              {{"vmean", Quadrature::MeanSpeed},
-               {"midpoint", Quadrature::Midpoint},
-               {"trapezoid", Quadrature::Trapezoid}}),
+       choice<kReading, &DiscreteReading::quadrature>(
+           {{"vmean", Quadrature::MeanSpeed},
+            {"midpoint", Quadrature::Midpoint},
+            {"trapezoid", Quadrature::Trapezoid}}),
        "time of a chord of length l: vmean, 2 l/(v + v') with the speeds at "
        "its ends; midpoint, l/v halfway; trapezoid, l (1/v + 1/v')/2"},
       {"solver.fsolve.datum",
-       choice(kReading, &DiscreteReading::datum,
-              {{"release", Datum::Release},
-               {"rest", Datum::Rest},
-               {"printed", Datum::Printed}}),
+       choice<kReading, &DiscreteReading::datum>({{"release", Datum::Release},
+                                                  {"rest", Datum::Rest},
+                                                  {"printed", Datum::Printed}}),
        "zero level of the energy: release, the first node; rest, A as printed "
        "but at rest in the first node; printed, A, which leaves no real speed "
        "there"},
       {"solver.fsolve.slopes",
-       choice(kReading, &DiscreteReading::slopes,
-              {{"literal", Slopes::Literal}, {"smooth", Slopes::Smooth}}),
+       choice<kReading, &DiscreteReading::slopes>(
+           {{"literal", Slopes::Literal}, {"smooth", Slopes::Smooth}}),
        "end slopes: literal, by Δz/Δx, which turns round with Δx; smooth, by "
        "Δx/l and Δz/l"},
-      {"solver.fsolve.epsilon", number(kDifferences, &DiscreteReading::epsilon),
+      {"solver.fsolve.epsilon",
+       number<kDifferences, &DiscreteReading::epsilon>(),
        "half width of the central differences in units of H, of variant "
        "hybrid; 0: exact derivatives",
        within(0.0, kLargestEpsilon)},
       {"solver.fsolve.variant",
-       choice(kSystem, &DiscreteSystem::solver,
-              {{"hybrid", DiscreteSolver::Hybrid},
-               {"newton", DiscreteSolver::Newton},
-               {"lifted", DiscreteSolver::Lifted}}),
+       choice<kSystem, &DiscreteSystem::solver>(
+           {{"hybrid", DiscreteSolver::Hybrid},
+            {"newton", DiscreteSolver::Newton},
+            {"lifted", DiscreteSolver::Lifted}}),
        "hybrid: Powell's method with a dense Jacobian by differences, as "
        "fsolve; newton: exact derivatives, dense; lifted: the same steps from "
        "a sparse system"},
@@ -680,12 +681,12 @@ Keys work_precision_keys() {
        "points of the line adaptive: wanted relative errors of T",
        {.bounds = "a list of numbers from 1e-13 to 0.1"}},
       {"work_precision.repetitions",
-       number(kPlan, &WorkPrecisionPlan::repetitions),
+       number<kPlan, &WorkPrecisionPlan::repetitions>(),
        "timed runs of a point, of which the median counts; fewer where a run "
        "takes seconds",
        within(1, kMostRepetitions)},
       {"work_precision.seconds_per_point",
-       number(kPlan, &WorkPrecisionPlan::seconds_per_point),
+       number<kPlan, &WorkPrecisionPlan::seconds_per_point>(),
        "wall-clock time after which a point is given up", seconds()},
   };
 }
@@ -700,7 +701,7 @@ Keys design_keys() {
        "which body `brachisto design` looks for; other verbs read it and go "
        "their way"},
       {"design.minimise",
-       choice(kDesign, &DesignPlan::minimised, {{"tau", Minimised::Tau}}),
+       choice<kDesign, &DesignPlan::minimised>({{"tau", Minimised::Tau}}),
        "what the body is to make least: τ of its own extremal"},
       {"design.free",
        free_list(),
@@ -728,30 +729,30 @@ Keys design_keys() {
        "H²)/(2L)",
        {.unit = "m", .bounds = "two numbers > 0"}},
       {"design.require_feasible",
-       yes_or_no(kDesign, &DesignPlan::require_feasible),
+       yes_or_no<kDesign, &DesignPlan::require_feasible>(),
        "whether the body has to be able to run on its track, without lift-off "
        "and folds"},
-      {"design.max_grip", silent_map(kMaxGrip),
+      {"design.max_grip", silent(map<kMaxGrip>()),
        "friction that there is: a body that needs more counts as one that "
        "cannot run on its track"},
       {"design.max_grip.mu",
-       number(kMaxGrip, &MaxGrip::mu),
+       number<kMaxGrip, &MaxGrip::mu>(),
        "μ: R_t from −μ R_n to μ R_n",
        {.presence = Presence::Required, .interval = kPositive}},
       {"design.max_grip.after",
-       number(kMaxGrip, &MaxGrip::after),
+       number<kMaxGrip, &MaxGrip::after>(),
        "share of the transit time from which on it is asked for; at a start "
        "from rest no friction would do",
        {.fallback = "0.01",
         .bounds = "0 ≤ share < 1",
         .interval = {.lower = 0.0, .upper = 1.0, .upper_allowed = false}}},
-      {"design.starts", number(kDesign, &DesignPlan::starts),
+      {"design.starts", number<kDesign, &DesignPlan::starts>(),
        "searches: the first from scene.body, the others from random bodies",
        within(1, kMostDesignStarts)},
-      {"design.seed", number(kDesign, &DesignPlan::seed),
+      {"design.seed", number<kDesign, &DesignPlan::seed>(),
        "of the random bodies", within(0, kMaxInt)},
       {"design.start",
-       number(kDesign, &DesignPlan::start),
+       number<kDesign, &DesignPlan::start>(),
        "the one that is searched from, in place of all",
        {.bounds = "an integer from 1 to starts",
         .interval = {1, kMostDesignStarts}}},
@@ -759,12 +760,13 @@ Keys design_keys() {
 }
 
 Keys all_keys() {
-  Keys keys{{"version",
-             {.type = KeyType::Integer, .set = [](Draft&, const Json&) {}},
-             "of the file format",
-             {.fallback = "1",
-              .bounds = "1 (this program reads version 1)",
-              .interval = {1, 1}}}};
+  Keys keys{
+      {"version",
+       {.type = KeyType::Integer, .put = [](Draft&, double, Binding::Row) {}},
+       "of the file format",
+       {.fallback = "1",
+        .bounds = "1 (this program reads version 1)",
+        .interval = {1, 1}}}};
   const auto add = [&](Keys part) {
     std::ranges::move(part, std::back_inserter(keys));
   };

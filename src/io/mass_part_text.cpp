@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "io/expression.hpp"
+#include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -34,12 +35,6 @@ std::span<const std::string_view> names_of(std::string_view kind) {
   if (kind == "point") return kOfPoint;
   if (kind == "ring") return kOfRing;
   return kind == "disc" ? std::span<const std::string_view>(kOfDisc) : kOfRod;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /// What is between commas that no parenthesis encloses.

@@ -111,7 +111,7 @@ void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
   problem.scene.path = std::move(path);
 }
 
-Json points_json(const Draft& problem) {
+Json points_json(const Draft& problem, Binding::Row) {
   const auto& path = problem.scene.path;
   if (!path || path->shape != GivenPath::Shape::Points) return {};
   Json list = Json::array();
@@ -159,7 +159,7 @@ std::vector<Point> parse_points(std::string_view text) {
 
 Binding points_list() {
   return {.type = KeyType::List,
-          .get = points_json,
+          .echo = points_json,
           .silent = true,
           .read_list = read_points,
           .items = pair_schema};

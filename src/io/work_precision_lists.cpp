@@ -86,16 +86,18 @@ void read_methods(Draft& problem, const KeySpec& spec, const YamlValue& list,
 }
 
 /// Numbers of a plan, each once, from coarse to fine.
-template <class Value, class Finer>
-Binding numbers_list(std::vector<Value> WorkPrecisionPlan::*member,
-                     const Interval& allowed, Finer finer) {
+template <auto member, const Interval& allowed, class Finer>
+Binding numbers_list() {
+  using Value = typename std::remove_reference_t<
+      decltype(std::declval<WorkPrecisionPlan&>().*member)>::value_type;
   constexpr bool kIntegral = std::is_integral_v<Value>;
   constexpr KeyType kType = kIntegral ? KeyType::Integer : KeyType::Number;
   return {.type = KeyType::List,
-          .get = [=](const Draft& p) { return Json(p.work_precision.*member); },
+          .echo = [](const Draft& p,
+                     Binding::Row) { return Json(p.work_precision.*member); },
           .read_list =
-              [=](Draft& problem, const KeySpec& spec, const YamlValue& list,
-                  Findings& findings) {
+              [](Draft& problem, const KeySpec& spec, const YamlValue& list,
+                 Findings& findings) {
                 const ListReader reader(spec, findings);
                 std::vector<Value> numbers;
                 reader.each(list, [&](const YamlValue& item) {
@@ -105,11 +107,11 @@ Binding numbers_list(std::vector<Value> WorkPrecisionPlan::*member,
                                     fmt::format("{}", value));
                   }
                 });
-                std::ranges::sort(numbers, finer);
+                std::ranges::sort(numbers, Finer());
                 problem.work_precision.*member = std::move(numbers);
               },
           .items =
-              [=] {
+              [] {
                 Json schema = number_or_text_schema();
                 if (kIntegral) schema = {{"type", "integer"}};
                 schema["minimum"] = allowed.lower;
@@ -119,7 +121,7 @@ Binding numbers_list(std::vector<Value> WorkPrecisionPlan::*member,
 }
 
 /// Neighbours of one name share its list.
-Json methods_json(const Draft& problem) {
+Json methods_json(const Draft& problem, Binding::Row) {
   Json list = Json::array();
   const auto add = [&](const char* name, const Json& item) {
     const bool shared = !list.empty() && list.back().contains(name);
@@ -155,18 +157,18 @@ Json methods_schema() {
 
 Binding methods_list() {
   return {.type = KeyType::List,
-          .get = methods_json,
+          .echo = methods_json,
           .read_list = read_methods,
           .items = methods_schema};
 }
 
 Binding meshes_list() {
-  return numbers_list(&WorkPrecisionPlan::meshes, kMeshes, std::less<>());
+  return numbers_list<&WorkPrecisionPlan::meshes, kMeshes, std::less<>>();
 }
 
 Binding tolerances_list() {
-  return numbers_list(&WorkPrecisionPlan::tolerances, kTolerances,
-                      std::greater<>());
+  return numbers_list<&WorkPrecisionPlan::tolerances, kTolerances,
+                      std::greater<>>();
 }
 
 }  // namespace brachisto::io

@@ -6,6 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <utility>
 
 namespace brachisto::math {
 
@@ -64,6 +68,92 @@ VectorXd LeastSquares::solve(const VectorXd& b) const {
 
 MatrixXd LeastSquares::pseudo_inverse() const {
   return of_->pseudoInverse();
+}
+
+SingularValues singular_values(const MatrixXd& A) {
+  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinV);
+  return {svd.singularValues(), svd.matrixV()};
+}
+
+namespace {
+
+/// What Eigen calls for a sum of squares.
+struct SumFunctor {
+  const SumOfSquares& sum;
+
+  [[nodiscard]] Index values() const { return sum.rows; }
+  int operator()(const VectorXd& x, VectorXd& residuals) const {
+    sum.residuals(x, residuals);
+    return 0;
+  }
+  int df(const VectorXd& x, MatrixXd& jacobian) const {
+    sum.jacobian(x, jacobian);
+    return 0;
+  }
+};
+
+/// What Eigen calls for a square system; a negative value ends its iteration.
+struct HybridFunctor {
+  const HybridResidual& residual;
+  const Eigen::DenseIndex* iterations = nullptr;
+
+  int operator()(const VectorXd& x, VectorXd& F) const {
+    return residual(x, F, *iterations) ? -1 : 0;
+  }
+};
+
+const char* reason(Eigen::HybridNonLinearSolverSpace::Status status) {
+  namespace space = Eigen::HybridNonLinearSolverSpace;
+  switch (status) {
+    case space::Running:
+    case space::RelativeErrorTooSmall:
+      return "the steps became smaller than √ε of the unknowns";
+    case space::TooManyFunctionEvaluation:
+      return "too many evaluations";
+    case space::TolTooSmall:
+      return "the steps cannot become smaller";
+    case space::NotMakingProgressJacobian:
+      return "five Jacobians in a row made no good progress";
+    case space::NotMakingProgressIterations:
+      return "ten iterations in a row made no good progress";
+    case space::ImproperInputParameters:
+      return "the system has no unknowns";
+    case space::UserAsked:
+      break;
+  }
+  return "stopped at a limit";
+}
+
+}  // namespace
+
+std::optional<VectorXd> least_sum_of_squares(const SumOfSquares& sum,
+                                             VectorXd x, double tolerance) {
+  namespace space = Eigen::LevenbergMarquardtSpace;
+  SumFunctor functor{sum};
+  Eigen::LevenbergMarquardt<SumFunctor> solver(functor);
+  solver.parameters.ftol = tolerance;
+  solver.parameters.xtol = tolerance;
+  const space::Status status = solver.minimize(x);
+  const bool failed = status == space::TooManyFunctionEvaluation ||
+                      status == space::ImproperInputParameters;
+  if (failed || !x.allFinite()) return std::nullopt;
+  return x;
+}
+
+HybridEnd run_hybrid(const HybridResidual& residual, VectorXd x) {
+  HybridFunctor functor{residual};
+  Eigen::HybridNonLinearSolver<HybridFunctor> solver(functor);
+  functor.iterations = &solver.iter;
+  solver.parameters.maxfev = std::numeric_limits<Eigen::DenseIndex>::max();
+  HybridEnd end;
+  auto status = solver.solveNumericalDiffInit(x);
+  while (status == Eigen::HybridNonLinearSolverSpace::Running) {
+    status = solver.solveNumericalDiffOneStep(x);
+    ++end.steps;
+  }
+  end.reason = reason(status);
+  end.iterations = static_cast<int>(solver.iter) - 1;
+  return end;
 }
 
 }  // namespace brachisto::math

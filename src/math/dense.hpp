@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Decompositions of small dense matrices. Their templates take long to
-/// compile: dense.cpp alone does it, and callers include no more than
-/// Eigen/Core.
+/// Decompositions of small dense matrices, and MINPACK's iterations over them
+/// as Eigen ports them. Their templates take long to compile: dense.cpp alone
+/// does it, and callers include no more than Eigen/Core.
 
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace brachisto::math {
 
@@ -53,5 +55,40 @@ class LeastSquares {
   struct Decomposition;
   std::shared_ptr<const Decomposition> of_;
 };
+
+/// Σ, descending, and V of A = U Σ Vᵀ for an A with as many rows as columns or
+/// more.
+struct SingularValues {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd right;
+};
+[[nodiscard]] SingularValues singular_values(const Eigen::MatrixXd& A);
+
+/// Residuals and their derivatives, whose sum of squares is to be least.
+struct SumOfSquares {
+  Eigen::Index rows = 0;
+  std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& residuals)>
+      residuals;
+  std::function<void(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian)>
+      jacobian;
+};
+/// The minimum next to x by Levenberg's and Marquardt's method (lmder); nothing
+/// if it does not converge.
+/// \param tolerance  relative, of the sum and of x
+[[nodiscard]] std::optional<Eigen::VectorXd> least_sum_of_squares(
+    const SumOfSquares& sum, Eigen::VectorXd x, double tolerance);
+
+/// Computes F(x), and tells whether the iteration ends there.
+/// \param iterations  begun, 0 at the start
+using HybridResidual = std::function<bool(
+    const Eigen::VectorXd& x, Eigen::VectorXd& F, Eigen::Index iterations)>;
+/// How Powell's hybrid method (hybrd) ended.
+struct HybridEnd {
+  const char* reason = "";
+  int iterations = 0;
+  int steps = 0;  ///< each with a Jacobian
+};
+[[nodiscard]] HybridEnd run_hybrid(const HybridResidual& residual,
+                                   Eigen::VectorXd x);
 
 }  // namespace brachisto::math

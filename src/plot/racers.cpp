@@ -14,6 +14,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
+#include "report/scale.hpp"
 
 namespace brachisto::plot {
 
@@ -25,10 +26,14 @@ std::array<Point, 2> ends(const Racer& racer) {
   return {{{x.front(), z.front()}, {x.back(), z.back()}}};
 }
 
-std::string ends_in_words(const Racer& racer) {
+/// \param close  [m], what is as near to zero is shown as zero
+std::string ends_in_words(const Racer& racer, double close) {
   const auto [a, b] = ends(racer);
-  return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", a.x, a.z, b.x,
-                     b.z);
+  const auto shown = [close](double place) {
+    return report::printed(std::abs(place) <= close ? 0.0 : place);
+  };
+  return fmt::format("from ({}, {}) to ({}, {})", shown(a.x), shown(a.z),
+                     shown(b.x), shown(b.z));
 }
 
 }  // namespace
@@ -49,8 +54,8 @@ void check_ends(const std::string& file, const Racer& first,
           .key = "scene.finish",
           .message = fmt::format("the track runs {}, that of \"{}\" {}: "
                                  "all have to start and to finish together",
-                                 ends_in_words(racer), first.name,
-                                 ends_in_words(first))}});
+                                 ends_in_words(racer, close), first.name,
+                                 ends_in_words(first, close))}});
   }
 }
 

@@ -92,7 +92,9 @@ void Formula::append_to(Tree& out) const {
   if (has_constant) out.push_back(token(constant_));
 }
 
-Formula Formula::applied(Operation operation, const Formula& a) {
+Formula Formula::applied(Operation operation, double (*value)(double),
+                         const Formula& a) {
+  if (a.is_constant()) return value(a.constant_);
   Formula out;
   out.tree_.reserve(kUsualTokens + a.tree_.size());
   out.tree_.push_back(token(operation));
@@ -163,33 +165,27 @@ Formula Formula::either(const Formula& a, double bound, const Formula& above,
 }
 
 Formula sin(const Formula& a) {
-  if (a.is_constant()) return std::sin(a.constant_);
-  return Formula::applied(Formula::Operation::Sine, a);
+  return Formula::applied(Formula::Operation::Sine, std::sin, a);
 }
 
 Formula cos(const Formula& a) {
-  if (a.is_constant()) return std::cos(a.constant_);
-  return Formula::applied(Formula::Operation::Cosine, a);
+  return Formula::applied(Formula::Operation::Cosine, std::cos, a);
 }
 
 Formula sqrt(const Formula& a) {
-  if (a.is_constant()) return std::sqrt(a.constant_);
-  return Formula::applied(Formula::Operation::Root, a);
+  return Formula::applied(Formula::Operation::Root, std::sqrt, a);
 }
 
 Formula exp(const Formula& a) {
-  if (a.is_constant()) return std::exp(a.constant_);
-  return Formula::applied(Formula::Operation::Power, a);
+  return Formula::applied(Formula::Operation::Power, std::exp, a);
 }
 
 Formula log(const Formula& a) {
-  if (a.is_constant()) return std::log(a.constant_);
-  return Formula::applied(Formula::Operation::Logarithm, a);
+  return Formula::applied(Formula::Operation::Logarithm, std::log, a);
 }
 
 Formula atan(const Formula& a) {
-  if (a.is_constant()) return std::atan(a.constant_);
-  return Formula::applied(Formula::Operation::Arctangent, a);
+  return Formula::applied(Formula::Operation::Arctangent, std::atan, a);
 }
 
 }  // namespace brachisto::program_files

@@ -87,7 +87,10 @@ class Formula {
   void scale(double factor);
   /// All of it as one tree.
   void append_to(std::vector<Token>& out) const;
-  [[nodiscard]] static Formula applied(Operation operation, const Formula& a);
+  /// `value` of a constant.
+  [[nodiscard]] static Formula applied(Operation operation,
+                                       double (*value)(double),
+                                       const Formula& a);
   [[nodiscard]] static Formula applied(Operation operation, const Formula& a,
                                        const Formula& b);
 

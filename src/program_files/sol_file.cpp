@@ -9,17 +9,14 @@
 #include <utility>
 
 #include "brachisto/io/problem_file.hpp"
+#include "io/text_lines.hpp"
 #include "program_files/foreign_answer.hpp"
 
 namespace brachisto::program_files {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
+using io::trimmed;
 
 /// The lines of a .sol file, one after the other.
 class Lines {

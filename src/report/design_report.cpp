@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "math/angle.hpp"
+#include "report/scale.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/text_table.hpp"
 
@@ -94,7 +95,7 @@ std::string body_in_words(const NamedNumbers& values) {
                                       name == "eta_m" ? "η_m" : name, value,
                                       name == "r" ? " m" : ""));
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return with_minus_signs(fmt::format("{}", fmt::join(parts, ", ")));
 }
 
 /// Of one minimum, without the body: "τ = 3.9775616, feasible, from 5
@@ -109,11 +110,12 @@ std::string minimum_in_words(const DesignMinimum& minimum) {
 
 /// "θ_m = −30°: dτ/d(bound) = 0.2 per rad".
 std::string bound_in_words(const BoundOfDesign& held) {
-  return held.name == "theta_m"
-             ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
-                           math::in_degrees(held.bound), held.multiplier)
-             : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
-                           held.bound, held.multiplier);
+  return with_minus_signs(
+      held.name == "theta_m"
+          ? fmt::format("θ_m = {:.6g}°: dτ/d(bound) = {:.6g} per rad",
+                        math::in_degrees(held.bound), held.multiplier)
+          : fmt::format("{} = {:.6g}: dτ/d(bound) = {:.6g}", held.name,
+                        held.bound, held.multiplier));
 }
 
 /// Searches that led nowhere, the first few with the reason.

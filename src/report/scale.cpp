@@ -25,6 +25,16 @@ std::string printed(double value, int digits) {
   return text;
 }
 
+std::string with_minus_signs(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = text[i] == '-' && i + 1 < text.size() &&
+                      text[i + 1] >= '0' && text[i + 1] <= '9';
+    out += sign ? "−" : text.substr(i, 1);
+  }
+  return out;
+}
+
 Scale suitable_scale(std::vector<double> values) {
   constexpr double kDecade = 10.0;
   if (values.empty()) return Scale::Linear;

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brachisto::report {
@@ -26,6 +27,9 @@ enum class Scale { Linear, Logarithmic, Degrees };
 
 /// A number to read, of at most that many digits, with a real minus sign.
 [[nodiscard]] std::string printed(double value, int digits = 6);
+
+/// A text with real minus signs before digits.
+[[nodiscard]] std::string with_minus_signs(std::string_view text);
 
 /// Least and greatest of finite numbers.
 struct Extent {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "math/angle.hpp"
+#include "report/scale.hpp"
 #include "report/text_table.hpp"
 #include "trajectory/stated_limits.hpp"
 
@@ -75,17 +76,6 @@ std::string world_in_words(const World& world) {
   }
   if (!world.air.any()) return text;
   return fmt::format("{}, drag {}", text, fmt::join(drags, " + "));
-}
-
-/// With real minus signs before numbers.
-std::string with_minus_signs(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool sign = text[i] == '-' && i + 1 < text.size() &&
-                      text[i + 1] >= '0' && text[i + 1] <= '9';
-    out += sign ? "−" : text.substr(i, 1);
-  }
-  return out;
 }
 
 }  // namespace

@@ -178,14 +178,4 @@ double number_in(const std::string& printed) {
   return negative ? -value : value;
 }
 
-std::string with_minus_signs(std::string text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool sign = text[i] == '-' && i + 1 < text.size() &&
-                      text[i + 1] >= '0' && text[i + 1] <= '9';
-    out += sign ? "−" : std::string(1, text[i]);
-  }
-  return out;
-}
-
 }  // namespace brachisto::reproduction

@@ -9,9 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "report/scale.hpp"
 #include "reproduction/results.hpp"
 
 namespace brachisto::reproduction {
+
+using report::with_minus_signs;
 
 /// Transit times as the paper prints them.
 namespace printed {
@@ -51,8 +54,5 @@ struct PrintedNumber {
 
 /// The number at the beginning of a text, whose minus may be a real one.
 [[nodiscard]] double number_in(const std::string& printed);
-
-/// A text with real minus signs before digits.
-[[nodiscard]] std::string with_minus_signs(std::string text);
 
 }  // namespace brachisto::reproduction

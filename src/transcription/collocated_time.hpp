@@ -67,20 +67,6 @@ class CollocatedTime : public Transcription {
     return std::visit(visitor, collocation_);
   }
 
-  /// θ and w at the end, and that they change with their unknowns.
-  [[nodiscard]] End state_at_end(std::span<const double> x) const {
-    const int w = layout().state(layout().num_points(), StateComponent::W);
-    End out;
-    out.state.w = x[at(w)];
-    out.by_x.push_back({w, 0.0, 1.0, 0.0, 0.0});
-    if (!layout().has_theta()) return out;
-    const int theta =
-        layout().state(layout().num_points(), StateComponent::Theta);
-    out.state.theta = x[at(theta)];
-    out.by_x.push_back({theta, 1.0, 0.0, 0.0, 0.0});
-    return out;
-  }
-
   Collocation collocation_;
 
  private:

@@ -171,7 +171,7 @@ nlp::ChainStructure LimitedTime::chain_structure() const {
 std::optional<Transcription::End> LimitedTime::end(
     std::span<const double> x, std::span<const double> lambda) {
   const int last = layout().num_points();
-  End out = state_at_end(x);
+  End out = end_of_states(x);
   out.p = end_costates(lambda);
   const int p = mesh().degree;
   for (int j = 0; j < p; ++j) {

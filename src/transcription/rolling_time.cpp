@@ -107,7 +107,7 @@ std::optional<Transcription::End> RollingTime::end(
   const int last = layout().num_points();
   const int row_x = layout().defect(last - 1, X);
   const int row_z = layout().defect(last - 1, Z);
-  End out = state_at_end(x);
+  End out = end_of_states(x);
   const double b = scheme().rule.weights.back();
   out.p.p_x = -lambda[at(row_x)] / b;
   out.p.p_z = -lambda[at(row_z)] / b;
@@ -147,7 +147,7 @@ Transcription::End RollingTime::world_end(
   const int last = layout().num_points();
   const double h = mesh().length(e);
   const double U = rolling_time();
-  End out = state_at_end(x());
+  End out = end_of_states(x());
   std::map<int, End::Rate> by_x;
   const auto by = [&](int index) -> End::Rate& {
     return by_x.try_emplace(index, End::Rate{index, 0.0, 0.0, 0.0, 0.0})

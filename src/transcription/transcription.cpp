@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "model/world_hamiltonian.hpp"
 
 namespace brachisto {
@@ -31,6 +32,21 @@ void Transcription::set_end_angle(double phi) {
   const int last = layout_.num_points();
   fix(layout_.state(last, StateComponent::X), end.x - origin_.x);
   fix(layout_.state(last, StateComponent::Z), end.z - origin_.z);
+}
+
+Transcription::End Transcription::end_of_states(
+    std::span<const double> x) const {
+  const int last = layout_.num_points();
+  const int w = layout_.state(last, StateComponent::W);
+  End out;
+  out.state.w = x[at(w)];
+  out.by_x.push_back({w, 0.0, 1.0, 0.0, 0.0});
+  if (layout_.has_theta()) {
+    const int theta = layout_.state(last, StateComponent::Theta);
+    out.state.theta = x[at(theta)];
+    out.by_x.push_back({theta, 1.0, 0.0, 0.0, 0.0});
+  }
+  return out;
 }
 
 double Transcription::end_slope(std::span<const double> x,

@@ -94,6 +94,8 @@ class Transcription : public ocp::Program {
 
   /// From now on the scene's start is built from the slope α at A.
   void choose_start_slope(double alpha) { scene_.world.start_slope = alpha; }
+  /// w and θ of the last node, and how they change with their unknowns.
+  [[nodiscard]] End end_of_states(std::span<const double> x) const;
   /// Another scene with the same unknowns and patterns. The current point is
   /// forgotten.
   void change_scene(const Scene& scene);

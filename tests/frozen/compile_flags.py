@@ -23,8 +23,9 @@ COUNTS = re.compile(r"-(O|march|mtune|mfpmath|ffast-math|ffp-contract|f(no-)?mat
                     r"f(no-)?(unsafe|finite|associative|reciprocal)-)")
 
 
-# Rooms that read, write and draw, where -O1 is as good.
-QUICK = {"app", "comparison", "io", "plot", "process", "python", "report", "reproduction", "sweep"}
+# Rooms that read, write, draw or call others, where -O1 is as good.
+QUICK = {"app", "comparison", "design", "fit", "io", "plot", "process", "program_files", "python",
+         "report", "reproduction", "search", "study", "sweep"}
 
 
 def sources_of(file):

@@ -260,9 +260,9 @@ TEST(KeyTable, IsComplete) {
                         spec.type() == KeyType::Angle ||
                         spec.type() == KeyType::Integer;
     EXPECT_FALSE(spec.description.empty()) << spec.path;
-    EXPECT_EQ(spec.value.set != nullptr, number ||
-                                             spec.type() == KeyType::Choice ||
-                                             spec.type() == KeyType::Text)
+    EXPECT_EQ(spec.value.put != nullptr || spec.value.put_text != nullptr,
+              number || spec.type() == KeyType::Choice ||
+                  spec.type() == KeyType::Text)
         << spec.path;
     EXPECT_EQ(spec.value.read_list != nullptr, spec.type() == KeyType::List)
         << spec.path;

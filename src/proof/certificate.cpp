@@ -175,8 +175,7 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   if (!kind.empty()) throw NotProven("nothing is proven of " + kind + " yet");
   const Bits bits(accuracy.bits);
   const Root root = find_root(scene, approximation(scene), accuracy);
-  return document(scene, accuracy, root,
-                  prove_theorems(scene, root.found, accuracy));
+  return document(scene, accuracy, root, prove_theorems(scene, root, accuracy));
 }
 
 Scene scene_of(const Json& certificate) {
@@ -235,7 +234,7 @@ Json check(const Json& certificate) {
     found[i] = ball(said.at("found"));
   }
   const Root root = verify_root(scene, searched, accuracy);
-  const Theorems shown = prove_theorems(scene, root.found, accuracy);
+  const Theorems shown = prove_theorems(scene, root, accuracy);
   const std::array<std::pair<const char*, const Real*>, 5> enclosures{
       {{"tau", &shown.enclosed.tau},
        {"start_angle", &shown.enclosed.start_angle},

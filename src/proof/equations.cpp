@@ -107,7 +107,7 @@ Real inertia_root(const Scene& scene, const Real& theta, const Real& beta) {
   Tape tape;
   const Tape::Recording recording(tape);
   const Node root = root_of_inertia(scene.body, tape.input(0), tape.input(1));
-  return tape.values<Real>({theta, beta})[static_cast<std::size_t>(root.id)];
+  return tape.values({theta, beta})[static_cast<std::size_t>(root.id)];
 }
 
 }  // namespace brachisto::proof

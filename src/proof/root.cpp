@@ -98,6 +98,7 @@ Unknowns product(const Matrix& a, const Unknowns& v) {
 
 /// F and F' at a point or over a box.
 struct Shot {
+  State end, rates;
   Unknowns missed;
   Matrix slopes;
   int steps = 0;
@@ -107,17 +108,18 @@ Shot shoot(const Scene& scene, const Ends& ends, const Unknowns& at,
            const Accuracy& accuracy, bool with_slopes) {
   const int directions = with_slopes ? 3 : 0;
   Flow flow(scene, directions, accuracy);
-  State state = ends.start(at, directions);
   Shot out;
-  out.steps = flow.go(state, at.back());
-  out.missed = ends.missed(state);
-  if (with_slopes) out.slopes = ends.slopes(state, flow.rates(state));
+  out.end = ends.start(at, directions);
+  out.steps = flow.go(out.end, at.back());
+  out.rates = flow.rates(out.end);
+  out.missed = ends.missed(out.end);
+  if (with_slopes) out.slopes = ends.slopes(out.end, out.rates);
   return out;
 }
 
 /// C, of which some ten digits are enough.
 Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
-  constexpr Accuracy kRough{.bits = 128, .terms = 26, .share = 0.16};
+  constexpr Accuracy kRough{.bits = 128, .terms = 26, .share = 0.18};
   return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
 }
 
@@ -138,7 +140,7 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
   const Shot centre = shoot(scene, ends, middle, accuracy, false);
   const Shot over = shoot(scene, ends, box, accuracy, true);
   const Unknowns step = product(inverse, centre.missed);
-  Root out{box, {}, over.steps};
+  Root out{box, {}, centre.end, over.steps};
   for (std::size_t i = 0; i < kUnknowns; ++i) {
     Real rest;
     for (std::size_t k = 0; k < kUnknowns; ++k) {
@@ -153,6 +155,15 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
       throw NotProven(
           "Krawczyk's operator does not map the box into itself: it holds no "
           "root, or the precision is too low; more bits may help");
+    }
+  }
+  // y(m) + y'(X) (x − m) for every x of the part found.
+  for (std::size_t j = 0; j < kUnknowns; ++j) {
+    const Real off = out.found[j] - middle[j];
+    for (std::size_t i = 0; i < kComponents; ++i) {
+      const Real& slope =
+          j + 1 < kUnknowns ? over.end[Equations::place(i, j)] : over.rates[i];
+      out.end[i] += slope * off;
     }
   }
   return out;

@@ -54,6 +54,7 @@ class Ends {
 struct Root {
   Unknowns searched;  ///< X: exactly one root in it
   Unknowns found;     ///< the part of it that holds the root
+  State end;          ///< where that ends, of a mean value form
   int steps = 0;      ///< of one integration
 };
 

@@ -47,7 +47,7 @@ std::array<Real, 3> root_by_slope(const Scene& scene, const Real& theta,
   const Tape::Recording recording(tape);
   const Jet root = root_of_inertia(scene.body, Jet(tape.input(0)),
                                    Jet::variable(tape.input(1), 0));
-  const std::vector<Real> at = tape.values<Real>({theta, beta});
+  const std::vector<Real> at = tape.values({theta, beta});
   const auto value = [&](const Node& node) {
     return at[static_cast<std::size_t>(node.id)];
   };
@@ -128,7 +128,7 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
   return out;
 }
 
-Theorems prove_theorems(const Scene& scene, const Unknowns& found,
+Theorems prove_theorems(const Scene& scene, const Root& root,
                         const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   Theorems out;
@@ -142,24 +142,17 @@ Theorems prove_theorems(const Scene& scene, const Unknowns& found,
   const Real pi = Real::pi();
   bool first = true;
   const auto look = [&](const Step& step) {
-    const auto positive = [&](const Node& node) {
+    const auto positive = [&](const Node& node, int drop) {
       return holds_along(Real(0.0), step.length, [&](const Real& u) {
-        return equations.tape
-            .values<Real>(
-                step.values(u, false))[static_cast<std::size_t>(node.id)]
-            .positive();
+        return step.value(node, u, drop).positive();
       });
     };
-    if (!positive(equations.legendre)) fail(out.legendre, "h_ββ > 0", step);
-    if (!positive(equations.unfolded)) fail(out.no_fold, "r κ_c < 1", step);
+    if (!positive(equations.legendre, 0)) fail(out.legendre, "h_ββ > 0", step);
+    if (!positive(equations.unfolded, 0)) fail(out.no_fold, "r κ_c < 1", step);
     // R_n is 0 at the start, by the equation of the start angle.
-    const bool presses =
-        !first ? positive(equations.normal)
-               : holds_along(Real(0.0), step.length, [&](const Real& u) {
-                   return step.slope(equations.normal, step.normal_bound, u)
-                       .positive();
-                 });
-    if (!presses) fail(out.presses, "R_n > 0", step);
+    if (!positive(equations.normal, first ? 1 : 0)) {
+      fail(out.presses, "R_n > 0", step);
+    }
     if (!holds_along(Real(0.0), step.length, [&](const Real& u) {
           return (pi - step.value(kBeta, u).abs()).positive();
         })) {
@@ -167,16 +160,16 @@ Theorems prove_theorems(const Scene& scene, const Unknowns& found,
     }
     first = false;
   };
-  State state = ends.start(found, 0);
-  flow.go(state, found.back(), false, look);
+  State state = ends.start(root.found, 0);
+  flow.go(state, root.found.back(), false, look);
 
   const Real heights = ends.unit() / Real(scene.H);
-  out.enclosed = {state[kTime] * sqrt(heights), ends.start_angle(),
-                  state[kBeta], state[kLength] * heights,
-                  state[kTheta] - Real(scene.body.theta_m)};
-  if (!out.enclosed.tau.finite()) throw NotProven("no enclosure of T");
+  const State& end = root.end;
+  out.enclosed = {end[kTime] * sqrt(heights), ends.start_angle(), end[kBeta],
+                  end[kLength] * heights,
+                  end[kTheta] - Real(scene.body.theta_m)};
   out.no_conjugate_point =
-      no_conjugate_point(scene, state, found.back(), accuracy);
+      no_conjugate_point(scene, end, root.found.back(), accuracy);
   return out;
 }
 

@@ -42,9 +42,9 @@ struct Theorems {
   }
 };
 
-/// \param found  a box in which the extremal is the only one
-/// \throws NotProven  if not even enclosures can be found
-[[nodiscard]] Theorems prove_theorems(const Scene& scene, const Unknowns& found,
+/// \param root  the extremal, of which that it exists is shown
+/// \throws NotProven  if its motion cannot be enclosed
+[[nodiscard]] Theorems prove_theorems(const Scene& scene, const Root& root,
                                       const Accuracy& accuracy);
 
 /// Whether no point of the extremal but its end is conjugate to that.

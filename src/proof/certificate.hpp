@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// Of the file, and of the formulas that it speaks of: it grows when what the
 /// unknowns or the theorems mean changes.
-inline constexpr int kCertificateVersion = 1;
+inline constexpr int kCertificateVersion = 2;
 
 /// A file that is no certificate, or none that can be believed as it stands.
 class Refused : public std::runtime_error {

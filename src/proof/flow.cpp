@@ -44,6 +44,20 @@ Real Step::value(const Node& node, const Real& u, int drop) const {
       .widened(rest(tails_.of(node), rho_, terms, u, drop));
 }
 
+// Σ_{k ≥ N} k |c_k| |u|^{k−1}: for |u| ≤ ρ/2 and N > 1, k (|u|/ρ)^{k−1} does
+// not grow with k.
+Real Step::rate(const Node& node, const Real& u) const {
+  const int terms = series_.terms();
+  if (!(u.abs().upper() <= rho_ * 0x1p-1)) {
+    throw std::logic_error("a rate beyond half its disc");
+  }
+  Real value, out;
+  _arb_poly_evaluate2(value.get(), out.get(), series_.of(node), terms, u.get(),
+                      working_bits);
+  return out.widened(Real(static_cast<double>(terms)) *
+                     rest(tails_.of(node), rho_, terms, u, 1));
+}
+
 State Step::values(const Real& u, std::size_t count) const {
   State out;
   out.reserve(count);

@@ -42,6 +42,8 @@ class Step {
   [[nodiscard]] State values(const Real& u, std::size_t count) const;
   /// Of a node.
   [[nodiscard]] Real value(const Node& node, const Real& u, int drop = 0) const;
+  /// Its derivative by u, |u| ≤ ρ/2.
+  [[nodiscard]] Real rate(const Node& node, const Real& u) const;
 
   double begin = 0.0;  ///< u where the step starts, in its direction
   Real length;         ///< h ≥ 0

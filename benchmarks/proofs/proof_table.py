@@ -91,6 +91,8 @@ def prove(command, name, file):
                     "check_seconds": round(check_seconds, 2), "shown_again": again == 0,
                     "tau": [tau["lower"], tau["upper"]], "holds": holds,
                     "steps": said["accuracy"]["steps"],
+                    "least_friction": [[each["share_of_time"], each["mu"]["lower"],
+                                        each["mu"]["upper"]] for each in said["least_friction"]],
                     "why_not": {key: value["why_not"] for key, value in said["theorems"].items()
                                 if "why_not" in value}}
         if all(best["holds"].values()):
@@ -112,6 +114,9 @@ def compare(command, file, found, reference, source):
     out = {"width": float(bounds[1] - bounds[0]), "solve": solved["tau"],
            "solve_exit": code, "off": float(off), "estimated": float(estimated),
            "within_estimate": off <= estimated}
+    told = {each["share_of_time"]: each["mu"] for each in (solved["grip"] or {}).get("least_after", [])}
+    out["friction_off"] = [float(distance(Dec(told[share]), [Dec(lower), Dec(upper)]))
+                           for share, lower, upper in found["least_friction"]]
     if reference is not None:
         out["reference_off"] = float(distance(reference, bounds))
         out["reference_agrees"] = out["reference_off"] <= REFERENCE_DIGITS[source]
@@ -142,23 +147,34 @@ def said(row, names):
     return "proven" if not missing else "not: " + ", ".join(f"`{name}`" for name in missing)
 
 
+def friction(row):
+    """From 5 % of T on, to the digits that both ends share."""
+    for share, lower, upper in row["least_friction"]:
+        if share == 0.05:
+            same = 0
+            while same < len(lower) and lower[same] == upper[same]:
+                same += 1
+            return lower[:min(same, 10)]
+    return "–"
+
+
 def markdown(record):
     lines = []
     for name, row in record.items():
         if not row["proven"]:
-            lines.append([name, f"not proven: {row['why_not']}"] + [""] * 7)
+            lines.append([name, f"not proven: {row['why_not']}"] + [""] * 8)
             continue
         reference = row.get("reference_off")
         lines.append([
             name, f"[{minus(row['tau'][0])}, {minus(row['tau'][1])}]", small(row["width"]),
-            said(row, ["exists_once_in_box"]), said(row, ["strict_minimum"]),
-            said(row, PHYSICS),
+            said(row, ["exists_once_in_box"]), said(row, ["strict_minimum", "strong_minimum"]),
+            said(row, PHYSICS), friction(row),
             "–" if reference is None else small(reference),
             f"{small(row['off'])} ≤ {small(row['estimated'])}" if row["within_estimate"]
             else f"{small(row['off'])} > {small(row['estimated'])}",
             f"{row['bits']}, {row['seconds']:.1f} s, {row['check_seconds']:.1f} s"])
-    return table(["row", "τ", "width", "exists once", "strict minimum", "physics",
-                  "reference", "`solve` against its estimate", "bits, proof, check"], lines)
+    return table(["row", "τ", "width", "exists once", "strict and strong minimum",
+                  "physics", "least μ from 5 % of T on", "reference", "`solve` against its estimate", "bits, proof, check"], lines)
 
 
 def write(record):

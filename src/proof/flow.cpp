@@ -87,8 +87,9 @@ int Flow::go(State& state, const Real& length, bool backward,
   const Bits bits(accuracy_.bits);
   constexpr double kGrid = 1048576.0;  // steps are multiples of its inverse
   constexpr double kGrow = 1.15, kShrink = 0.85, kFirst = 1.0;
+  constexpr double kLeast = 1.0 / 64.0;  // of the largest disc
   int steps = 0;
-  double done = 0.0, rho = kFirst;
+  double done = 0.0, rho = kFirst, largest = 0.0;
   for (bool last = false; !last; ++steps) {
     for (const Real& number : state) {
       if (!number.finite()) throw NotProven("the state has no bound");
@@ -97,10 +98,11 @@ int Flow::go(State& state, const Real& length, bool backward,
     tails_.take(rho);
     while (!tails_.bound(rho)) {
       rho *= kShrink;
-      if (!(rho * accuracy_.share * kGrid > 8.0)) {
+      if (!(rho > kLeast * largest && rho * accuracy_.share * kGrid > 8.0)) {
         throw NotProven("the boxes grow too wide for a step: more bits");
       }
     }
+    largest = std::max(largest, rho);
     Step step(series_, tails_, rho);
     step.begin = done;
     const Real left = length - Real(done);
@@ -110,6 +112,9 @@ int Flow::go(State& state, const Real& length, bool backward,
     if (last && left.upper() < 0.0) throw NotProven("a negative length of u");
     if (look) look(step);
     state = step.values(backward ? -step.length : step.length, state.size());
+    if (accuracy_.near) {
+      for (Real& number : state) number = number.middle();
+    }
     done += whole;
     rho *= kGrow;
   }

@@ -23,6 +23,9 @@ struct Accuracy {
   int terms = 40;
   /// h/ρ, a step over the radius of the disc on which bounds are known.
   double share = 0.18;
+  /// Of every step only the middles are kept: numbers near, which enclose
+  /// nothing.
+  bool near = false;
 };
 
 /// Values of the components, then of their derivatives.

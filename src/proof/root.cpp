@@ -119,7 +119,9 @@ Shot shoot(const Scene& scene, const Ends& ends, const Unknowns& at,
 
 /// C, of which some ten digits are enough.
 Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
-  constexpr Accuracy kRough{.bits = 128, .terms = 26, .share = 0.18};
+  constexpr Accuracy kRough{
+      .bits = 96, .terms = 24, .share = 0.18, .near = true};
+  const Bits bits(kRough.bits);
   return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
 }
 
@@ -262,10 +264,12 @@ Root find_root(const Scene& scene, const Unknowns& near,
   // Where Newton's method has the digits of half the bits it has enough.
   const double enough = std::ldexp(1.0, -accuracy.bits / 2);
   const Matrix inverse = rough_inverse(scene, ends, at);
+  Accuracy nearly = accuracy;
+  nearly.near = true;
   double step = 1.0;
   for (int i = 0; i < kMostSteps && step > enough; ++i) {
     const Unknowns by =
-        product(inverse, shoot(scene, ends, at, accuracy, false).missed);
+        product(inverse, shoot(scene, ends, at, nearly, false).missed);
     step = largest(by);
     if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
     for (std::size_t k = 0; k < kUnknowns; ++k) {
@@ -275,10 +279,25 @@ Root find_root(const Scene& scene, const Unknowns& near,
   if (!(step <= enough)) {
     throw NotProven("Newton's method stops short of the precision: more bits");
   }
-  const Real radius(std::ldexp(1.0, -(2 * accuracy.bits) / 5));
-  Unknowns box;
-  for (std::size_t k = 0; k < kUnknowns; ++k) box[k] = at[k].widened(radius);
-  return krawczyk(scene, box, inverse, accuracy);
+  const auto box_about = [&](double radius) {
+    Unknowns box;
+    for (std::size_t k = 0; k < kUnknowns; ++k) {
+      box[k] = at[k].widened(Real(radius));
+    }
+    return box;
+  };
+  const double usual = std::ldexp(1.0, -(2 * accuracy.bits) / 5);
+  try {
+    return krawczyk(scene, box_about(usual), inverse, accuracy);
+  } catch (const NotProven&) {
+    // Where wrapping is bad a box is wanted that is not much wider than what
+    // one integration leaves open.
+    constexpr double kTimes = 1024.0;
+    const double open = largest(
+        product(inverse, shoot(scene, ends, at, accuracy, false).missed));
+    if (!(kTimes * open < usual)) throw;
+    return krawczyk(scene, box_about(kTimes * open), inverse, accuracy);
+  }
 }
 
 Root verify_root(const Scene& scene, const Unknowns& box,

@@ -68,8 +68,8 @@ void Tails::take(double rho) {
 }
 
 bool Tails::bound(double rho) {
-  constexpr int kTries = 5;
-  constexpr double kSpare = 2.0;
+  constexpr int kTries = 16;
+  constexpr double kSpare = 1.25;
   std::vector<double> powers(stride_, 1.0);
   for (std::size_t k = 1; k < stride_; ++k) {
     powers[k] = powers[k - 1] * (rho / taken_);
@@ -99,7 +99,7 @@ bool Tails::bound(double rho) {
     }
     if (holds) return true;
     for (std::size_t j = 0; j < next.size(); ++j) {
-      inputs_[j] = kSpare * std::max(next[j], inputs_[j]);
+      if (next[j] > inputs_[j]) inputs_[j] = kSpare * next[j];
     }
   }
   return false;

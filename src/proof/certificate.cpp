@@ -241,8 +241,19 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   const std::string kind = not_of_this_kind(scene);
   if (!kind.empty()) throw NotProven("nothing is proven of " + kind + " yet");
   const Bits bits(accuracy.bits);
-  const Root root = find_root(scene, approximation(scene), accuracy);
-  return document(scene, accuracy, root, prove_theorems(scene, root, accuracy));
+  try {
+    const Root root = find_root(scene, approximation(scene), accuracy);
+    return document(scene, accuracy, root,
+                    prove_theorems(scene, root, accuracy));
+  } catch (const TooFewBits& error) {
+    constexpr int kWord = 32;
+    const int more = (accuracy.bits * 7 / 5 + kWord - 1) / kWord * kWord;
+    throw NotProven(
+        more > kMostBits
+            ? fmt::format("{}, even at {} bits", error.what(), accuracy.bits)
+            : fmt::format("{}; more bits may help: --bits {}", error.what(),
+                          more));
+  }
 }
 
 Scene scene_of(const Json& certificate) {

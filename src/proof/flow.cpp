@@ -92,14 +92,14 @@ int Flow::go(State& state, const Real& length, bool backward,
   double done = 0.0, rho = kFirst, largest = 0.0;
   for (bool last = false; !last; ++steps) {
     for (const Real& number : state) {
-      if (!number.finite()) throw NotProven("the state has no bound");
+      if (!number.finite()) throw TooFewBits("the state has no bound");
     }
     series_.expand(state);
     tails_.take(rho);
     while (!tails_.bound(rho)) {
       rho *= kShrink;
       if (!(rho > kLeast * largest && rho * accuracy_.share * kGrid > 8.0)) {
-        throw NotProven("the boxes grow too wide for a step: more bits");
+        throw TooFewBits("the boxes grow too wide for a step");
       }
     }
     largest = std::max(largest, rho);

@@ -154,9 +154,9 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
     }
     out.found[i] = middle[i] - step[i] + rest;
     if (!out.found[i].finite() || !out.found[i].inside(box[i])) {
-      throw NotProven(
+      throw TooFewBits(
           "Krawczyk's operator does not map the box into itself: it holds no "
-          "root, or the precision is too low; more bits may help");
+          "root, or the precision is too low");
     }
   }
   // y(m) + y'(X) (x − m) for every x of the part found.
@@ -277,7 +277,7 @@ Root find_root(const Scene& scene, const Unknowns& near,
     }
   }
   if (!(step <= enough)) {
-    throw NotProven("Newton's method stops short of the precision: more bits");
+    throw TooFewBits("Newton's method stops short of the precision");
   }
   const auto box_about = [&](double radius) {
     Unknowns box;

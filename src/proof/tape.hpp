@@ -24,6 +24,12 @@ class NotProven : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same where more digits may help.
+class TooFewBits : public NotProven {
+ public:
+  using NotProven::NotProven;
+};
+
 class Tape;
 
 /// A number of a formula that is being written down.

@@ -110,7 +110,7 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
     if (first) {
       const Real there = determinant(Real(0.0));
       if (there.has_zero()) {
-        throw NotProven("the family's determinant at the end: more bits");
+        throw TooFewBits("the sign of the determinant at the end is not shown");
       }
       sign = there.positive() ? 1.0 : -1.0;
     }

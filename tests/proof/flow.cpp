@@ -179,6 +179,7 @@ TEST(Family, IsFoundConjugateBeyondTheStart) {
   const Theorem beyond =
       no_conjugate_point(scene, end, length * Real(6.0), accuracy);
   EXPECT_FALSE(beyond.holds);
+  EXPECT_TRUE(beyond.refuted);
   EXPECT_NE(beyond.why_not.find("conjugate"), std::string::npos);
 }
 

@@ -50,11 +50,38 @@ int not_shown(const std::string& status, const std::string& why, bool json) {
   return kNotSolved;
 }
 
+/// What the numbers of a result are worth beside the enclosure; null of a result
+/// without any.
+proof::Json compared(const fs::path& result, const proof::Json& certificate) {
+  const proof::Json said = proof::Json::parse(
+      io::read_file_bytes(result, fs::file_size(result), "a result"));
+  if (!said.at("tau").is_number() || !said.at("estimated_error").is_number()) {
+    return {};
+  }
+  const double tau = said.at("tau").get<double>();
+  const double estimated = said.at("estimated_error").get<double>() * tau;
+  const double off = proof::distance_to_tau(certificate, tau);
+  return {{"tau", tau},
+          {"off_at_most", off},
+          {"estimated_error_of_tau", estimated},
+          {"within_estimate", off <= estimated}};
+}
+
+std::string in_words_compared(const proof::Json& compared) {
+  return fmt::format(
+      "  The result's τ = {:.15g} is off by at most {:.1e}: {} its estimated "
+      "error, {:.1e}\n",
+      compared.at("tau").get<double>(),
+      compared.at("off_at_most").get<double>(),
+      compared.at("within_estimate").get<bool>() ? "within" : "more than",
+      compared.at("estimated_error_of_tau").get<double>());
+}
+
 int prove(const ProveFlags& flags) {
   std::error_code unknown;
-  const fs::path file = fs::is_directory(flags.file, unknown)
-                            ? fs::path(flags.file) / kResultFile
-                            : fs::path(flags.file);
+  const bool of_result = fs::is_directory(flags.file, unknown);
+  const fs::path file =
+      of_result ? fs::path(flags.file) / kResultFile : fs::path(flags.file);
   const io::ProblemFile problem = io::read_problem_file(file, flags.overrides);
   if (!flags.out.empty()) {
     report::check_writable(flags.out, {kProofDocument}, flags.force);
@@ -67,10 +94,16 @@ int prove(const ProveFlags& flags) {
                           {{kProofDocument, certificate.dump(1) + "\n"}},
                           flags.force);
     }
+    const proof::Json result = of_result && flags.overrides.empty()
+                                   ? compared(file, certificate)
+                                   : proof::Json();
     if (flags.json) {
-      print_json(certificate);
+      proof::Json out = certificate;
+      if (!result.is_null()) out["result"] = result;
+      print_json(out);
     } else if (!flags.quiet) {
       print(proof::in_words(certificate));
+      if (!result.is_null()) print(in_words_compared(result));
       if (!flags.out.empty()) print_paths(flags.out, {{kProofDocument, ""}});
     }
   } catch (const proof::NotProven& error) {

@@ -333,6 +333,12 @@ Json check(const Json& certificate) {
   return again;
 }
 
+double distance_to_tau(const Json& certificate, double tau) {
+  return (ball(certificate.at("enclosures").at("tau").at("ball")) - Real(tau))
+      .abs()
+      .upper();
+}
+
 std::string in_words(const Json& certificate) {
   const Json& e = certificate.at("enclosures");
   const Json& t = certificate.at("theorems");

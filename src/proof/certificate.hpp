@@ -48,6 +48,9 @@ class Refused : public std::runtime_error {
 /// \throws NotProven  if the root is not found again
 [[nodiscard]] Json check(const Json& certificate);
 
+/// How far τ of a computation is from the enclosure's, at most.
+[[nodiscard]] double distance_to_tau(const Json& certificate, double tau);
+
 /// For people.
 [[nodiscard]] std::string in_words(const Json& certificate);
 

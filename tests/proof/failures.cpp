@@ -96,6 +96,34 @@ TEST(MustFail, ABodyBeyondItsBounds) {
   EXPECT_THROW((void)check(made), Refused);
 }
 
+/// Whether an extremal near these unknowns has no point conjugate to its end.
+Theorem no_conjugate_point_near(const Scene& scene, const Unknowns& unknowns) {
+  Accuracy accuracy = accuracy_of(160);
+  const Bits bits(accuracy.bits);
+  accuracy.near = true;
+  Flow flow(scene, 0, accuracy);
+  State end = Ends(scene).start(unknowns, 0);
+  flow.go(end, unknowns.back());
+  accuracy.near = false;
+  return no_conjugate_point(scene, end, unknowns.back(), accuracy);
+}
+
+// Two smooth contacts of r = 0.2, τ = 5.483744 and 5.424799, which the search
+// over branches calls a saddle and a minimum.
+TEST(MustFail, ASaddleAsAMinimum) {
+  Scene scene = cylinder(0.0, 0.0);
+  scene.body = Body::cylinder(0.2, 2.0 / 3.0, 0.0, 0.5);
+  const Theorem saddle = no_conjugate_point_near(
+      scene, {Real(-0.305555229700), Real(0.272520654240), Real(0.250279547845),
+              Real(9.96677384675)});
+  const Theorem minimum = no_conjugate_point_near(
+      scene, {Real(-0.779616221785), Real(0.313300065996), Real(0.838052260953),
+              Real(9.58875509214)});
+  EXPECT_FALSE(saddle.holds);
+  EXPECT_TRUE(saddle.refuted) << saddle.why_not;
+  EXPECT_TRUE(minimum.holds) << minimum.why_not;
+}
+
 /// The cycloid of a uniform cylinder, α wide, from (r, 0): with φ = π/2 − α/2,
 /// a (α − sin α) = L + r sin φ − r and a (1 − cos α) = H − r cos φ,
 /// τ = α √(2 (1 + k) a/H).

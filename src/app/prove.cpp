@@ -43,6 +43,7 @@ struct CheckFlags {
 #ifdef BRACHISTO_HAS_ARB
 
 constexpr const char* kProofDocument = "proof.json";
+constexpr const char* kProofPage = "proof.md";
 
 int not_shown(const std::string& status, const std::string& why, bool json) {
   if (json) print_json({{"status", status}, {"message", why}});
@@ -50,8 +51,8 @@ int not_shown(const std::string& status, const std::string& why, bool json) {
   return kNotSolved;
 }
 
-/// What the numbers of a result are worth beside the enclosure; null of a result
-/// without any.
+/// What the numbers of a result are worth beside the enclosure; null of a
+/// result without any.
 proof::Json compared(const fs::path& result, const proof::Json& certificate) {
   const proof::Json said = proof::Json::parse(
       io::read_file_bytes(result, fs::file_size(result), "a result"));
@@ -84,14 +85,16 @@ int prove(const ProveFlags& flags) {
       of_result ? fs::path(flags.file) / kResultFile : fs::path(flags.file);
   const io::ProblemFile problem = io::read_problem_file(file, flags.overrides);
   if (!flags.out.empty()) {
-    report::check_writable(flags.out, {kProofDocument}, flags.force);
+    report::check_writable(flags.out, {kProofDocument, kProofPage},
+                           flags.force);
   }
   try {
     const proof::Json certificate =
         proof::prove(problem.scene, proof::accuracy_of(flags.bits));
     if (!flags.out.empty()) {
       report::write_files(flags.out,
-                          {{kProofDocument, certificate.dump(1) + "\n"}},
+                          {{kProofDocument, certificate.dump(1) + "\n"},
+                           {kProofPage, proof::page(certificate)}},
                           flags.force);
     }
     const proof::Json result = of_result && flags.overrides.empty()
@@ -104,7 +107,8 @@ int prove(const ProveFlags& flags) {
     } else if (!flags.quiet) {
       print(proof::in_words(certificate));
       if (!result.is_null()) print(in_words_compared(result));
-      if (!flags.out.empty()) print_paths(flags.out, {{kProofDocument, ""}});
+      if (!flags.out.empty())
+        print_paths(flags.out, {{kProofDocument, ""}, {kProofPage, ""}});
     }
   } catch (const proof::NotProven& error) {
     return not_shown("not proven", error.what(), flags.json);
@@ -173,8 +177,10 @@ Verb prove_verb() {
         .placeholder = "BITS",
         .check = integer_within(96, 1024),
         .shows_default = true},
-       directory_flag("--out", flags->out, "Write proof.json there"),
-       {"--force", &flags->force, "Replace an existing proof.json"}});
+       directory_flag(
+           "--out", flags->out,
+           "Write proof.json and proof.md, a page for people, there"),
+       {"--force", &flags->force, "Replace existing ones"}});
   all.front().text = "Problem file, or directory of `brachisto solve --out`";
   all.front().check = not_empty();
   return {

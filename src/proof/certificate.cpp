@@ -339,49 +339,4 @@ double distance_to_tau(const Json& certificate, double tau) {
       .upper();
 }
 
-std::string in_words(const Json& certificate) {
-  const Json& e = certificate.at("enclosures");
-  const Json& t = certificate.at("theorems");
-  const auto between = [&](const char* name, const char* symbol) {
-    return fmt::format("  {} in [{}, {}]\n", symbol,
-                       e.at(name).at("lower").get<std::string>(),
-                       e.at(name).at("upper").get<std::string>());
-  };
-  std::string out =
-      "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
-      "one\nextremal lies in the box of the certificate, and of it\n";
-  out += between("tau", "τ");
-  out += between("end_angle", "φ");
-  out += between("length_per_H", "S/H");
-  const std::array<std::pair<const char*, const char*>, 5> rows{
-      {{"strict_minimum",
-        "T is a strict weak local minimum between its fixed ends"},
-       {"strong_minimum", "the same among paths of any slopes that stay near"},
-       {"normal_force_positive", "R_n > 0 after the start"},
-       {"no_fold", "the track does not fold"},
-       {"no_loop", "the path has no loop: |β| < π"}}};
-  for (const auto& [name, words] : rows) {
-    const bool holds = t.at(name).at("holds").get<bool>();
-    const bool refuted = t.at(name).contains("refuted");
-    out += fmt::format("  {}: {}\n",
-                       holds     ? "proven"
-                       : refuted ? "disproven"
-                                 : "not proven",
-                       words);
-  }
-  for (const Json& each : certificate.at("least_friction")) {
-    out += fmt::format("  least friction after {:g} % of T in [{}, {}]\n",
-                       100.0 * each.at("share_of_time").get<double>(),
-                       each.at("mu").at("lower").get<std::string>(),
-                       each.at("mu").at("upper").get<std::string>());
-  }
-  for (const auto& [name, said] : t.items()) {
-    if (said.contains("why_not")) {
-      out += fmt::format("  {}: {}\n", name,
-                         said.at("why_not").get<std::string>());
-    }
-  }
-  return out;
-}
-
 }  // namespace brachisto::proof

@@ -54,6 +54,10 @@ class Refused : public std::runtime_error {
 /// For people.
 [[nodiscard]] std::string in_words(const Json& certificate);
 
+/// The theorem with what it assumes, what was done and what is trusted, in
+/// Markdown.
+[[nodiscard]] std::string page(const Json& certificate);
+
 /// Bits that may be asked for.
 inline constexpr int kLeastBits = 96, kMostBits = 1024;
 

@@ -63,6 +63,17 @@ TEST(Certificate, OfABeadHoldsTheClosedForm) {
   }
 }
 
+TEST(Certificate, IsAPageThatNamesEveryStatement) {
+  const std::string text = page(certificate());
+  for (const auto& [name, said] : certificate()["theorems"].items()) {
+    EXPECT_NE(text.find("`" + name + "`: proven"), std::string::npos) << name;
+  }
+  for (const auto& [name, said] : certificate()["enclosures"].items()) {
+    EXPECT_NE(text.find(said["lower"].get<std::string>()), std::string::npos);
+  }
+  EXPECT_NE(text.find("128 bits"), std::string::npos);
+}
+
 TEST(Certificate, IsShownAgain) {
   const Json again = check(certificate());
   EXPECT_EQ(again["theorems"], certificate()["theorems"]);

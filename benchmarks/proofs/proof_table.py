@@ -83,19 +83,23 @@ def prove(command, name, file):
             best.setdefault("why_not", said["message"])
             continue
         holds = {key: value["holds"] for key, value in said["theorems"].items()}
-        if not best["proven"] or sum(holds.values()) > sum(best["holds"].values()):
+        worth = sum(holds.values()), len(said["least_friction"])
+        if not best["proven"] or worth > (sum(best["holds"].values()),
+                                          len(best["least_friction"])):
             again, _, check_seconds = command("check-proof", str(out / "proof.json"),
                                               "--problem", file)
             tau = said["enclosures"]["tau"]
             best = {"proven": True, "bits": bits, "seconds": round(seconds, 2),
                     "check_seconds": round(check_seconds, 2), "shown_again": again == 0,
                     "tau": [tau["lower"], tau["upper"]], "holds": holds,
+                    "bead": said["scene"]["shape"] == "bead",
                     "steps": said["accuracy"]["steps"],
                     "least_friction": [[each["share_of_time"], each["mu"]["lower"],
                                         each["mu"]["upper"]] for each in said["least_friction"]],
                     "why_not": {key: value["why_not"] for key, value in said["theorems"].items()
                                 if "why_not" in value}}
-        if all(best["holds"].values()):
+        # A bead needs no friction; of others there are two enclosures.
+        if all(best["holds"].values()) and (best["least_friction"] or best["bead"]):
             break
     return best
 

@@ -124,10 +124,14 @@ TEST(MustFail, ASaddleAsAMinimum) {
   EXPECT_TRUE(minimum.holds) << minimum.why_not;
 }
 
+struct Cycloid {
+  Real alpha, tau;
+};
+
 /// The cycloid of a uniform cylinder, α wide, from (r, 0): with φ = π/2 − α/2,
 /// a (α − sin α) = L + r sin φ − r and a (1 − cos α) = H − r cos φ,
 /// τ = α √(2 (1 + k) a/H).
-Real closed_form(const Scene& scene) {
+Cycloid closed_form(const Scene& scene) {
   const Real r(scene.body.radius), L(scene.L), one(1.0), half(0.5);
   const auto down = [&](const Real& alpha) {
     return one - r * sin(alpha * half);
@@ -147,18 +151,34 @@ Real closed_form(const Scene& scene) {
   EXPECT_TRUE(off(high).positive());
   const Real alpha = hull(low, high);
   const Real a = down(alpha) / (one - cos(alpha));
-  return alpha * sqrt(Real(2.0) * (one + Real(scene.body.k)) * a);
+  return {alpha, alpha * sqrt(Real(2.0) * (one + Real(scene.body.k)) * a)};
 }
 
+// α grows evenly in time, and with β = π/2 − α/2 Newton's law is
+// R_n = cos β (2 + k)/(1 + k), R_t = sin β k/(1 + k): friction is needed most
+// where it begins to be asked for, k cot(α/2)/(2 + k).
 TEST(ClosedForm, OfAUniformCylinderLiesInside) {
   const Scene scene = cylinder(0.0, 0.0);
   const Json made = prove(scene, accuracy_of(kBits));
   const Bits bits(256);
-  Real tau;
-  ASSERT_TRUE(
-      Real::read(made["enclosures"]["tau"]["ball"].get<std::string>(), tau));
-  EXPECT_TRUE(closed_form(scene).within(tau));
-  EXPECT_LT(tau.radius().upper(), 1e-18);
+  const auto ball = [](const Json& enclosure) {
+    Real out;
+    EXPECT_TRUE(Real::read(enclosure["ball"].get<std::string>(), out));
+    return out;
+  };
+  const auto [alpha, tau] = closed_form(scene);
+  const Real found = ball(made["enclosures"]["tau"]);
+  EXPECT_TRUE(tau.within(found));
+  EXPECT_LT(found.radius().upper(), 1e-18);
+  EXPECT_EQ(made["least_friction"].size(), 2);
+  for (const Json& said : made["least_friction"]) {
+    const Real half =
+        alpha * Real(said["share_of_time"].get<double>()) * Real(0.5);
+    const Real k(scene.body.k);
+    const Real mu = k * cos(half) / (sin(half) * (Real(2.0) + k));
+    EXPECT_TRUE(mu.within(ball(said["mu"]))) << mu.near();
+    EXPECT_LT(ball(said["mu"]).radius().upper(), 1e-10 * mu.near());
+  }
   for (const auto& [name, said] : made["theorems"].items()) {
     EXPECT_TRUE(said["holds"].get<bool>()) << name;
   }

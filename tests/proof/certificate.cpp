@@ -122,6 +122,10 @@ TEST(Certificate, IsRefusedWhenForgedThoughItsDigestFits) {
               c["theorems"]["global_minimum"] = {{"holds", true}};
             }).find("global_minimum"),
             std::string::npos);
+  EXPECT_NE(refusal_of_forged([](Json& c) {
+              c["theorems"]["no_fold"] = {{"holds", false}, {"refuted", true}};
+            }).find("no_fold"),
+            std::string::npos);
 }
 
 Unknowns box_of(const Json& made) {

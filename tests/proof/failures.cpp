@@ -124,6 +124,19 @@ TEST(MustFail, ASaddleAsAMinimum) {
   EXPECT_TRUE(minimum.holds) << minimum.why_not;
 }
 
+// problems/hard/B_below_A.yaml, of which `solve` says that the body lifts off
+// and that the track folds: both are shown, and shown again.
+TEST(MustFail, ForcesAndFoldsOfAnInfeasibleTrack) {
+  Scene scene = cylinder(2.0 / 3.0, 0.0);
+  scene.L = 0.01;
+  const Json made = prove(scene, accuracy_of(kBits));
+  for (const char* name : {"normal_force_positive", "no_fold"}) {
+    EXPECT_FALSE(made["theorems"][name]["holds"].get<bool>()) << name;
+    EXPECT_TRUE(made["theorems"][name].contains("refuted")) << name;
+  }
+  EXPECT_NO_THROW((void)check(made));
+}
+
 struct Cycloid {
   Real alpha, tau;
 };

@@ -72,8 +72,6 @@ class Flow {
          const std::function<void(const Step&)>& look = {});
 
   [[nodiscard]] const Equations& equations() const { return equations_; }
-  /// Without derivatives.
-  [[nodiscard]] const Equations& plain() const { return plain_; }
   /// Rates of the components at a state.
   [[nodiscard]] State rates(const State& state) const;
 

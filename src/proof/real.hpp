@@ -81,11 +81,6 @@ class Real {
     return out;
   }
 
-  /// a/b, or a little more.
-  [[nodiscard]] static double quotient(double a, double b) {
-    return (Real(a) / Real(b)).upper();
-  }
-
   [[nodiscard]] Real middle() const {
     Real out;
     arb_get_mid_arb(out.get(), ball_);

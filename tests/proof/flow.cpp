@@ -93,9 +93,9 @@ double exactly_left_out(const Coefficient& coefficient, double rho) {
   return out;
 }
 
-// arctan by sines and a quotient, ln(1 + u) by a reciprocal, the sine by a
-// root: bounds are never too small, and of the first two near.
-// Terms of the root cancel, which norms do not see.
+// arctan by sines, and by a quotient of them; the sine by a root: bounds are
+// never too small, and of the first two near. Terms of the root cancel, which
+// norms do not see.
 TEST(Tails, BoundWhatKnownSeriesLeaveOut) {
   const auto arc_tangent = [](const Node& y) {
     return cos(y) * cos(y) + Node(0.0) * sin(y);

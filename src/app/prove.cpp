@@ -43,6 +43,7 @@ struct CheckFlags {
 #ifdef BRACHISTO_HAS_ARB
 
 constexpr const char* kProofDocument = "proof.json";
+constexpr const char* kProofPage = "proof.md";
 
 int not_shown(const std::string& status, const std::string& why, bool json) {
   if (json) print_json({{"status", status}, {"message", why}});
@@ -50,28 +51,64 @@ int not_shown(const std::string& status, const std::string& why, bool json) {
   return kNotSolved;
 }
 
+/// What the numbers of a result are worth beside the enclosure; null of a
+/// result without any.
+proof::Json compared(const fs::path& result, const proof::Json& certificate) {
+  const proof::Json said = proof::Json::parse(
+      io::read_file_bytes(result, fs::file_size(result), "a result"));
+  if (!said.at("tau").is_number() || !said.at("estimated_error").is_number()) {
+    return {};
+  }
+  const double tau = said.at("tau").get<double>();
+  const double estimated = said.at("estimated_error").get<double>() * tau;
+  const double off = proof::distance_to_tau(certificate, tau);
+  return {{"tau", tau},
+          {"off_at_most", off},
+          {"estimated_error_of_tau", estimated},
+          {"within_estimate", off <= estimated}};
+}
+
+std::string in_words_compared(const proof::Json& compared) {
+  return fmt::format(
+      "  The result's τ = {:.15g} is off by at most {:.1e}: {} its estimated "
+      "error, {:.1e}\n",
+      compared.at("tau").get<double>(),
+      compared.at("off_at_most").get<double>(),
+      compared.at("within_estimate").get<bool>() ? "within" : "more than",
+      compared.at("estimated_error_of_tau").get<double>());
+}
+
 int prove(const ProveFlags& flags) {
   std::error_code unknown;
-  const fs::path file = fs::is_directory(flags.file, unknown)
-                            ? fs::path(flags.file) / kResultFile
-                            : fs::path(flags.file);
+  const bool of_result = fs::is_directory(flags.file, unknown);
+  const fs::path file =
+      of_result ? fs::path(flags.file) / kResultFile : fs::path(flags.file);
   const io::ProblemFile problem = io::read_problem_file(file, flags.overrides);
   if (!flags.out.empty()) {
-    report::check_writable(flags.out, {kProofDocument}, flags.force);
+    report::check_writable(flags.out, {kProofDocument, kProofPage},
+                           flags.force);
   }
   try {
     const proof::Json certificate =
         proof::prove(problem.scene, proof::accuracy_of(flags.bits));
     if (!flags.out.empty()) {
       report::write_files(flags.out,
-                          {{kProofDocument, certificate.dump(1) + "\n"}},
+                          {{kProofDocument, certificate.dump(1) + "\n"},
+                           {kProofPage, proof::page(certificate)}},
                           flags.force);
     }
+    const proof::Json result = of_result && flags.overrides.empty()
+                                   ? compared(file, certificate)
+                                   : proof::Json();
     if (flags.json) {
-      print_json(certificate);
+      proof::Json out = certificate;
+      if (!result.is_null()) out["result"] = result;
+      print_json(out);
     } else if (!flags.quiet) {
       print(proof::in_words(certificate));
-      if (!flags.out.empty()) print_paths(flags.out, {{kProofDocument, ""}});
+      if (!result.is_null()) print(in_words_compared(result));
+      if (!flags.out.empty())
+        print_paths(flags.out, {{kProofDocument, ""}, {kProofPage, ""}});
     }
   } catch (const proof::NotProven& error) {
     return not_shown("not proven", error.what(), flags.json);
@@ -140,8 +177,10 @@ Verb prove_verb() {
         .placeholder = "BITS",
         .check = integer_within(96, 1024),
         .shows_default = true},
-       directory_flag("--out", flags->out, "Write proof.json there"),
-       {"--force", &flags->force, "Replace an existing proof.json"}});
+       directory_flag(
+           "--out", flags->out,
+           "Write proof.json and proof.md, a page for people, there"),
+       {"--force", &flags->force, "Replace existing ones"}});
   all.front().text = "Problem file, or directory of `brachisto solve --out`";
   all.front().check = not_empty();
   return {

@@ -6,8 +6,10 @@
 #include <flint/flint.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "brachisto/version.hpp"
@@ -57,22 +59,45 @@ std::string decimal_end(const Real& ball, bool upper) {
 
 /// Statements are made of what is a little wider than what was found, so that a
 /// check whose roundings differ lies within.
-Json stated(const Real& found) {
-  const Real spare = found.radius() + Real(0x1p-66);
+Json stated(const Real& found, double times = 1.0) {
+  const Real spare = Real(times) * found.radius() + Real(0x1p-66);
   const Real wide = found.widened(spare);
   return {{"lower", decimal_end(wide, false)},
           {"upper", decimal_end(wide, true)},
           {"ball", wide.exact()}};
 }
 
+std::string hex(double number) {
+  return fmt::format("{:a}", number);
+}
+
 Json theorem(const Theorem& shown) {
   Json out = {{"holds", shown.holds}};
   if (!shown.holds) out["why_not"] = shown.why_not;
+  if (shown.refuted) out["refuted"] = true;
   return out;
 }
 
-std::string hex(double number) {
-  return fmt::format("{:a}", number);
+Json excess(const Excess& shown) {
+  Json out = theorem(shown.positive);
+  out["slopes_from"] = hex(shown.least);
+  out["slopes_to"] = hex(shown.most);
+  return out;
+}
+
+/// What is not enclosed is not told.
+Json friction(const std::vector<Friction>& shown) {
+  // Maxima that are found again with other steps lie within five times the
+  // radius: both enclose the true one.
+  constexpr double kTimes = 4.0;
+  Json out = Json::array();
+  for (const Friction& each : shown) {
+    if (!each.mu.finite()) continue;
+    out.push_back({{"share_of_time", each.share},
+                   {"mu", stated(each.mu, kTimes)},
+                   {"x_per_H", stated(each.place, kTimes)}});
+  }
+  return out;
 }
 
 Json scene_json(const Scene& scene) {
@@ -117,9 +142,12 @@ Json document(const Scene& scene, const Accuracy& accuracy, const Root& root,
                 {"legendre", theorem(shown.legendre)},
                 {"no_conjugate_point", theorem(shown.no_conjugate_point)},
                 {"strict_minimum", {{"holds", shown.strict_minimum()}}},
+                {"other_slopes_cost_more", excess(shown.excess)},
+                {"strong_minimum", {{"holds", shown.strong_minimum()}}},
                 {"normal_force_positive", theorem(shown.presses)},
                 {"no_fold", theorem(shown.no_fold)},
-                {"no_loop", theorem(shown.no_loop)}}}};
+                {"no_loop", theorem(shown.no_loop)}}},
+              {"least_friction", friction(shown.friction)}};
   out["digest"] = digest(out);
   return out;
 }
@@ -140,14 +168,53 @@ Real ball(const Json& text) {
   return out;
 }
 
-/// Nothing may be said that was not shown.
+/// Nothing may be said that was not shown, nor that is not shown again.
 void compare(const Json& said, const Json& shown) {
   const Json& again = shown.at("theorems");
+  const auto says = [](const Json& theorem, const char* what) {
+    return theorem.contains(what) && theorem.at(what) != false;
+  };
   for (const auto& [name, theorem] : said.at("theorems").items()) {
-    if (theorem.at("holds") != false &&
-        !(again.contains(name) && again.at(name).at("holds") == true)) {
-      throw Refused(fmt::format("it says of {} what is not shown again", name));
+    for (const char* what : {"holds", "refuted"}) {
+      if (says(theorem, what) &&
+          !(again.contains(name) && says(again.at(name), what))) {
+        throw Refused(
+            fmt::format("it says of {} what is not shown again", name));
+      }
     }
+  }
+  const char* slopes = "other_slopes_cost_more";
+  const auto edge = [&](const Json& of, const char* key) {
+    return number(of.at("theorems").at(slopes), key);
+  };
+  if (edge(said, "slopes_from") < edge(shown, "slopes_from") ||
+      edge(said, "slopes_to") > edge(shown, "slopes_to")) {
+    throw Refused(fmt::format("it says of {} what is not shown again", slopes));
+  }
+}
+
+/// An enclosure that was said holds one that was found, and its printed ends
+/// are its own.
+void compare(const Json& said, const Real& found, std::string_view name) {
+  const Real claimed = ball(said.at("ball"));
+  if (!found.within(claimed) ||
+      said.at("lower") != decimal_end(claimed, false) ||
+      said.at("upper") != decimal_end(claimed, true)) {
+    throw Refused(fmt::format("its {} is not what is found again", name));
+  }
+}
+
+void compare_friction(const Json& said, const std::vector<Friction>& found) {
+  for (const Json& each : said) {
+    const auto again =
+        std::find_if(found.begin(), found.end(), [&](const Friction& one) {
+          return each.at("share_of_time") == one.share && one.mu.finite();
+        });
+    if (again == found.end()) {
+      throw Refused("its least friction is not found again");
+    }
+    compare(each.at("mu"), again->mu, "least friction");
+    compare(each.at("x_per_H"), again->place, "place of least friction");
   }
 }
 
@@ -174,9 +241,19 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   const std::string kind = not_of_this_kind(scene);
   if (!kind.empty()) throw NotProven("nothing is proven of " + kind + " yet");
   const Bits bits(accuracy.bits);
-  const Root root = find_root(scene, approximation(scene), accuracy);
-  return document(scene, accuracy, root,
-                  prove_theorems(scene, root.found, accuracy));
+  try {
+    const Root root = find_root(scene, approximation(scene), accuracy);
+    return document(scene, accuracy, root,
+                    prove_theorems(scene, root, accuracy));
+  } catch (const TooFewBits& error) {
+    constexpr int kWord = 32;
+    const int more = (accuracy.bits * 7 / 5 + kWord - 1) / kWord * kWord;
+    throw NotProven(
+        more > kMostBits
+            ? fmt::format("{}, even at {} bits", error.what(), accuracy.bits)
+            : fmt::format("{}; more bits may help: --bits {}", error.what(),
+                          more));
+  }
 }
 
 Scene scene_of(const Json& certificate) {
@@ -235,7 +312,7 @@ Json check(const Json& certificate) {
     found[i] = ball(said.at("found"));
   }
   const Root root = verify_root(scene, searched, accuracy);
-  const Theorems shown = prove_theorems(scene, root.found, accuracy);
+  const Theorems shown = prove_theorems(scene, root, accuracy);
   const std::array<std::pair<const char*, const Real*>, 5> enclosures{
       {{"tau", &shown.enclosed.tau},
        {"start_angle", &shown.enclosed.start_angle},
@@ -243,14 +320,9 @@ Json check(const Json& certificate) {
        {"length_per_H", &shown.enclosed.length},
        {"rotation", &shown.enclosed.rotation}}};
   for (const auto& [name, value] : enclosures) {
-    const Json& said = certificate.at("enclosures").at(name);
-    const Real claimed = ball(said.at("ball"));
-    if (!value->within(claimed) ||
-        said.at("lower") != decimal_end(claimed, false) ||
-        said.at("upper") != decimal_end(claimed, true)) {
-      throw Refused(fmt::format("its {} is not what is found again", name));
-    }
+    compare(certificate.at("enclosures").at(name), *value, name);
   }
+  compare_friction(certificate.at("least_friction"), shown.friction);
   for (std::size_t i = 0; i < kUnknowns; ++i) {
     if (arb_overlaps(root.found[i].get(), found[i].get()) == 0) {
       throw Refused("its box is not where the root is");
@@ -261,37 +333,10 @@ Json check(const Json& certificate) {
   return again;
 }
 
-std::string in_words(const Json& certificate) {
-  const Json& e = certificate.at("enclosures");
-  const Json& t = certificate.at("theorems");
-  const auto between = [&](const char* name, const char* symbol) {
-    return fmt::format("  {} in [{}, {}]\n", symbol,
-                       e.at(name).at("lower").get<std::string>(),
-                       e.at(name).at("upper").get<std::string>());
-  };
-  std::string out =
-      "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
-      "one\nextremal lies in the box of the certificate, and of it\n";
-  out += between("tau", "τ");
-  out += between("end_angle", "φ");
-  out += between("length_per_H", "S/H");
-  const std::array<std::pair<const char*, const char*>, 4> rows{
-      {{"strict_minimum",
-        "T is a strict weak local minimum between its fixed ends"},
-       {"normal_force_positive", "R_n > 0 after the start"},
-       {"no_fold", "the track does not fold"},
-       {"no_loop", "the path has no loop: |β| < π"}}};
-  for (const auto& [name, words] : rows) {
-    const bool holds = t.at(name).at("holds").get<bool>();
-    out += fmt::format("  {}: {}\n", holds ? "proven" : "not proven", words);
-  }
-  for (const auto& [name, said] : t.items()) {
-    if (said.contains("why_not")) {
-      out += fmt::format("  {}: {}\n", name,
-                         said.at("why_not").get<std::string>());
-    }
-  }
-  return out;
+double distance_to_tau(const Json& certificate, double tau) {
+  return (ball(certificate.at("enclosures").at("tau").at("ball")) - Real(tau))
+      .abs()
+      .upper();
 }
 
 }  // namespace brachisto::proof

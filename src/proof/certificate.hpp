@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// Of the file, and of the formulas that it speaks of: it grows when what the
 /// unknowns or the theorems mean changes.
-inline constexpr int kCertificateVersion = 1;
+inline constexpr int kCertificateVersion = 2;
 
 /// A file that is no certificate, or none that can be believed as it stands.
 class Refused : public std::runtime_error {
@@ -48,8 +48,15 @@ class Refused : public std::runtime_error {
 /// \throws NotProven  if the root is not found again
 [[nodiscard]] Json check(const Json& certificate);
 
+/// How far τ of a computation is from the enclosure's, at most.
+[[nodiscard]] double distance_to_tau(const Json& certificate, double tau);
+
 /// For people.
 [[nodiscard]] std::string in_words(const Json& certificate);
+
+/// The theorem with what it assumes, what was done and what is trusted, in
+/// Markdown.
+[[nodiscard]] std::string page(const Json& certificate);
 
 /// Bits that may be asked for.
 inline constexpr int kLeastBits = 96, kMostBits = 1024;

@@ -48,6 +48,7 @@ struct Equations {
   /// Without directions alone: h_ββ, R_n per m g, and w − r β', which is
   /// w (1 − r κ_c).
   Node legendre = Node::none(), normal = Node::none(), unfolded = Node::none();
+  Node tangential = Node::none();  ///< R_t per m g
 
   [[nodiscard]] std::size_t size() const { return rates.size(); }
   /// Where a derivative stands.
@@ -55,6 +56,21 @@ struct Equations {
                                          std::size_t direction) {
     return kComponents * (1 + direction) + component;
   }
+};
+
+/// 𝓗 as a function of the slope, which need not be the extremal's: its value
+/// and its second derivative.
+struct SlopeFunction {
+  explicit SlopeFunction(const Scene& scene);
+  SlopeFunction(const SlopeFunction&) = delete;
+  SlopeFunction& operator=(const SlopeFunction&) = delete;
+
+  /// \param y  components up to and with β
+  [[nodiscard]] std::array<Real, 2> operator()(
+      const std::vector<Real>& y) const;
+
+  Tape tape;
+  Node value = Node::none(), bend = Node::none();
 };
 
 /// The scene in these units, without what they do not need.

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Balls of real and of complex numbers, as Arb has them: every result encloses
+/// Balls of real numbers, as Arb has them: every result encloses
 /// all that its operands enclose. Numbers of 64 bits are exact.
 
 #pragma once
 
-#include <acb.h>
 #include <arb.h>
 #include <arb_poly.h>
 
@@ -80,11 +79,6 @@ class Real {
     std::string out = text;
     flint_free(text);
     return out;
-  }
-
-  /// a/b, or a little more.
-  [[nodiscard]] static double quotient(double a, double b) {
-    return (Real(a) / Real(b)).upper();
   }
 
   [[nodiscard]] Real middle() const {
@@ -179,112 +173,6 @@ class Real {
 
  private:
   arb_t ball_;
-};
-
-/// A rectangle of complex numbers.
-class Complex {
- public:
-  Complex() { acb_init(box_); }
-  Complex(double exact) : Complex() { acb_set_d(box_, exact); }  // NOLINT
-  Complex(const Complex& other) : Complex() { acb_set(box_, other.box_); }
-  Complex(Complex&& other) noexcept : Complex() { acb_swap(box_, other.box_); }
-  Complex& operator=(const Complex& other) {
-    acb_set(box_, other.box_);
-    return *this;
-  }
-  Complex& operator=(Complex&& other) noexcept {
-    acb_swap(box_, other.box_);
-    return *this;
-  }
-  ~Complex() { acb_clear(box_); }
-
-  [[nodiscard]] static Complex rectangle(const Real& real, const Real& imag) {
-    Complex out;
-    acb_set_arb_arb(out.box_, real.get(), imag.get());
-    return out;
-  }
-  /// Of a real polynomial.
-  [[nodiscard]] static Complex value(arb_srcptr coefficients, slong terms,
-                                     const Complex& at) {
-    Complex out;
-    _arb_poly_evaluate_acb_horner(out.box_, coefficients, terms, at.box_,
-                                  working_bits);
-    return out;
-  }
-  /// All that lie no farther from the box than so, and more: a rectangle.
-  [[nodiscard]] Complex widened(double distance) const {
-    Complex out = *this;
-    mag_t by;
-    mag_init(by);
-    mag_set_d(by, distance);
-    acb_add_error_mag(out.box_, by);
-    mag_clear(by);
-    return out;
-  }
-
-  [[nodiscard]] acb_ptr get() { return box_; }
-  [[nodiscard]] acb_srcptr get() const { return box_; }
-  [[nodiscard]] bool finite() const { return acb_is_finite(box_) != 0; }
-  /// A bound of the modulus.
-  [[nodiscard]] double modulus() const {
-    mag_t bound;
-    mag_init(bound);
-    acb_get_mag(bound, box_);
-    const double out = mag_get_d(bound);  // upward
-    mag_clear(bound);
-    return out;
-  }
-
-  [[nodiscard]] Complex operator-() const {
-    Complex out;
-    acb_neg(out.get(), box_);
-    return out;
-  }
-  friend Complex operator+(const Complex& a, const Complex& b) {
-    Complex out;
-    acb_add(out.get(), a.get(), b.get(), working_bits);
-    return out;
-  }
-  friend Complex operator-(const Complex& a, const Complex& b) {
-    Complex out;
-    acb_sub(out.get(), a.get(), b.get(), working_bits);
-    return out;
-  }
-  friend Complex operator*(const Complex& a, const Complex& b) {
-    Complex out;
-    acb_mul(out.get(), a.get(), b.get(), working_bits);
-    return out;
-  }
-  /// Of a divisor that may be zero it is no number.
-  friend Complex operator/(const Complex& a, const Complex& b) {
-    Complex out;
-    acb_div(out.get(), a.get(), b.get(), working_bits);
-    return out;
-  }
-  friend Complex sin(const Complex& a) {
-    Complex out;
-    acb_sin(out.get(), a.get(), working_bits);
-    return out;
-  }
-  friend Complex cos(const Complex& a) {
-    Complex out;
-    acb_cos(out.get(), a.get(), working_bits);
-    return out;
-  }
-  /// Where it is analytic: of what may have no positive real part it is no
-  /// number.
-  friend Complex sqrt(const Complex& a) {
-    Complex out;
-    if (arb_is_positive(acb_realref(a.get())) == 0) {
-      acb_indeterminate(out.get());
-    } else {
-      acb_sqrt(out.get(), a.get(), working_bits);
-    }
-    return out;
-  }
-
- private:
-  acb_t box_;
 };
 
 }  // namespace brachisto::proof

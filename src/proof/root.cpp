@@ -98,6 +98,7 @@ Unknowns product(const Matrix& a, const Unknowns& v) {
 
 /// F and F' at a point or over a box.
 struct Shot {
+  State end, rates;
   Unknowns missed;
   Matrix slopes;
   int steps = 0;
@@ -107,17 +108,20 @@ Shot shoot(const Scene& scene, const Ends& ends, const Unknowns& at,
            const Accuracy& accuracy, bool with_slopes) {
   const int directions = with_slopes ? 3 : 0;
   Flow flow(scene, directions, accuracy);
-  State state = ends.start(at, directions);
   Shot out;
-  out.steps = flow.go(state, at.back());
-  out.missed = ends.missed(state);
-  if (with_slopes) out.slopes = ends.slopes(state, flow.rates(state));
+  out.end = ends.start(at, directions);
+  out.steps = flow.go(out.end, at.back());
+  out.rates = flow.rates(out.end);
+  out.missed = ends.missed(out.end);
+  if (with_slopes) out.slopes = ends.slopes(out.end, out.rates);
   return out;
 }
 
 /// C, of which some ten digits are enough.
 Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
-  constexpr Accuracy kRough{.bits = 128, .terms = 26, .share = 0.16};
+  constexpr Accuracy kRough{
+      .bits = 96, .terms = 24, .share = 0.18, .near = true};
+  const Bits bits(kRough.bits);
   return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
 }
 
@@ -138,7 +142,7 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
   const Shot centre = shoot(scene, ends, middle, accuracy, false);
   const Shot over = shoot(scene, ends, box, accuracy, true);
   const Unknowns step = product(inverse, centre.missed);
-  Root out{box, {}, over.steps};
+  Root out{box, {}, centre.end, over.steps};
   for (std::size_t i = 0; i < kUnknowns; ++i) {
     Real rest;
     for (std::size_t k = 0; k < kUnknowns; ++k) {
@@ -150,9 +154,18 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
     }
     out.found[i] = middle[i] - step[i] + rest;
     if (!out.found[i].finite() || !out.found[i].inside(box[i])) {
-      throw NotProven(
+      throw TooFewBits(
           "Krawczyk's operator does not map the box into itself: it holds no "
-          "root, or the precision is too low; more bits may help");
+          "root, or the precision is too low");
+    }
+  }
+  // y(m) + y'(X) (x − m) for every x of the part found.
+  for (std::size_t j = 0; j < kUnknowns; ++j) {
+    const Real off = out.found[j] - middle[j];
+    for (std::size_t i = 0; i < kComponents; ++i) {
+      const Real& slope =
+          j + 1 < kUnknowns ? over.end[Equations::place(i, j)] : over.rates[i];
+      out.end[i] += slope * off;
     }
   }
   return out;
@@ -251,10 +264,12 @@ Root find_root(const Scene& scene, const Unknowns& near,
   // Where Newton's method has the digits of half the bits it has enough.
   const double enough = std::ldexp(1.0, -accuracy.bits / 2);
   const Matrix inverse = rough_inverse(scene, ends, at);
+  Accuracy nearly = accuracy;
+  nearly.near = true;
   double step = 1.0;
   for (int i = 0; i < kMostSteps && step > enough; ++i) {
     const Unknowns by =
-        product(inverse, shoot(scene, ends, at, accuracy, false).missed);
+        product(inverse, shoot(scene, ends, at, nearly, false).missed);
     step = largest(by);
     if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
     for (std::size_t k = 0; k < kUnknowns; ++k) {
@@ -262,12 +277,27 @@ Root find_root(const Scene& scene, const Unknowns& near,
     }
   }
   if (!(step <= enough)) {
-    throw NotProven("Newton's method stops short of the precision: more bits");
+    throw TooFewBits("Newton's method stops short of the precision");
   }
-  const Real radius(std::ldexp(1.0, -(2 * accuracy.bits) / 5));
-  Unknowns box;
-  for (std::size_t k = 0; k < kUnknowns; ++k) box[k] = at[k].widened(radius);
-  return krawczyk(scene, box, inverse, accuracy);
+  const auto box_about = [&](double radius) {
+    Unknowns box;
+    for (std::size_t k = 0; k < kUnknowns; ++k) {
+      box[k] = at[k].widened(Real(radius));
+    }
+    return box;
+  };
+  const double usual = std::ldexp(1.0, -(2 * accuracy.bits) / 5);
+  try {
+    return krawczyk(scene, box_about(usual), inverse, accuracy);
+  } catch (const NotProven&) {
+    // Where wrapping is bad a box is wanted that is not much wider than what
+    // one integration leaves open.
+    constexpr double kTimes = 1024.0;
+    const double open = largest(
+        product(inverse, shoot(scene, ends, at, accuracy, false).missed));
+    if (!(kTimes * open < usual)) throw;
+    return krawczyk(scene, box_about(kTimes * open), inverse, accuracy);
+  }
 }
 
 Root verify_root(const Scene& scene, const Unknowns& box,

@@ -37,6 +37,8 @@ class Ends {
   /// \param rates  of the components at the end
   [[nodiscard]] std::array<Unknowns, kUnknowns> slopes(
       const State& end, const State& rates) const;
+  /// x of the centre there.
+  [[nodiscard]] Real start_place() const { return Real(radius_) * sin(beta_); }
   /// A length in these units: r, or of a bead metres.
   [[nodiscard]] Real unit() const;
 
@@ -54,6 +56,7 @@ class Ends {
 struct Root {
   Unknowns searched;  ///< X: exactly one root in it
   Unknowns found;     ///< the part of it that holds the root
+  State end;          ///< where that ends, of a mean value form
   int steps = 0;      ///< of one integration
 };
 

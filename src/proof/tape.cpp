@@ -38,6 +38,15 @@ Node Tape::input(int number) {
   return put(Op::Input, number);
 }
 
+Node Tape::node(std::size_t place) const {
+  return Node(Node::Place{static_cast<int>(place)});
+}
+
+std::size_t Tape::find(Op op, std::size_t operand) const {
+  return static_cast<std::size_t>(
+      known_.at({op, static_cast<int>(operand), -1, 0.0}));
+}
+
 bool Tape::is(const Node& node, double exact) const {
   const Entry& e = entries_[static_cast<std::size_t>(node.id)];
   return e.op == Op::Constant && e.exact == exact;
@@ -71,11 +80,12 @@ Node operator*(const Node& a, const Node& b) {
   if (tape.is(b, 1.0)) return a;
   return tape.put(Op::Multiply, std::min(a.id, b.id), std::max(a.id, b.id));
 }
-// 0/b is 0 only where b is not: the quotient stays.
+// 0/b is 0 only where b is not: 1/b stays on the tape, and no step is taken
+// where it is not bounded.
 Node operator/(const Node& a, const Node& b) {
   Tape& tape = Tape::current();
   if (tape.is(b, 1.0)) return a;
-  return tape.put(Op::Divide, a.id, b.id);
+  return a * tape.put(Op::Reciprocal, b.id);
 }
 Node sin(const Node& a) {
   return Tape::current().put(Op::Sin, a.id);
@@ -84,7 +94,52 @@ Node cos(const Node& a) {
   return Tape::current().put(Op::Cos, a.id);
 }
 Node sqrt(const Node& a) {
-  return Tape::current().put(Op::Sqrt, a.id);
+  Tape& tape = Tape::current();
+  const Node root = tape.put(Op::Sqrt, a.id);
+  (void)tape.put(Op::Reciprocal, root.id);
+  return root;
+}
+
+std::vector<Real> Tape::values(const std::vector<Real>& inputs) const {
+  std::vector<Real> at;
+  at.reserve(entries_.size());
+  for (const Entry& e : entries_) {
+    const auto a = static_cast<std::size_t>(e.a);
+    const auto b = static_cast<std::size_t>(e.b);
+    switch (e.op) {
+      case Op::Constant:
+        at.emplace_back(e.exact);
+        break;
+      case Op::Input:
+        at.push_back(inputs[a]);
+        break;
+      case Op::Negate:
+        at.push_back(-at[a]);
+        break;
+      case Op::Add:
+        at.push_back(at[a] + at[b]);
+        break;
+      case Op::Subtract:
+        at.push_back(at[a] - at[b]);
+        break;
+      case Op::Multiply:
+        at.push_back(at[a] * at[b]);
+        break;
+      case Op::Reciprocal:
+        at.push_back(Real(1.0) / at[a]);
+        break;
+      case Op::Sin:
+        at.push_back(sin(at[a]));
+        break;
+      case Op::Cos:
+        at.push_back(cos(at[a]));
+        break;
+      case Op::Sqrt:
+        at.push_back(sqrt(at[a]));
+        break;
+    }
+  }
+  return at;
 }
 
 TaylorSeries::TaylorSeries(const Tape& tape, std::vector<Node> rates, int terms)
@@ -184,13 +239,13 @@ void TaylorSeries::next(std::size_t node, int k) {
         arb_dot(out + k, nullptr, 0, a, 1, b + k, -1, k + 1, bits);
       }
       break;
-    case Op::Divide:
-      if (fixed_[ib] || k == 0) {
-        arb_div(out + k, a + k, b, bits);
+    case Op::Reciprocal:
+      if (k == 0) {
+        arb_inv(out, a, bits);
       } else {
-        // q b = a: b_0 q_k = a_k − Σ_{j<k} q_j b_{k−j}
-        arb_dot(sum_, a + k, 1, out, 1, b + k, -1, k, bits);
-        arb_div(out + k, sum_, b, bits);
+        // g a = 1: g_k = −g_0 Σ_{0<j≤k} a_j g_{k−j}
+        arb_dot(sum_, nullptr, 1, a + 1, 1, out + k - 1, -1, k, bits);
+        arb_mul(out + k, sum_, out, bits);
       }
       break;
     case Op::Sqrt:

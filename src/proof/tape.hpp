@@ -24,6 +24,12 @@ class NotProven : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same where more digits may help.
+class TooFewBits : public NotProven {
+ public:
+  using NotProven::NotProven;
+};
+
 class Tape;
 
 /// A number of a formula that is being written down.
@@ -70,6 +76,7 @@ struct Node {
 };
 
 /// The operations, each with operands that stand before it; none stands twice.
+/// Behind every root stands its reciprocal.
 class Tape {
  public:
   enum class Op {
@@ -79,7 +86,7 @@ class Tape {
     Add,
     Subtract,
     Multiply,
-    Divide,
+    Reciprocal,
     Sin,
     Cos,
     Sqrt
@@ -105,55 +112,16 @@ class Tape {
   [[nodiscard]] Node input(int number);
   [[nodiscard]] Node put(Op op, int a, int b = -1, double exact = 0.0);
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] Node node(std::size_t place) const;
+  /// Where an operation of one operand stands.
+  [[nodiscard]] std::size_t find(Op op, std::size_t operand) const;
   /// Whether a node is this exact number.
   [[nodiscard]] bool is(const Node& node, double exact) const;
   /// The tape that is being written.
   [[nodiscard]] static Tape& current();
 
   /// Every node, for these inputs.
-  template <class Number>
-  [[nodiscard]] std::vector<Number> values(
-      const std::vector<Number>& inputs) const {
-    std::vector<Number> at;
-    at.reserve(entries_.size());
-    for (const Entry& e : entries_) {
-      const auto a = static_cast<std::size_t>(e.a);
-      const auto b = static_cast<std::size_t>(e.b);
-      switch (e.op) {
-        case Op::Constant:
-          at.emplace_back(e.exact);
-          break;
-        case Op::Input:
-          at.push_back(inputs[a]);
-          break;
-        case Op::Negate:
-          at.push_back(-at[a]);
-          break;
-        case Op::Add:
-          at.push_back(at[a] + at[b]);
-          break;
-        case Op::Subtract:
-          at.push_back(at[a] - at[b]);
-          break;
-        case Op::Multiply:
-          at.push_back(at[a] * at[b]);
-          break;
-        case Op::Divide:
-          at.push_back(at[a] / at[b]);
-          break;
-        case Op::Sin:
-          at.push_back(sin(at[a]));
-          break;
-        case Op::Cos:
-          at.push_back(cos(at[a]));
-          break;
-        case Op::Sqrt:
-          at.push_back(sqrt(at[a]));
-          break;
-      }
-    }
-    return at;
-  }
+  [[nodiscard]] std::vector<Real> values(const std::vector<Real>& inputs) const;
 
  private:
   std::vector<Entry> entries_;
@@ -179,6 +147,14 @@ class TaylorSeries {
     return nodes_[static_cast<std::size_t>(node.id)];
   }
   [[nodiscard]] int terms() const { return terms_; }
+  /// Of a node that is no series: constant along the solution.
+  [[nodiscard]] bool fixed(std::size_t node) const { return fixed_[node]; }
+  /// Of a sine its cosine, and back.
+  [[nodiscard]] std::size_t partner(std::size_t sine) const {
+    return static_cast<std::size_t>(partner_[sine]);
+  }
+  [[nodiscard]] const Tape& tape() const { return tape_; }
+  [[nodiscard]] const std::vector<Node>& rates() const { return rates_; }
 
  private:
   void next(std::size_t node, int k);

@@ -3,41 +3,23 @@
 
 #include "proof/theorems.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 #include "brachisto/math/jet.hpp"
 #include "model/field.hpp"
+#include "proof/excess.hpp"
+#include "proof/friction.hpp"
 
 namespace brachisto::proof {
 
 namespace {
 
-constexpr int kMostPieces = 32;
-constexpr double kSplit = 0.5;
-
-/// Whether a statement holds on a whole step, cut into pieces if need be.
-template <class Holds>
-bool holds_along(const Real& from, const Real& to, const Holds& holds,
-                 int pieces = 1) {
-  const Real hull = [&] {
-    Real out;
-    arb_union(out.get(), from.get(), to.get(), working_bits);
-    return out;
-  }();
-  if (holds(hull)) return true;
-  if (2 * pieces > kMostPieces) return false;
-  const Real middle = ((from + to) * Real(kSplit)).middle();
-  return holds_along(from, middle, holds, 2 * pieces) &&
-         holds_along(middle, to, holds, 2 * pieces);
-}
-
-void fail(Theorem& theorem, const char* what, const Step& step) {
-  if (!theorem.holds) return;
-  theorem.holds = false;
-  theorem.why_not = std::string(what) +
-                    " is not shown from u = " + std::to_string(step.begin) +
-                    " on";
-}
+// From where on least friction is told, shares of T; at the start itself R_n
+// is 0 and R_t is not.
+constexpr std::array kShares{0.01, 0.05};
 
 /// √A with its first two derivatives by β.
 std::array<Real, 3> root_by_slope(const Scene& scene, const Real& theta,
@@ -47,7 +29,7 @@ std::array<Real, 3> root_by_slope(const Scene& scene, const Real& theta,
   const Tape::Recording recording(tape);
   const Jet root = root_of_inertia(scene.body, Jet(tape.input(0)),
                                    Jet::variable(tape.input(1), 0));
-  const std::vector<Real> at = tape.values<Real>({theta, beta});
+  const std::vector<Real> at = tape.values({theta, beta});
   const auto value = [&](const Node& node) {
     return at[static_cast<std::size_t>(node.id)];
   };
@@ -85,16 +67,30 @@ State family_at_end(const Scene& scene, const State& end) {
 
 }  // namespace
 
+void Theorem::meet(Sign sign, const char* what, const Step& step,
+                   const Real& u) {
+  if (sign == Sign::Positive || refuted) return;
+  if (sign == Sign::Refuted) {
+    refuted = true;
+    why_not = fmt::format("{} is false near u = {:.4f}", what,
+                          step.begin + std::fabs(u.near()));
+  } else if (holds) {
+    why_not = fmt::format("{} is not shown near u = {:.4f}: more bits may help",
+                          what, step.begin);
+  }
+  holds = false;
+}
+
 Theorem no_conjugate_point(const Scene& scene, const State& end,
                            const Real& length, const Accuracy& accuracy) {
   Theorem out{.holds = true};
   const Real eta(scene.body.eta_m);
   bool first = true;
-  int sign = 0;
+  double sign = 0.0;
   const auto look = [&](const Step& step) {
     // Divided by u on the first step: the column of β is zero at the end.
     const int drop = first ? 1 : 0;
-    const bool shown = holds_along(Real(0.0), -step.length, [&](const Real& u) {
+    const auto determinant = [&](const Real& u) {
       const auto by = [&](std::size_t component, std::size_t direction) {
         return step.value(Equations::place(component, direction), u,
                           direction == 1 ? drop : 0);
@@ -105,17 +101,25 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
       const std::array b{by(kX, 1), by(kTheta, 1), by(kW, 1)};
       const std::array f{w * cos(beta), w,
                          (sin(beta) + eta * cos(theta)) * Real(0.5)};
-      const Real D = a[0] * (b[1] * f[2] - b[2] * f[1]) -
-                     a[1] * (b[0] * f[2] - b[2] * f[0]) +
-                     a[2] * (b[0] * f[1] - b[1] * f[0]);
-      if (!D.finite() || D.has_zero()) return false;
-      // From one step to the next the sign is kept: they share a point. Behind
-      // the first one u, which is negative, is no longer divided by.
-      const int own = (D.positive() ? 1 : -1) * (first ? -1 : 1);
-      if (sign == 0) sign = own;
-      return own == sign;
-    });
-    if (!shown) fail(out, "that no point is conjugate to the end", step);
+      return a[0] * (b[1] * f[2] - b[2] * f[1]) -
+             a[1] * (b[0] * f[2] - b[2] * f[0]) +
+             a[2] * (b[0] * f[1] - b[1] * f[0]);
+    };
+    // Its sign where the way begins is kept. Behind the first step u, which is
+    // negative, is no longer divided by.
+    if (first) {
+      const Real there = determinant(Real(0.0));
+      if (there.has_zero()) {
+        throw TooFewBits("the sign of the determinant at the end is not shown");
+      }
+      sign = there.positive() ? 1.0 : -1.0;
+    }
+    const Real own(first ? sign : -sign);
+    Real where;
+    const Sign shown = sign_along(
+        Real(0.0), -step.length,
+        [&](const Real& u) { return own * determinant(u); }, where);
+    out.meet(shown, "that no point is conjugate to the end", step, where);
     first = false;
   };
   try {
@@ -123,12 +127,12 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
     State state = family_at_end(scene, end);
     flow.go(state, length, true, look);
   } catch (const NotProven& error) {
-    return {false, error.what()};
+    return {.why_not = error.what()};
   }
   return out;
 }
 
-Theorems prove_theorems(const Scene& scene, const Unknowns& found,
+Theorems prove_theorems(const Scene& scene, const Root& root,
                         const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   Theorems out;
@@ -140,43 +144,51 @@ Theorems prove_theorems(const Scene& scene, const Unknowns& found,
   Flow flow(scene, 0, accuracy);
   const Equations& equations = flow.equations();
   const Real pi = Real::pi();
+  ExcessAlong slopes(scene);
+  std::vector<FrictionAlong> friction;
+  for (const double share : kShares) {
+    if (!scene.body.rolls()) break;  // a bead does not need any
+    friction.emplace_back(equations, share, root.end[kTime]);
+  }
   bool first = true;
   const auto look = [&](const Step& step) {
-    const auto positive = [&](const Node& node) {
-      return holds_along(Real(0.0), step.length, [&](const Real& u) {
-        return equations.tape
-            .values<Real>(
-                step.values(u, false))[static_cast<std::size_t>(node.id)]
-            .positive();
-      });
+    const auto meet = [&](Theorem& theorem, const char* what,
+                          const auto& value) {
+      Real where;
+      const Sign sign = sign_along(Real(0.0), step.length, value, where);
+      theorem.meet(sign, what, step, where);
     };
-    if (!positive(equations.legendre)) fail(out.legendre, "h_ββ > 0", step);
-    if (!positive(equations.unfolded)) fail(out.no_fold, "r κ_c < 1", step);
+    const auto along = [&](const Node& node, int drop = 0) {
+      return [&step, node, drop](const Real& u) {
+        return step.value(node, u, drop);
+      };
+    };
+    meet(out.legendre, "h_ββ > 0", along(equations.legendre));
+    meet(out.no_fold, "r κ_c < 1", along(equations.unfolded));
     // R_n is 0 at the start, by the equation of the start angle.
-    const bool presses =
-        !first ? positive(equations.normal)
-               : holds_along(Real(0.0), step.length, [&](const Real& u) {
-                   return step.slope(equations.normal, step.normal_bound, u)
-                       .positive();
-                 });
-    if (!presses) fail(out.presses, "R_n > 0", step);
-    if (!holds_along(Real(0.0), step.length, [&](const Real& u) {
-          return (pi - step.value(kBeta, u).abs()).positive();
-        })) {
-      fail(out.no_loop, "|β| < π", step);
-    }
+    meet(out.presses, "R_n > 0", along(equations.normal, first ? 1 : 0));
+    meet(out.no_loop, "|β| < π",
+         [&](const Real& u) { return pi - step.value(kBeta, u).abs(); });
+    slopes.look(step);
+    for (FrictionAlong& each : friction) each.look(step);
     first = false;
   };
-  State state = ends.start(found, 0);
-  flow.go(state, found.back(), false, look);
+  State state = ends.start(root.found, 0);
+  flow.go(state, root.found.back(), false, look);
 
   const Real heights = ends.unit() / Real(scene.H);
-  out.enclosed = {state[kTime] * sqrt(heights), ends.start_angle(),
-                  state[kBeta], state[kLength] * heights,
-                  state[kTheta] - Real(scene.body.theta_m)};
-  if (!out.enclosed.tau.finite()) throw NotProven("no enclosure of T");
+  const State& end = root.end;
+  out.enclosed = {end[kTime] * sqrt(heights), ends.start_angle(), end[kBeta],
+                  end[kLength] * heights,
+                  end[kTheta] - Real(scene.body.theta_m)};
+  out.excess = slopes.found();
+  for (const FrictionAlong& each : friction) {
+    Friction found = each.found();
+    found.place = (found.place + ends.start_place()) * heights;
+    out.friction.push_back(std::move(found));
+  }
   out.no_conjugate_point =
-      no_conjugate_point(scene, state, found.back(), accuracy);
+      no_conjugate_point(scene, end, root.found.back(), accuracy);
   return out;
 }
 

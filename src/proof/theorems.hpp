@@ -7,15 +7,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "proof/root.hpp"
+#include "proof/sign.hpp"
 
 namespace brachisto::proof {
 
 /// A statement, or why it is not shown.
 struct Theorem {
   bool holds = false;
+  bool refuted = false;  ///< its contrary is shown
   std::string why_not = {};
+
+  /// What is shown of one more step of its way.
+  /// \param what  "R_n > 0"
+  /// \param u     where it is refuted
+  void meet(Sign sign, const char* what, const Step& step, const Real& u);
 };
 
 /// Numbers of the extremal, enclosed: without dimension and in radians.
@@ -27,6 +35,21 @@ struct Enclosures {
   Real rotation;     ///< θ − θ_m at the end
 };
 
+/// What is found of Weierstrass' excess, the time that another slope costs
+/// more.
+struct Excess {
+  Theorem positive;  ///< for all other slopes, all along
+  /// Slopes β + δ of which it is shown lie between.
+  double least = 0.0, most = 0.0;
+};
+
+/// The least friction that suffices from a share of T on: max |R_t|/R_n.
+struct Friction {
+  double share = 0.0;
+  Real mu;     ///< no number if it is not enclosed
+  Real place;  ///< x/H of the centre there
+};
+
 /// All that is shown.
 struct Theorems {
   Enclosures enclosed;
@@ -36,15 +59,21 @@ struct Theorems {
   Theorem presses;  ///< R_n > 0 on (0, U]
   Theorem no_fold;  ///< r κ_c < 1 on (0, U]
   Theorem no_loop;  ///< −π < β < π
+  Excess excess;
+  std::vector<Friction> friction;
 
   [[nodiscard]] bool strict_minimum() const {
     return legendre.holds && no_conjugate_point.holds;
   }
+  /// Among paths that stay near in place, of any slopes.
+  [[nodiscard]] bool strong_minimum() const {
+    return strict_minimum() && excess.positive.holds;
+  }
 };
 
-/// \param found  a box in which the extremal is the only one
-/// \throws NotProven  if not even enclosures can be found
-[[nodiscard]] Theorems prove_theorems(const Scene& scene, const Unknowns& found,
+/// \param root  the extremal, of which that it exists is shown
+/// \throws NotProven  if its motion cannot be enclosed
+[[nodiscard]] Theorems prove_theorems(const Scene& scene, const Root& root,
                                       const Accuracy& accuracy);
 
 /// Whether no point of the extremal but its end is conjugate to that.

@@ -34,7 +34,7 @@ from program import Program
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ["README.md", "docs/validation.md", "docs/theory.md", "docs/numerics.md",
-         "docs/robustness.md", "docs/benchmarks.md", "docs/paper-system.md"]
+         "docs/robustness.md", "docs/benchmarks.md", "docs/paper-system.md", "docs/proofs.md"]
 
 BLOCK = re.compile(r"(<!-- generated: (\w+) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
 # What was counted or measured, as against years, names and sizes.

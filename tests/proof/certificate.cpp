@@ -63,6 +63,17 @@ TEST(Certificate, OfABeadHoldsTheClosedForm) {
   }
 }
 
+TEST(Certificate, IsAPageThatNamesEveryStatement) {
+  const std::string text = page(certificate());
+  for (const auto& [name, said] : certificate()["theorems"].items()) {
+    EXPECT_NE(text.find("`" + name + "`: proven"), std::string::npos) << name;
+  }
+  for (const auto& [name, said] : certificate()["enclosures"].items()) {
+    EXPECT_NE(text.find(said["lower"].get<std::string>()), std::string::npos);
+  }
+  EXPECT_NE(text.find("128 bits"), std::string::npos);
+}
+
 TEST(Certificate, IsShownAgain) {
   const Json again = check(certificate());
   EXPECT_EQ(again["theorems"], certificate()["theorems"]);
@@ -110,6 +121,10 @@ TEST(Certificate, IsRefusedWhenForgedThoughItsDigestFits) {
   EXPECT_NE(refusal_of_forged([](Json& c) {
               c["theorems"]["global_minimum"] = {{"holds", true}};
             }).find("global_minimum"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_forged([](Json& c) {
+              c["theorems"]["no_fold"] = {{"holds", false}, {"refuted", true}};
+            }).find("no_fold"),
             std::string::npos);
 }
 

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// What a certificate says, on the terminal and as a page.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "proof/certificate.hpp"
+
+namespace brachisto::proof {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 5> kStatements{
+    {{"strict_minimum",
+      "T is a strict weak local minimum between its fixed ends"},
+     {"strong_minimum", "the same among paths of any slopes that stay near"},
+     {"normal_force_positive", "R_n > 0 after the start"},
+     {"no_fold", "the track does not fold"},
+     {"no_loop", "the path has no loop: |β| < π"}}};
+
+const char* verdict(const Json& theorem) {
+  if (theorem.at("holds").get<bool>()) return "proven";
+  return theorem.contains("refuted") ? "disproven" : "not proven";
+}
+
+/// A ball with as many decimals as it has.
+std::string decimals(const Json& exact) {
+  constexpr slong kMostDigits = 60;
+  Real ball;
+  if (!Real::read(exact.get<std::string>(), ball)) return "?";
+  char* text = arb_get_str(ball.get(), kMostDigits, 0);
+  std::string out = text;
+  flint_free(text);
+  return out;
+}
+
+std::string ends_of(const Json& enclosure) {
+  return fmt::format("[{}, {}]", enclosure.at("lower").get<std::string>(),
+                     enclosure.at("upper").get<std::string>());
+}
+
+}  // namespace
+
+std::string in_words(const Json& certificate) {
+  const Json& e = certificate.at("enclosures");
+  const Json& t = certificate.at("theorems");
+  const auto between = [&](const char* name, const char* symbol) {
+    return fmt::format("  {} in [{}, {}]\n", symbol,
+                       e.at(name).at("lower").get<std::string>(),
+                       e.at(name).at("upper").get<std::string>());
+  };
+  std::string out =
+      "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
+      "one\nextremal lies in the box of the certificate, and of it\n";
+  out += between("tau", "τ");
+  out += between("end_angle", "φ");
+  out += between("length_per_H", "S/H");
+  for (const auto& [name, words] : kStatements) {
+    out += fmt::format("  {}: {}\n", verdict(t.at(name)), words);
+  }
+  for (const Json& each : certificate.at("least_friction")) {
+    out += fmt::format("  least friction after {:g} % of T in [{}, {}]\n",
+                       100.0 * each.at("share_of_time").get<double>(),
+                       each.at("mu").at("lower").get<std::string>(),
+                       each.at("mu").at("upper").get<std::string>());
+  }
+  for (const auto& [name, said] : t.items()) {
+    if (said.contains("why_not")) {
+      out += fmt::format("  {}: {}\n", name,
+                         said.at("why_not").get<std::string>());
+    }
+  }
+  return out;
+}
+
+std::string page(const Json& certificate) {
+  const Json& scene = certificate.at("scene");
+  const Json& accuracy = certificate.at("accuracy");
+  const Json& made_by = certificate.at("provenance");
+  const auto number = [&](const char* key) {
+    const std::string exact = scene.at(key).get<std::string>();
+    return fmt::format("| {} | {} | {} |\n", key, exact, std::stod(exact));
+  };
+  const bool bead = scene.at("shape") == "bead";
+  std::string out = fmt::format(
+      "# Theorem\n\nA {} goes from rest at A to B, L to the side and H below, "
+      "in a uniform field, without losses; `contact: {}`. Its numbers are "
+      "these, exactly:\n\n| | exact | about |\n| --- | --- | --- |\n",
+      bead ? "bead" : "cylinder", scene.at("contact").get<std::string>());
+  for (const char* key : {"radius", "eta_m", "theta_m", "k"}) {
+    if (!bead) out += number(key);
+  }
+  out += number("L") + number("H");
+  out +=
+      "\nIn units of r (of a bead: of metres) and with 2 g = 1, let θ(0) = "
+      "θ_m, "
+      "w(0) = 0, β(0) = β₀ the start angle and p_w(0) as 𝓗 = 0 asks. Of all "
+      "(p_x, p_z, p_θ(0), U) in the box (exactly in proof.json)\n\n";
+  for (const auto& [name, box] : certificate.at("unknowns").items()) {
+    out += fmt::format("    {} = {}\n", name, decimals(box.at("searched")));
+  }
+  out +=
+      "\nexactly one solution of Hamilton's equations ends in B with p_θ = p_w "
+      "= 0. Of it\n\n";
+  for (const auto& [name, enclosure] : certificate.at("enclosures").items()) {
+    out += fmt::format("    {} in {}\n", name, ends_of(enclosure));
+  }
+  for (const Json& each : certificate.at("least_friction")) {
+    out += fmt::format(
+        "    max |R_t|/R_n from {:g} % of T on in {}, at x/H in {}\n",
+        100.0 * each.at("share_of_time").get<double>(), ends_of(each.at("mu")),
+        ends_of(each.at("x_per_H")));
+  }
+  out += "\nand each of these by itself:\n\n";
+  for (const auto& [name, said] : certificate.at("theorems").items()) {
+    out += fmt::format("- `{}`: {}{}\n", name, verdict(said),
+                       said.contains("why_not")
+                           ? " (" + said.at("why_not").get<std::string>() + ")"
+                           : "");
+  }
+  out += fmt::format(
+      "\n# What the machine did\n\nIt integrated with balls of {} bits and "
+      "Taylor series of {} terms in {} steps, and found that Krawczyk's "
+      "operator "
+      "maps the box into its interior. What series leave out is bounded by "
+      "their "
+      "own terms. Signs along the path are those of enclosures over pieces "
+      "that "
+      "cover it.\n",
+      accuracy.at("bits").get<int>(), accuracy.at("terms").get<int>(),
+      accuracy.at("steps").get<int>());
+  out += fmt::format(
+      "\n# What is trusted\n\nThe compiler; FLINT {} and its Arb; brachisto "
+      "{}: "
+      "its formulas of 𝓗 and of the forces, and src/proof. docs/proofs.md "
+      "tells "
+      "the theory. Nothing is said of extremals elsewhere.\n\n    brachisto "
+      "check-proof proof.json\n\nshows all of it again with more bits, more "
+      "terms and shorter steps.\n",
+      made_by.at("flint").get<std::string>(),
+      made_by.at("brachisto").get<std::string>());
+  return out;
+}
+
+}  // namespace brachisto::proof

@@ -17,9 +17,10 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kHalf = 0.5;
 
 // Sums and products of some thousand numbers ≥ 0 of 64 bits are off by less
-// than a share of 2^−40, and by less than 1e−200 where they underflow.
+// than a share of 2^−40, and by less than 1e−200 where they underflow, be it to
+// nothing.
 double outward(double number) {
-  return number == 0.0 ? 0.0 : number * (1.0 + 0x1p-40) + 1e-200;
+  return number * (1.0 + 0x1p-40) + 1e-200;
 }
 
 /// |c| 2^power, upward.

@@ -17,6 +17,7 @@
 #include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
 #include "refinement/arc_elements.hpp"
+#include "refinement/arc_search.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
@@ -96,11 +97,13 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
     const PhaseTimer timer(Phase::Start);
     std::optional<FittedPath> path;
-    const bool tightened = tightening_->tighten();
+    bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
-    if (!tightened && protocol_.status == Status::Infeasible) return path;
-    if (protocol_.status == Status::NoFastestTrack) return path;
+    if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
+    if (!tightened) path = around();
+    if (path) return path;
+    if (!tightened && status == Status::Infeasible) return path;
     const std::string message =
         tightened
             ? "a path on a coarse mesh keeps the limits, but no arcs were "
@@ -116,6 +119,24 @@ class LimitedSolve {
       protocol_.fail(status, message + followed());  // of the first attempt
     }
     return path;
+  }
+
+  /// On the other side of what is in the way.
+  [[nodiscard]] std::optional<FittedPath> around() {
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    for (RoughPath& detour : detours(scene_, *free_, limits_)) {
+      if (stopped()) break;
+      if (!tightening_->tighten_from(std::move(detour))) continue;
+      if (auto path = read_off(kDegree)) return path;
+    }
+    protocol_.fail(status, message);
+    return std::nullopt;
+  }
+  /// By the program, from a path under looser limits.
+  [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
+    if (stopped() || !tightening_->tighten_from(path.curve)) return {};
+    return read_off(kDegree);
   }
 
   void refine(std::optional<FittedPath> path) {
@@ -135,53 +156,14 @@ class LimitedSolve {
 
   [[nodiscard]] ArcFit fit(const LimitedCurve& nearby, PathSetting setting,
                            int degree) {
-    ArcFit found = fit_arcs(nearby, std::move(setting), degree, options_);
-    MeshRecord& record = protocol_.record;
-    record.passes += found.passes;
-    record.newton_steps += found.newton_steps;
-    record.degree = degree;
-    if (found.path) {
-      record.elements = found.path->curve.problem().mesh().num_elements();
-    } else {
-      protocol_.fail(Status::NotConverged, std::move(found.message));
-    }
-    return found;
+    return ArcSearch(protocol_, options_)
+        .fit(nearby, std::move(setting), degree);
   }
-
-  void note(const char* what, const std::vector<Arc>& arcs) {
-    protocol_.log += fmt::format("{}: {}\n", what, in_words(arcs, limits_));
-  }
-
-  /// Arcs that keep all limits, from others that are near.
-  /// \param graded  on more elements, shorter next to junctions
-  [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
-                                                        PathSetting setting,
-                                                        int degree,
-                                                        bool graded = false) {
-    constexpr int kMostCorrections = 12, kFewest = 12;
-    for (int i = 0; i < kMostCorrections; ++i) {
-      for (Arc& arc : setting.arcs) {
-        if (graded) {
-          arc.cuts = graded_cuts(std::max(kFewest, arc.elements()));
-        }
-      }
-      note(i == 0 ? "arcs tried" : "corrected to", setting.arcs);
-      ArcFit found = fit(nearby, setting, degree);
-      if (!found.path) {
-        protocol_.log += fmt::format("  not fitted: {}\n", protocol_.message);
-        return std::nullopt;
-      }
-      note("fitted", found.path->arcs);
-      auto other = corrected(found.path->curve, found.path->arcs);
-      if (!other) return std::move(found.path);
-      setting.arcs = std::move(other->arcs);
-      setting.ends = found.path->ends;
-      setting.ends.corner = other->corner;
-      nearby = found.path->curve;
-    }
-    protocol_.fail(Status::NotConverged,
-                   "no arcs were found that keep the limits everywhere");
-    return std::nullopt;
+  [[nodiscard]] std::optional<FittedPath> fit_corrected(
+      const LimitedCurve& nearby, PathSetting setting, int degree,
+      bool graded = false) {
+    return ArcSearch(protocol_, options_)
+        .fit_corrected(nearby, std::move(setting), degree, graded);
   }
 
   /// From what the interior-point method found.
@@ -297,7 +279,9 @@ class LimitedSolve {
         [&](double share) { return Stage{relaxation.at(share)}; },
         {.first = 0.05});
     reached_ = way.share;
-    if (!way.arrived()) return std::nullopt;
+    if (!way.arrived()) {
+      return way.path ? from_nearby(*way.path) : std::nullopt;
+    }
     return std::move(way.path);
   }
 
@@ -317,8 +301,10 @@ class LimitedSolve {
     }
   }
 
-  /// With the iterations that are left.
-  [[nodiscard]] std::optional<FittedPath> path_under(const Scene& looser) {
+  /// With the iterations that are left: from a path under other limits, if it
+  /// is given, or from the free extremal.
+  [[nodiscard]] std::optional<FittedPath> path_under(
+      const Scene& looser, const FittedPath* nearby = nullptr) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     for (const MeshRecord& mesh : protocol_.meshes) {
@@ -328,7 +314,11 @@ class LimitedSolve {
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
     std::optional<FittedPath> path;
-    if (solve.tightening_->tighten()) path = solve.read_off(kDegree);
+    if (nearby != nullptr) {
+      path = solve.from_nearby(*nearby);
+    } else if (solve.tightening_->tighten()) {
+      path = solve.read_off(kDegree);
+    }
     RefinementProtocol done = std::move(solve.protocol_).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
     protocol_.log += done.log;
@@ -336,21 +326,41 @@ class LimitedSolve {
   }
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
-  /// of the first attempt.
+  /// of the first attempt. Where arcs cannot be followed further the program is
+  /// solved from there, under those limits or others half-way to them.
   void tighten(FittedPath path, double by) {
+    constexpr double kShortest = 0.1;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    const auto left = [&](double share) { return by * (1.0 - share); };
+    loosened_.emplace(LoosenedPath{by, std::move(path)});
+    for (double leap = 1.0; leap > kShortest && !stopped();) {
+      follow_tighter(*loosened_);
+      if (loosened_->by == 0.0) refine(loosened_->path);
+      if (answer_ || loosened_->by == 0.0) break;
+      const double next = loosened_->by * (1.0 - leap);
+      auto there = path_under(loosened(next), &loosened_->path);
+      if (!there && next > 0.0) there = path_under(loosened(next));
+      if (there) {
+        loosened_.emplace(LoosenedPath{next, *std::move(there)});
+      } else {
+        leap *= 0.5;
+      }
+    }
+    if (answer_) {
+      loosened_.reset();
+    } else {
+      protocol_.fail(status, message);
+    }
+  }
+  void follow_tighter(LoosenedPath& reached) {
+    const auto left = [&](double share) { return reached.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
       const Scene scene = loosened(left(share));
       return Stage{inequalities(scene.body, scene.limits), scene};
     };
-    Followed way = follow(std::move(path), stage_at,
+    Followed way = follow(reached.path, stage_at,
                           {.first = 0.5, .largest = 1.0, .smallest = 0.01});
-    if (way.arrived()) refine(way.path);
-    if (answer_) return;
-    protocol_.fail(status, message);
-    loosened_.emplace(LoosenedPath{left(way.share), *std::move(way.path)});
+    reached = {left(way.share), *std::move(way.path)};
   }
 
   // ---- Accuracy.

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "model/loosened_limits.hpp"
+#include "refinement/arc_elements.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/descent.hpp"
 #include "study/answer.hpp"
@@ -337,14 +338,29 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   conclude(posed, *refinement.answer, start, out);
 }
 
-/// The same under limits, which are tightened from what the extremal keeps.
+/// The same under limits, which are tightened from what the extremal keeps; on
+/// elements half as long where T is accurate and the path is not yet.
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
-  conclude(
-      posed,
-      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
-                     start.phi, posed.mesh_options_after(out.effort)),
-      out);
+  constexpr int kRounds = 3;
+  const Discretisation& wanted = posed.program.discretisation;
+  LimitedRefinement found =
+      refine_limited(*posed.limited, wanted, *start.curve, start.phi,
+                     posed.mesh_options_after(out.effort));
+  conclude(posed, found, out);
+  for (int round = 1; round < kRounds; ++round) {
+    if (!found.answer || wanted.fixed() || posed.stop().met() ||
+        !under_resolved(out.certificate)) {
+      return;
+    }
+    FittedPath path = found.answer->path;
+    path.arcs = halved(std::move(path.arcs));
+    auto finer = refine_limited_beside(*posed.limited, wanted, path,
+                                       posed.mesh_options_after(out.effort));
+    if (!finer || !finer->answer) return;
+    found = *std::move(finer);
+    conclude(posed, found, out);
+  }
 }
 
 // ---- Answer, certify, verdict.

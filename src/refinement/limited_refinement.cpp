@@ -97,20 +97,24 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
     const PhaseTimer timer(Phase::Start);
     std::optional<FittedPath> path;
-    bool tightened = tightening_->tighten();
+    const bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
     if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
+    const bool none =
+        status == Status::Infeasible || status == Status::NoAdmissiblePath;
     if (!tightened) path = around();
-    if (path) return path;
-    if (!tightened && status == Status::Infeasible) return path;
+    if (path || (!tightened && none)) return path;
     const std::string message =
         tightened
-            ? "a path on a coarse mesh keeps the limits, but no arcs were "
-              "fitted to it: " +
-                  protocol_.message
+            ? fmt::format(
+                  "a path on a coarse mesh keeps the limits, with τ "
+                  "about {:.4g}, but where they begin and cease to "
+                  "hold was not found: {}",
+                  tightening_->last().transit_time() / std::sqrt(scene_.H),
+                  protocol_.message)
             : protocol_.message;
-    if (!path && !stopped()) path = follow_from_loosest();
+    if (!stopped()) path = follow_from_loosest();
     if (!path && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_->bracket_contact()) {
       path = read_off(kDegree);
@@ -121,7 +125,7 @@ class LimitedSolve {
     return path;
   }
 
-  /// On the other side of what is in the way.
+  /// On the other side of what is in the way; else the first attempt stands.
   [[nodiscard]] std::optional<FittedPath> around() {
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
@@ -133,7 +137,7 @@ class LimitedSolve {
     protocol_.fail(status, message);
     return std::nullopt;
   }
-  /// By the program, from a path under looser limits.
+  /// By the program.
   [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
     if (stopped() || !tightening_->tighten_from(path.curve)) return {};
     return read_off(kDegree);
@@ -145,7 +149,7 @@ class LimitedSolve {
     if (path && wanted_.fixed()) {
       path = on_fixed_mesh(*path, p);
     } else if (path && p != kDegree) {
-      path = fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
+      path = arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
     }
     if (path) refine(std::move(path), p);
   }
@@ -154,21 +158,9 @@ class LimitedSolve {
 
   // ---- Arcs.
 
-  [[nodiscard]] ArcFit fit(const LimitedCurve& nearby, PathSetting setting,
-                           int degree) {
-    return ArcSearch(protocol_, options_)
-        .fit(nearby, std::move(setting), degree);
-  }
-  [[nodiscard]] std::optional<FittedPath> fit_corrected(
-      const LimitedCurve& nearby, PathSetting setting, int degree,
-      bool graded = false) {
-    return ArcSearch(protocol_, options_)
-        .fit_corrected(nearby, std::move(setting), degree, graded);
-  }
-
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off(int degree) {
-    constexpr int kMostMeshes = 2;
+    constexpr int kMostMeshes = 4;
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
       const LimitedCurve& coarse = tightening_->last();
@@ -186,8 +178,8 @@ class LimitedSolve {
       LimitedEnds ends = coarse.problem().ends();
       ends.corner = from_A.corner;
       for (const bool graded : {false, true}) {
-        auto path =
-            fit_corrected(coarse, {limits_, from_A.arcs, ends}, degree, graded);
+        auto path = arcs_.fit_corrected(coarse, {limits_, from_A.arcs, ends},
+                                        degree, graded);
         if (path || stopped()) return path;
       }
     }
@@ -205,13 +197,13 @@ class LimitedSolve {
                                                      Stage stage) {
     PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
     if (!stage.scene) {
-      return fit_corrected(path.curve, std::move(setting), kDegree);
+      return arcs_.fit_corrected(path.curve, std::move(setting), kDegree);
     }
     PathSystem there(*stage.scene, setting, kDegree);
     if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
       return std::nullopt;
     }
-    return fit_corrected(there.curve(), std::move(setting), kDegree);
+    return arcs_.fit_corrected(there.curve(), std::move(setting), kDegree);
   }
 
   /// Of the way from one scene to another: shares of it.
@@ -272,7 +264,7 @@ class LimitedSolve {
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
     Followed way = follow(
-        fit_corrected(
+        arcs_.fit_corrected(
             loosest,
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
             kDegree),
@@ -301,8 +293,7 @@ class LimitedSolve {
     }
   }
 
-  /// With the iterations that are left: from a path under other limits, if it
-  /// is given, or from the free extremal.
+  /// With the iterations that are left, perhaps from a path under other limits.
   [[nodiscard]] std::optional<FittedPath> path_under(
       const Scene& looser, const FittedPath* nearby = nullptr) {
     const PhaseTimer timer(Phase::Start);
@@ -343,14 +334,11 @@ class LimitedSolve {
       if (there) {
         loosened_.emplace(LoosenedPath{next, *std::move(there)});
       } else {
-        leap *= 0.5;
+        leap *= 0.7;
       }
     }
-    if (answer_) {
-      loosened_.reset();
-    } else {
-      protocol_.fail(status, message);
-    }
+    if (answer_) return loosened_.reset();
+    protocol_.fail(status, message);
   }
   void follow_tighter(LoosenedPath& reached) {
     const auto left = [&](double share) { return reached.by * (1.0 - share); };
@@ -373,12 +361,12 @@ class LimitedSolve {
           !keeps_limits(path->curve)) {
         std::vector<Arc> arcs = path->arcs;
         divide(path->curve, path->curve, wanted_.wanted_tolerance(), arcs);
-        path = fit_corrected(path->curve,
-                             {limits_, std::move(arcs), path->ends}, p);
+        path = arcs_.fit_corrected(path->curve,
+                                   {limits_, std::move(arcs), path->ends}, p);
         continue;
       }
       const ArcFit finer =
-          fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
+          arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
       if (!finer.path) return;
       const double T = path->curve.transit_time();
       // The difference is T's error less that of the finer one, of either sign.
@@ -398,8 +386,8 @@ class LimitedSolve {
       }
       std::vector<Arc> arcs = finer.path->arcs;
       divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs);
-      path = fit_corrected(finer.path->curve,
-                           {limits_, std::move(arcs), finer.path->ends}, p);
+      path = arcs_.fit_corrected(
+          finer.path->curve, {limits_, std::move(arcs), finer.path->ends}, p);
     }
   }
 
@@ -408,8 +396,9 @@ class LimitedSolve {
                                                         int p) {
     const int wanted =
         wanted_.elements ? *wanted_.elements : (*wanted_.nodes - 1) / p;
-    return fit(path.curve,
-               {limits_, with_elements(path.arcs, wanted), path.ends}, p)
+    return arcs_
+        .fit(path.curve, {limits_, with_elements(path.arcs, wanted), path.ends},
+             p)
         .path;
   }
 
@@ -420,6 +409,7 @@ class LimitedSolve {
   std::vector<PathInequality> limits_;
   MeshOptions options_;
   PassProtocol protocol_;
+  ArcSearch arcs_{protocol_, options_};
   const ExtremalCurve* free_ = nullptr;  ///< where it starts from
   double phi_ = 0.0;
   std::optional<Tightening> tightening_;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "model/passage.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"
@@ -366,11 +367,16 @@ bool Tightening::close_in(Held a, Held b) {
 }
 
 bool Tightening::none_found() {
+  if (!blocking_) blocking_ = tightest();
+  if (!way_is_open(scene_, limits_)) {
+    return protocol_.fail(Status::NoAdmissiblePath,
+                          "there is no path from A to B: what is in the way "
+                          "leaves the body no room to pass");
+  }
   std::string text = give_way_for_good_
                          ? "the limits give way at any price where the "
                            "solver ended"
                          : "no path was found that keeps the limits";
-  if (!blocking_) blocking_ = tightest();
   if (budget_ == 0) {
     text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
   } else if (!give_way_for_good_ && !protocol_.message.empty()) {

@@ -338,8 +338,7 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   conclude(posed, *refinement.answer, start, out);
 }
 
-/// The same under limits, which are tightened from what the extremal keeps; on
-/// elements half as long where T is accurate and the path is not yet.
+/// Under limits, on halved elements where T is accurate and the path not yet.
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
   constexpr int kRounds = 3;
@@ -357,7 +356,7 @@ void refine_under_limits(const PosedProblem& posed, const Start& start,
     path.arcs = halved(std::move(path.arcs));
     auto finer = refine_limited_beside(*posed.limited, wanted, path,
                                        posed.mesh_options_after(out.effort));
-    if (!finer || !finer->answer) return;
+    if (!finer) return;
     found = *std::move(finer);
     conclude(posed, found, out);
   }

@@ -279,15 +279,9 @@ class LimitedSolve {
 
   // ---- From limits that ask for less, each step an answer to them.
 
-  [[nodiscard]] Scene loosened(double by) const {
-    Scene scene = scene_;
-    scene.limits = loosened_limits(scene_, by);
-    return scene;
-  }
-
   void come_from_looser() {
     for (const double by : {0.05, 0.2, 0.6}) {
-      std::optional<FittedPath> path = path_under(loosened(by));
+      std::optional<FittedPath> path = path_under(loosened(scene_, by));
       if (path) return tighten(std::move(*path), by);
       if (stopped()) return;
     }
@@ -320,35 +314,40 @@ class LimitedSolve {
   /// of the first attempt. Where arcs cannot be followed further the program is
   /// solved from there, under those limits or others half-way to them.
   void tighten(FittedPath path, double by) {
-    constexpr double kShortest = 0.1;
+    constexpr double kShortest = 0.2;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    loosened_.emplace(LoosenedPath{by, std::move(path)});
+    loosened_.push_back({by, std::move(path)});
+    follow_tighter();
     for (double leap = 1.0; leap > kShortest && !stopped();) {
-      follow_tighter(*loosened_);
-      if (loosened_->by == 0.0) refine(loosened_->path);
-      if (answer_ || loosened_->by == 0.0) break;
-      const double next = loosened_->by * (1.0 - leap);
-      auto there = path_under(loosened(next), &loosened_->path);
-      if (!there && next > 0.0) there = path_under(loosened(next));
+      const LoosenedPath reached = loosened_.back();
+      if (reached.by == 0.0) refine(reached.path);
+      if (answer_ || reached.by == 0.0) break;
+      const double next = reached.by * (1.0 - leap);
+      auto there = path_under(loosened(scene_, next), &reached.path);
+      if (!there && next > 0.0) there = path_under(loosened(scene_, next));
       if (there) {
-        loosened_.emplace(LoosenedPath{next, *std::move(there)});
+        loosened_.push_back({next, *std::move(there)});
+        follow_tighter();
       } else {
-        leap *= 0.7;
+        leap *= 0.5;
       }
     }
-    if (answer_) return loosened_.reset();
+    if (answer_) return loosened_.clear();
     protocol_.fail(status, message);
   }
-  void follow_tighter(LoosenedPath& reached) {
-    const auto left = [&](double share) { return reached.by * (1.0 - share); };
+  void follow_tighter() {
+    const LoosenedPath from = loosened_.back();
+    const auto left = [&](double share) { return from.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
-      const Scene scene = loosened(left(share));
+      const Scene scene = loosened(scene_, left(share));
       return Stage{inequalities(scene.body, scene.limits), scene};
     };
-    Followed way = follow(reached.path, stage_at,
+    Followed way = follow(from.path, stage_at,
                           {.first = 0.5, .largest = 1.0, .smallest = 0.01});
-    reached = {left(way.share), *std::move(way.path)};
+    if (way.share > 0.0) {
+      loosened_.push_back({left(way.share), *std::move(way.path)});
+    }
   }
 
   // ---- Accuracy.
@@ -414,7 +413,7 @@ class LimitedSolve {
   double phi_ = 0.0;
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
-  std::optional<LoosenedPath> loosened_;
+  std::vector<LoosenedPath> loosened_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 

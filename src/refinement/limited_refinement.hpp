@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "refinement/arc_fit.hpp"
 #include "refinement/refinement.hpp"
@@ -32,7 +33,8 @@ struct LoosenedPath {
 struct LimitedRefinement : RefinementProtocol {
   std::optional<LimitedAnswer> answer;
   std::optional<BlockingLimit> blocking;  ///< if limits were not kept
-  std::optional<LoosenedPath> loosened;   ///< the tightest, without an answer
+  /// Without an answer: under tighter and tighter limits.
+  std::vector<LoosenedPath> loosened;
 };
 
 /// In three stages.

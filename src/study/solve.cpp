@@ -410,26 +410,26 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
-  if (!refinement.loosened) return;
-  const LoosenedPath& nearby = *refinement.loosened;
   // Where limits can hardly be kept a path may be found and its digits not.
-  for (const double more : {0.0, 0.001, 0.005, 0.02}) {
-    if (posed.stop().met()) return;
-    if (nearby.by + more == 0.0) continue;  // not verified as asked
-    Scene looser = posed.asked;
-    looser.limits = loosened_limits(posed.asked, nearby.by + more);
-    const PosedProblem problem = with_scene(posed, looser);
-    auto solution = std::make_shared<const Solution>(
-        within_limits(problem, [&](Solution& out) {
-          const auto refinement = refine_limited_beside(
-              *problem.limited, problem.program.discretisation, nearby.path,
-              problem.mesh_options_after(out.effort));
-          if (refinement) conclude(problem, *refinement, out);
-        }));
-    out.effort += solution->effort;
-    if (solution->verified()) {
-      out.relaxed = std::move(solution);
-      return;
+  const auto& paths = refinement.loosened;
+  for (auto nearby = paths.rbegin(); nearby != paths.rend(); ++nearby) {
+    for (const double more : {0.0, 0.001, 0.005, 0.02}) {
+      if (posed.stop().met()) return;
+      const double by = nearby->by + more;
+      if (by == 0.0) continue;  // not verified as asked
+      const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
+      auto solution = std::make_shared<const Solution>(
+          within_limits(problem, [&](Solution& out) {
+            const auto beside = refine_limited_beside(
+                *problem.limited, problem.program.discretisation, nearby->path,
+                problem.mesh_options_after(out.effort));
+            if (beside) conclude(problem, *beside, out);
+          }));
+      out.effort += solution->effort;
+      if (solution->verified()) {
+        out.relaxed = std::move(solution);
+        return;
+      }
     }
   }
 }

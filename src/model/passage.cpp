@@ -49,15 +49,17 @@ class Squares {
       seen_[at(square)] = true;
       next.push_back(square);
     };
-    bool outside = false;
-    // Of an open square at the edge all others there are reached.
-    const auto go_outside = [&] {
-      outside = true;
-      for (int i = 0; i < kAcross; ++i) {
-        for (const int edge : {0, kAcross - 1}) {
-          reach(i, edge);
-          reach(edge, i);
-        }
+    // Beyond the edge one comes from any open square to any other, but past a
+    // floor that is below all and where energy ends that is above all only on
+    // the same side.
+    const bool around = !energy_ends_above() || !floor_ends_below();
+    const auto go_outside = [&](bool left) {
+      for (int k = 0; k < kAcross; ++k) {
+        if (around || left) reach(0, k);
+        if (around || !left) reach(kAcross - 1, k);
+        if (!around) continue;
+        reach(k, 0);
+        reach(k, kAcross - 1);
       }
     };
     for (int i = 0; i < kAcross; ++i) {
@@ -71,8 +73,9 @@ class Squares {
       const int i = next.back() % kAcross, k = next.back() / kAcross;
       next.pop_back();
       if (lies_on(i, k, {scene_.L, scene_.H}, r)) return true;
-      if (i == 0 || k == 0 || i == kAcross - 1 || k == kAcross - 1) {
-        if (!outside) go_outside();
+      if (i == 0 || i == kAcross - 1 ||
+          (around && (k == 0 || k == kAcross - 1))) {
+        go_outside(i == 0);
       }
       for (int di = -1; di <= 1; ++di) {
         for (int dk = -1; dk <= 1; ++dk) {
@@ -114,12 +117,25 @@ class Squares {
         return false;
       }
     }
-    if (!scene_.world.ordinary() || !start_) return true;
-    // E = z − z_0 + r η (sin θ − sin θ_m), sin θ at most 1.
+    return !energy_ends(here.z);
+  }
+  /// E = z − z_0 + r η (sin θ − sin θ_m), with sin θ at most 1.
+  [[nodiscard]] bool energy_ends(double z) const {
+    if (!scene_.world.ordinary() || !start_) return false;
     const Body& body = scene_.body;
-    const double lowest =
+    const double most =
         body.radius * body.eta_m * (1.0 - std::sin(body.theta_m));
-    return here.z - start_->z + lowest >= -half_diagonal();
+    return z - start_->z + most < -half_diagonal();
+  }
+  [[nodiscard]] bool energy_ends_above() const {
+    return energy_ends(centre(0, 0).z);
+  }
+  [[nodiscard]] bool floor_ends_below() const {
+    const double lowest = centre(0, kAcross - 1).z;
+    return std::ranges::any_of(limits_, [&](const PathInequality& limit) {
+      return limit.kind == PathInequality::Kind::Floor &&
+             limit.number - lowest < -half_diagonal();
+    });
   }
 
   const Scene& scene_;

@@ -412,8 +412,8 @@ void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
   // Where limits can hardly be kept a path may be found and its digits not.
   const auto& paths = refinement.loosened;
-  for (auto nearby = paths.rbegin(); nearby != paths.rend(); ++nearby) {
-    for (const double more : {0.0, 0.001, 0.005, 0.02}) {
+  for (const double more : {0.0, 0.001, 0.005, 0.02}) {
+    for (auto nearby = paths.rbegin(); nearby != paths.rend(); ++nearby) {
       if (posed.stop().met()) return;
       const double by = nearby->by + more;
       if (by == 0.0) continue;  // not verified as asked

@@ -160,7 +160,7 @@ class LimitedSolve {
 
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off(int degree) {
-    constexpr int kMostMeshes = 4;
+    constexpr int kMostMeshes = 2;
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
       const LimitedCurve& coarse = tightening_->last();
@@ -322,7 +322,7 @@ class LimitedSolve {
     for (double leap = 1.0; leap > kShortest && !stopped();) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) refine(reached.path);
-      if (answer_ || reached.by == 0.0) break;
+      if (reached.by == 0.0 || status == Status::NoSmoothContact) break;
       const double next = reached.by * (1.0 - leap);
       auto there = path_under(loosened(scene_, next), &reached.path);
       if (!there && next > 0.0) there = path_under(loosened(scene_, next));

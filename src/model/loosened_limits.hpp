@@ -21,4 +21,10 @@ namespace brachisto {
 /// \param by  in [0, 1]
 [[nodiscard]] PathLimits loosened_limits(const Scene& scene, double by);
 
+/// The scene under these.
+[[nodiscard]] inline Scene loosened(Scene scene, double by) {
+  scene.limits = loosened_limits(scene, by);
+  return scene;
+}
+
 }  // namespace brachisto

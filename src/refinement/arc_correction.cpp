@@ -123,8 +123,9 @@ void part_from_place(const LimitedTime& problem,
 class Correction {
  public:
   /// \param curve, arcs  must outlive this
-  Correction(const LimitedCurve& curve, const std::vector<Arc>& arcs)
-      : curve_(curve), arcs_(arcs) {}
+  Correction(const LimitedCurve& curve, const std::vector<Arc>& arcs,
+             Takeover takeover)
+      : curve_(curve), arcs_(arcs), takeover_(takeover) {}
 
   [[nodiscard]] std::optional<ArcsFromA> run() {
     std::optional<StartCorner> corner = curve_.problem().ends().corner;
@@ -142,7 +143,9 @@ class Correction {
     if (!changed_) return std::nullopt;
     const LimitedTime& problem = curve_.problem();
     touch_once(seen_);
-    part_from_place(problem, before_, seen_);
+    if (takeover_ == Takeover::LedBack) {
+      part_from_place(problem, before_, seen_);
+    }
     widen_new(before_, seen_);
     leave_end(problem, seen_);
     return with_corner(problem, arcs_from(seen_, problem.mesh().num_elements()),
@@ -274,6 +277,7 @@ class Correction {
 
   const LimitedCurve& curve_;
   const std::vector<Arc>& arcs_;
+  Takeover takeover_;
   double largest_ = 0.0;  ///< multiplier on the arc that is looked at
   std::vector<Sighting> seen_;
   std::vector<std::vector<Held>> before_;  ///< what was held there
@@ -298,8 +302,9 @@ ArcsFromA with_corner(const LimitedTime& problem, std::vector<Arc> arcs,
 }
 
 std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
-                                   const std::vector<Arc>& arcs) {
-  return Correction(curve, arcs).run();
+                                   const std::vector<Arc>& arcs,
+                                   Takeover takeover) {
+  return Correction(curve, arcs, takeover).run();
 }
 
 }  // namespace brachisto

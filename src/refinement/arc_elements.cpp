@@ -52,6 +52,18 @@ bool keeps_limits(const LimitedCurve& curve) {
   return true;
 }
 
+std::vector<Arc> halved(std::vector<Arc> arcs) {
+  for (Arc& arc : arcs) {
+    std::vector<double> cuts{0.0};
+    for (std::size_t i = 1; i < arc.cuts.size(); ++i) {
+      cuts.push_back(0.5 * (arc.cuts[i - 1] + arc.cuts[i]));
+      cuts.push_back(arc.cuts[i]);
+    }
+    arc.cuts = std::move(cuts);
+  }
+  return arcs;
+}
+
 std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted) {
   int left = wanted;
   double begin = 0.0;

@@ -25,6 +25,9 @@ void divide(const LimitedCurve& curve, const LimitedCurve& finer,
 /// Whether no limit is exceeded, between the points neither.
 [[nodiscard]] bool keeps_limits(const LimitedCurve& curve);
 
+/// The same arcs with each element in two.
+[[nodiscard]] std::vector<Arc> halved(std::vector<Arc> arcs);
+
 /// The same arcs on so many equal elements, or one on each.
 [[nodiscard]] std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted);
 

@@ -69,12 +69,20 @@ struct ArcsFromA {
                                     std::vector<Arc> arcs,
                                     std::optional<StartCorner> corner = {});
 
+/// What becomes of a limit of the place along which one of the control is
+/// exceeded.
+enum class Takeover {
+  LedBack,  ///< the path leaves it before, is led back and touches it
+  ForGood,  ///< the path leaves it where the other one is reached
+};
+
 /// Other arcs, if a solution with these is none of the inequalities: where a
 /// limit is exceeded it is held, where a multiplier has the wrong sign it is
 /// not. If another limit holds the control already, and cannot give way, the
 /// path touches the one that is exceeded where it is so most.
-[[nodiscard]] std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
-                                                 const std::vector<Arc>& arcs);
+[[nodiscard]] std::optional<ArcsFromA> corrected(
+    const LimitedCurve& curve, const std::vector<Arc>& arcs,
+    Takeover takeover = Takeover::LedBack);
 
 /// The constraints that stand for what is touched, arc by arc.
 [[nodiscard]] std::vector<int> touched_rows(const std::vector<Arc>& arcs,

@@ -17,6 +17,7 @@
 #include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
 #include "refinement/arc_elements.hpp"
+#include "refinement/arc_search.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
@@ -95,16 +96,22 @@ class LimitedSolve {
     std::optional<FittedPath> path;
     const bool tightened = tightening_->tighten();
     if (tightened) path = read_off(kDegree);
-    if (!tightened && protocol_.status == Status::Infeasible) return path;
-    if (protocol_.status == Status::NoFastestTrack) return path;
+    if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
+    const bool none =
+        status == Status::Infeasible || status == Status::NoAdmissiblePath;
+    if (!tightened) path = around();
+    if (path || (!tightened && none)) return path;
     const std::string message =
         tightened
-            ? "a path on a coarse mesh keeps the limits, but no arcs were "
-              "fitted to it: " +
-                  protocol_.message
+            ? fmt::format(
+                  "a path on a coarse mesh keeps the limits, with τ "
+                  "about {:.4g}, but where they begin and cease to "
+                  "hold was not found: {}",
+                  tightening_->last().transit_time() / std::sqrt(scene_.H),
+                  protocol_.message)
             : protocol_.message;
-    if (!path && !stopped()) path = follow_from_loosest();
+    if (!stopped()) path = follow_from_loosest();
     if (!path && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_->bracket_contact()) {
       path = read_off(kDegree);
@@ -115,13 +122,31 @@ class LimitedSolve {
     return path;
   }
 
+  /// On the other side of what is in the way; else the first attempt stands.
+  [[nodiscard]] std::optional<FittedPath> around() {
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    for (RoughPath& detour : detours(scene_, *free_, limits_)) {
+      if (stopped()) break;
+      if (!tightening_->tighten_from(std::move(detour))) continue;
+      if (auto path = read_off(kDegree)) return path;
+    }
+    protocol_.fail(status, message);
+    return std::nullopt;
+  }
+  /// By the program.
+  [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
+    if (stopped() || !tightening_->tighten_from(path.curve)) return {};
+    return read_off(kDegree);
+  }
+
   void refine(std::optional<FittedPath> path) {
     const int p = wanted_.degree.value_or(
         wanted_.fixed() ? wanted_.degree_of_fixed() : kDegree);
     if (path && wanted_.fixed()) {
       path = on_fixed_mesh(*path, p);
     } else if (path && p != kDegree) {
-      path = fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
+      path = arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
     }
     if (path) refine(std::move(path), p);
   }
@@ -129,57 +154,6 @@ class LimitedSolve {
   [[nodiscard]] bool stopped() const { return options_.ipopt.stop.met(); }
 
   // ---- Arcs.
-
-  [[nodiscard]] ArcFit fit(const LimitedCurve& nearby, PathSetting setting,
-                           int degree) {
-    ArcFit found = fit_arcs(nearby, std::move(setting), degree, options_);
-    MeshRecord& record = protocol_.record;
-    record.passes += found.passes;
-    record.newton_steps += found.newton_steps;
-    record.degree = degree;
-    if (found.path) {
-      record.elements = found.path->curve.problem().mesh().num_elements();
-    } else {
-      protocol_.fail(Status::NotConverged, std::move(found.message));
-    }
-    return found;
-  }
-
-  void note(const char* what, const std::vector<Arc>& arcs) {
-    protocol_.log += fmt::format("{}: {}\n", what, in_words(arcs, limits_));
-  }
-
-  /// Arcs that keep all limits, from others that are near.
-  /// \param graded  on more elements, shorter next to junctions
-  [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
-                                                        PathSetting setting,
-                                                        int degree,
-                                                        bool graded = false) {
-    constexpr int kMostCorrections = 12, kFewest = 12;
-    for (int i = 0; i < kMostCorrections; ++i) {
-      for (Arc& arc : setting.arcs) {
-        if (graded) {
-          arc.cuts = graded_cuts(std::max(kFewest, arc.elements()));
-        }
-      }
-      note(i == 0 ? "arcs tried" : "corrected to", setting.arcs);
-      ArcFit found = fit(nearby, setting, degree);
-      if (!found.path) {
-        protocol_.log += fmt::format("  not fitted: {}\n", protocol_.message);
-        return std::nullopt;
-      }
-      note("fitted", found.path->arcs);
-      auto other = corrected(found.path->curve, found.path->arcs);
-      if (!other) return std::move(found.path);
-      setting.arcs = std::move(other->arcs);
-      setting.ends = found.path->ends;
-      setting.ends.corner = other->corner;
-      nearby = found.path->curve;
-    }
-    protocol_.fail(Status::NotConverged,
-                   "no arcs were found that keep the limits everywhere");
-    return std::nullopt;
-  }
 
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off(int degree) {
@@ -201,8 +175,8 @@ class LimitedSolve {
       LimitedEnds ends = coarse.problem().ends();
       ends.corner = from_A.corner;
       for (const bool graded : {false, true}) {
-        auto path =
-            fit_corrected(coarse, {limits_, from_A.arcs, ends}, degree, graded);
+        auto path = arcs_.fit_corrected(coarse, {limits_, from_A.arcs, ends},
+                                        degree, graded);
         if (path || stopped()) return path;
       }
     }
@@ -220,13 +194,13 @@ class LimitedSolve {
                                                      Stage stage) {
     PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
     if (!stage.scene) {
-      return fit_corrected(path.curve, std::move(setting), kDegree);
+      return arcs_.fit_corrected(path.curve, std::move(setting), kDegree);
     }
     PathSystem there(*stage.scene, setting, kDegree);
     if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
       return std::nullopt;
     }
-    return fit_corrected(there.curve(), std::move(setting), kDegree);
+    return arcs_.fit_corrected(there.curve(), std::move(setting), kDegree);
   }
 
   /// Of the way from one scene to another: shares of it.
@@ -287,35 +261,32 @@ class LimitedSolve {
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
     Followed way = follow(
-        fit_corrected(
+        arcs_.fit_corrected(
             loosest,
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
             kDegree),
         [&](double share) { return Stage{relaxation.at(share)}; },
         {.first = 0.05});
     reached_ = way.share;
-    if (!way.arrived()) return std::nullopt;
+    if (!way.arrived()) {
+      return way.path ? from_nearby(*way.path) : std::nullopt;
+    }
     return std::move(way.path);
   }
 
   // ---- From limits that ask for less, each step an answer to them.
 
-  [[nodiscard]] Scene loosened(double by) const {
-    Scene scene = scene_;
-    scene.limits = loosened_limits(scene_, by);
-    return scene;
-  }
-
   void come_from_looser() {
     for (const double by : {0.05, 0.2, 0.6}) {
-      std::optional<FittedPath> path = path_under(loosened(by));
+      std::optional<FittedPath> path = path_under(loosened(scene_, by));
       if (path) return tighten(std::move(*path), by);
       if (stopped()) return;
     }
   }
 
-  /// With the iterations that are left.
-  [[nodiscard]] std::optional<FittedPath> path_under(const Scene& looser) {
+  /// With the iterations that are left, perhaps from a path under other limits.
+  [[nodiscard]] std::optional<FittedPath> path_under(
+      const Scene& looser, const FittedPath* nearby = nullptr) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     for (const MeshRecord& mesh : protocol_.meshes) {
@@ -325,7 +296,11 @@ class LimitedSolve {
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
     std::optional<FittedPath> path;
-    if (solve.tightening_->tighten()) path = solve.read_off(kDegree);
+    if (nearby != nullptr) {
+      path = solve.from_nearby(*nearby);
+    } else if (solve.tightening_->tighten()) {
+      path = solve.read_off(kDegree);
+    }
     RefinementProtocol done = std::move(solve.protocol_).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
     protocol_.log += done.log;
@@ -333,21 +308,43 @@ class LimitedSolve {
   }
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
-  /// of the first attempt.
+  /// of the first attempt. Where arcs cannot be followed further the program is
+  /// solved from there, under those limits or others half-way to them.
   void tighten(FittedPath path, double by) {
+    constexpr double kShortest = 0.2;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    const auto left = [&](double share) { return by * (1.0 - share); };
+    loosened_.push_back({by, std::move(path)});
+    follow_tighter();
+    for (double leap = 1.0; leap > kShortest && !stopped();) {
+      const LoosenedPath reached = loosened_.back();
+      if (reached.by == 0.0) refine(reached.path);
+      if (reached.by == 0.0 || status == Status::NoSmoothContact) break;
+      const double next = reached.by * (1.0 - leap);
+      auto there = path_under(loosened(scene_, next), &reached.path);
+      if (!there && next > 0.0) there = path_under(loosened(scene_, next));
+      if (there) {
+        loosened_.push_back({next, *std::move(there)});
+        follow_tighter();
+      } else {
+        leap *= 0.5;
+      }
+    }
+    if (answer_) return loosened_.clear();
+    protocol_.fail(status, message);
+  }
+  void follow_tighter() {
+    const LoosenedPath from = loosened_.back();
+    const auto left = [&](double share) { return from.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
-      const Scene scene = loosened(left(share));
+      const Scene scene = loosened(scene_, left(share));
       return Stage{inequalities(scene.body, scene.limits), scene};
     };
-    Followed way = follow(std::move(path), stage_at,
+    Followed way = follow(from.path, stage_at,
                           {.first = 0.5, .largest = 1.0, .smallest = 0.01});
-    if (way.arrived()) refine(way.path);
-    if (answer_) return;
-    protocol_.fail(status, message);
-    loosened_.emplace(LoosenedPath{left(way.share), *std::move(way.path)});
+    if (way.share > 0.0) {
+      loosened_.push_back({left(way.share), *std::move(way.path)});
+    }
   }
 
   // ---- Accuracy.
@@ -360,12 +357,12 @@ class LimitedSolve {
           !keeps_limits(path->curve)) {
         std::vector<Arc> arcs = path->arcs;
         divide(path->curve, path->curve, wanted_.wanted_tolerance(), arcs);
-        path = fit_corrected(path->curve,
-                             {limits_, std::move(arcs), path->ends}, p);
+        path = arcs_.fit_corrected(path->curve,
+                                   {limits_, std::move(arcs), path->ends}, p);
         continue;
       }
       const ArcFit finer =
-          fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
+          arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
       if (!finer.path) return;
       const double T = path->curve.transit_time();
       // The difference is T's error less that of the finer one, of either sign.
@@ -385,8 +382,8 @@ class LimitedSolve {
       }
       std::vector<Arc> arcs = finer.path->arcs;
       divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs);
-      path = fit_corrected(finer.path->curve,
-                           {limits_, std::move(arcs), finer.path->ends}, p);
+      path = arcs_.fit_corrected(
+          finer.path->curve, {limits_, std::move(arcs), finer.path->ends}, p);
     }
   }
 
@@ -395,8 +392,9 @@ class LimitedSolve {
                                                         int p) {
     const int wanted =
         wanted_.elements ? *wanted_.elements : (*wanted_.nodes - 1) / p;
-    return fit(path.curve,
-               {limits_, with_elements(path.arcs, wanted), path.ends}, p)
+    return arcs_
+        .fit(path.curve, {limits_, with_elements(path.arcs, wanted), path.ends},
+             p)
         .path;
   }
 
@@ -407,11 +405,12 @@ class LimitedSolve {
   std::vector<PathInequality> limits_;
   MeshOptions options_;
   PassProtocol protocol_;
+  ArcSearch arcs_{protocol_, options_};
   const ExtremalCurve* free_ = nullptr;  ///< where it starts from
   double phi_ = 0.0;
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
-  std::optional<LoosenedPath> loosened_;
+  std::vector<LoosenedPath> loosened_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "refinement/arc_fit.hpp"
 #include "refinement/refinement.hpp"
@@ -32,7 +33,8 @@ struct LoosenedPath {
 struct LimitedRefinement : RefinementProtocol {
   std::optional<LimitedAnswer> answer;
   std::optional<BlockingLimit> blocking;  ///< if limits were not kept
-  std::optional<LoosenedPath> loosened;   ///< the tightest, without an answer
+  /// Without an answer: under tighter and tighter limits.
+  std::vector<LoosenedPath> loosened;
 };
 
 /// In three stages.
@@ -40,13 +42,15 @@ struct LimitedRefinement : RefinementProtocol {
 /// - Tightening: on a coarse mesh of equal elements an interior-point method
 ///   solves a row of programs, from limits that the free extremal keeps to
 ///   those of the scene, each from the solution before; the contact follows.
+///   If that leads nowhere, once more from detours() around each disc.
 /// - Arcs: where limits hold and where not is read off, elements end at the
 ///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
 ///   are corrected; if no arcs fit, the coarse mesh is made finer and they are
 ///   read off again, or followed from the loosest limits on. Where that leads
 ///   nowhere the scene is solved under limits loosened more and more, and these
-///   are tightened as far as a path follows them.
+///   are tightened as far as a path follows them, or the program, solved from
+///   the last path, finds one further on.
 /// - Accuracy: with the arcs known the path is as smooth on each as that of a
 ///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
 ///   by which the error is estimated, changes T by no more than is wanted.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "model/passage.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"
@@ -118,6 +119,14 @@ bool Tightening::take(const LimitedTime& problem, SolverResult result) {
 
 PrimalDual Tightening::start_of(const LimitedTime& problem) const {
   if (last_) return prolong(*last_, problem);
+  if (rough_) {
+    return sample_at_mesh(
+        problem, rough_->rolling_time, [&](double sigma) -> LimitedPoint {
+          return {.state = rough_->at(sigma),
+                  .p = free_.at(sigma).p,
+                  .multipliers = std::vector<double>(problem.limits().size())};
+        });
+  }
   return sample_at_mesh(
       problem, free_.rolling_time(), [&](double sigma) -> LimitedPoint {
         return {.state = turning_point(free_, sigma),
@@ -187,6 +196,7 @@ bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
 
 std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
   LimitedEnds ends = last_ ? last_->problem().ends() : first_ends_;
+  ends.corner.reset();
   if (ends.free_contacts) return ends;
   if (end_is_sought(scene_) && last_ && !end_held_) {
     ends.phi = end_slope(*last_);
@@ -263,9 +273,21 @@ bool Tightening::tighten() {
   return true;
 }
 
+bool Tightening::tighten_from(const LimitedCurve& nearby) {
+  last_ = nearby;
+  return tighten();
+}
+
+bool Tightening::tighten_from(RoughPath path) {
+  last_.reset();
+  rough_ = std::move(path);
+  return tighten();
+}
+
 bool Tightening::solve_loosest() {
   const Inequalities loose = relaxation_.at(0.0);
   last_.reset();
+  rough_.reset();
   const auto ends = next_ends(loose);
   if (!ends) return none_at_rest();
   return solve_rigid(loose, mesh_, *ends);
@@ -345,11 +367,16 @@ bool Tightening::close_in(Held a, Held b) {
 }
 
 bool Tightening::none_found() {
+  if (!blocking_) blocking_ = tightest();
+  if (!way_is_open(scene_, limits_)) {
+    return protocol_.fail(Status::NoAdmissiblePath,
+                          "there is no path from A to B: what is in the way "
+                          "leaves the body no room to pass");
+  }
   std::string text = give_way_for_good_
                          ? "the limits give way at any price where the "
                            "solver ended"
                          : "no path was found that keeps the limits";
-  blocking_ = tightest();
   if (budget_ == 0) {
     text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
   } else if (!give_way_for_good_ && !protocol_.message.empty()) {

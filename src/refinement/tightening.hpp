@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brachisto/solvers/program_solvers.hpp"
+#include "refinement/detour.hpp"
 #include "refinement/limit_relaxation.hpp"
 #include "refinement/pass_protocol.hpp"
 #include "transcription/limited_curve.hpp"
@@ -47,6 +48,11 @@ class Tightening {
   /// slopes are sought, the outcome is Status::Infeasible.
   [[nodiscard]] bool tighten();
 
+  /// The same from another path than the free extremal: a solution of the same
+  /// limits, perhaps with other bounds, or what only looks like a motion.
+  [[nodiscard]] bool tighten_from(const LimitedCurve& nearby);
+  [[nodiscard]] bool tighten_from(RoughPath path);
+
   /// Where the contact at B cannot be followed: under the limits of the scene
   /// with the slope that C_B is built from held at one place after the other,
   /// until the slope at the end less that one changes its sign between two,
@@ -69,7 +75,7 @@ class Tightening {
   /// for the reason that the protocol tells so far.
   bool none_found();
 
-  /// Of tighten(), if limits gave way in the end.
+  /// Of the first tighten(), if limits gave way in the end.
   [[nodiscard]] const std::optional<BlockingLimit>& blocking() const {
     return blocking_;
   }
@@ -90,7 +96,7 @@ class Tightening {
                                  double complementarity);
   /// What was found, if anything was.
   bool take(const LimitedTime& problem, SolverResult result);
-  /// The last solution, or else the free extremal.
+  /// The last solution, or else a rough path or the free extremal.
   [[nodiscard]] PrimalDual start_of(const LimitedTime& problem) const;
   bool solve_rigid(const Inequalities& limits, const Mesh& mesh,
                    const LimitedEnds& ends);
@@ -121,6 +127,7 @@ class Tightening {
 
   const Scene& scene_;
   const ExtremalCurve& free_;
+  std::optional<RoughPath> rough_;  ///< to start from instead
   LimitRelaxation relaxation_;
   Inequalities limits_;  ///< of the scene
   Mesh mesh_;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -188,9 +189,7 @@ class Turning : public Moving {
         put(i, Scalar(0.0));
         continue;
       }
-      if (limits_[i].bounds_force() && !force) {
-        force = contact_force(scene_, place);
-      }
+      if (limits_[i].bounds_force() && !force) force = force_at(place);
       put(i,
           value_of(limits_[i], force.value_or(ContactForce<Scalar>{}), place));
     }
@@ -202,6 +201,49 @@ class Turning : public Moving {
     const auto& [x, z, theta, w, beta, q] = yu;
     return value_of(limit, scene_,
                     TurningPoint<Scalar>{x, z, theta, w, beta, q});
+  }
+
+ private:
+  template <class Scalar>
+  [[nodiscard]] ContactForce<Scalar> force_at(
+      const TurningPoint<Scalar>& at) const {
+    if constexpr (std::is_same_v<Scalar, math::Jet2<double, kStates + 1>>) {
+      if (scene_.world.ordinary()) return force_anywhere(at);
+    }
+    return contact_force(scene_, at);
+  }
+  /// Where it does not depend on the place: with derivatives by θ, w, β and q
+  /// alone, which are half as many.
+  template <class Jet>
+  [[nodiscard]] ContactForce<Jet> force_anywhere(
+      const TurningPoint<Jet>& at) const {
+    constexpr int kFew = 4;
+    using Few = math::Jet2<double, kFew>;
+    const auto few = [](const Jet& variable, int index) {
+      Few out(variable.value);
+      out.gradient[static_cast<std::size_t>(index)] =
+          variable.gradient[static_cast<std::size_t>(kTheta) +
+                            static_cast<std::size_t>(index)];
+      return out;
+    };
+    const ContactForce<Few> force = contact_force(
+        scene_,
+        TurningPoint<Few>{Few(at.x.value), Few(at.z.value), few(at.theta, 0),
+                          few(at.w, 1), few(at.beta, 2), few(at.q, 3)});
+    const auto all = [](const Few& number) {
+      Jet out(number.value);
+      for (int a = 0; a < kFew; ++a) {
+        const int i = static_cast<int>(kTheta) + a;
+        out.gradient[static_cast<std::size_t>(i)] =
+            number.gradient[static_cast<std::size_t>(a)];
+        for (int b = 0; b <= a; ++b) {
+          out.hessian[Jet::pair(i, static_cast<int>(kTheta) + b)] =
+              number.hessian[Few::pair(a, b)];
+        }
+      }
+      return out;
+    };
+    return {all(force.normal), all(force.tangential)};
   }
 };
 

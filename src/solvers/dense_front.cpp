@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "solvers/numeric_factorisation.hpp"
 
 namespace brachisto {
 
@@ -129,11 +130,7 @@ void FrontStack::step(Front& front, int k, Width width) {
     if (d < 0.0) ++negative_;
     if (d == 0.0) ++zero_;
     for (int i = k + 1; i < n; ++i) local_l_[at(i)] = p[i] * inverse;
-    for (int j = k + 1; j < n; ++j) {
-      const double p_j = p[j];
-      double* const column = &front.at(0, j);
-      for (int i = k + 1; i < n; ++i) column[i] -= local_l_[at(i)] * p_j;
-    }
+    subtract_outer(front.values.data(), n, k + 1, local_l_.data(), p);
     p[k] = inverse;
     std::copy_n(&local_l_[at(k) + 1], n - k - 1, p + k + 1);
     return;
@@ -155,14 +152,8 @@ void FrontStack::step(Front& front, int k, Width width) {
     local_l_[at(i)] = i_pp * p[i] + i_pq * q[i];
     local_m_[at(i)] = i_pq * p[i] + i_qq * q[i];
   }
-  for (int j = k + 2; j < n; ++j) {
-    const double p_j = p[j];
-    const double q_j = q[j];
-    double* const column = &front.at(0, j);
-    for (int i = k + 2; i < n; ++i) {
-      column[i] -= local_l_[at(i)] * p_j + local_m_[at(i)] * q_j;
-    }
-  }
+  subtract_outer(front.values.data(), n, k + 2, local_l_.data(), p,
+                 local_m_.data(), q);
   p[k] = i_pp;
   p[k + 1] = i_pq;
   q[k + 1] = i_qq;

@@ -221,4 +221,24 @@ void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
   }
 }
 
+BRACHISTO_CLONES
+void subtract_outer(double* matrix, int size, int from, const double* l,
+                    const double* p) {
+  for (int j = from; j < size; ++j) {
+    const double p_j = p[j];
+    double* __restrict column = matrix + static_cast<long>(size) * j;
+    for (int i = from; i < size; ++i) column[i] -= l[i] * p_j;
+  }
+}
+
+BRACHISTO_CLONES
+void subtract_outer(double* matrix, int size, int from, const double* l,
+                    const double* p, const double* m, const double* q) {
+  for (int j = from; j < size; ++j) {
+    const double p_j = p[j], q_j = q[j];
+    double* __restrict column = matrix + static_cast<long>(size) * j;
+    for (int i = from; i < size; ++i) column[i] -= l[i] * p_j + m[i] * q_j;
+  }
+}
+
 }  // namespace brachisto

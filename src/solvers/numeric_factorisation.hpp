@@ -68,4 +68,13 @@ void forward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
 void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
                            Lanes* y);
 
+/// Subtracts l pᵀ, or l pᵀ + m qᵀ, from the rows and columns of a square matrix
+/// from `from` on.
+///
+/// \param matrix  column by column; p and q may be columns of it before `from`
+void subtract_outer(double* matrix, int size, int from, const double* l,
+                    const double* p);
+void subtract_outer(double* matrix, int size, int from, const double* l,
+                    const double* p, const double* m, const double* q);
+
 }  // namespace brachisto

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "model/loosened_limits.hpp"
+#include "refinement/arc_elements.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/descent.hpp"
 #include "study/answer.hpp"
@@ -337,14 +338,28 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   conclude(posed, *refinement.answer, start, out);
 }
 
-/// The same under limits, which are tightened from what the extremal keeps.
+/// Under limits, on halved elements where T is accurate and the path not yet.
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
-  conclude(
-      posed,
-      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
-                     start.phi, posed.mesh_options_after(out.effort)),
-      out);
+  constexpr int kRounds = 3;
+  const Discretisation& wanted = posed.program.discretisation;
+  LimitedRefinement found =
+      refine_limited(*posed.limited, wanted, *start.curve, start.phi,
+                     posed.mesh_options_after(out.effort));
+  conclude(posed, found, out);
+  for (int round = 1; round < kRounds; ++round) {
+    if (!found.answer || wanted.fixed() || posed.stop().met() ||
+        !under_resolved(out.certificate)) {
+      return;
+    }
+    FittedPath path = found.answer->path;
+    path.arcs = halved(std::move(path.arcs));
+    auto finer = refine_limited_beside(*posed.limited, wanted, path,
+                                       posed.mesh_options_after(out.effort));
+    if (!finer) return;
+    found = *std::move(finer);
+    conclude(posed, found, out);
+  }
 }
 
 // ---- Answer, certify, verdict.
@@ -395,26 +410,26 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
-  if (!refinement.loosened) return;
-  const LoosenedPath& nearby = *refinement.loosened;
   // Where limits can hardly be kept a path may be found and its digits not.
+  const auto& paths = refinement.loosened;
   for (const double more : {0.0, 0.001, 0.005, 0.02}) {
-    if (posed.stop().met()) return;
-    if (nearby.by + more == 0.0) continue;  // not verified as asked
-    Scene looser = posed.asked;
-    looser.limits = loosened_limits(posed.asked, nearby.by + more);
-    const PosedProblem problem = with_scene(posed, looser);
-    auto solution = std::make_shared<const Solution>(
-        within_limits(problem, [&](Solution& out) {
-          const auto refinement = refine_limited_beside(
-              *problem.limited, problem.program.discretisation, nearby.path,
-              problem.mesh_options_after(out.effort));
-          if (refinement) conclude(problem, *refinement, out);
-        }));
-    out.effort += solution->effort;
-    if (solution->verified()) {
-      out.relaxed = std::move(solution);
-      return;
+    for (auto nearby = paths.rbegin(); nearby != paths.rend(); ++nearby) {
+      if (posed.stop().met()) return;
+      const double by = nearby->by + more;
+      if (by == 0.0) continue;  // not verified as asked
+      const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
+      auto solution = std::make_shared<const Solution>(
+          within_limits(problem, [&](Solution& out) {
+            const auto beside = refine_limited_beside(
+                *problem.limited, problem.program.discretisation, nearby->path,
+                problem.mesh_options_after(out.effort));
+            if (beside) conclude(problem, *beside, out);
+          }));
+      out.effort += solution->effort;
+      if (solution->verified()) {
+        out.relaxed = std::move(solution);
+        return;
+      }
     }
   }
 }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/arc_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace brachisto {
+
+namespace {
+
+/// Whether the same holds on the same stretches.
+bool alike(const std::vector<Arc>& one, const std::vector<Arc>& other) {
+  constexpr double kSame = 1e-6;
+  return std::ranges::equal(one, other, [](const Arc& a, const Arc& b) {
+    return a.held == b.held && std::abs(a.end - b.end) < kSame &&
+           a.touch.has_value() == b.touch.has_value() &&
+           (!a.touch || a.touch->limit == b.touch->limit);
+  });
+}
+
+}  // namespace
+
+ArcFit ArcSearch::fit(const LimitedCurve& nearby, PathSetting setting,
+                      int degree) {
+  ArcFit found = fit_arcs(nearby, std::move(setting), degree, options_);
+  MeshRecord& record = protocol_.record;
+  record.passes += found.passes;
+  record.newton_steps += found.newton_steps;
+  record.degree = degree;
+  if (found.path) {
+    record.elements = found.path->curve.problem().mesh().num_elements();
+  } else {
+    protocol_.fail(Status::NotConverged, std::move(found.message));
+  }
+  return found;
+}
+
+void ArcSearch::note(const char* what, const PathSetting& setting) {
+  protocol_.log +=
+      fmt::format("{}: {}\n", what, in_words(setting.arcs, setting.limits));
+}
+
+std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
+                                                   PathSetting setting,
+                                                   int degree, bool graded) {
+  constexpr int kMostCorrections = 12, kFewest = 12;
+  Takeover takeover = Takeover::LedBack;
+  std::vector<std::vector<Arc>> tried;
+  std::optional<FittedPath> last;  // whose arcs were corrected
+  for (int i = 0; i < kMostCorrections; ++i) {
+    for (Arc& arc : setting.arcs) {
+      if (graded) arc.cuts = graded_cuts(std::max(kFewest, arc.elements()));
+    }
+    note(i == 0 ? "arcs tried" : "corrected to", setting);
+    ArcFit found = fit(nearby, setting, degree);
+    if (options_.ipopt.stop.met()) return std::nullopt;
+    const bool fitted = found.path.has_value();
+    if (fitted) {
+      last = std::move(found.path);
+      setting.arcs = last->arcs;
+      note("fitted", setting);
+    } else {
+      protocol_.log += fmt::format("  not fitted: {}\n", protocol_.message);
+    }
+    std::optional<ArcsFromA> other;
+    if (fitted) {
+      other = corrected(last->curve, last->arcs, takeover);
+      if (!other) return last;
+    }
+    const bool again =
+        other && std::ranges::any_of(tried, [&](const std::vector<Arc>& arcs) {
+          return alike(arcs, other->arcs);
+        });
+    if (!fitted || again) {
+      if (!last || takeover == Takeover::ForGood) break;
+      takeover = Takeover::ForGood;
+      other = corrected(last->curve, last->arcs, takeover);
+      if (!other || alike(other->arcs, tried.back())) break;
+    }
+    tried.push_back(other->arcs);
+    nearby = last->curve;
+    setting.arcs = std::move(other->arcs);
+    setting.ends = last->ends;
+    setting.ends.corner = other->corner;
+  }
+  if (last) {
+    protocol_.fail(Status::NotConverged,
+                   "no arcs were found that keep the limits everywhere");
+  }
+  return std::nullopt;
+}
+
+}  // namespace brachisto

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Other paths to start from: on the other side of what is in the way.
+
+#pragma once
+
+#include <vector>
+
+#include "brachisto/model/scene.hpp"
+#include "model/path_inequality.hpp"
+#include "transcription/extremal_curve.hpp"
+
+namespace brachisto {
+
+/// A path at places of equal time apart, a motion only roughly.
+struct RoughPath {
+  double rolling_time;
+  std::vector<TurningPoint<double>> places;
+
+  /// \param sigma  in [0, 1]
+  [[nodiscard]] TurningPoint<double> at(double sigma) const;
+};
+
+/// For each disc that the free extremal passes nearer than its own reach, or at
+/// no more than that from it, the extremal bent around its other side. A
+/// method that goes from path to path does not come from one side to the other.
+///
+/// \param scene  in natural units
+[[nodiscard]] std::vector<RoughPath> detours(
+    const Scene& scene, const ExtremalCurve& free,
+    const std::vector<PathInequality>& limits);
+
+}  // namespace brachisto

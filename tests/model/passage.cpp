@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Whether there is a way at all, against widths that can be said in advance.
+
+#include "model/passage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace brachisto {
+namespace {
+
+/// A uniform cylinder between a disc, about (1.5, 0.4), and the floor.
+bool open_beneath(double floor, double radius) {
+  Scene scene;
+  scene.L = 3.0;
+  scene.H = 1.0;
+  scene.body = Body::cylinder(0.25, 0.0, 0.0, 0.5);
+  scene.limits.floor = floor;
+  scene.limits.discs = {{{1.5, 0.4}, radius}};
+  return way_is_open(scene, inequalities(scene.body, scene.limits));
+}
+
+/// It starts from rest at (r, 0), rises no higher and so does not pass above
+/// the disc; below it passes if floor − 0.4 − radius ≥ 2 r.
+TEST(Passage, IsOpenIfTheBodyFitsThrough) {
+  constexpr double kSquare = 3.0 * 3.0 / 400.0;
+  const double widest = 1.3 - 0.4 - 0.5;
+  EXPECT_TRUE(open_beneath(1.3, widest - kSquare));
+  EXPECT_TRUE(open_beneath(1.3, widest));
+  EXPECT_FALSE(open_beneath(1.3, widest + 2.0 * kSquare));
+  EXPECT_TRUE(open_beneath(1.3 + 3.0 * kSquare, widest + 2.0 * kSquare));
+}
+
+/// An off-centred body may rise while its mass comes down; a push lifts too.
+TEST(Passage, AboveIsLeftOpenWhereEnergyMayReach) {
+  Scene scene;
+  scene.L = 3.0;
+  scene.H = 1.0;
+  scene.body = Body::cylinder(0.25, 0.0, 0.0, 0.5);
+  scene.limits.floor = 1.3;
+  scene.limits.discs = {{{1.5, 0.4}, 0.45}};
+  const auto open = [&] {
+    return way_is_open(scene, inequalities(scene.body, scene.limits));
+  };
+  EXPECT_FALSE(open());
+  scene.world.start_speed = 5.0;
+  EXPECT_TRUE(open());
+  scene.world.start_speed = 0.0;
+  scene.body = Body::cylinder(0.25, 0.7, -0.5 * std::numbers::pi, 0.5);
+  scene.limits.discs.front().centre.z = 0.6;
+  EXPECT_TRUE(open());
+}
+
+TEST(Passage, IsOpenWithoutObstacles) {
+  Scene scene;
+  scene.body = Body::cylinder(0.25, 0.5, 0.0, 0.5);
+  scene.limits.friction = 0.1;
+  EXPECT_TRUE(way_is_open(scene, inequalities(scene.body, scene.limits)));
+}
+
+}  // namespace
+}  // namespace brachisto

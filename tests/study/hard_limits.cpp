@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+// Scenes under limits that the first start does not lead to an answer of,
+// against the indirect method, which shares no program with it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "brachisto/study/solve.hpp"
+
+namespace brachisto {
+namespace {
+
+Scene cylinder_scene(double r, double eta, double theta_degrees, double k,
+                     double L, PathLimits limits) {
+  Scene scene;
+  scene.L = L;
+  scene.H = 1.0;
+  scene.body =
+      Body::cylinder(r, eta, theta_degrees * std::numbers::pi / 180.0, k);
+  scene.limits = std::move(limits);
+  return scene;
+}
+
+/// Verified, and T agrees with shooting over its arcs.
+Solution confirmed(const Scene& scene) {
+  SolveOptions options;
+  options.use<Collocation>().certify = Certify::Extremal;
+  Solution solution = solve(scene, options);
+  EXPECT_TRUE(solution.verified())
+      << solution.message
+      << ::testing::PrintToString(solution.not_verified_because());
+  EXPECT_TRUE(solution.extremal && solution.extremal->solved);
+  return solution;
+}
+
+/// The free track passes below the disc, where a half-plane leaves no room: an
+/// elastic program that starts from it ends between the two.
+TEST(HardLimits, APathGoesRoundADiscOnTheSideThatIsOpen) {
+  PathLimits limits;
+  limits.half_planes = {{{3.775, 1.549}, -107.6 * std::numbers::pi / 180.0}};
+  limits.discs = {{{3.236, 1.191}, 0.063}};
+  const Scene scene =
+      cylinder_scene(0.4497, 0.137, -87.5, 0.851, 4.455, limits);
+
+  const Solution solution = confirmed(scene);
+
+  ASSERT_NE(solution.motion(), nullptr);
+  const Motion& motion = *solution.motion();
+  for (int i = 0; i <= 1000; ++i) {
+    const Point centre = motion.at(i / 1000.0).centre;
+    EXPECT_GE(std::hypot(centre.x - 3.236, centre.z - 1.191),
+              0.063 + 0.4497 - 1e-9);
+    if (std::abs(centre.x - 3.236) > 0.05) continue;
+    EXPECT_LT(centre.z, 1.191);
+  }
+}
+
+/// T is right to 1e-13 on elements that leave 3e-10 in the motion next to the
+/// end of an arc, where curvature grows steeply.
+TEST(HardLimits, ElementsAreHalvedUntilTheMotionIsAsAccurateAsTheTime) {
+  PathLimits limits;
+  limits.fold_margin = 0.422;
+
+  const Solution solution =
+      confirmed(cylinder_scene(0.6215, 0.645, 37.48, 0.43, 2.583, limits));
+
+  EXPECT_LE(solution.certificate.find("reintegration_error")->value, 1e-10);
+}
+
+}  // namespace
+}  // namespace brachisto

@@ -22,12 +22,12 @@ namespace {
 
 /// Of Radau in each panel, whose last one is its end: what relaxes within a
 /// panel, as the speed in thick air, is gone at its end.
-constexpr int kPoints = 4;
+constexpr int kInPanel = 4;
 
 /// A point of a rule along the motion.
 struct Sample {
-  double s, ds, dt;            ///< place, weights
-  double s_in_panel[kPoints];  ///< of Δs' at the points of its panel, to here
+  double s, ds, dt;             ///< place, weights
+  double s_in_panel[kInPanel];  ///< of Δs' at the points of its panel, to here
   double beta, kappa, theta, A, half_w2, drag;
   Point centre;
 };
@@ -53,7 +53,7 @@ class SampledMotion {
         motion.fine_sample(kPerStretch * (static_cast<int>(ends.size()) - 1));
     rows.insert(rows.end(), ends.begin(), ends.end());
     std::ranges::sort(rows, {}, &TrajectoryPoint::s);
-    const math::QuadratureRule rule = math::radau_right(kPoints);
+    const math::QuadratureRule rule = math::radau_right(kInPanel);
     // Lengths and times between two rows as polynomials through the first and
     // the points.
     std::vector<double> places{0.0};
@@ -77,36 +77,36 @@ class SampledMotion {
         std::ranges::partition_point(
             samples_, [&](const Sample& at) { return at.s <= from; }) -
         samples_.begin());
-    for (; panel < samples_.size(); panel += kPoints) {
+    for (; panel < samples_.size(); panel += kInPanel) {
       const std::span<const Sample> points =
-          std::span(samples_).subspan(panel, kPoints);
+          std::span(samples_).subspan(panel, kInPanel);
       const bool within = points.front().s < to;
       if (!within && !to_the_end) break;
-      std::array<Bend, kPoints> bends;
+      std::array<Bend, kInPanel> bends;
       if (within) {
-        for (int i = 0; i < kPoints; ++i) {
+        for (int i = 0; i < kInPanel; ++i) {
           bends[at(i)] = bend_at(
               points[at(i)], (points[at(i)].s - middle) / half, height, half);
         }
       }
-      std::array<Displaced, kPoints> displaced;
-      for (int i = 0; i < kPoints; ++i) {
+      std::array<Displaced, kInPanel> displaced;
+      for (int i = 0; i < kInPanel; ++i) {
         const Sample& here = points[at(i)];
         double behind = longer;
-        for (int j = 0; j < kPoints; ++j) {
+        for (int j = 0; j < kInPanel; ++j) {
           behind += here.s_in_panel[j] * (bends[at(j)].stretch - 1.0);
         }
         displaced[at(i)] = displaced_at(here, bends[at(i)], behind);
       }
       if (scene_.world.air.any()) brake(points, bends, displaced, lost);
-      for (int i = 0; i < kPoints; ++i) {
+      for (int i = 0; i < kInPanel; ++i) {
         const Sample& here = points[at(i)];
         const auto& [A, half_w2] = displaced[at(i)];
         const double slower = bends[at(i)].stretch *
                               std::sqrt(A / here.A * here.half_w2 / half_w2);
         sum += (slower - 1.0) * here.dt;
       }
-      for (int i = 0; i < kPoints; ++i) {
+      for (int i = 0; i < kInPanel; ++i) {
         longer += points[at(i)].ds * (bends[at(i)].stretch - 1.0);
       }
     }
@@ -130,17 +130,17 @@ class SampledMotion {
     const double width = to.sigma - from.sigma;
     if (!(width > 0.0)) return;
     std::vector<TrajectoryPoint> rows{from};
-    for (int i = 0; i + 1 < kPoints; ++i) {
+    for (int i = 0; i + 1 < kInPanel; ++i) {
       rows.push_back(motion.at(from.sigma + rule.points[at(i)] * width));
     }
     // As it is on this side of a junction of arcs.
     rows.push_back(to);
-    double s_slope[kPoints];
-    for (int i = 0; i < kPoints; ++i) {
+    double s_slope[kInPanel];
+    for (int i = 0; i < kInPanel; ++i) {
       const TrajectoryPoint& row = rows[at(i + 1)];
       double t_slope = 0.0;
       s_slope[i] = 0.0;
-      for (int j = 0; j < kPoints + 1; ++j) {
+      for (int j = 0; j < kInPanel + 1; ++j) {
         s_slope[i] += slopes(i, j) * (rows[at(j)].s - from.s);
         t_slope += slopes(i, j) * (rows[at(j)].t - from.t);
       }
@@ -158,9 +158,9 @@ class SampledMotion {
                           drag(scene_.world.air, row.motion.v_c),
                           row.centre});
     }
-    for (int i = 0; i < kPoints; ++i) {
-      Sample& sample = samples_[samples_.size() - kPoints + at(i)];
-      for (int j = 0; j < kPoints; ++j) {
+    for (int i = 0; i < kInPanel; ++i) {
+      Sample& sample = samples_[samples_.size() - kInPanel + at(i)];
+      for (int j = 0; j < kInPanel; ++j) {
         sample.s_in_panel[j] = sums(i, j) * s_slope[j];
       }
     }
@@ -195,24 +195,24 @@ class SampledMotion {
   ///
   /// \param lost  until the panel; on return until its end
   void brake(std::span<const Sample> points,
-             const std::array<Bend, kPoints>& bends,
-             std::array<Displaced, kPoints>& displaced, double& lost) const {
+             const std::array<Bend, kInPanel>& bends,
+             std::array<Displaced, kInPanel>& displaced, double& lost) const {
     constexpr int kMostSteps = 60;
     constexpr double kConverged = 1e-9;  // relative; the next step squares it
     using Jet = math::Jet1<double, 1>;
-    using Vector = Eigen::Vector<double, kPoints>;
+    using Vector = Eigen::Vector<double, kInPanel>;
     Vector w, known;
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kInPanel; ++i) {
       const Sample& here = points[at(i)];
       w[i] = std::sqrt(2.0 * here.half_w2);
       known[i] = displaced[at(i)].half_w2 - lost;
-      for (int j = 0; j < kPoints; ++j) {
+      for (int j = 0; j < kInPanel; ++j) {
         known[i] += here.s_in_panel[j] * points[at(j)].drag;
       }
     }
     Vector loss, by_w;
     for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
-      for (int i = 0; i < kPoints; ++i) {
+      for (int i = 0; i < kInPanel; ++i) {
         const Jet speed =
             Jet::variable(w[i], 0) * (1.0 / std::sqrt(displaced[at(i)].A));
         const Jet found = drag(scene_.world.air, speed);
@@ -220,11 +220,11 @@ class SampledMotion {
         by_w[i] = bends[at(i)].stretch * found.gradient[0];
       }
       // ½ w*_i² + Σ a_ij D*_j (ds*/ds)_j is known: convex in w*.
-      Eigen::Matrix<double, kPoints, kPoints> matrix;
+      Eigen::Matrix<double, kInPanel, kInPanel> matrix;
       Vector miss;
-      for (int i = 0; i < kPoints; ++i) {
+      for (int i = 0; i < kInPanel; ++i) {
         miss[i] = known[i] - 0.5 * w[i] * w[i];
-        for (int j = 0; j < kPoints; ++j) {
+        for (int j = 0; j < kInPanel; ++j) {
           const double weight = points[at(i)].s_in_panel[j];
           miss[i] -= weight * loss[j];
           matrix(i, j) = weight * by_w[j];
@@ -235,7 +235,7 @@ class SampledMotion {
       const double change = (by.array() / w.array()).abs().maxCoeff();
       w = (w + by).cwiseMax(0.1 * w).eval();
       if (!(change <= kConverged)) continue;
-      for (int i = 0; i < kPoints; ++i) {
+      for (int i = 0; i < kInPanel; ++i) {
         const Sample& here = points[at(i)];
         displaced[at(i)].half_w2 = 0.5 * w[i] * w[i];
         lost += here.ds * (loss[i] + by_w[i] * by[i] - here.drag);

@@ -350,6 +350,7 @@ Asked read_command_line(const CommandLine& command, int argc, char** argv) {
     CLI::App* const out = app.add_subcommand(verb.name, verb.text);
     out->footer(verb.footer);
     if (verb.hidden) out->group("");
+    if (verb.takes_anything) out->allow_extras();
     // Those of other verbs would only take time.
     if (std::count(argv, argv + argc, std::string_view(verb.name)) > 0) {
       describe_flags(verb, command.everywhere, out);

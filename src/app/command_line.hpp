@@ -92,6 +92,7 @@ struct Verb {
   std::string footer = {};
   std::function<int()> run;  ///< once the flags are read; returns the exit code
   bool hidden = false;
+  bool takes_anything = false;  ///< of which nothing is read
 };
 
 /// The whole command.

@@ -23,7 +23,8 @@ Verb left_out(const char* name, bool hidden = false) {
                     "with -DBRACHISTO_EVIDENCE=ON\n");
                 return kUsage;
               },
-          .hidden = hidden};
+          .hidden = hidden,
+          .takes_anything = true};
 }
 
 }  // namespace

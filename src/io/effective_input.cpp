@@ -6,16 +6,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+
+#include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
 
 namespace {
-
-/// Whether a key stands below another one.
-bool below(std::string_view path, std::string_view key) {
-  return path.size() > key.size() && path[key.size()] == '.' &&
-         path.starts_with(key);
-}
 
 /// Adds the keys of a section to a document.
 void add_section(Json& document, const Draft& problem,

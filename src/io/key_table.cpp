@@ -14,6 +14,7 @@
 
 #include "io/binding.hpp"
 #include "io/lists.hpp"
+#include "io/yaml_tree.hpp"
 #include "model/limit_table.hpp"
 
 namespace brachisto::io {
@@ -191,12 +192,12 @@ Interval interval_of(Allowed allowed) {
 Binding limit_number(std::size_t row) {
   return {.type = KeyType::Number,
           .number =
-              [](const Draft& p, Binding::Row row) {
-                return limit_table()[row].bound(p.scene.limits);
+              [](const Draft& p, Binding::Row i) {
+                return limit_table()[i].bound(p.scene.limits);
               },
           .put =
-              [](Draft& p, double value, Binding::Row row) {
-                limit_table()[row].bound_in(p.scene.limits) = value;
+              [](Draft& p, double value, Binding::Row i) {
+                limit_table()[i].bound_in(p.scene.limits) = value;
               },
           .row = row};
 }
@@ -266,25 +267,25 @@ constexpr auto kHasLosses = stated_place<has_losses>(world);
 
 /// \param row  in kWorldParameters
 Binding world_number(std::size_t row) {
-  return {.type = KeyType::Number,
-          .number =
-              [](const Draft& p, Binding::Row i) {
-                const double* number = kWorldParameters[i].find(p.scene.world);
-                return number ? std::optional(*number) : std::nullopt;
-              },
-          .put =
-              [](Draft& p, double value, Binding::Row i) {
-                const WorldParameter& parameter = kWorldParameters[i];
-                World& world = p.scene.world;
-                for (const FieldKind& kind : kFieldKinds) {
-                  if (std::string_view(parameter.key).starts_with(kind.key) &&
-                      !kind.stands_in(world)) {
-                    kind.put_into(world);
-                  }
-                }
-                *parameter.find_in(world) = value;
-              },
-          .row = row};
+  return {
+      .type = KeyType::Number,
+      .number =
+          [](const Draft& p, Binding::Row i) {
+            const double* number = kWorldParameters[i].find(p.scene.world);
+            return number ? std::optional(*number) : std::nullopt;
+          },
+      .put =
+          [](Draft& p, double value, Binding::Row i) {
+            const WorldParameter& parameter = kWorldParameters[i];
+            World& world = p.scene.world;
+            for (const FieldKind& kind : kFieldKinds) {
+              if (below(parameter.key, kind.key) && !kind.stands_in(world)) {
+                kind.put_into(world);
+              }
+            }
+            *parameter.find_in(world) = value;
+          },
+      .row = row};
 }
 
 /// A map of those numbers, where the world has its field.

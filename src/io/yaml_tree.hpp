@@ -75,6 +75,11 @@ void refuse_kind(const YamlValue& value, std::string key,
 
 /// Parts of a dotted key, some of which may be empty.
 [[nodiscard]] std::vector<std::string> parts_of(std::string_view key);
+/// Whether a key stands below another one.
+[[nodiscard]] inline bool below(std::string_view path, std::string_view key) {
+  return path.size() > key.size() && path[key.size()] == '.' &&
+         path.starts_with(key);
+}
 
 /// Place of the value of a dotted key, of the nearest map above it if the key
 /// is absent.

@@ -4,7 +4,8 @@
 /// \file
 /// Decompositions of small dense matrices, and MINPACK's iterations over them
 /// as Eigen ports them. Their templates take long to compile: dense.cpp alone
-/// does it, and callers include no more than Eigen/Core.
+/// does it for matrices whose size is known at run time only, and who calls
+/// them includes no more than Eigen/Core.
 
 #pragma once
 

@@ -35,7 +35,8 @@ class Squares {
       : scene_(scene),
         limits_(limits),
         start_(known_start(scene, limits)),
-        side_(3.0 * std::max(scene.L, scene.H) / kAcross),
+        side_(3.0 * (std::max(scene.L, scene.H) + contact_radius(scene)) /
+              kAcross),
         left_(0.5 * (scene.L - kAcross * side_)),
         top_(0.5 * (scene.H - kAcross * side_)) {}
 

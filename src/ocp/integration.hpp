@@ -45,13 +45,13 @@ struct FlowRates {
   bool failed = false;
 
   [[nodiscard]] static constexpr bool is_constant(std::size_t component) {
-    return component >= Flow::kStates && component < Flow::kStates + Flow::kIgnorable;
+    return component >= Flow::kStates &&
+           component < Flow::kStates + Flow::kIgnorable;
   }
   /// Where the row of a component that is not constant begins.
   [[nodiscard]] static constexpr std::size_t row_of(std::size_t component) {
     const std::size_t row =
-        component < Flow::kStates ? component
-                                  : component - Flow::kIgnorable;
+        component < Flow::kStates ? component : component - Flow::kIgnorable;
     return kPath + row * kColumns;
   }
   /// Whether a component of the state at the start has a column.
@@ -121,7 +121,7 @@ struct FlowRates {
     if (!Derivatives || flow.judges_costates) return largest;
     constexpr double kOfDerivatives = 1e-8;
     for (std::size_t i = 0; i < Flow::kStates; ++i) {
-      for (std::size_t j = 0; First + j < Flow::kStates; ++j) {
+      for (std::size_t j = 0; First + j < std::min(End, Flow::kStates); ++j) {
         const std::size_t place = row_of(i) + j;
         const double ratio = magnitude(error[place]) /
                              (kOfDerivatives * (1.0 + magnitude(now[place])));

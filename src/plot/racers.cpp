@@ -84,6 +84,7 @@ std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
 Scene on_track(Scene scene, std::shared_ptr<const GivenPath> track) {
   scene.path = std::move(track);
   scene.contact = Contact::Smooth;
+  scene.end_slope.reset();
   scene.limits = {};
   return scene;
 }

@@ -196,13 +196,16 @@ class Certifier {
       if (!(first > kMuch * (1.0 + std::abs(vl)))) continue;
       while (apart(l, r) > kOne && std::abs(vr - vl) >= kHalf * first) {
         const double middle = 0.5 * (l + r), vm = formulas(point(middle))[s];
+        if (!(l < middle && middle < r)) break;
         if (std::abs(vm - vl) > std::abs(vr - vm)) {
           r = middle, vr = vm;
         } else {
           l = middle, vl = vm;
         }
       }
-      if (!(std::abs(vr - vl) >= kHalf * first)) continue;
+      // A steep rate that is smooth does so over a part of the way alone.
+      const bool narrow = r - l <= kMuch * (b - a);
+      if (!narrow || !(std::abs(vr - vl) >= kHalf * first)) continue;
       const PathValues here = values(e, l);
       std::string place;
       for (std::size_t i = 0; i < said_.states.size(); ++i) {

@@ -32,7 +32,7 @@ constexpr int kTheta = rolling::kTheta;
 template <class Problem, class Description>
 class CollocationFormulas final : public ProgramInFormulas {
  public:
-  /// \param sides  of a sphere's surface, by element, or none
+  /// \param sides  of a field's surface, by element, or none
   CollocationFormulas(const Problem& problem, const Description& described,
                       std::vector<FieldSide> sides)
       : problem_(problem),

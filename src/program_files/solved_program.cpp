@@ -25,7 +25,7 @@ PrimalDual guess_for(const RollingTime& problem, const PosedProblem& posed) {
              : cycloid_guess(problem, *posed.cycloid);
 }
 
-/// Where every element of the answer lies on one side of a sphere's surface,
+/// Where every element of the answer lies on one side of a field's surface,
 /// each has the law of its side: the same answer, of a program that is smooth.
 void hold_sides(RollingTime& problem, const ExtremalCurve& answer) {
   std::vector<FieldSide> sides;

@@ -26,7 +26,7 @@ namespace brachisto {
 /// (x, λ), and 𝓛 the Lagrangian, whose fixed variables have values that move,
 /// several numbers c = (φ, α, σ₁, σ₂, …) close the path: the slopes at B and A,
 /// as far as they are open, and the element ends where it passes the surface of
-/// a sphere. Their equations C(y, c, p) = 0, for σ_k that the centre of mass is
+/// a field. Their equations C(y, c, p) = 0, for σ_k that the centre of mass is
 /// on the surface there, are solved around the chain, all together: one closed
 /// inside of another would meet folds that all together do not have,
 ///
@@ -40,7 +40,7 @@ namespace brachisto {
 class FreeRates final : public TimeRates {
  public:
   /// Of a solution, x and λ, whose element ends first go to where the path
-  /// passes the surface of a sphere, if they are not there. Null if no solution
+  /// passes the surface of a field, if they are not there. Null if no solution
   /// is found with them.
   [[nodiscard]] static std::unique_ptr<FreeRates> make(
       const ExtremalCurve& curve, const PrimalDual& point, double phi);
@@ -57,7 +57,7 @@ class FreeRates final : public TimeRates {
 
  private:
   /// A scene's elements, and of which side of a surface each has the field;
-  /// nothing where there is no sphere.
+  /// nothing where there is no surface.
   struct Elements {
     Mesh mesh;
     std::vector<FieldSide> sides;

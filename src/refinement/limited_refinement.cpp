@@ -94,14 +94,13 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
     const PhaseTimer timer(Phase::Start);
     std::optional<FittedPath> path;
-    const bool tightened = tightening_->tighten();
+    const bool tightened = tightening_->tighten() || go_around();
     if (tightened) path = read_off(kDegree);
     if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
     const bool none =
         status == Status::Infeasible || status == Status::NoAdmissiblePath;
-    if (!tightened) path = around();
-    if (path || (!tightened && none)) return path;
+    if (!tightened && none) return path;
     const std::string message =
         tightened
             ? fmt::format(
@@ -122,19 +121,21 @@ class LimitedSolve {
     return path;
   }
 
-  /// On the other side of what is in the way; else the first attempt stands.
-  [[nodiscard]] std::optional<FittedPath> around() {
+  /// Tightens on the other side of what is in the way; else what the first
+  /// attempt said stands.
+  [[nodiscard]] bool go_around() {
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
+    if (status == Status::NoAdmissiblePath) return false;
     for (RoughPath& detour : detours(scene_, *free_, limits_)) {
       if (stopped()) break;
-      if (!tightening_->tighten_from(std::move(detour))) continue;
-      if (auto path = read_off(kDegree)) return path;
+      if (tightening_->tighten_from(std::move(detour))) return true;
     }
     protocol_.fail(status, message);
-    return std::nullopt;
+    return false;
   }
-  /// By the program.
+
+  /// What the program finds next to a path that keeps looser limits.
   [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
     if (stopped() || !tightening_->tighten_from(path.curve)) return {};
     return read_off(kDegree);

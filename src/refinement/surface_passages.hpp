@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Meshes for paths that pass the surface of a sphere, on which its field has a
+/// Meshes for paths that pass the surface on which a field has a
 /// kink: with element ends there every element sees a smooth field, and
 /// collocation keeps its order.
 
@@ -19,8 +19,8 @@
 
 namespace brachisto {
 
-/// σ where a path passes the surface of the scene's sphere, ascending; nothing
-/// where there is no sphere.
+/// σ where a path passes the surface of the scene's field, ascending; nothing
+/// where there is none.
 ///
 /// \param mesh     on whose elements the path is smooth
 /// \param heavy_at  the centre of mass at σ
@@ -43,7 +43,7 @@ namespace brachisto {
                                 bool as_many = false);
 
 /// On which side of the surface the middle of each element lies; nothing where
-/// there is no sphere.
+/// there is no surface.
 [[nodiscard]] std::vector<FieldSide> sides_of_elements(
     const ExtremalCurve& curve, const Mesh& mesh);
 

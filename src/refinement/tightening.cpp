@@ -367,11 +367,12 @@ bool Tightening::close_in(Held a, Held b) {
 }
 
 bool Tightening::none_found() {
-  if (!blocking_) blocking_ = tightest();
+  if (!blocking_ && !tight_) blocking_ = tightest();
   if (!way_is_open(scene_, limits_)) {
-    return protocol_.fail(Status::NoAdmissiblePath,
-                          "there is no path from A to B: what is in the way "
-                          "leaves the body no room to pass");
+    return protocol_.fail(
+        Status::NoAdmissiblePath,
+        "no path leads from the start to B: what is in the way "
+        "leaves the body no room to pass");
   }
   std::string text = give_way_for_good_
                          ? "the limits give way at any price where the "

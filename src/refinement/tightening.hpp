@@ -75,7 +75,7 @@ class Tightening {
   /// for the reason that the protocol tells so far.
   bool none_found();
 
-  /// Of the first tighten(), if limits gave way in the end.
+  /// Of the first tighten() if limits gave way in the end, and none succeeded.
   [[nodiscard]] const std::optional<BlockingLimit>& blocking() const {
     return blocking_;
   }

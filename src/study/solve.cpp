@@ -357,6 +357,390 @@ void refine_under_limits(const PosedProblem& posed, const Start& start,
     auto finer = refine_limited_beside(*posed.limited, wanted, path,
                                        posed.mesh_options_after(out.effort));
     if (!finer) return;
+    if (!finer->answer) {  // the last one stands
+      Outcome last{out.status, out.message};
+      record(*finer, out);
+      return record(std::move(last), out);
+    }
+    found = *std::move(finer);
+    conclude(posed, found, out);
+  }
+}
+
+// ---- Answer, certify, verdict.
+
+void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
+              std::optional<double> transit_time) {
+  record(answer_of(posed, found, transit_time), out);
+  {
+    const CertificateTimer timer(out.effort);
+    const auto& answer = std::get<CollocationAnswer>(*out.answer);
+    record(certify(posed, found, answer.trajectory.curve()), out);
+  }
+  record(verdict(out, found.solution.message), out);
+}
+
+void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
+              const Start& start, Solution& out) {
+  record(answer_of(posed, found), out);
+  {
+    const CertificateTimer timer(out.effort);
+    const auto& motion = std::get<PiecewiseAnswer>(*out.answer).motion;
+    record(certify(posed, found, motion, *start.curve, start.phi), out);
+  }
+  // Of a motion that stalls the certificate says so.
+  if (!out.diagnostics) out.answer.reset();
+  record(verdict(out, found.solution.message), out);
+}
+
+void record_limited(const PosedProblem& posed,
+                    const LimitedRefinement& refinement, Solution& out) {
+  record(refinement, out);
+  if (refinement.blocking) {
+    out.message += in_words(posed, *refinement.blocking);
+  } else if (!refinement.answer && (out.status == Status::NotConverged ||
+                                    out.status == Status::NoAdmissiblePath)) {
+    const std::string looser = looser_limits(posed.asked);
+    if (!looser.empty()) out.message += ". To try: " + looser;
+  }
+}
+
+void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
+              Solution& out) {
+  record_limited(posed, refinement, out);
+  record_loosened(posed, refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
+  conclude(posed, *refinement.answer, refinement.message, out);
+}
+
+void record_loosened(const PosedProblem& posed,
+                     const LimitedRefinement& refinement, Solution& out) {
+  // Where limits can hardly be kept a path may be found and its digits not.
+  constexpr std::size_t kMostPaths = 6;
+  const auto& paths = refinement.loosened;
+  const std::size_t first = paths.size() - std::min(paths.size(), kMostPaths);
+  for (std::size_t i = paths.size(); i-- > first;) {
+    for (const double more : {0.0, 0.001, 0.005, 0.02}) {
+      if (posed.stop().met()) return;
+      const double by = paths[i].by + more;
+      if (by == 0.0) continue;  // not verified as asked
+      const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
+      auto solution = std::make_shared<const Solution>(
+          within_limits(problem, [&](Solution& out) {
+            const auto beside = refine_limited_beside(
+                *problem.limited, problem.program.discretisation, paths[i].path,
+                problem.mesh_options_after(out.effort));
+            if (beside) conclude(problem, *beside, out);
+          }));
+      out.effort += solution->effort;
+      if (solution->verified()) {
+        out.relaxed = std::move(solution);
+        return;
+      }
+    }
+  }
+}
+
+void conclude(const PosedProblem& posed, const LimitedAnswer& found,
+              const std::string& message, Solution& out,
+              std::optional<double> transit_time = std::nullopt);
+void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
+              Solution& out);
+/// The answer under looser limits, if it is verified.
+void record_loosened(const PosedProblem& posed,
+                     const LimitedRefinement& refinement, Solution& out);
+/// With the limit that was not kept.
+void record_limited(const PosedProblem& posed,
+                    const LimitedRefinement& refinement, Solution& out);
+
+}  // namespace
+
+Solution solve_beside(const Scene& scene, const SolveOptions& options,
+                      const SolveHooks& hooks) {
+  return beside(pose(scene, options, hooks), *hooks.neighbour);
+}
+
+Solution solve(const Scene& scene, const SolveOptions& options,
+               const SolveHooks& hooks) {
+  const PosedProblem posed = pose(scene, options, hooks);
+  if (hooks.neighbour != nullptr) {
+    Solution found = beside(posed, *hooks.neighbour);
+    if (found.verified()) return found;
+  }
+  return within_limits(posed, [&](Solution& out) {
+    solve_posed(posed, out);
+    differentiate(posed, out);
+  });
+}
+
+namespace {
+
+Solution beside(const PosedProblem& posed, const Neighbour& neighbour) {
+  return within_limits(posed, [&](Solution& out) {
+    follow_neighbour(posed, neighbour, out);
+    differentiate(posed, out);
+  });
+}
+
+void solve_posed(const PosedProblem& posed, Solution& out) {
+  if (posed.scene.path) return follow_given_path(posed, out);
+  if (posed.cycloid) {
+    if (auto outcome =
+            too_large(forecast(posed), posed.options.limits.seconds)) {
+      return record(*std::move(outcome), out);
+    }
+  }
+  const SolveOptions& options = posed.options;
+  if (options.of<Shooting>() != nullptr) return solve_by_shooting(posed, out);
+  if (const auto* system = options.of<DiscreteSystem>()) {
+    return solve_by_discrete_system(posed, *system, out);
+  }
+  solve_program(posed, start_from_cycloid(posed), out);
+}
+
+/// From a neighbour, if it is one.
+void follow_neighbour(const PosedProblem& posed, const Neighbour& neighbour,
+                      Solution& out) {
+  if (can_start_beside(posed, neighbour)) {
+    return solve_program(posed, start_beside(posed, neighbour), out);
+  }
+  const auto path = path_beside(posed, neighbour);
+  if (!path) return;
+  const auto refinement =
+      refine_limited_beside(*posed.limited, posed.program.discretisation, *path,
+                            posed.mesh_options_after(out.effort));
+  if (refinement) conclude(posed, *refinement, out);
+}
+
+/// What the time changes by with the scene.
+void differentiate(const PosedProblem& posed, Solution& out) {
+  const auto* program = posed.options.of<Collocation>();
+  if (program == nullptr || !out.verified() ||
+      program->sensitivities == SensitivityOrder::None) {
+    return;
+  }
+  const PhaseTimer timer(Phase::Diagnosis);
+  out.sensitivities =
+      sensitivities(out, program->sensitivities == SensitivityOrder::Second);
+}
+
+// ---- The ways, one for each kind of answer.
+
+/// The nonlinear program.
+void solve_program(const PosedProblem& posed, const Start& start,
+                   Solution& out) {
+  record(start, out);
+  if (posed.stop().met()) return;
+  // What a search looks through is measured by some path.
+  if (posed.searches() && (posed.cycloid || start.curve))
+    return search_contacts(posed, start, out);
+  if (!start.curve) return;
+  if (posed.limited) return refine_under_limits(posed, start, out);
+  if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
+    record(start_elsewhere(posed, start, out.effort), out);
+  }
+  if (posed.program.discretisation.formulation == Formulation::ArcLength) {
+    return refine_pieces(posed, start, out);
+  }
+  refine_elements(posed, start, out);
+}
+
+/// Shooting: the numbers come from the indirect method; the collocation
+/// problem on a fine mesh, which they must satisfy, is their certificate.
+void solve_by_shooting(const PosedProblem& posed, Solution& out) {
+  if (posed.limited) return shoot_under_limits(posed, out);
+  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  record(extremal, out);
+  if (extremal.status == ExtremalStatus::NoCycloid) {
+    Outcome outcome = without_cycloid(posed);
+    if (outcome.status == Status::NotReached) {
+      outcome.message += ". Try method: ipopt, which can start at a greater L";
+    }
+    return record(std::move(outcome), out);
+  }
+  record(outcome_of(extremal), out);
+  if (!extremal.usable()) return;
+  MeshAnswer found = [&] {
+    const CertificateTimer timer(out.effort);
+    return answer_from_extremal(posed, extremal);
+  }();
+  conclude(posed, found, out, extremal.transit_time);
+}
+
+/// The same under limits. Which arcs there are the program finds, as accurately
+/// as that takes.
+void shoot_under_limits(const PosedProblem& posed, Solution& out) {
+  constexpr double kForArcs = 1e-6;
+  const Start start = start_from_cycloid(posed);
+  record(start, out);
+  if (posed.stop().met() || !start.curve) return;
+  Discretisation loose = posed.program.discretisation;
+  loose.tolerance = std::max(kForArcs, loose.wanted_tolerance());
+  const LimitedRefinement program =
+      refine_limited(*posed.limited, loose, *start.curve, start.phi,
+                     posed.mesh_options_after(out.effort));
+  record_limited(posed, program, out);
+  record_loosened(posed, program, out);
+  if (!program.answer || posed.stop().met()) return;
+  const FittedPath& nearby = program.answer->path;
+  const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
+  record(extremal, out);
+  const Outcome outcome = outcome_of(extremal);
+  record(outcome, out);
+  if (!extremal.solved) return;
+  const LimitedAnswer found = [&] {
+    const CertificateTimer timer(out.effort);
+    return answer_from_extremal(nearby, extremal, posed.stop());
+  }();
+  conclude(posed, found, outcome.message, out,
+           extremal.transit_time * posed.units.time);
+}
+
+/// The paper's discrete system: an answer to other equations, and its distance
+/// from this one.
+void solve_by_discrete_system(const PosedProblem& posed,
+                              const DiscreteSystem& system, Solution& out) {
+  const DiscreteAnswer found = solve_discrete_system(
+      posed.scene, system, posed.options.limits.iterations, posed.stop());
+  out.effort.iterations = found.iterations;
+  out.answer = std::make_shared<const Answer>(found);
+  record(Outcome{found.status, found.message}, out);
+  if (!found.solved()) return;
+  const CertificateTimer timer(out.effort);
+  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  record(extremal, out);
+  const CrossCheck check = compare_with(extremal, found.tau / extremal.tau);
+  record(Certified{certify_discrete(found, check), check}, out);
+  out.message = fmt::format("the discrete equations hold, but: {}",
+                            fmt::join(out.not_verified_because(), "; "));
+}
+
+/// The path that the scene states, evaluated.
+void follow_given_path(const PosedProblem& posed, Solution& out) {
+  try {
+    Answered answered = answer_on_given_path(posed);
+    const auto& motion = std::get<PrescribedMotion>(*answered.answer);
+    if (motion.stall()) {
+      return record(Outcome{Status::Stalled, motion.stall()->message()}, out);
+    }
+    {
+      const CertificateTimer timer(out.effort);
+      record(certify_given_path(posed, motion), out);
+    }
+    record(std::move(answered), out);
+    record(
+        Outcome{Status::Solved, "the given path was evaluated, not optimised"},
+        out);
+  } catch (const std::invalid_argument& error) {
+    record(Outcome{Status::NoAdmissiblePath, error.what()}, out);
+  }
+}
+
+// ---- From a start to an answer.
+
+/// All smooth contacts that can be found; the fastest of them is the answer. A
+/// search starts from what is cheap to know: the principal extremal, and where
+/// it is a saddle, the minima beside it.
+void search_contacts(const PosedProblem& posed, const Start& principal,
+                     Solution& out) {
+  // As a multiple of the path of the uniform cylinder, or what is in its place.
+  constexpr double kLongest = 3.0;
+  const double uniform = posed.cycloid
+                             ? posed.cycloid->arc_length(posed.cycloid->psi_end)
+                             : principal.curve->arc_length();
+  // Each of the extremals may take what the limit allows.
+  const MeshOptions each = posed.mesh_options_after(out.effort);
+  std::vector<ContactCandidate> known;
+  if (principal.curve) {
+    known.push_back({*principal.curve, principal.phi});
+    Descent descent = descend(posed.natural, known.front(), each);
+    out.effort += descent.work;
+    std::move(descent.minima.begin(), descent.minima.end(),
+              std::back_inserter(known));
+  }
+  const ContactSearch search = find_contacts(
+      posed.natural, kLongest * uniform,
+      [&](double length) { return sampled_mesh(posed.natural.body, length); },
+      std::move(known), posed.stop(), posed.progress());
+  record(search, out);
+  JudgedBranches judged =
+      judge_branches(posed, posed.program.discretisation, search.contacts,
+                     principal.curve && !principal.continued_from_L, each);
+  record(judged, out);
+  if (posed.stop().met()) return;
+  JudgedBranch* best = best_branch(judged.branches);
+  if (best == nullptr) {
+    return record(
+        Outcome{judged.failure,
+                fmt::format(
+                    "of {} smooth contacts that the search found, none could "
+                    "be solved for as accurately as wanted",
+                    search.contacts.size())},
+        out);
+  }
+  record_way(best->refinement, out);
+  conclude(posed, *best->refinement.answer, out);
+}
+
+/// Refines until T is as accurate as wanted and, where the path bends sharply,
+/// until it is resolved between the nodes too.
+void refine_elements(const PosedProblem& posed, const Start& start,
+                     Solution& out) {
+  constexpr int kRounds = 3;
+  constexpr double kTighter = 1e-2;
+  Discretisation wanted = posed.program.discretisation;
+  ExtremalCurve curve = *start.curve;
+  double phi = start.phi;
+  for (int round = 0; round < kRounds; ++round) {
+    Refinement refinement = refine(posed.natural, wanted, curve, phi,
+                                   posed.mesh_options_after(out.effort));
+    record(refinement, out);
+    if (!refinement.answer || posed.stop().met()) return;
+    // A better answer than the best one was still wanted.
+    if (refinement.status == Status::IterationLimit) return;
+    conclude(posed, *refinement.answer, out);
+    if (wanted.fixed() || !under_resolved(out.certificate)) return;
+    curve = refinement.answer->curve();
+    phi = refinement.answer->solution.tangency.phi;
+    wanted.tolerance = kTighter * wanted.tolerance.value_or(kDefaultTolerance);
+  }
+}
+
+/// The same by straight pieces, in the paper's variables.
+void refine_pieces(const PosedProblem& posed, const Start& start,
+                   Solution& out) {
+  ArcLengthRefinement refinement = refine_arc_length(
+      posed.natural, posed.program.discretisation, *start.curve, start.phi,
+      posed.mesh_options_after(out.effort));
+  record(refinement, out);
+  if (!refinement.answer || posed.stop().met()) return;
+  conclude(posed, *refinement.answer, start, out);
+}
+
+/// Under limits, on halved elements where T is accurate and the path not yet.
+void refine_under_limits(const PosedProblem& posed, const Start& start,
+                         Solution& out) {
+  constexpr int kRounds = 3;
+  const Discretisation& wanted = posed.program.discretisation;
+  LimitedRefinement found =
+      refine_limited(*posed.limited, wanted, *start.curve, start.phi,
+                     posed.mesh_options_after(out.effort));
+  conclude(posed, found, out);
+  for (int round = 1; round < kRounds; ++round) {
+    if (!found.answer || wanted.fixed() || posed.stop().met() ||
+        !under_resolved(out.certificate)) {
+      return;
+    }
+    FittedPath path = found.answer->path;
+    path.arcs = halved(std::move(path.arcs));
+    auto finer = refine_limited_beside(*posed.limited, wanted, path,
+                                       posed.mesh_options_after(out.effort));
+    if (!finer) return;
+    if (!finer->answer) {  // the last one stands
+      Outcome last{out.status, out.message};
+      record(*finer, out);
+      return record(std::move(last), out);
+    }
     found = *std::move(finer);
     conclude(posed, found, out);
   }

@@ -28,7 +28,7 @@ class Lanes {
   [[nodiscard]] std::optional<Solution> next();
 
  private:
-  static constexpr std::size_t kAtOnce = 8;
+  static constexpr std::size_t kAtOnce = 64;
 
   void look_ahead();
 

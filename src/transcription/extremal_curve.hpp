@@ -52,7 +52,7 @@ class ExtremalCurve {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   /// The scene as element e sees it: where all its collocation points lie on
-  /// one side of a sphere's surface, with the field of that side alone, which
+  /// one side of a field's surface, with the field of that side alone, which
   /// is smooth up to both ends of the element.
   [[nodiscard]] const Scene& scene_in(int element) const;
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -116,7 +116,7 @@ class ExtremalCurve {
   std::vector<std::array<double, 2>> pulls_;
   bool has_theta_;
   std::vector<double> beta_points_, w_points_;
-  /// With a sphere: the scenes of both sides, and what each element sees.
+  /// With such a surface: the scenes of both sides, and what each element sees.
   std::vector<Scene> sides_;
   std::vector<std::optional<FieldSide>> side_;
 };

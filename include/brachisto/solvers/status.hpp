@@ -22,7 +22,7 @@ enum class Status {
   TimeLimit,         ///< limits.seconds reached
   Interrupted,       ///< SIGINT or SIGTERM
   OutOfMemory,       ///< there is less memory than it takes
-  NoAdmissiblePath,  ///< no path can exist; nothing was solved
+  NoAdmissiblePath,  ///< no path can exist
   NotReached,        ///< no branch was followed to the scene; there may be one
   NoSmoothContact,   ///< under the limits no slope at B continues the path
   NoFastestTrack,  ///< none is reached by the sharper and sharper turns at rest

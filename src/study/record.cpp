@@ -56,8 +56,12 @@ void record(const JudgedBranches& judged, Solution& out) {
   }
 }
 
-void record(const RefinementProtocol& refinement, Solution& out) {
+void record_work(const RefinementProtocol& refinement, Solution& out) {
   add_work(refinement.meshes, out);
+}
+
+void record(const RefinementProtocol& refinement, Solution& out) {
+  record_work(refinement, out);
   record_way(refinement, out);
 }
 

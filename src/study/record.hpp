@@ -26,6 +26,8 @@ void record(const ContactSearch& search, Solution& out);
 void record(const JudgedBranches& judged, Solution& out);
 /// The work on meshes, and how the answer was refined.
 void record(const RefinementProtocol& refinement, Solution& out);
+/// The work alone: what was found before stands.
+void record_work(const RefinementProtocol& refinement, Solution& out);
 /// Only the latter, of work that is recorded already.
 void record_way(const RefinementProtocol& refinement, Solution& out);
 void record(Answered answered, Solution& out);

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -447,5 +447,4 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
 }
 
 }  // namespace
-
 }  // namespace brachisto

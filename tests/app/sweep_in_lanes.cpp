@@ -66,7 +66,7 @@ TEST(SweepInLanes, HasTheAnswersOfTheScenesOwnSolves) {
 /// So accurate that some scenes are left to their own solves.
 TEST(SweepInLanes, IsTheSameWhoeverSolvesIt) {
   const std::vector<std::string> accurate{
-      "--set", "solver.method=auto", "--set", "discretisation.tolerance=1e-12"};
+      "--set", "solver.method=auto", "--set", "discretisation.tolerance=1e-13"};
   for (const char* warm : {"sweep.warm_start=false", "sweep.warm_start=true"}) {
     const ScratchDirectory scratch;
     const auto with = [&](std::vector<std::string> more) {

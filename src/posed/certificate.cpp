@@ -227,8 +227,9 @@ class Certifier {
 
 nlp::KktResidual first_order(nlp::Problem& program, const PrimalDual& point) {
   nlp::KktResidual residual = nlp::kkt_residual(program, point);
-  residual.complementarity =
-      nlp::kkt_residual(program, point, {}).complementarity;
+  const nlp::KktResidual not_weighted = nlp::kkt_residual(program, point, {});
+  residual.complementarity = not_weighted.complementarity;
+  residual.sign = not_weighted.sign;
   return residual;
 }
 

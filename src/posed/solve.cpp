@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -16,12 +17,13 @@
 #include "brachisto/posed/problem.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "math/cpu_clock.hpp"
-#include "nlp/active_set.hpp"
 #include "posed/certificate.hpp"
 #include "posed/guess.hpp"
+#include "posed/held.hpp"
 #include "posed/mesh_path.hpp"
 #include "posed/prices.hpp"
 #include "posed/refine.hpp"
+#include "posed/settle.hpp"
 
 namespace brachisto::ocp {
 
@@ -61,9 +63,12 @@ class Solve {
   /// \param nearby  a path to start from; the guess without one
   [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby);
   [[nodiscard]] std::string why_not(OnMesh& here) const;
-  [[nodiscard]] std::vector<std::vector<int>> held(const OnMesh& here) const;
   [[nodiscard]] double size_of_cost(const OnMesh& here) const;
-  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held);
+  /// Moves both paths' kinks to where they belong; false if it cannot.
+  [[nodiscard]] bool settle(OnMesh& coarse, OnMesh& fine,
+                            std::vector<RefinedMesh::Junction>& junctions);
+  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+                const std::vector<RefinedMesh::Junction>& junctions);
   const Posed& problem_;
   const SolveBy& by_;
   const Statement& said_;
@@ -157,9 +162,17 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
   options.stop = by_.stop;
   // Short of the last digits: what is left counts in the estimate.
   constexpr double kGood = 1e-7;
-  for (const double looser : {1.0, 1e3, 1e5}) {
+  struct Attempt {
+    double looser;
+    LinearSolver solver;
+  };
+  // On short elements MUMPS may do what the chain cannot.
+  for (const auto [looser, solver] :
+       {Attempt{1.0, by_.linear_solver}, Attempt{1.0, LinearSolver::Mumps},
+        Attempt{1e3, by_.linear_solver}, Attempt{1e5, by_.linear_solver}}) {
     IpoptOptions some = options;
     some.complementarity = std::min(1e-8, looser * *options.complementarity);
+    some.linear_solver = solver;
     here.result = solve_with_ipopt(*here.program, start, some);
     iterations_ += here.result.iterations;
     if (here.result.status != Status::NotConverged ||
@@ -209,32 +222,33 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
   return here;
 }
 
-std::vector<std::vector<int>> Solve::held(const OnMesh& here) const {
-  const nlp::ActiveSet active =
-      nlp::active_set(*here.program, here.result.point);
-  std::vector<std::vector<int>> out;
-  for (int c = 0; c < here.layout.num_points(); ++c) {
-    std::vector<int> row;
-    const auto put = [&](nlp::Held held, bool equation) {
-      row.push_back(equation ? 0 : static_cast<int>(held));
-    };
-    for (int i = 0; i < here.layout.num_states() + here.layout.num_controls();
-         ++i) {
-      const int index =
-          i < here.layout.num_states()
-              ? here.layout.state(c + 1, i)
-              : here.layout.control(c, i - here.layout.num_states());
-      put(active.variables[at(index)],
-          here.program->variable_range(index).single());
-    }
-    for (int i = 0; i < here.layout.num_limits(); ++i) {
-      const int index = here.layout.limit(c, i);
-      put(active.constraints[at(index)],
-          here.program->constraint_range(index).single());
-    }
-    out.push_back(std::move(row));
+bool Solve::settle(OnMesh& coarse, OnMesh& fine,
+                   std::vector<RefinedMesh::Junction>& junctions) {
+  std::array<std::optional<Settled>, 2> found;
+  const std::array both{&coarse, &fine};
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    OnMesh& here = *both[i];
+    found[i] = settled(
+        problem_, here.path(), here.result.point,
+        held_along(*here.program, here.result.point, here.mesh, here.layout),
+        junctions);
+    if (!found[i]) return false;
   }
-  return out;
+  for (RefinedMesh::Junction& junction : junctions) {
+    if (junction.half_width > 0.0) continue;
+    const int behind = fine.mesh.locate(junction.sigma).element;
+    junction = {found[1]->mesh.boundaries[at(behind)], 0.0, 0.0};
+  }
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    OnMesh& here = *both[i];
+    here.mesh = std::move(found[i]->mesh);
+    here.program = std::move(found[i]->program);
+    here.result.point = std::move(found[i]->point);
+    here.cost = found[i]->cost;
+    here.gap = 0.0;
+    here.exact = true;
+  }
+  return true;
 }
 
 double Solve::size_of_cost(const OnMesh& here) const {
@@ -250,7 +264,8 @@ double Solve::size_of_cost(const OnMesh& here) const {
   return std::max(std::abs(here.cost), sum * path.duration());
 }
 
-void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
+void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+                     const std::vector<RefinedMesh::Junction>& junctions) {
   answer_.cost = fine.cost;
   answer_.duration = fine.path().duration();
   answer_.parameters.clear();
@@ -262,7 +277,18 @@ void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
   answer_.junctions.clear();
   for (int c = 0; c + 1 < fine.layout.num_points(); ++c) {
     if (held[at(c)] == held[at(c + 1)]) continue;
-    const double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
+    double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
+    for (const RefinedMesh::Junction& kink : junctions) {
+      const int p = fine.mesh.degree;
+      const bool beside =
+          kink.sigma >= fine.mesh.boundaries[at(c / p)] &&
+          kink.sigma <= fine.mesh.boundaries[at((c + 1) / p + 1)];
+      if (kink.half_width == 0.0 && beside) place = kink.sigma;
+    }
+    if (!answer_.junctions.empty() &&
+        answer_.junctions.back() == place * answer_.duration) {
+      continue;
+    }
     answer_.junctions.push_back(place * answer_.duration);
   }
   answer_.made_of.mesh = fine.mesh;
@@ -278,6 +304,18 @@ Answer Solve::run() {
   std::optional<OnMesh> best;
   std::optional<MeshPath> nearby;
   double relative = kNoBound;
+  // What the cost errs by as junctions are not quite where they are taken to
+  // be, which both meshes of a pass have in common: it falls with the square of
+  // how far they move.
+  const auto by_places = [&](const RefinedMesh& now, const RefinedMesh& after,
+                             double cost) {
+    if (!after.has_kinks()) return 0.0;
+    if (!now.has_kinks()) return kNoBound;
+    const double last = answer_.passes[answer_.passes.size() - 2].cost;
+    constexpr double kAsKnown = 1e-5;
+    return std::abs(cost - last) *
+           std::min(1.0, std::max(kAsKnown, after.moved()) / now.moved());
+  };
   const auto ended = [&](Status status, std::string message) {
     answer_.status = status;
     answer_.message = said_.name + ": " + std::move(message);
@@ -318,14 +356,15 @@ Answer Solve::run() {
       break;
     }
     OnMesh& fine = *halves;
+    const bool settled =
+        next.has_kinks() && settle(coarse, fine, next.junctions);
     const double size = size_of_cost(fine);
     const double change = std::abs(coarse.cost - fine.cost);
-    // Next to junctions the finer path need not be the better one.
-    const double error = 2.0 * change + fine.gap;
     answer_.passes.push_back(
         {fine.mesh.num_elements(), iterations_, fine.cost, change});
     const MeshPath coarse_path = coarse.path(), fine_path = fine.path();
-    const auto held = this->held(fine);
+    const auto held =
+        held_along(*fine.program, fine.result.point, fine.mesh, fine.layout);
     const std::vector<double> errors =
         element_errors(problem_, {coarse_path, fine_path, held});
     if (by_.verbose) {
@@ -334,20 +373,23 @@ Answer Solve::run() {
                    said_.name.c_str(), fine.mesh.num_elements(), iterations_,
                    fine.cost, change);
     }
+    const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
+    RefinedMesh after =
+        refined(next, {coarse_path, fine_path, held}, errors, share);
+    // Next to junctions the finer path need not be the better one.
+    const double error = 2.0 * change + fine.gap +
+                         (settled ? 0.0 : by_places(next, after, fine.cost));
     nearby.emplace(fine_path);
     if (!best || error / size < relative) {
       relative = error / size;
       answer_.estimated_error = error;
-      put_down(fine, held);
+      put_down(fine, held, next.junctions);
       best.emplace(std::move(fine));
     }
     if (relative <= by_.tolerance) {
       ended(Status::Solved, "solved");
       break;
     }
-    const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
-    RefinedMesh after =
-        refined(next, {coarse_path, fine_path, held}, errors, share);
     if (after.mesh(by_.degree).boundaries == mesh.boundaries) {
       for (int e = 0; e < mesh.num_elements(); ++e) {
         after.boundaries.push_back(mesh.sigma(e, 0.5));

@@ -61,7 +61,10 @@ class Solve {
             false};
   }
   /// \param nearby  a path to start from; the guess without one
-  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby);
+  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby,
+                                 int most_iterations);
+  /// The same, by a detour where the guess is far from a path.
+  [[nodiscard]] OnMesh solved_from_guess(const Mesh& mesh);
   [[nodiscard]] std::string why_not(OnMesh& here) const;
   [[nodiscard]] double size_of_cost(const OnMesh& here) const;
   /// Moves both paths' kinks to where they belong; false if it cannot.
@@ -139,7 +142,29 @@ std::string Solve::why_not(OnMesh& here) const {
   return fmt::format("the solver came to no end: {}", here.result.message);
 }
 
-OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
+OnMesh Solve::solved_from_guess(const Mesh& mesh) {
+  const auto decided = [](const OnMesh& here) {
+    return here.solved() || here.result.status == Status::NotEvaluable ||
+           was_stopped(here.result.status);
+  };
+  // High degrees creep where low ones get on, and lead them.
+  constexpr int kFew = 60;
+  const int few = std::min(kFew, by_.most_iterations);
+  OnMesh here = solved_on(mesh, nullptr, few);
+  for (const int elements : {40, 10}) {
+    if (decided(here)) return here;
+    const OnMesh low =
+        solved_on(uniform_mesh(1, elements), nullptr, by_.most_iterations);
+    if (!low.solved()) continue;
+    const MeshPath from = low.path();
+    here = solved_on(mesh, &from, by_.most_iterations);
+  }
+  return decided(here) ? std::move(here)
+                       : solved_on(mesh, nullptr, by_.most_iterations);
+}
+
+OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby,
+                        int most_iterations) {
   OnMesh here = on(mesh);
   const PrimalDual start =
       nearby != nullptr ? nearby->on(mesh, here.layout) : guess(problem_, mesh);
@@ -157,7 +182,7 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
       std::clamp(0.1 * by_.tolerance /
                      (2.0 * static_cast<double>(here.program->num_variables())),
                  1e-14, 1e-12);
-  options.max_iterations = by_.most_iterations;
+  options.max_iterations = most_iterations;
   options.linear_solver = by_.linear_solver;
   options.stop = by_.stop;
   // Short of the last digits: what is left counts in the estimate.
@@ -324,24 +349,13 @@ Answer Solve::run() {
   for (int pass = 0; pass < by_.most_passes; ++pass) {
     iterations_ = 0;
     const Mesh mesh = next.mesh(by_.degree);
-    OnMesh coarse = solved_on(mesh, nearby ? &*nearby : nullptr);
-    // What high degrees do not reach from a guess low ones may lead to.
-    for (const int elements : {10, 40}) {
-      if (coarse.solved() || nearby ||
-          coarse.result.status == Status::NotEvaluable ||
-          was_stopped(coarse.result.status)) {
-        break;
-      }
-      const OnMesh low = solved_on(uniform_mesh(1, elements), nullptr);
-      if (!low.solved()) continue;
-      const MeshPath from = low.path();
-      coarse = solved_on(mesh, &from);
-    }
+    OnMesh coarse = nearby ? solved_on(mesh, &*nearby, by_.most_iterations)
+                           : solved_from_guess(mesh);
     OnMesh* failed = coarse.solved() ? nullptr : &coarse;
     std::optional<OnMesh> halves;
     if (failed == nullptr) {
       const MeshPath from = coarse.path();
-      halves.emplace(solved_on(halved(mesh), &from));
+      halves.emplace(solved_on(halved(mesh), &from, by_.most_iterations));
       if (!halves->solved()) failed = &*halves;
     }
     if (failed != nullptr) {

@@ -247,7 +247,8 @@ RefinedMesh refined(const RefinedMesh& last, const TwoPaths& paths,
           before != nullptr && error <= share
               ? before->half_width
               : std::clamp(wanted, room / 80.0, room / 10.0);
-      next.junctions.push_back({found->sigma, half_width, 0.0});
+      next.junctions.push_back(
+          {found->sigma, half_width, 0.0, before == nullptr});
     } else {
       const bool seen = before != nullptr && before->half_width == 0.0;
       if (seen && before->moved == 0.0) {
@@ -255,7 +256,7 @@ RefinedMesh refined(const RefinedMesh& last, const TwoPaths& paths,
         continue;
       }
       const double moved = seen ? std::abs(before->sigma - found->sigma) : room;
-      next.junctions.push_back({found->sigma, 0.0, moved});
+      next.junctions.push_back({found->sigma, 0.0, moved, !seen});
       // Not nearer and nearer.
       if (seen && moved > 0.3 * before->moved) continue;
     }

@@ -31,6 +31,7 @@ struct RefinedMesh {
     /// Of a kink: from where it was taken to be before; where it is new, its
     /// room; 0 once it is settled.
     double moved = 0.0;
+    bool is_new = false;  ///< the mesh before knew nothing of it
   };
   std::vector<double> boundaries;  ///< of plain elements
   std::vector<Junction> junctions;
@@ -39,6 +40,9 @@ struct RefinedMesh {
   [[nodiscard]] bool has_kinks() const {
     return std::ranges::any_of(
         junctions, [](const Junction& j) { return j.half_width == 0.0; });
+  }
+  [[nodiscard]] bool has_new() const {
+    return std::ranges::any_of(junctions, &Junction::is_new);
   }
   /// By how much the kink moved that did so most; 0 without one.
   [[nodiscard]] double moved() const;

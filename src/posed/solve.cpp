@@ -334,10 +334,11 @@ Answer Solve::run() {
   // how far they move.
   const auto by_places = [&](const RefinedMesh& now, const RefinedMesh& after,
                              double cost) {
-    if (!after.has_kinks()) return 0.0;
-    if (!now.has_kinks()) return kNoBound;
+    if (after.junctions.empty()) return 0.0;
+    if (after.has_new()) return kNoBound;
     const double last = answer_.passes[answer_.passes.size() - 2].cost;
-    constexpr double kAsKnown = 1e-5;
+    constexpr double kOfJumps = 0.3, kAsKnown = 1e-5;
+    if (!after.has_kinks()) return kOfJumps * std::abs(cost - last);
     return std::abs(cost - last) *
            std::min(1.0, std::max(kAsKnown, after.moved()) / now.moved());
   };

@@ -337,7 +337,7 @@ Answer Solve::run() {
     if (after.junctions.empty()) return 0.0;
     if (after.has_new()) return kNoBound;
     const double last = answer_.passes[answer_.passes.size() - 2].cost;
-    constexpr double kOfJumps = 0.3, kAsKnown = 1e-5;
+    constexpr double kOfJumps = 2.0, kAsKnown = 1e-5;
     if (!after.has_kinks()) return kOfJumps * std::abs(cost - last);
     return std::abs(cost - last) *
            std::min(1.0, std::max(kAsKnown, after.moved()) / now.moved());
@@ -392,7 +392,8 @@ Answer Solve::run() {
     RefinedMesh after =
         refined(next, {coarse_path, fine_path, held}, errors, share);
     // Next to junctions the finer path need not be the better one.
-    const double error = 2.0 * change + fine.gap +
+    constexpr double kRounding = 1e-14;
+    const double error = 2.0 * change + fine.gap + kRounding * size +
                          (settled ? 0.0 : by_places(next, after, fine.cost));
     nearby.emplace(fine_path);
     if (!best || error / size < relative) {

@@ -62,6 +62,8 @@ void ask_peer(const Classic& classic, const Mesh& mesh,
   options.tolerance = 1e-9;
   options.complementarity = 1e-12;
   options.linear_solver = LinearSolver::Mumps;
+  constexpr double kSeconds = 20.0;
+  options.stop = StopCondition(kSeconds, nullptr);
   const double began = thread_cpu_seconds();
   const SolverResult result =
       solve_with_ipopt(*read.problem, read.start, options);

@@ -128,7 +128,7 @@ Classic robot() {
        .controls = {torque("u_rho"), torque("u_theta"), torque("u_phi")},
        .duration = {.guess = 9.0}});
   out.second = {"half of the way by symmetry, integrated", robot_arm()};
-  out.literature = {"COPS 3.0, 2004", 9.14093};
+  out.literature = {"COPS, 200 intervals", 9.14138};
   return out;
 }
 
@@ -230,7 +230,7 @@ std::vector<Classic> machines() {
                      .guess = [](double t) { return 1.0 - t; }}},
        .duration = ocp::Duration::fixed(1.0)}));
   out.back().second = {"bang, singular, bang: two switches", catalyst()};
-  out.back().literature = {"COPS 3.0, 2004", -0.0480556};
+  out.back().literature = {"COPS, 100 intervals", -0.0480556};
 
   out.push_back(robot());
   out.push_back(shuttle());

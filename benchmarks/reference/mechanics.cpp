@@ -150,7 +150,7 @@ std::vector<Classic> mechanics() {
                              .guess = [](double t) { return 8.0 * t - 3.0; }}},
                .duration = ocp::Duration::fixed(1.0)}));
   out.back().second = {"catenary", hanging_chain()};
-  out.back().literature = {"COPS 3.0, 2004", 5.06848};
+  out.back().literature = {"COPS, 800 intervals", 5.06891};
 
   out.push_back(classic(
       "min T, x' = v cos u, z' = v sin u, v' = sin u / 2, from rest at (0, 0) "

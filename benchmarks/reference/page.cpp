@@ -135,8 +135,7 @@ std::string page_of(const ReferenceSet& set) {
     }
     out += fmt::format(
         "- {}: {}\n", row.classic->name,
-        false ? ""
-        : row.classic->second
+        row.classic->second
             ? "the difference is larger than 1e-10."
             : "no second method is here; the digits are those of the estimate "
               "alone.");
@@ -151,8 +150,12 @@ std::string page_of(const ReferenceSet& set) {
       "The `.nl` file has the program of the last mesh and the stated guess. "
       "It is read by the AMPL Solver Library, with its automatic derivatives, "
       "and solved once by Ipopt with MUMPS, tolerance 1e-9 and "
-      "complementarity 1e-12, without any refinement; ours is the time of the "
-      "whole solve, all meshes, with the certificate.\n\n" +
+      "complementarity 1e-12, without any refinement, for 20 s at most; ours "
+      "is "
+      "the time of the whole solve, all meshes, with the certificate. Where "
+      "its "
+      "value lies below ours it ended at a path that zigzags from point to "
+      "point.\n\n" +
       set.stamp + "\n\n" + beside(set) +
       "\n## Rolling bodies\n\n"
       "Rows of `tests/support/reference_values.hpp` and, under limits, of "
@@ -160,7 +163,8 @@ std::string page_of(const ReferenceSet& set) {
       set.stamp + "\n\n" + rolling(set) +
       "\n## Sources\n\n"
       "- COPS 3.0: Dolan, Moré and Munson, Benchmarking optimization software "
-      "with COPS 3.0, ANL/MCS-TM-273, 2004.\n"
+      "with COPS 3.0, ANL/MCS-TM-273, 2004; values as the tests of "
+      "OptimizationProblems.jl cite them.\n"
       "- YAPSS: tests of the example `brachistochrone` of github.com/"
       "stevenrhall/yapss; g = 32.174 ft/s², the wall is y = x/2 + 0.1 ft.\n"
       "- PROPT's manual: Rutquist and Edvall, Tomlab Optimization, case "

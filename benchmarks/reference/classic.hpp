@@ -38,7 +38,6 @@ struct Classic {
     double value;
   };
   std::optional<Literature> literature = {};
-  std::string remark = {};
   ocp::SolveBy by = {};
 
   [[nodiscard]] double reported(double cost) const {

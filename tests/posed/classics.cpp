@@ -100,6 +100,8 @@ TEST(Posed, TheLeastFuelOfACartCoasts) {
 }
 
 /// Bryson and Denham (1963): x ≤ l is kept by the cost 4/(9 l) for l ≤ 1/6.
+/// With other walls than this one estimates may be too small; the reference set
+/// tells.
 TEST(Posed, BrysonAndDenhamKeepOff) {
   Statement statement = cart(kNoBound, kNoBound);
   statement.states = {

@@ -12,12 +12,12 @@ namespace brachisto::ocp {
 
 std::vector<std::vector<int>> held_along(nlp::Problem& program,
                                          const PrimalDual& point,
-                                         const Mesh& mesh,
-                                         const Layout& layout) {
+                                         const Mesh& mesh, const Layout& layout,
+                                         double between) {
   // Along an arc multipliers may vanish as distances do, of which products are
   // left alone: what lies between two places where a bound holds, and is as
   // near as a multiplier of nothing leaves it, holds too.
-  constexpr double kThere = 1e-6, kBetween = 1e-4;
+  constexpr double kThere = 1e-6;
   const nlp::ActiveSet active = nlp::active_set(program, point);
   std::vector<double> g(at(program.num_constraints()));
   program.eval_g(g);
@@ -51,7 +51,7 @@ std::vector<std::vector<int>> held_along(nlp::Problem& program,
           if (out[at(last)][at(i)] == here) out[at(k)][at(i)] = here;
         }
         last = c;
-      } else if (std::min(above, below) > kBetween) {
+      } else if (std::min(above, below) > between) {
         last = -1;
       }
     }

@@ -10,6 +10,7 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "nlp/active_set.hpp"
+#include "posed/certificate.hpp"
 #include "solvers/square_system.hpp"
 
 namespace brachisto::ocp {
@@ -246,9 +247,9 @@ std::optional<Settled> Settling::run() {
   if (!(found.residual < kContinuous)) return std::nullopt;
   auto out = at_kinks(found.x);
   if (!out) return std::nullopt;
-  // Multipliers that vanish have any sign.
-  constexpr double kGood = 1e-9, kVanishes = 1e-5;
-  const nlp::KktResidual kkt = nlp::kkt_residual(*out->program, out->point);
+  // Multipliers that vanish have any sign, and no more of it than certified.
+  constexpr double kGood = 1e-9, kVanishes = 1e-7;
+  const nlp::KktResidual kkt = first_order(*out->program, out->point);
   if (std::max(kkt.infeasibility, kkt.bound_violation) > kGood ||
       kkt.sign > kVanishes) {
     return std::nullopt;

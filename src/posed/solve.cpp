@@ -253,10 +253,14 @@ bool Solve::settle(OnMesh& coarse, OnMesh& fine,
   const std::array both{&coarse, &fine};
   for (std::size_t i = 0; i < both.size(); ++i) {
     OnMesh& here = *both[i];
-    found[i] = settled(
-        problem_, here.path(), here.result.point,
-        held_along(*here.program, here.result.point, here.mesh, here.layout),
-        junctions);
+    // A path that touches a bound and drifts along it may be meant to slide.
+    for (const double between : {1e-4, 1e-2}) {
+      found[i] = settled(problem_, here.path(), here.result.point,
+                         held_along(*here.program, here.result.point, here.mesh,
+                                    here.layout, between),
+                         junctions);
+      if (found[i]) break;
+    }
     if (!found[i]) return false;
   }
   for (RefinedMesh::Junction& junction : junctions) {
@@ -391,10 +395,13 @@ Answer Solve::run() {
     const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
     RefinedMesh after =
         refined(next, {coarse_path, fine_path, held}, errors, share);
+    Answer priced;
+    put_prices(problem_, *fine.program, fine_path, fine.result.point, priced);
     // Next to junctions the finer path need not be the better one.
     constexpr double kRounding = 1e-14;
     const double error = 2.0 * change + fine.gap + kRounding * size +
-                         (settled ? 0.0 : by_places(next, after, fine.cost));
+                         (settled ? 0.0 : by_places(next, after, fine.cost)) +
+                         cost_of_excess(problem_, fine_path, priced.prices);
     nearby.emplace(fine_path);
     if (!best || error / size < relative) {
       relative = error / size;

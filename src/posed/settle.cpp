@@ -11,6 +11,7 @@
 #include "brachisto/solvers/program_solvers.hpp"
 #include "nlp/active_set.hpp"
 #include "posed/certificate.hpp"
+#include "posed/held.hpp"
 #include "solvers/square_system.hpp"
 
 namespace brachisto::ocp {
@@ -28,8 +29,11 @@ class Settling {
         held_(std::move(held)) {}
 
   /// Makes elements uniform. False if that cannot be done.
+  ///
+  /// \param whole  whether a bound holds on an element if it does at all of its
+  ///               points, and not at most of them
   [[nodiscard]] bool find_kinks(
-      const std::vector<RefinedMesh::Junction>& junctions);
+      const std::vector<RefinedMesh::Junction>& junctions, bool whole);
   [[nodiscard]] std::optional<Settled> run();
 
  private:
@@ -53,7 +57,8 @@ class Settling {
   std::vector<Kink> kinks_;
 };
 
-bool Settling::find_kinks(const std::vector<RefinedMesh::Junction>& junctions) {
+bool Settling::find_kinks(const std::vector<RefinedMesh::Junction>& junctions,
+                          bool whole) {
   const Mesh& mesh = first_mesh_;
   const int p = mesh.degree, elements = mesh.num_elements();
   const std::size_t count = held_.front().size();
@@ -78,7 +83,7 @@ bool Settling::find_kinks(const std::vector<RefinedMesh::Junction>& junctions) {
         for (int c = e * p; c < (e + 1) * p; ++c) {
           times += held_[at(c)][i] == side ? 1 : 0;
         }
-        if (2 * times > p) most[at(e)][i] = side;
+        if (whole ? times == p : 2 * times > p) most[at(e)][i] = side;
       }
     }
   }
@@ -260,12 +265,19 @@ std::optional<Settled> Settling::run() {
 }  // namespace
 
 std::optional<Settled> settled(
-    const Posed& problem, const MeshPath& path, const PrimalDual& point,
-    const std::vector<std::vector<int>>& held,
+    const Posed& problem, nlp::Problem& program, const MeshPath& path,
+    const PrimalDual& point,
     const std::vector<RefinedMesh::Junction>& junctions) {
-  Settling settling(problem, path, point, held);
-  if (!settling.find_kinks(junctions)) return std::nullopt;
-  return settling.run();
+  for (const double between : {1e-4, 1e-2}) {
+    const auto held =
+        held_along(program, point, path.mesh(), path.layout(), between);
+    for (const bool whole : {false, true}) {
+      Settling settling(problem, path, point, held);
+      if (!settling.find_kinks(junctions, whole)) continue;
+      if (auto found = settling.run()) return found;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace brachisto::ocp

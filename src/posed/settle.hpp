@@ -26,15 +26,17 @@ struct Settled {
 /// points of an element holds on all of it, and kinks are moved to where the
 /// control is continuous. To rounding, where an interior-point method leaves
 /// bounds by the root of its barrier parameter if multipliers vanish on an arc.
+/// If that does not do, what holds on all points alone, and a path that touches
+/// a bound and drifts along it as one that slides.
 ///
 /// Nothing if some other element has points that are held and such that are
 /// not, if what holds is the same on both sides of a kink, and if what comes
 /// out breaks a bound or has a multiplier of the wrong sign.
 ///
-/// \param held  as held_along() says
+/// \pre  the program has been moved to the point
 [[nodiscard]] std::optional<Settled> settled(
-    const Posed& problem, const MeshPath& path, const PrimalDual& point,
-    const std::vector<std::vector<int>>& held,
+    const Posed& problem, nlp::Problem& program, const MeshPath& path,
+    const PrimalDual& point,
     const std::vector<RefinedMesh::Junction>& junctions);
 
 }  // namespace brachisto::ocp

@@ -5,6 +5,7 @@
 // it is and with its elements cut in two.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +73,9 @@ class Solve {
                             std::vector<RefinedMesh::Junction>& junctions);
   void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
                 const std::vector<RefinedMesh::Junction>& junctions);
+  [[nodiscard]] std::string why_not_nearer(
+      const MeshPath& path, double relative,
+      const std::vector<double>& not_settled) const;
   const Posed& problem_;
   const SolveBy& by_;
   const Statement& said_;
@@ -231,19 +235,7 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby,
     return here;
   }
   here.cost = here.program->eval_f();
-  const PrimalDual& point = here.result.point;
-  for (int i = 0; i < here.program->num_variables(); ++i) {
-    const nlp::Range range = here.program->variable_range(i);
-    if (range.single()) continue;
-    if (!point.z_lower.empty() && std::isfinite(range.lower)) {
-      here.gap +=
-          std::abs(point.z_lower[at(i)] * (point.x[at(i)] - range.lower));
-    }
-    if (!point.z_upper.empty() && std::isfinite(range.upper)) {
-      here.gap +=
-          std::abs(point.z_upper[at(i)] * (range.upper - point.x[at(i)]));
-    }
-  }
+  here.gap = left_by_bounds(*here.program, here.result.point);
   return here;
 }
 
@@ -253,14 +245,8 @@ bool Solve::settle(OnMesh& coarse, OnMesh& fine,
   const std::array both{&coarse, &fine};
   for (std::size_t i = 0; i < both.size(); ++i) {
     OnMesh& here = *both[i];
-    // A path that touches a bound and drifts along it may be meant to slide.
-    for (const double between : {1e-4, 1e-2}) {
-      found[i] = settled(problem_, here.path(), here.result.point,
-                         held_along(*here.program, here.result.point, here.mesh,
-                                    here.layout, between),
-                         junctions);
-      if (found[i]) break;
-    }
+    found[i] = settled(problem_, *here.program, here.path(), here.result.point,
+                       junctions);
     if (!found[i]) return false;
   }
   for (RefinedMesh::Junction& junction : junctions) {
@@ -325,6 +311,21 @@ void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
   put_prices(problem_, *fine.program, fine.path(), fine.result.point, answer_);
 }
 
+std::string Solve::why_not_nearer(
+    const MeshPath& path, double relative,
+    const std::vector<double>& not_settled) const {
+  if (std::string jump = jump_along(problem_, path); !jump.empty()) return jump;
+  return fmt::format(
+      "the estimated error stays at {:.1e}, {:.1e} is wanted; {}", relative,
+      by_.tolerance,
+      not_settled.empty()
+          ? "a control may jump or be singular"
+          : fmt::format("not settled is where bounds begin or cease to hold "
+                        "at t = {:.5g}; try another degree or number of "
+                        "elements",
+                        fmt::join(not_settled, ", ")));
+}
+
 Answer Solve::run() {
   const double began = thread_cpu_seconds();
   answer_.made_of.statement = said_;
@@ -333,6 +334,7 @@ Answer Solve::run() {
   std::optional<OnMesh> best;
   std::optional<MeshPath> nearby;
   double relative = kNoBound;
+  std::vector<double> not_settled;  // times
   // What the cost errs by as junctions are not quite where they are taken to
   // be, which both meshes of a pass have in common: it falls with the square of
   // how far they move.
@@ -407,6 +409,11 @@ Answer Solve::run() {
       relative = error / size;
       answer_.estimated_error = error;
       put_down(fine, held, next.junctions);
+      not_settled.clear();
+      for (const RefinedMesh::Junction& junction : next.junctions) {
+        if (settled || junction.half_width > 0.0) continue;
+        not_settled.push_back(junction.sigma * answer_.duration);
+      }
       best.emplace(std::move(fine));
     }
     if (relative <= by_.tolerance) {
@@ -425,13 +432,7 @@ Answer Solve::run() {
   if (best) {
     const MeshPath path = best->path();
     if (answer_.status == Status::NotConverged) {
-      const std::string jump = jump_along(problem_, path);
-      ended(Status::NotConverged,
-            jump.empty()
-                ? fmt::format("the estimated error stays at {:.1e}, {:.1e} is "
-                              "wanted; a control may jump or be singular",
-                              relative, by_.tolerance)
-                : jump);
+      ended(Status::NotConverged, why_not_nearer(path, relative, not_settled));
     }
     answer_.certificate = certify(problem_, *best->program, best->result.point,
                                   path, relative, by_.tolerance, best->exact);

@@ -76,6 +76,7 @@ usual() {
   step honesty "${program}honesty" --jobs 2 --out "$results/honesty.csv"
   step random_starts "${program}random_starts" --jobs 2 \
     --out "$results/random_starts.csv"
+  step reference_set "${program}reference_set" --out "$results/reference_set"
   step campaign "${program}campaign" --jobs 2 --out "$results/campaign.csv"
   step worlds "${program}worlds" --jobs 2 --out "$results/worlds.csv"
   step hostile benchmarks/hostile/hostile.py --program "$brachisto" --jobs 2 \

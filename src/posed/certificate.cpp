@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
@@ -78,28 +79,30 @@ class Certifier {
   /// Bounds and limits, relative to their sizes, between the points as well.
   [[nodiscard]] Worst exceeded() const {
     Worst worst;
-    each_place([&](double time, const PathValues& here) {
-      const std::vector<double> yu = here.point();
-      const auto see = [&](double value, double lower, double upper,
-                           double scale, const std::string& what) {
-        worst.see(std::max(lower - value, value - upper) / scale, what, time);
-      };
-      for (std::size_t i = 0; i < yu.size(); ++i) {
-        const Variable& one = variable(said_, i);
-        const double scale = problem_.scales()[i];
-        see(yu[i] * scale, one.lower, one.upper, scale, one.name);
-      }
-      const std::vector<double> all = formulas(yu);
-      for (std::size_t i = 0; i < said_.limits.size(); ++i) {
-        const Limit& limit = said_.limits[i];
-        double scale = 1.0;
-        for (const double bound : {limit.lower, limit.upper}) {
-          if (std::isfinite(bound)) scale = std::max(scale, std::abs(bound));
-        }
-        see(all[1 + states_ + i], limit.lower, limit.upper, scale, limit.name);
-      }
+    each_excess([&](double below, double above, double scale,
+                    const std::string& what, double time) {
+      worst.see(std::max(below, above) / scale, what, time);
     });
     return worst;
+  }
+
+  /// What the largest excesses over bounds of states and limits cost.
+  [[nodiscard]] double cost_of_excess(
+      const std::vector<Answer::Price>& prices) const {
+    std::vector<std::array<double, 2>> most(prices.size());
+    each_excess([&](double below, double above, double, const std::string& what,
+                    double) {
+      for (std::size_t i = 0; i < prices.size(); ++i) {
+        if (prices[i].name != what) continue;
+        most[i] = {std::max(most[i][0], below), std::max(most[i][1], above)};
+      }
+    });
+    double sum = 0.0;
+    for (std::size_t i = 0; i < prices.size(); ++i) {
+      sum += std::abs(prices[i].by_lower) * most[i][0] +
+             std::abs(prices[i].by_upper) * most[i][1];
+    }
+    return sum;
   }
 
   /// 𝓗 = L + p·f is the same all along.
@@ -169,10 +172,35 @@ class Certifier {
   template <class With>
   void each_place(With&& with) const {
     each_element([&](int e) {
-      constexpr int kParts = 10;
+      // Densely at its ends: next to junctions a path exceeds a bound there.
+      constexpr int kParts = 32;
       for (int i = 0; i <= kParts; ++i) {
-        const double t = static_cast<double>(i) / kParts;
+        const double t = 0.5 * (1.0 - std::cos(M_PI * i / kParts));
         with(path_.duration() * path_.mesh().sigma(e, t), values(e, t));
+      }
+    });
+  }
+  /// How far each variable and limit is below and above its bounds at each
+  /// place, its scale and its name.
+  template <class See>
+  void each_excess(See&& see) const {
+    each_place([&](double time, const PathValues& here) {
+      const std::vector<double> yu = here.point();
+      for (std::size_t i = 0; i < yu.size(); ++i) {
+        const Variable& one = variable(said_, i);
+        const double scale = problem_.scales()[i];
+        see(one.lower - yu[i] * scale, yu[i] * scale - one.upper, scale,
+            one.name, time);
+      }
+      const std::vector<double> all = formulas(yu);
+      for (std::size_t i = 0; i < said_.limits.size(); ++i) {
+        const Limit& limit = said_.limits[i];
+        double scale = 1.0;
+        for (const double bound : {limit.lower, limit.upper}) {
+          if (std::isfinite(bound)) scale = std::max(scale, std::abs(bound));
+        }
+        const double value = all[1 + states_ + i];
+        see(limit.lower - value, value - limit.upper, scale, limit.name, time);
       }
     });
   }
@@ -230,8 +258,9 @@ class Certifier {
 
 nlp::KktResidual first_order(nlp::Problem& program, const PrimalDual& point) {
   nlp::KktResidual residual = nlp::kkt_residual(program, point);
-  residual.complementarity =
-      nlp::kkt_residual(program, point, {}).complementarity;
+  const nlp::KktResidual not_weighted = nlp::kkt_residual(program, point, {});
+  residual.complementarity = not_weighted.complementarity;
+  residual.sign = not_weighted.sign;
   return residual;
 }
 
@@ -260,6 +289,11 @@ std::vector<Check> certify(const Posed& problem, nlp::Problem& program,
   checks.push_back({"second order", inertia.known ? others : kNoBound, 0.0,
                     "eigenvalues of another sign"});
   return checks;
+}
+
+double cost_of_excess(const Posed& problem, const MeshPath& path,
+                      const std::vector<Answer::Price>& prices) {
+  return Certifier(problem, path).cost_of_excess(prices);
 }
 
 std::string jump_along(const Posed& problem, const MeshPath& path) {

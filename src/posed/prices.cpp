@@ -3,6 +3,7 @@
 
 #include "posed/prices.hpp"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -11,6 +12,21 @@
 #include "posed/guess.hpp"
 
 namespace brachisto::ocp {
+
+double left_by_bounds(const nlp::Problem& program, const PrimalDual& point) {
+  double sum = 0.0;
+  for (int i = 0; i < program.num_variables(); ++i) {
+    const nlp::Range range = program.variable_range(i);
+    if (range.single()) continue;
+    if (!point.z_lower.empty() && std::isfinite(range.lower)) {
+      sum += std::abs(point.z_lower[at(i)] * (point.x[at(i)] - range.lower));
+    }
+    if (!point.z_upper.empty() && std::isfinite(range.upper)) {
+      sum += std::abs(point.z_upper[at(i)] * (range.upper - point.x[at(i)]));
+    }
+  }
+  return sum;
+}
 
 void put_prices(const Posed& problem, nlp::Problem& program,
                 const MeshPath& path, const PrimalDual& point, Answer& answer) {

@@ -11,6 +11,10 @@
 
 namespace brachisto::ocp {
 
+/// What the variables' bounds leave: multipliers times distances, summed.
+[[nodiscard]] double left_by_bounds(const nlp::Problem& program,
+                                    const PrimalDual& point);
+
 /// From multipliers, in the problem's own units. The program has been moved to
 /// the point.
 void put_prices(const Posed& problem, nlp::Problem& program,

@@ -11,12 +11,20 @@
 namespace brachisto::ocp {
 
 Mesh RefinedMesh::mesh(int degree) const {
+  // A plain boundary so near to a junction leaves an element too short.
+  constexpr double kNear = 0.25;
   Mesh out{degree, {}};
-  for (const double plain : boundaries) {
-    const bool near = std::ranges::any_of(junctions, [&](const Junction& j) {
-      return std::abs(plain - j.sigma) < 3.0 * j.half_width;
-    });
-    if (!near || plain == 0.0 || plain == 1.0) out.boundaries.push_back(plain);
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const bool inner = i > 0 && i + 1 < boundaries.size();
+    const bool near =
+        inner && std::ranges::any_of(junctions, [&](auto& j) {
+          const double length = j.sigma > boundaries[i]
+                                    ? boundaries[i + 1] - boundaries[i]
+                                    : boundaries[i] - boundaries[i - 1];
+          return std::abs(j.sigma - boundaries[i]) <
+                 (j.half_width > 0.0 ? 3.0 * j.half_width : kNear * length);
+        });
+    if (!near) out.boundaries.push_back(boundaries[i]);
   }
   for (const Junction& j : junctions) {
     for (const double end : {j.sigma - j.half_width, j.sigma + j.half_width}) {
@@ -25,13 +33,20 @@ Mesh RefinedMesh::mesh(int degree) const {
   }
   std::ranges::sort(out.boundaries);
   // Junctions that lie closely together leave no slivers.
+  constexpr double kShortest = 1e-10;
   std::vector<double> kept;
   for (const double end : out.boundaries) {
-    if (kept.empty() || end - kept.back() > 1e-10) kept.push_back(end);
+    if (kept.empty() || end - kept.back() > kShortest) kept.push_back(end);
   }
   kept.back() = 1.0;
   out.boundaries = std::move(kept);
   return out;
+}
+
+double RefinedMesh::moved() const {
+  double most = 0.0;
+  for (const Junction& j : junctions) most = std::max(most, j.moved);
+  return most;
 }
 
 namespace {
@@ -54,56 +69,110 @@ Evaluated evaluated(const Posed& problem, const std::vector<double>& yu,
   return all;
 }
 
-/// Where the control leaves the curve of the elements before and joins that of
-/// the elements behind: where these meet, or else where they have the integral
+/// Elements of the finer mesh in or between which what holds changes.
+struct Window {
+  int first, last;
+};
+
+/// \param last  whose kinks may lie on either side of their boundaries
+std::vector<Window> windows(const TwoPaths& paths, const RefinedMesh& last) {
+  const Mesh& mesh = paths.fine.mesh();
+  const int p = mesh.degree;
+  std::vector<Window> out;
+  for (int c = 0; c + 1 < mesh.num_points(); ++c) {
+    if (paths.held[at(c)] == paths.held[at(c + 1)]) continue;
+    // The last point of an element is where the next one begins.
+    Window here{c / p, std::min(c + 2, mesh.num_points() - 1) / p};
+    for (const RefinedMesh::Junction& junction : last.junctions) {
+      if (junction.half_width > 0.0) continue;
+      const int behind = mesh.locate(junction.sigma).element;
+      if (behind < here.first || behind > here.last + 1) continue;
+      here = {std::min(here.first, behind - 1), std::max(here.last, behind)};
+    }
+    // Curves are continued from an element between windows.
+    if (!out.empty() && here.first <= out.back().last + 1) {
+      out.back().last = std::max(out.back().last, here.last);
+    } else {
+      out.push_back(here);
+    }
+  }
+  return out;
+}
+
+/// Where a function of σ changes its sign.
+template <class Function>
+std::optional<double> sign_change(Function&& value, double from, double to) {
+  constexpr int kSteps = 32, kHalvings = 50;
+  double a = from, of_a = value(a);
+  for (int i = 1; i <= kSteps; ++i) {
+    double b = from + (to - from) * i / kSteps;
+    const double of_b = value(b);
+    if ((of_a < 0.0) != (of_b < 0.0)) {
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (a + b);
+        ((value(middle) < 0.0) == (of_a < 0.0) ? a : b) = middle;
+      }
+      return 0.5 * (a + b);
+    }
+    a = b, of_a = of_b;
+  }
+  return std::nullopt;
+}
+
+struct Found {
+  double sigma;
+  bool jumps;
+};
+
+/// Where the control leaves the curve of the element before and joins that of
+/// the element behind: where these meet, or else where they have the integral
 /// that the control has. Nothing if it does neither.
-std::optional<double> junction_between(const MeshPath& fine, int first,
-                                       int last) {
+std::optional<Found> junction_in(const MeshPath& fine, const Window& window) {
   const Mesh& mesh = fine.mesh();
+  const auto [first, last] = window;
   if (first == 0 || last + 1 >= mesh.num_elements()) return std::nullopt;
   const double from = mesh.boundaries[at(first)];
   const double to = mesh.boundaries[at(last + 1)];
-  constexpr int kSteps = 64;
-  const double step = (to - from) / kSteps;
+  const CollocationScheme& scheme = radau_scheme(mesh.degree);
   const auto beside = [&](int element, double sigma) {
     return fine
         .values(element,
                 (sigma - mesh.boundaries[at(element)]) / mesh.length(element))
         .controls;
   };
-  std::optional<double> best;
+  std::optional<Found> best;
   double largest = 0.0;
   const std::size_t controls = beside(first, from).size();
   for (std::size_t k = 0; k < controls; ++k) {
-    std::vector<double> gap, before{0.0}, behind{0.0}, of_control{0.0};
-    for (int i = 0; i <= kSteps; ++i) {
-      const double sigma = from + step * i;
-      gap.push_back(beside(first - 1, sigma)[k] - beside(last + 1, sigma)[k]);
-      if (i == kSteps) break;
-      const double middle = sigma + 0.5 * step;
-      before.push_back(before.back() + step * beside(first - 1, middle)[k]);
-      behind.push_back(behind.back() + step * beside(last + 1, middle)[k]);
-      of_control.push_back(of_control.back() +
-                           step * fine.values(middle).controls[k]);
-    }
-    const double size = std::max(std::abs(gap.front()), std::abs(gap.back()));
+    const auto before = [&](double s) { return beside(first - 1, s)[k]; };
+    const auto behind = [&](double s) { return beside(last + 1, s)[k]; };
+    const auto gap = [&](double s) { return before(s) - behind(s); };
+    const double size = std::max(std::abs(gap(from)), std::abs(gap(to)));
     if (size <= largest) continue;
-    const auto root = [&](auto&& value) -> std::optional<double> {
-      for (int i = 0; i < kSteps; ++i) {
-        const double a = value(at(i)), b = value(at(i + 1));
-        if (a == 0.0) return from + step * i;
-        if ((a < 0.0) != (b < 0.0)) return from + step * (i + a / (a - b));
+    const auto integral = [&](auto&& of, double a, double b) {
+      double sum = 0.0;
+      for (int j = 0; j < mesh.degree; ++j) {
+        sum += (b - a) * scheme.rule.weights[at(j)] *
+               of(a + (b - a) * scheme.rule.points[at(j)]);
       }
-      return std::nullopt;
+      return sum;
     };
-    auto found = root([&](std::size_t i) { return gap[i]; });
-    if (!found) {
-      found = root([&](std::size_t i) {
-        return before[i] + behind.back() - behind[i] - of_control.back();
-      });
+    auto found = sign_change(gap, from, to);
+    const bool jumps = !found;
+    if (jumps) {
+      double whole = 0.0;
+      for (int e = first; e <= last; ++e) {
+        whole += integral([&](double s) { return beside(e, s)[k]; },
+                          mesh.boundaries[at(e)], mesh.boundaries[at(e + 1)]);
+      }
+      found = sign_change(
+          [&](double s) {
+            return integral(before, from, s) + integral(behind, s, to) - whole;
+          },
+          from, to);
     }
     if (found) {
-      best = found;
+      best = {*found, jumps};
       largest = size;
     }
   }
@@ -150,55 +219,66 @@ std::vector<double> element_errors(const Posed& problem,
 RefinedMesh refined(const RefinedMesh& last, const TwoPaths& paths,
                     const std::vector<double>& errors, double share) {
   const Mesh& mesh = paths.coarse.mesh();
-  const int p = mesh.degree;
-  const auto held = [&](int point) -> const std::vector<int>& {
-    return paths.held[at(point)];
-  };
-  // Elements in which bounds begin to hold or cease to.
-  std::vector<bool> changes(at(mesh.num_elements()), false);
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    for (int c = 2 * p * e; c + 1 < 2 * p * (e + 1); ++c) {
-      if (held(c) != held(c + 1)) changes[at(e)] = true;
+  RefinedMesh next{last.boundaries, {}};
+  // Elements that do well as they are once their junction is in its place, and
+  // the most that one of them errs by: others err with it.
+  std::vector<bool> left_whole(at(mesh.num_elements()), false);
+  double with_junctions = 0.0;
+  for (const Window& window : windows(paths, last)) {
+    const auto found = junction_in(paths.fine, window);
+    if (!found) continue;
+    const int first = window.first / 2, behind = window.last / 2 + 1;
+    const double room =
+        mesh.boundaries[at(behind)] - mesh.boundaries[at(first)];
+    double error = 0.0;
+    for (int e = first; e < behind; ++e) error += errors[at(e)];
+    const RefinedMesh::Junction* before = nullptr;
+    for (const RefinedMesh::Junction& junction : last.junctions) {
+      if (junction.sigma > mesh.boundaries[at(first)] - 0.1 * room &&
+          junction.sigma < mesh.boundaries[at(behind)] + 0.1 * room) {
+        before = &junction;
+      }
+    }
+    if (found->jumps) {
+      // An error ∝ h²: by this factor shorter it is what it may be.
+      const double wanted =
+          0.25 * room / std::sqrt(std::max(error / share, 1.0));
+      const double half_width =
+          before != nullptr && error <= share
+              ? before->half_width
+              : std::clamp(wanted, room / 80.0, room / 10.0);
+      next.junctions.push_back(
+          {found->sigma, half_width, 0.0, before == nullptr});
+    } else {
+      const bool seen = before != nullptr && before->half_width == 0.0;
+      if (seen && before->moved == 0.0) {
+        next.junctions.push_back(*before);
+        continue;
+      }
+      const double moved = seen ? std::abs(before->sigma - found->sigma) : room;
+      next.junctions.push_back({found->sigma, 0.0, moved, !seen});
+      // Not nearer and nearer.
+      if (seen && moved > 0.3 * before->moved) continue;
+    }
+    for (int e = first; e < behind; ++e) {
+      left_whole[at(e)] = true;
+      with_junctions = std::max(with_junctions, errors[at(e)]);
     }
   }
-  RefinedMesh next{last.boundaries, {}};
-  const auto is_short = [&](int e) {
-    return std::ranges::any_of(last.junctions, [&](const auto& junction) {
-      return junction.sigma > mesh.boundaries[at(e)] &&
-             junction.sigma < mesh.boundaries[at(e + 1)];
-    });
-  };
-  std::vector<double> cuts;
-  const auto cut = [&](int e, int pieces) {
-    for (int i = 1; i < pieces; ++i) {
-      cuts.push_back(mesh.sigma(e, static_cast<double>(i) / pieces));
-    }
-  };
   for (int e = 0; e < mesh.num_elements(); ++e) {
     const double excess = errors[at(e)] / share;
-    if (changes[at(e)] && (excess > 1.0 || is_short(e))) {
-      const double h = mesh.length(e);
-      const auto place = excess > 1.0
-                             ? junction_between(paths.fine, 2 * e, 2 * e + 1)
-                             : std::nullopt;
-      const double middle = mesh.sigma(e, 0.5);
-      // An error ∝ h²: by this factor shorter it is what it may be.
-      const double wanted = 0.5 * h / std::sqrt(std::max(excess, 1.0)) * 0.5;
-      if (excess <= 1.0) {
-        next.junctions.push_back({middle, 0.5 * h});
-      } else if (place) {
-        next.junctions.push_back(
-            {*place, std::clamp(wanted, 0.5 * h / 40.0, 0.5 * h / 5.0)});
-      } else {
-        cut(e, 2);
-      }
-    } else if (excess > 1.0) {
-      const int pieces = static_cast<int>(
-          std::ceil(std::pow(excess, 1.0 / (2 * p - 1)) * 1.2));
-      cut(e, std::clamp(pieces, 2, 4));
+    if (!(excess > 1.0) || left_whole[at(e)] ||
+        !(errors[at(e)] > with_junctions)) {
+      continue;
+    }
+    const int pieces = std::clamp(
+        static_cast<int>(
+            std::ceil(std::pow(excess, 1.0 / (2 * mesh.degree - 1)) * 1.2)),
+        2, 4);
+    for (int i = 1; i < pieces; ++i) {
+      next.boundaries.push_back(mesh.sigma(e, static_cast<double>(i) / pieces));
     }
   }
-  next.boundaries.insert(next.boundaries.end(), cuts.begin(), cuts.end());
   std::ranges::sort(next.boundaries);
   const auto twice = std::ranges::unique(next.boundaries);
   next.boundaries.erase(twice.begin(), twice.end());

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -15,17 +16,36 @@
 
 namespace brachisto::ocp {
 
-/// A mesh of plain elements, and between them short ones around junctions, at
-/// which bounds begin to hold or cease to: what a path with a jump in its
-/// control errs by on an element falls with the square of the length alone.
+/// A mesh of plain elements, and what is made of junctions, at which bounds
+/// begin to hold or cease to.
+///
+/// Where the control has a kink there is a boundary: what a path errs by whose
+/// boundary is δ from its junction falls with δ², and the next path tells the
+/// place better. Where the control jumps a boundary at the very place would
+/// leave nothing free to reach the end with: a short element encloses it, and
+/// what a path errs by falls with the square of its length.
 struct RefinedMesh {
   struct Junction {
-    double sigma, half_width;
+    double sigma;
+    double half_width = 0.0;  ///< of the short element
+    /// Of a kink: from where it was taken to be before; where it is new, its
+    /// room; 0 once it is settled.
+    double moved = 0.0;
+    bool is_new = false;  ///< the mesh before knew nothing of it
   };
   std::vector<double> boundaries;  ///< of plain elements
   std::vector<Junction> junctions;
 
   [[nodiscard]] Mesh mesh(int degree) const;
+  [[nodiscard]] bool has_kinks() const {
+    return std::ranges::any_of(
+        junctions, [](const Junction& j) { return j.half_width == 0.0; });
+  }
+  [[nodiscard]] bool has_new() const {
+    return std::ranges::any_of(junctions, &Junction::is_new);
+  }
+  /// By how much the kink moved that did so most; 0 without one.
+  [[nodiscard]] double moved() const;
 };
 
 /// Two solutions and, of the finer one, what holds at each of its points: a

@@ -5,8 +5,10 @@
 // it is and with its elements cut in two.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -16,12 +18,13 @@
 #include "brachisto/posed/problem.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "math/cpu_clock.hpp"
-#include "nlp/active_set.hpp"
 #include "posed/certificate.hpp"
 #include "posed/guess.hpp"
+#include "posed/held.hpp"
 #include "posed/mesh_path.hpp"
 #include "posed/prices.hpp"
 #include "posed/refine.hpp"
+#include "posed/settle.hpp"
 
 namespace brachisto::ocp {
 
@@ -59,11 +62,20 @@ class Solve {
             false};
   }
   /// \param nearby  a path to start from; the guess without one
-  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby);
+  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby,
+                                 int most_iterations);
+  /// The same, by a detour where the guess is far from a path.
+  [[nodiscard]] OnMesh solved_from_guess(const Mesh& mesh);
   [[nodiscard]] std::string why_not(OnMesh& here) const;
-  [[nodiscard]] std::vector<std::vector<int>> held(const OnMesh& here) const;
   [[nodiscard]] double size_of_cost(const OnMesh& here) const;
-  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held);
+  /// Moves both paths' kinks to where they belong; false if it cannot.
+  [[nodiscard]] bool settle(OnMesh& coarse, OnMesh& fine,
+                            std::vector<RefinedMesh::Junction>& junctions);
+  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+                const std::vector<RefinedMesh::Junction>& junctions);
+  [[nodiscard]] std::string why_not_nearer(
+      const MeshPath& path, double relative,
+      const std::vector<double>& not_settled) const;
   const Posed& problem_;
   const SolveBy& by_;
   const Statement& said_;
@@ -134,7 +146,29 @@ std::string Solve::why_not(OnMesh& here) const {
   return fmt::format("the solver came to no end: {}", here.result.message);
 }
 
-OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
+OnMesh Solve::solved_from_guess(const Mesh& mesh) {
+  const auto decided = [](const OnMesh& here) {
+    return here.solved() || here.result.status == Status::NotEvaluable ||
+           was_stopped(here.result.status);
+  };
+  // High degrees creep where low ones get on, and lead them.
+  constexpr int kFew = 60;
+  const int few = std::min(kFew, by_.most_iterations);
+  OnMesh here = solved_on(mesh, nullptr, few);
+  for (const int elements : {40, 10}) {
+    if (decided(here)) return here;
+    const OnMesh low =
+        solved_on(uniform_mesh(1, elements), nullptr, by_.most_iterations);
+    if (!low.solved()) continue;
+    const MeshPath from = low.path();
+    here = solved_on(mesh, &from, by_.most_iterations);
+  }
+  return decided(here) ? std::move(here)
+                       : solved_on(mesh, nullptr, by_.most_iterations);
+}
+
+OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby,
+                        int most_iterations) {
   OnMesh here = on(mesh);
   const PrimalDual start =
       nearby != nullptr ? nearby->on(mesh, here.layout) : guess(problem_, mesh);
@@ -152,14 +186,22 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
       std::clamp(0.1 * by_.tolerance /
                      (2.0 * static_cast<double>(here.program->num_variables())),
                  1e-14, 1e-12);
-  options.max_iterations = by_.most_iterations;
+  options.max_iterations = most_iterations;
   options.linear_solver = by_.linear_solver;
   options.stop = by_.stop;
   // Short of the last digits: what is left counts in the estimate.
   constexpr double kGood = 1e-7;
-  for (const double looser : {1.0, 1e3, 1e5}) {
+  struct Attempt {
+    double looser;
+    LinearSolver solver;
+  };
+  // On short elements MUMPS may do what the chain cannot.
+  for (const auto [looser, solver] :
+       {Attempt{1.0, by_.linear_solver}, Attempt{1.0, LinearSolver::Mumps},
+        Attempt{1e3, by_.linear_solver}, Attempt{1e5, by_.linear_solver}}) {
     IpoptOptions some = options;
     some.complementarity = std::min(1e-8, looser * *options.complementarity);
+    some.linear_solver = solver;
     here.result = solve_with_ipopt(*here.program, start, some);
     iterations_ += here.result.iterations;
     if (here.result.status != Status::NotConverged ||
@@ -193,48 +235,35 @@ OnMesh Solve::solved_on(const Mesh& mesh, const MeshPath* nearby) {
     return here;
   }
   here.cost = here.program->eval_f();
-  const PrimalDual& point = here.result.point;
-  for (int i = 0; i < here.program->num_variables(); ++i) {
-    const nlp::Range range = here.program->variable_range(i);
-    if (range.single()) continue;
-    if (!point.z_lower.empty() && std::isfinite(range.lower)) {
-      here.gap +=
-          std::abs(point.z_lower[at(i)] * (point.x[at(i)] - range.lower));
-    }
-    if (!point.z_upper.empty() && std::isfinite(range.upper)) {
-      here.gap +=
-          std::abs(point.z_upper[at(i)] * (range.upper - point.x[at(i)]));
-    }
-  }
+  here.gap = left_by_bounds(*here.program, here.result.point);
   return here;
 }
 
-std::vector<std::vector<int>> Solve::held(const OnMesh& here) const {
-  const nlp::ActiveSet active =
-      nlp::active_set(*here.program, here.result.point);
-  std::vector<std::vector<int>> out;
-  for (int c = 0; c < here.layout.num_points(); ++c) {
-    std::vector<int> row;
-    const auto put = [&](nlp::Held held, bool equation) {
-      row.push_back(equation ? 0 : static_cast<int>(held));
-    };
-    for (int i = 0; i < here.layout.num_states() + here.layout.num_controls();
-         ++i) {
-      const int index =
-          i < here.layout.num_states()
-              ? here.layout.state(c + 1, i)
-              : here.layout.control(c, i - here.layout.num_states());
-      put(active.variables[at(index)],
-          here.program->variable_range(index).single());
-    }
-    for (int i = 0; i < here.layout.num_limits(); ++i) {
-      const int index = here.layout.limit(c, i);
-      put(active.constraints[at(index)],
-          here.program->constraint_range(index).single());
-    }
-    out.push_back(std::move(row));
+bool Solve::settle(OnMesh& coarse, OnMesh& fine,
+                   std::vector<RefinedMesh::Junction>& junctions) {
+  std::array<std::optional<Settled>, 2> found;
+  const std::array both{&coarse, &fine};
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    OnMesh& here = *both[i];
+    found[i] = settled(problem_, *here.program, here.path(), here.result.point,
+                       junctions);
+    if (!found[i]) return false;
   }
-  return out;
+  for (RefinedMesh::Junction& junction : junctions) {
+    if (junction.half_width > 0.0) continue;
+    const int behind = fine.mesh.locate(junction.sigma).element;
+    junction = {found[1]->mesh.boundaries[at(behind)], 0.0, 0.0};
+  }
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    OnMesh& here = *both[i];
+    here.mesh = std::move(found[i]->mesh);
+    here.program = std::move(found[i]->program);
+    here.result.point = std::move(found[i]->point);
+    here.cost = found[i]->cost;
+    here.gap = 0.0;
+    here.exact = true;
+  }
+  return true;
 }
 
 double Solve::size_of_cost(const OnMesh& here) const {
@@ -250,7 +279,8 @@ double Solve::size_of_cost(const OnMesh& here) const {
   return std::max(std::abs(here.cost), sum * path.duration());
 }
 
-void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
+void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+                     const std::vector<RefinedMesh::Junction>& junctions) {
   answer_.cost = fine.cost;
   answer_.duration = fine.path().duration();
   answer_.parameters.clear();
@@ -262,12 +292,38 @@ void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held) {
   answer_.junctions.clear();
   for (int c = 0; c + 1 < fine.layout.num_points(); ++c) {
     if (held[at(c)] == held[at(c + 1)]) continue;
-    const double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
+    double place = 0.5 * (sigma(fine.mesh, c) + sigma(fine.mesh, c + 1));
+    for (const RefinedMesh::Junction& kink : junctions) {
+      const int p = fine.mesh.degree;
+      const bool beside =
+          kink.sigma >= fine.mesh.boundaries[at(c / p)] &&
+          kink.sigma <= fine.mesh.boundaries[at((c + 1) / p + 1)];
+      if (kink.half_width == 0.0 && beside) place = kink.sigma;
+    }
+    if (!answer_.junctions.empty() &&
+        answer_.junctions.back() == place * answer_.duration) {
+      continue;
+    }
     answer_.junctions.push_back(place * answer_.duration);
   }
   answer_.made_of.mesh = fine.mesh;
   answer_.made_of.point = fine.result.point;
   put_prices(problem_, *fine.program, fine.path(), fine.result.point, answer_);
+}
+
+std::string Solve::why_not_nearer(
+    const MeshPath& path, double relative,
+    const std::vector<double>& not_settled) const {
+  if (std::string jump = jump_along(problem_, path); !jump.empty()) return jump;
+  return fmt::format(
+      "the estimated error stays at {:.1e}, {:.1e} is wanted; {}", relative,
+      by_.tolerance,
+      not_settled.empty()
+          ? "a control may jump or be singular"
+          : fmt::format("not settled is where bounds begin or cease to hold "
+                        "at t = {:.5g}; try another degree or number of "
+                        "elements",
+                        fmt::join(not_settled, ", ")));
 }
 
 Answer Solve::run() {
@@ -278,6 +334,20 @@ Answer Solve::run() {
   std::optional<OnMesh> best;
   std::optional<MeshPath> nearby;
   double relative = kNoBound;
+  std::vector<double> not_settled;  // times
+  // What the cost errs by as junctions are not quite where they are taken to
+  // be, which both meshes of a pass have in common: it falls with the square of
+  // how far they move.
+  const auto by_places = [&](const RefinedMesh& now, const RefinedMesh& after,
+                             double cost) {
+    if (after.junctions.empty()) return 0.0;
+    if (after.has_new()) return kNoBound;
+    const double last = answer_.passes[answer_.passes.size() - 2].cost;
+    constexpr double kOfJumps = 2.0, kAsKnown = 1e-5;
+    if (!after.has_kinks()) return kOfJumps * std::abs(cost - last);
+    return std::abs(cost - last) *
+           std::min(1.0, std::max(kAsKnown, after.moved()) / now.moved());
+  };
   const auto ended = [&](Status status, std::string message) {
     answer_.status = status;
     answer_.message = said_.name + ": " + std::move(message);
@@ -286,24 +356,13 @@ Answer Solve::run() {
   for (int pass = 0; pass < by_.most_passes; ++pass) {
     iterations_ = 0;
     const Mesh mesh = next.mesh(by_.degree);
-    OnMesh coarse = solved_on(mesh, nearby ? &*nearby : nullptr);
-    // What high degrees do not reach from a guess low ones may lead to.
-    for (const int elements : {10, 40}) {
-      if (coarse.solved() || nearby ||
-          coarse.result.status == Status::NotEvaluable ||
-          was_stopped(coarse.result.status)) {
-        break;
-      }
-      const OnMesh low = solved_on(uniform_mesh(1, elements), nullptr);
-      if (!low.solved()) continue;
-      const MeshPath from = low.path();
-      coarse = solved_on(mesh, &from);
-    }
+    OnMesh coarse = nearby ? solved_on(mesh, &*nearby, by_.most_iterations)
+                           : solved_from_guess(mesh);
     OnMesh* failed = coarse.solved() ? nullptr : &coarse;
     std::optional<OnMesh> halves;
     if (failed == nullptr) {
       const MeshPath from = coarse.path();
-      halves.emplace(solved_on(halved(mesh), &from));
+      halves.emplace(solved_on(halved(mesh), &from, by_.most_iterations));
       if (!halves->solved()) failed = &*halves;
     }
     if (failed != nullptr) {
@@ -318,14 +377,15 @@ Answer Solve::run() {
       break;
     }
     OnMesh& fine = *halves;
+    const bool settled =
+        next.has_kinks() && settle(coarse, fine, next.junctions);
     const double size = size_of_cost(fine);
     const double change = std::abs(coarse.cost - fine.cost);
-    // Next to junctions the finer path need not be the better one.
-    const double error = 2.0 * change + fine.gap;
     answer_.passes.push_back(
         {fine.mesh.num_elements(), iterations_, fine.cost, change});
     const MeshPath coarse_path = coarse.path(), fine_path = fine.path();
-    const auto held = this->held(fine);
+    const auto held =
+        held_along(*fine.program, fine.result.point, fine.mesh, fine.layout);
     const std::vector<double> errors =
         element_errors(problem_, {coarse_path, fine_path, held});
     if (by_.verbose) {
@@ -334,20 +394,32 @@ Answer Solve::run() {
                    said_.name.c_str(), fine.mesh.num_elements(), iterations_,
                    fine.cost, change);
     }
+    const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
+    RefinedMesh after =
+        refined(next, {coarse_path, fine_path, held}, errors, share);
+    Answer priced;
+    put_prices(problem_, *fine.program, fine_path, fine.result.point, priced);
+    // Next to junctions the finer path need not be the better one.
+    constexpr double kRounding = 1e-14;
+    const double error = 2.0 * change + fine.gap + kRounding * size +
+                         (settled ? 0.0 : by_places(next, after, fine.cost)) +
+                         cost_of_excess(problem_, fine_path, priced.prices);
     nearby.emplace(fine_path);
     if (!best || error / size < relative) {
       relative = error / size;
       answer_.estimated_error = error;
-      put_down(fine, held);
+      put_down(fine, held, next.junctions);
+      not_settled.clear();
+      for (const RefinedMesh::Junction& junction : next.junctions) {
+        if (settled || junction.half_width > 0.0) continue;
+        not_settled.push_back(junction.sigma * answer_.duration);
+      }
       best.emplace(std::move(fine));
     }
     if (relative <= by_.tolerance) {
       ended(Status::Solved, "solved");
       break;
     }
-    const double share = 0.3 * by_.tolerance * size / mesh.num_elements();
-    RefinedMesh after =
-        refined(next, {coarse_path, fine_path, held}, errors, share);
     if (after.mesh(by_.degree).boundaries == mesh.boundaries) {
       for (int e = 0; e < mesh.num_elements(); ++e) {
         after.boundaries.push_back(mesh.sigma(e, 0.5));
@@ -360,13 +432,7 @@ Answer Solve::run() {
   if (best) {
     const MeshPath path = best->path();
     if (answer_.status == Status::NotConverged) {
-      const std::string jump = jump_along(problem_, path);
-      ended(Status::NotConverged,
-            jump.empty()
-                ? fmt::format("the estimated error stays at {:.1e}, {:.1e} is "
-                              "wanted; a control may jump or be singular",
-                              relative, by_.tolerance)
-                : jump);
+      ended(Status::NotConverged, why_not_nearer(path, relative, not_settled));
     }
     answer_.certificate = certify(problem_, *best->program, best->result.point,
                                   path, relative, by_.tolerance, best->exact);

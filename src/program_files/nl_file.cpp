@@ -21,7 +21,7 @@ constexpr const char* kObjectiveName = "T";
 /// Writes the segments of one file, in the order in which they stand there.
 class NlText {
  public:
-  NlText(const Transcription& problem, const ProgramInFormulas& formulas,
+  NlText(const nlp::Problem& problem, const ProgramInFormulas& formulas,
          const NlNumbering& numbering, TextStream& out)
       : problem_(problem), formulas_(formulas), order_(numbering), out_(out) {}
 
@@ -49,7 +49,7 @@ class NlText {
     return problem_.num_variables() + order_.place_of_quantity[at(quantity)];
   }
 
-  const Transcription& problem_;
+  const nlp::Problem& problem_;
   const ProgramInFormulas& formulas_;
   const NlNumbering& order_;
   TextStream& out_;
@@ -279,13 +279,13 @@ void NlText::put_gradient() {
 
 }  // namespace
 
-void put_nl(const Transcription& problem, const ProgramInFormulas& formulas,
+void put_nl(const nlp::Problem& problem, const ProgramInFormulas& formulas,
             const NlNumbering& numbering, const PrimalDual& start,
             TextStream& out) {
   NlText(problem, formulas, numbering, out).put(start);
 }
 
-void put_row_names(const Transcription& problem, const NlNumbering& numbering,
+void put_row_names(const nlp::Problem& problem, const NlNumbering& numbering,
                    TextStream& out) {
   for (const int constraint : numbering.constraints) {
     out << word_of(problem.constraint_name(constraint)) << '\n';
@@ -294,7 +294,7 @@ void put_row_names(const Transcription& problem, const NlNumbering& numbering,
   out.flush();
 }
 
-void put_col_names(const Transcription& problem, const NlNumbering& numbering,
+void put_col_names(const nlp::Problem& problem, const NlNumbering& numbering,
                    TextStream& out) {
   for (const int variable : numbering.variables) {
     out << word_of(problem.variable_name(variable)) << '\n';

@@ -19,15 +19,15 @@ namespace brachisto::program_files {
 /// start are AMPL's, ∂f/∂(bound) = −λ.
 ///
 /// \param start  where a solver begins; multipliers if it has some
-void put_nl(const Transcription& problem, const ProgramInFormulas& formulas,
+void put_nl(const nlp::Problem& problem, const ProgramInFormulas& formulas,
             const NlNumbering& numbering, const PrimalDual& start,
             TextStream& out);
 
 /// Names of the constraints and the objective, one a line (.row), and of the
 /// variables (.col), in the file's order.
-void put_row_names(const Transcription& problem, const NlNumbering& numbering,
+void put_row_names(const nlp::Problem& problem, const NlNumbering& numbering,
                    TextStream& out);
-void put_col_names(const Transcription& problem, const NlNumbering& numbering,
+void put_col_names(const nlp::Problem& problem, const NlNumbering& numbering,
                    TextStream& out);
 
 /// A name as these files have it, without spaces: "defect_of_theta[7]".

@@ -95,7 +95,7 @@ void find_unknowns(const Formula& formula, const ProgramInFormulas& formulas,
   out.erase(repeated.begin(), repeated.end());
 }
 
-NlNumbering::NlNumbering(const Transcription& problem,
+NlNumbering::NlNumbering(const nlp::Problem& problem,
                          const ProgramInFormulas& formulas)
     : column_entries(at(problem.num_variables())) {
   Survey survey(problem.num_variables(), formulas);

@@ -23,7 +23,7 @@ namespace brachisto::program_files {
 /// Reads all formulas once.
 struct NlNumbering {
   NlNumbering() = default;
-  NlNumbering(const Transcription& problem, const ProgramInFormulas& formulas);
+  NlNumbering(const nlp::Problem& problem, const ProgramInFormulas& formulas);
 
   std::vector<int> variables;    ///< the program's, in the file's order
   std::vector<int> constraints;  ///< likewise

@@ -21,7 +21,7 @@ int main() {
                           {.name = "v", .start = 1.0, .end = -1.0}},
                .controls = {{.name = "u"}},
                .duration = ocp::Duration::fixed(1.0)});
-  const ocp::Answer answer = problem.solve({.tolerance = 1e-5});
+  const ocp::Answer answer = problem.solve();
   for (const ocp::Check& check : answer.certificate) {
     std::printf("%s: %s\n", check.name.c_str(), check.passed() ? "yes" : "no");
   }

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// Which bounds hold along a path.
+
+#pragma once
+
+#include <vector>
+
+#include "brachisto/nlp/problem.hpp"
+#include "brachisto/ocp/mesh.hpp"
+
+namespace brachisto::ocp {
+
+/// Of each collocation point a number for each state, control and limit, in
+/// this order: 0 where it is free.
+///
+/// \param between  how far from its bound, scaled, what lies between two held
+///                 places may be to be held too
+/// \pre  the program has been moved to the point
+[[nodiscard]] std::vector<std::vector<int>> held_along(nlp::Problem& program,
+                                                       const PrimalDual& point,
+                                                       const Mesh& mesh,
+                                                       const Layout& layout,
+                                                       double between = 1e-4);
+
+}  // namespace brachisto::ocp

@@ -6,7 +6,7 @@
 namespace brachisto {
 
 double Sphere::strength_at(Point place) const {
-  const double d = std::hypot(place.x - centre.x, place.z - centre.z);
+  const double d = distance(place, centre);
   return d > radius ? surface_gravity * (radius / d) * (radius / d)
                     : surface_gravity * d / radius;
 }

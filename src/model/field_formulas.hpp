@@ -87,8 +87,8 @@ template <class Scalar>
 [[nodiscard]] inline double potential_fall(const Sphere& sphere, Point from,
                                            Point to, Point by) {
   const auto& [centre, R, g_s] = sphere;
-  const double d_0 = std::hypot(from.x - centre.x, from.z - centre.z);
-  const double d_1 = std::hypot(to.x - centre.x, to.z - centre.z);
+  const double d_0 = distance(from, centre);
+  const double d_1 = distance(to, centre);
   // d₀² − d₁²
   const double squares = -by.x * (from.x + to.x - 2.0 * centre.x) -
                          by.z * (from.z + to.z - 2.0 * centre.z);
@@ -106,7 +106,7 @@ template <class Scalar>
 [[nodiscard]] inline Point highest(const Sphere& sphere, Point place,
                                    double by) {
   const Point& O = sphere.centre;
-  const double d = std::hypot(place.x - O.x, place.z - O.z);
+  const double d = distance(place, O);
   if (d == 0.0) return {place.x + by, place.z};
   return {place.x + by * (place.x - O.x) / d,
           place.z + by * (place.z - O.z) / d};
@@ -115,10 +115,10 @@ template <class Scalar>
 [[nodiscard]] inline Point lowest(const Sphere& sphere, Point place,
                                   double nearest, double furthest) {
   const Point& O = sphere.centre;
-  const double distance = std::hypot(place.x - O.x, place.z - O.z);
-  return distance >= furthest ? highest(sphere, place, -furthest)
-         : distance < nearest ? highest(sphere, place, -nearest)
-                              : O;
+  const double d = distance(place, O);
+  return d >= furthest ? highest(sphere, place, -furthest)
+         : d < nearest ? highest(sphere, place, -nearest)
+                       : O;
 }
 
 /// d − R.

@@ -264,9 +264,7 @@ void check_clearance(const Scene& scene, SceneChecker& check) {
     };
     for (std::size_t i = 0; i < scene.limits.discs.size(); ++i) {
       const Disc& disc = scene.limits.discs[i];
-      keep_off("disc", i,
-               std::hypot(end.at.x - disc.centre.x, end.at.z - disc.centre.z) -
-                   disc.radius);
+      keep_off("disc", i, distance(end.at, disc.centre) - disc.radius);
     }
     for (std::size_t i = 0; i < scene.limits.half_planes.size(); ++i) {
       const HalfPlane& plane = scene.limits.half_planes[i];

@@ -99,8 +99,7 @@ class Squares {
     return side_ / std::numbers::sqrt2;
   }
   [[nodiscard]] double distance(int i, int k, Point from) const {
-    const Point here = centre(i, k);
-    return std::hypot(here.x - from.x, here.z - from.z);
+    return brachisto::distance(centre(i, k), from);
   }
   [[nodiscard]] bool lies_on(int i, int k, Point about, double radius) const {
     return std::abs(distance(i, k, about) - radius) <= half_diagonal();

@@ -44,7 +44,7 @@ void check_ends(const std::string& file, const Racer& first,
   // As much as the points of a given path may miss A and B.
   const double close = kCloseToEnds * std::hypot(there[1].x, there[1].z);
   for (std::size_t i = 0; i < there.size(); ++i) {
-    if (std::hypot(here[i].x - there[i].x, here[i].z - there[i].z) <= close) {
+    if (distance(here[i], there[i]) <= close) {
       continue;
     }
     throw io::InputError(

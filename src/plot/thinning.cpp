@@ -109,10 +109,6 @@ std::vector<std::size_t> evenly(std::size_t n, std::size_t count) {
   return rows;
 }
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
-}
-
 /// The row of a table that fewer rows of the same motion miss by the most.
 struct Miss {
   std::size_t row = 0;

@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
@@ -175,7 +176,7 @@ class Certifier {
       // Densely at its ends: next to junctions a path exceeds a bound there.
       constexpr int kParts = 32;
       for (int i = 0; i <= kParts; ++i) {
-        const double t = 0.5 * (1.0 - std::cos(M_PI * i / kParts));
+        const double t = 0.5 * (1.0 - std::cos(std::numbers::pi * i / kParts));
         with(path_.duration() * path_.mesh().sigma(e, t), values(e, t));
       }
     });

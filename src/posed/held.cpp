@@ -6,25 +6,23 @@
 #include <algorithm>
 
 #include "brachisto/math/index.hpp"
-#include "nlp/active_set.hpp"
 
 namespace brachisto::ocp {
 
-std::vector<std::vector<int>> held_along(nlp::Problem& program,
-                                         const PrimalDual& point,
-                                         const Mesh& mesh, const Layout& layout,
-                                         double between) {
-  // Along an arc multipliers may vanish as distances do, of which products are
-  // left alone: what lies between two places where a bound holds, and is as
-  // near as a multiplier of nothing leaves it, holds too.
+HeldAlong held_along(nlp::Problem& program, const PrimalDual& point,
+                     const Mesh& mesh, const Layout& layout, double between) {
+  // Where a multiplier vanishes along an arc an interior-point method leaves
+  // the bound by the root of its barrier parameter, and takes it for free: what
+  // lies as near as that between two places where the bound holds is held too.
   constexpr double kThere = 1e-6;
   const nlp::ActiveSet active = nlp::active_set(program, point);
   std::vector<double> g(at(program.num_constraints()));
   program.eval_g(g);
   const int points = layout.num_points();
   const int variables = layout.num_states() + layout.num_controls();
-  std::vector<std::vector<int>> out(
-      at(points), std::vector<int>(at(variables + layout.num_limits()), 0));
+  HeldAlong out(at(points),
+                std::vector<nlp::Held>(at(variables + layout.num_limits()),
+                                       nlp::Held::No));
   for (int i = 0; i < variables + layout.num_limits(); ++i) {
     int last = -1;  // the last point that was held, with near ones behind it
     for (int c = 0; c < points; ++c) {
@@ -45,10 +43,9 @@ std::vector<std::vector<int>> held_along(nlp::Problem& program,
       if (above < kThere) held = nlp::Held::AtLower;
       if (below < kThere) held = nlp::Held::AtUpper;
       if (held != nlp::Held::No) {
-        int& here = out[at(c)][at(i)];
-        here = static_cast<int>(held);
+        out[at(c)][at(i)] = held;
         for (int k = last + 1; last >= 0 && k < c; ++k) {
-          if (out[at(last)][at(i)] == here) out[at(k)][at(i)] = here;
+          if (out[at(last)][at(i)] == held) out[at(k)][at(i)] = held;
         }
         last = c;
       } else if (std::min(above, below) > between) {

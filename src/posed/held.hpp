@@ -10,19 +10,18 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/mesh.hpp"
+#include "nlp/active_set.hpp"
 
 namespace brachisto::ocp {
 
-/// Of each collocation point a number for each state, control and limit, in
-/// this order: 0 where it is free.
-///
+/// Of each collocation point, for each state, control and limit in this order.
+using HeldAlong = std::vector<std::vector<nlp::Held>>;
+
 /// \param between  how far from its bound, scaled, what lies between two held
 ///                 places may be to be held too
 /// \pre  the program has been moved to the point
-[[nodiscard]] std::vector<std::vector<int>> held_along(nlp::Problem& program,
-                                                       const PrimalDual& point,
-                                                       const Mesh& mesh,
-                                                       const Layout& layout,
-                                                       double between = 1e-4);
+[[nodiscard]] HeldAlong held_along(nlp::Problem& program,
+                                   const PrimalDual& point, const Mesh& mesh,
+                                   const Layout& layout, double between = 1e-4);
 
 }  // namespace brachisto::ocp

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "brachisto/posed/problem.hpp"
+#include "posed/held.hpp"
 #include "posed/mesh_path.hpp"
 
 namespace brachisto::ocp {
@@ -48,12 +49,11 @@ struct RefinedMesh {
   [[nodiscard]] double moved() const;
 };
 
-/// Two solutions and, of the finer one, what holds at each of its points: a
-/// number for each variable of the point and each limit, 0 where it is free.
+/// Two solutions, and what holds along the finer one.
 struct TwoPaths {
   const MeshPath& coarse;
   const MeshPath& fine;
-  const std::vector<std::vector<int>>& held;
+  const HeldAlong& held;
 };
 
 /// What each element of the coarse mesh errs by in the cost, about: the loss of

@@ -21,7 +21,7 @@ namespace {
 class Settling {
  public:
   Settling(const Posed& problem, const MeshPath& path, const PrimalDual& point,
-           std::vector<std::vector<int>> held)
+           HeldAlong held)
       : problem_(problem),
         layout_(path.layout()),
         first_mesh_(path.mesh()),
@@ -49,7 +49,7 @@ class Settling {
   const Layout& layout_;
   const Mesh& first_mesh_;
   const PrimalDual& first_;
-  std::vector<std::vector<int>> held_;
+  HeldAlong held_;
   struct Kink {
     int boundary;
     std::size_t control = 0;
@@ -75,10 +75,10 @@ bool Settling::find_kinks(const std::vector<RefinedMesh::Junction>& junctions,
   }
   std::ranges::sort(kinks_, {}, &Kink::boundary);
   // What holds on most of an element's points.
-  std::vector<std::vector<int>> most(at(elements), std::vector<int>(count, 0));
+  HeldAlong most(at(elements), std::vector<nlp::Held>(count, nlp::Held::No));
   for (int e = 0; e < elements; ++e) {
     for (std::size_t i = 0; i < count; ++i) {
-      for (const int side : {1, 2}) {
+      for (const nlp::Held side : {nlp::Held::AtLower, nlp::Held::AtUpper}) {
         int times = 0;
         for (int c = e * p; c < (e + 1) * p; ++c) {
           times += held_[at(c)][i] == side ? 1 : 0;
@@ -101,7 +101,7 @@ bool Settling::find_kinks(const std::vector<RefinedMesh::Junction>& junctions,
   // A state that is held on an element is so where it begins.
   for (int e = 1; e < elements; ++e) {
     for (std::size_t i = 0; i < at(layout_.num_states()); ++i) {
-      if (most[at(e)][i] != 0 && !encloses[at(e)]) {
+      if (most[at(e)][i] != nlp::Held::No && !encloses[at(e)]) {
         held_[at(e * p - 1)][i] = most[at(e)][i];
       }
     }
@@ -136,13 +136,13 @@ PrimalDual Settling::start(nlp::Problem& program, const Mesh& mesh) const {
       if (range.single()) continue;
       const double size = i < states ? 1.0 : mesh.length(e);
       switch (held_[at(c)][at(i)]) {
-        case 1:
+        case nlp::Held::AtLower:
           x = range.lower;
           break;
-        case 2:
+        case nlp::Held::AtUpper:
           x = range.upper;
           break;
-        default:
+        case nlp::Held::No:
           x = std::max(std::min(x, range.upper - kOff * size),
                        range.lower + kOff * size);
       }
@@ -164,13 +164,13 @@ PrimalDual Settling::start(nlp::Problem& program, const Mesh& mesh) const {
         return weight * (2.0 * std::abs(distance) + kOff);
       };
       switch (held_[at(c)][at(variables + i)]) {
-        case 1:
+        case nlp::Held::AtLower:
           lambda = std::min(lambda, -reaches(g[at(row)] - range.lower));
           break;
-        case 2:
+        case nlp::Held::AtUpper:
           lambda = std::max(lambda, reaches(range.upper - g[at(row)]));
           break;
-        default:
+        case nlp::Held::No:
           lambda = 0.0;
       }
     }

@@ -71,7 +71,7 @@ class Solve {
   /// Moves both paths' kinks to where they belong; false if it cannot.
   [[nodiscard]] bool settle(OnMesh& coarse, OnMesh& fine,
                             std::vector<RefinedMesh::Junction>& junctions);
-  void put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+  void put_down(OnMesh& fine, const HeldAlong& held,
                 const std::vector<RefinedMesh::Junction>& junctions);
   [[nodiscard]] std::string why_not_nearer(
       const MeshPath& path, double relative,
@@ -279,7 +279,7 @@ double Solve::size_of_cost(const OnMesh& here) const {
   return std::max(std::abs(here.cost), sum * path.duration());
 }
 
-void Solve::put_down(OnMesh& fine, const std::vector<std::vector<int>>& held,
+void Solve::put_down(OnMesh& fine, const HeldAlong& held,
                      const std::vector<RefinedMesh::Junction>& junctions) {
   answer_.cost = fine.cost;
   answer_.duration = fine.path().duration();

@@ -4,7 +4,7 @@
 /// \file
 /// Formulas as lists of operations. A formula written for any scalar is asked
 /// once with Node for its scalar; what it did can then be repeated with balls,
-/// with complex boxes, and coefficient by coefficient with power series.
+/// and coefficient by coefficient with power series.
 
 #pragma once
 

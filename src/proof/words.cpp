@@ -49,9 +49,7 @@ std::string in_words(const Json& certificate) {
   const Json& e = certificate.at("enclosures");
   const Json& t = certificate.at("theorems");
   const auto between = [&](const char* name, const char* symbol) {
-    return fmt::format("  {} in [{}, {}]\n", symbol,
-                       e.at(name).at("lower").get<std::string>(),
-                       e.at(name).at("upper").get<std::string>());
+    return fmt::format("  {} in {}\n", symbol, ends_of(e.at(name)));
   };
   std::string out =
       "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
@@ -63,10 +61,9 @@ std::string in_words(const Json& certificate) {
     out += fmt::format("  {}: {}\n", verdict(t.at(name)), words);
   }
   for (const Json& each : certificate.at("least_friction")) {
-    out += fmt::format("  least friction after {:g} % of T in [{}, {}]\n",
+    out += fmt::format("  least friction after {:g} % of T in {}\n",
                        100.0 * each.at("share_of_time").get<double>(),
-                       each.at("mu").at("lower").get<std::string>(),
-                       each.at("mu").at("upper").get<std::string>());
+                       ends_of(each.at("mu")));
   }
   for (const auto& [name, said] : t.items()) {
     if (said.contains("why_not")) {

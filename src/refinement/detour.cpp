@@ -16,10 +16,6 @@ namespace brachisto {
 
 namespace {
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
-}
-
 /// The places of a path of the centre, with the speeds that it falls with.
 std::optional<RoughPath> rolled(const Scene& scene,
                                 const std::vector<Point>& centre,

@@ -310,9 +310,10 @@ class LimitedSolve {
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
   /// of the first attempt. Where arcs cannot be followed further the program is
-  /// solved from there, under those limits or others half-way to them.
+  /// solved from there, under those limits or others half-way to them, until
+  /// what is left of the way is nothing that anyone would ask for.
   void tighten(FittedPath path, double by) {
-    constexpr double kShortest = 0.2;
+    constexpr double kShortest = 0.2, kNothing = 1e-3;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     loosened_.push_back({by, std::move(path)});
@@ -320,7 +321,7 @@ class LimitedSolve {
     for (double leap = 1.0; leap > kShortest && !stopped();) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) refine(reached.path);
-      if (reached.by == 0.0 || status == Status::NoSmoothContact) break;
+      if (reached.by < kNothing || status == Status::NoSmoothContact) break;
       const double next = reached.by * (1.0 - leap);
       auto there = path_under(loosened(scene_, next), &reached.path);
       if (!there && next > 0.0) there = path_under(loosened(scene_, next));

@@ -19,10 +19,6 @@ namespace {
 constexpr double kChord = 0.005;    ///< from the track [mm]
 constexpr double kBetween = 150.0;  ///< fasteners at most [mm]
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
-}
-
 EdgePoint edge_point(const TrajectoryPoint& at, double per_metre) {
   return {at.sigma,
           {per_metre * at.motion.contact.x, per_metre * at.motion.contact.z},

@@ -35,10 +35,6 @@ constexpr double kDot = 3.0;
 
 constexpr int kTimeSteps = 10;
 
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.z - b.z);
-}
-
 void add_row(std::string& table, std::string_view part,
              const TrajectoryPoint& p) {
   const Kinematics& motion = p.motion;

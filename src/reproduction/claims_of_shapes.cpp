@@ -80,8 +80,7 @@ double distance_from_cycloid(const Motion& motion) {
   for (const TrajectoryPoint& at : motion.fine_sample(kSamples)) {
     const double U = arc.rolling_time(motion.scene().gravity);
     const Point there = arc.at(arc.psi_end * at.u / U);
-    largest = std::max(
-        largest, std::hypot(at.centre.x - there.x, at.centre.z - there.z));
+    largest = std::max(largest, distance(at.centre, there));
   }
   return largest;
 }

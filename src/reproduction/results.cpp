@@ -107,7 +107,7 @@ double largest_distance(const Motion& a, const Motion& b) {
     const double sigma = static_cast<double>(i) / kPlaces;
     const Point p = a.at(sigma).motion.contact;
     const Point q = b.at(sigma).motion.contact;
-    largest = std::max(largest, std::hypot(p.x - q.x, p.z - q.z));
+    largest = std::max(largest, distance(p, q));
   }
   return largest;
 }

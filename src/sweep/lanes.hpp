@@ -21,8 +21,10 @@ namespace brachisto::sweep {
 /// What lanes make of scenes, eight at a time, in the order of these.
 class Lanes {
  public:
-  Lanes(const io::SweepFile& file, std::size_t first, std::size_t last)
-      : file_(file), asked_(asks_for_lanes(file)), next_(first), last_(last) {}
+  /// \param asked  whether anything may be solved so
+  Lanes(const io::SweepFile& file, bool asked, std::size_t first,
+        std::size_t last)
+      : file_(file), asked_(asked), next_(first), last_(last) {}
 
   /// The solution of the next scene, or nothing.
   [[nodiscard]] std::optional<Solution> next();

@@ -83,6 +83,7 @@ void run_worker(std::istream& in, std::ostream& out) {
   std::string line;
   if (!std::getline(in, line)) return;
   const Job job = job_from_line(line);
+  const bool side_by_side = !job.of_design && asks_for_lanes(job.file);
   while (std::getline(in, line)) {
     const Request request = request_from_line(line);
     std::shared_ptr<const Neighbour> neighbour;
@@ -96,7 +97,7 @@ void run_worker(std::istream& in, std::ostream& out) {
       }
     }
     const WallClock::time_point begin = WallClock::now();
-    Lanes lanes(job.file, request.first, request.last);
+    Lanes lanes(job.file, side_by_side, request.first, request.last);
     for (std::size_t i = request.first; i < request.last; ++i) {
       std::optional<double> left = request.seconds;
       if (left) *left -= seconds_since(begin);

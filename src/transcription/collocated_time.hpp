@@ -77,14 +77,16 @@ class CollocatedTime : public Transcription {
     return std::visit(
         [&](auto& collocation) {
           const auto& by_place = collocation.description();
-          auto inside = by_place, outside = by_place;
-          inside.keep_to_side(false);
-          outside.keep_to_side(true);
+          using Description = std::remove_cvref_t<decltype(by_place)>;
+          std::vector<Description> by_side(sides_.empty() ? 0 : 2, by_place);
+          for (std::size_t i = 0; i < by_side.size(); ++i) {
+            by_side[i].keep_to_side(i == 1);
+          }
           const auto refused = collocation.evaluate(
               x(), mesh(),
               [&](int e) -> const auto& {
                 if (sides_.empty()) return by_place;
-                return sides_[at(e)] == FieldSide::Inside ? inside : outside;
+                return by_side[sides_[at(e)] == FieldSide::Inside ? 0 : 1];
               },
               [&](int point, int limit) { return asks_for(point, limit); });
           return !refused || refuse(refused->point, refused->because);

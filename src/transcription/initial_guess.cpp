@@ -104,7 +104,7 @@ PrimalDual cycloid_extremal(const RollingTime& problem, const CycloidArc& arc) {
 PrimalDual straight_guess(const RollingTime& problem) {
   const Point start = fixed_centre(problem, 0);
   const Point end = fixed_centre(problem, problem.mesh().num_points());
-  const double length = std::hypot(end.x - start.x, end.z - start.z);
+  const double length = distance(end, start);
   const double beta = std::atan2(end.z - start.z, end.x - start.x);
   // On an incline dw/du = g sin β is constant; a level or rising line gets the
   // acceleration of a gentle slope instead, so that the body moves at all.

@@ -23,6 +23,11 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
+/// [m]
+[[nodiscard]] inline double distance(Point a, Point b) {
+  return std::hypot(a.x - b.x, a.z - b.z);
+}
+
 /// Shape of the body. A bead is a point mass that slides without friction.
 enum class Shape { Bead, Cylinder, Ball };
 

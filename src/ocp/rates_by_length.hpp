@@ -35,7 +35,7 @@ void add_rates_by_length(const Collocation<Description>& collocation,
   for (int j = 0; j < scheme.degree; ++j) {
     const int c = element * scheme.degree + j;
     const double u = x[at(layout.control(c))] / h;
-    const auto& [cost, states] = collocation.second(c);
+    const auto [cost, states] = collocation.second(c);
     const auto index = [&](int a) {
       return at(a == kControl ? layout.control(c) : layout.state(c + 1, a));
     };
@@ -65,10 +65,10 @@ void add_rates_by_length(const Collocation<Description>& collocation,
     }
     for (int i = 0; i < layout.num_limits(); ++i) {
       const int row = layout.limit(c, i);
-      const Jet& value = collocation.limit_at(c, i);
+      const auto value = collocation.limit_at(c, i).template unpacked<Jet>();
       const double mu = rate * lambda[at(row)];
       out[at(n + row)] -= rate * (u / h) * value.gradient[kControl];
-      for (const int a : collocation.local().limit_rows[at(i)]) {
+      for (const int a : collocation.local().limits[at(i)].by) {
         out[index(a)] -= mu * (u / h) * value.hessian[Jet::pair(kControl, a)] *
                          by_unknown(a);
       }

@@ -25,20 +25,21 @@ using enum StateComponent;
 }  // namespace
 
 LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
-    : problem_(problem), point_(std::move(point)) {
-  const nlp::ActiveSet set = nlp::active_set(problem_, point_);
+    : problem_(std::make_shared<LimitedTime>(problem)),
+      point_(std::make_shared<const PrimalDual>(std::move(point))) {
+  const nlp::ActiveSet set = nlp::active_set(*problem_, *point_);
   transit_time_ = 0.0;
-  for (int e = 0; e < problem_.mesh().num_elements(); ++e) {
+  for (int e = 0; e < problem_->mesh().num_elements(); ++e) {
     transit_time_ += time_on(e);
   }
-  const VariableLayout& layout = problem_.layout();
+  const VariableLayout& layout = problem_->layout();
   for (int c = 0; c < layout.num_points(); ++c) {
     for (int i = 0; i < layout.num_limits(); ++i) {
       active_.push_back(set.constraints[brachisto::at(layout.limit(c, i))] !=
                         nlp::Held::No);
     }
   }
-  if (problem_.held()) return;
+  if (problem_->held()) return;
   // At the end multipliers vanish with p_β, whether a limit is active or not.
   const int limits = layout.num_limits();
   for (int i = 0; i < limits; ++i) {
@@ -48,12 +49,13 @@ LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
 }
 
 bool LimitedCurve::active(int point, int limit) const {
-  return active_[brachisto::at(point * problem_.layout().num_limits() + limit)];
+  return active_[brachisto::at(point * problem_->layout().num_limits() +
+                               limit)];
 }
 
 bool LimitedCurve::holds_control(int point) const {
-  for (int i = 0; i < problem_.layout().num_limits(); ++i) {
-    if (problem_.limits()[brachisto::at(i)].bounds_control() &&
+  for (int i = 0; i < problem_->layout().num_limits(); ++i) {
+    if (problem_->limits()[brachisto::at(i)].bounds_control() &&
         active(point, i)) {
       return true;
     }
@@ -62,27 +64,27 @@ bool LimitedCurve::holds_control(int point) const {
 }
 
 double LimitedCurve::time_on(int element) const {
-  const VariableLayout& layout = problem_.layout();
-  const CollocationScheme& scheme = problem_.scheme();
-  const Scene& scene = problem_.scene();
+  const VariableLayout& layout = problem_->layout();
+  const CollocationScheme& scheme = problem_->scheme();
+  const Scene& scene = problem_->scene();
   double sum = 0.0;
   for (int j = 0; j < scheme.degree; ++j) {
     const int node = element * scheme.degree + j + 1;
-    const double beta = point_.x[brachisto::at(layout.state(node, Beta))];
+    const double beta = point_->x[brachisto::at(layout.state(node, Beta))];
     const double theta =
-        layout.has_theta() ? point_.x[brachisto::at(layout.state(node, Theta))]
+        layout.has_theta() ? point_->x[brachisto::at(layout.state(node, Theta))]
                            : 0.0;
     sum += scheme.rule.weights[brachisto::at(j)] *
            root_of_inertia(scene, theta, beta);
   }
-  return problem_.mesh().length(element) * rolling_time() * sum;
+  return problem_->mesh().length(element) * rolling_time() * sum;
 }
 
 double LimitedCurve::largest_multiplier(int first, int end) const {
-  const std::optional<HeldLimits>& held = problem_.held();
+  const std::optional<HeldLimits>& held = problem_->held();
   double largest = 0.0;
   for (int e = first; e < end; ++e) {
-    for (const double t : problem_.scheme().rule.points) {
+    for (const double t : problem_->scheme().rule.points) {
       // Where something is touched all multipliers have impulses.
       if (t == 1.0 && held && !held->at_end[brachisto::at(e)].empty()) continue;
       const std::vector<double> multipliers = at(e, t).multipliers;
@@ -99,11 +101,11 @@ double LimitedCurve::largest_multiplier(int first, int end) const {
 }
 
 std::vector<double> LimitedCurve::places(int element, int count) const {
-  std::vector<double> out = problem_.scheme().rule.points;
+  std::vector<double> out = problem_->scheme().rule.points;
   for (int i = 0; i <= count; ++i) {
     out.push_back(static_cast<double>(i) / count);
   }
-  for (const PathInequality& limit : problem_.limits()) {
+  for (const PathInequality& limit : problem_->limits()) {
     if (limit.kind != PathInequality::Kind::Disc) continue;
     Point before{};
     for (int i = 0; i <= count; ++i) {
@@ -129,15 +131,15 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   // control differ by next to the points; if it is a limit of curvature q
   // vanishes, and others of curvature hold too.
   std::vector<PathInequality> at_rest;
-  if (element == 0 && problem_.held()) {
-    const std::vector<nlp::Held>& held = problem_.held()->in_element.front();
-    const int control = held_of_control(held, problem_.limits());
+  if (element == 0 && problem_->held()) {
+    const std::vector<nlp::Held>& held = problem_->held()->in_element.front();
+    const int control = held_of_control(held, problem_->limits());
     const auto turns = [&](std::size_t i) {
-      return problem_.limits()[i].bounds_control() &&
-             !problem_.limits()[i].bounds_force();
+      return problem_->limits()[i].bounds_control() &&
+             !problem_->limits()[i].bounds_force();
     };
     const bool turning = control >= 0 && turns(brachisto::at(control));
-    at_rest = problem_.limits();
+    at_rest = problem_->limits();
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (held[i] == nlp::Held::No && !(turning && turns(i))) continue;
       at_rest[i].lower = -std::numeric_limits<double>::infinity();
@@ -147,12 +149,12 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   Excess worst;
   const auto look = [&](double t) {
     const Excess here =
-        worst_excess(t > 0.0 || at_rest.empty() ? problem_.limits() : at_rest,
-                     problem_.scene(), at(element, t).state);
+        worst_excess(t > 0.0 || at_rest.empty() ? problem_->limits() : at_rest,
+                     problem_->scene(), at(element, t).state);
     // Written so that a NaN stays.
     if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
       worst = here;
-      sigma = problem_.mesh().sigma(element, t);
+      sigma = problem_->mesh().sigma(element, t);
     }
     return -here.value;
   };
@@ -168,30 +170,30 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
 
 double LimitedCurve::start_slope() const {
   const TurningPoint<double> start = at(0, 0.0).state;
-  if (!problem_.pushed() || holds_control(0)) return start.beta;
-  return minimising_slope(problem_.scene(), moving(start),
-                          problem_.start_costates(point_.lambda), start.beta);
+  if (!problem_->pushed() || holds_control(0)) return start.beta;
+  return minimising_slope(problem_->scene(), moving(start),
+                          problem_->start_costates(point_->lambda), start.beta);
 }
 
 double LimitedCurve::off_corner() const {
-  const StartCorner& corner = *problem_.ends().corner;
-  const PathInequality& limit = problem_.limits()[corner.limit];
-  return value_of(limit, problem_.scene(), at(0, 0.0).state) -
+  const StartCorner& corner = *problem_->ends().corner;
+  const PathInequality& limit = problem_->limits()[corner.limit];
+  return value_of(limit, problem_->scene(), at(0, 0.0).state) -
          bound_of(limit, corner.at);
 }
 
 double LimitedCurve::corner_multiplier() const {
   using Jet = math::Jet2<double, 1>;
-  const StartCorner& corner = *problem_.ends().corner;
+  const StartCorner& corner = *problem_->ends().corner;
   std::vector<nlp::Held> held;
-  for (int i = 0; i < problem_.layout().num_limits(); ++i) {
-    held.push_back(problem_.held_at(0, i));
+  for (int i = 0; i < problem_->layout().num_limits(); ++i) {
+    held.push_back(problem_->held_at(0, i));
   }
-  const int control = held_of_control(held, problem_.limits());
-  LimitedTime problem = problem_;
-  if (control < 0 || !problem.set_point(point_.x)) return std::nan("");
+  const int control = held_of_control(held, problem_->limits());
+  LimitedTime problem = *problem_;
+  if (control < 0 || !problem.set_point(point_->x)) return std::nan("");
   const auto by_slope = static_cast<double>(
-      nlp::lagrangian_gradient(problem, point_.lambda)[brachisto::at(
+      nlp::lagrangian_gradient(problem, point_->lambda)[brachisto::at(
           problem.layout().state(0, StateComponent::Beta))]);
   const TurningPoint<double> start = at(0, 0.0).state;
   const PathInequality& holds = problem.limits()[brachisto::at(control)];
@@ -208,8 +210,8 @@ double LimitedCurve::corner_multiplier() const {
 }
 
 LimitedPoint LimitedCurve::at(int element, double t) const {
-  const VariableLayout& layout = problem_.layout();
-  const CollocationScheme& scheme = problem_.scheme();
+  const VariableLayout& layout = problem_->layout();
+  const CollocationScheme& scheme = problem_->scheme();
   const int p = scheme.degree;
   const int first = element * p;
   std::array<double, kLargestDegree + 1> of_nodes;
@@ -222,16 +224,17 @@ LimitedPoint LimitedCurve::at(int element, double t) const {
     double sum = 0.0;
     for (int n = 0; n <= p; ++n) {
       sum += node_values[brachisto::at(n)] *
-             point_.x[brachisto::at(layout.state(first + n, component))];
+             point_->x[brachisto::at(layout.state(first + n, component))];
     }
     return sum;
   };
   const auto costate = [&](StateComponent component) {
     double sum = 0.0;
     for (int j = 0; j < p; ++j) {
-      sum -= point_values[brachisto::at(j)] *
-             point_.lambda[brachisto::at(layout.defect(first + j, component))] /
-             scheme.rule.weights[brachisto::at(j)];
+      sum -=
+          point_values[brachisto::at(j)] *
+          point_->lambda[brachisto::at(layout.defect(first + j, component))] /
+          scheme.rule.weights[brachisto::at(j)];
     }
     return sum;
   };
@@ -243,15 +246,16 @@ LimitedPoint LimitedCurve::at(int element, double t) const {
     out.p.p_theta = costate(Theta);
   }
   out.p_beta = costate(Beta);
-  const double hU = problem_.mesh().length(element) * rolling_time();
+  const double hU = problem_->mesh().length(element) * rolling_time();
   out.multipliers.assign(brachisto::at(layout.num_limits()), 0.0);
   for (int j = 0; j < p; ++j) {
     const double weight = point_values[brachisto::at(j)];
-    out.state.q += weight * point_.x[brachisto::at(layout.control(first + j))] /
-                   problem_.mesh().length(element);
+    out.state.q += weight *
+                   point_->x[brachisto::at(layout.control(first + j))] /
+                   problem_->mesh().length(element);
     for (int i = 0; i < layout.num_limits(); ++i) {
       out.multipliers[brachisto::at(i)] +=
-          weight * point_.lambda[brachisto::at(layout.limit(first + j, i))] /
+          weight * point_->lambda[brachisto::at(layout.limit(first + j, i))] /
           (hU * scheme.rule.weights[brachisto::at(j)]);
     }
   }
@@ -259,7 +263,7 @@ LimitedPoint LimitedCurve::at(int element, double t) const {
 }
 
 LimitedPoint LimitedCurve::at(double sigma) const {
-  const auto [element, t] = problem_.mesh().locate(sigma);
+  const auto [element, t] = problem_->mesh().locate(sigma);
   return at(element, t);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
@@ -38,10 +39,10 @@ class LimitedCurve {
  public:
   LimitedCurve(const LimitedTime& problem, PrimalDual point);
 
-  [[nodiscard]] const LimitedTime& problem() const { return problem_; }
-  [[nodiscard]] const PrimalDual& point() const { return point_; }
+  [[nodiscard]] const LimitedTime& problem() const { return *problem_; }
+  [[nodiscard]] const PrimalDual& point() const { return *point_; }
   [[nodiscard]] double rolling_time() const {
-    return point_.x[static_cast<std::size_t>(problem_.layout().last())];
+    return point_->x[static_cast<std::size_t>(problem_->layout().last())];
   }
   [[nodiscard]] double transit_time() const { return transit_time_; }
   /// On an element.
@@ -60,7 +61,7 @@ class LimitedCurve {
   /// The slope at the end by transversality with the costates there [rad]; see
   /// Transcription::end_slope().
   [[nodiscard]] double transverse_slope() {
-    return problem_.end_slope(point_.x, point_.lambda);
+    return problem_->end_slope(point_->x, point_->lambda);
   }
   /// Slope at A: where a body is pushed and no limit holds the control the one
   /// that the costates there ask for, NaN if there is none; otherwise the one
@@ -82,8 +83,10 @@ class LimitedCurve {
   [[nodiscard]] bool holds_control(int point) const;
 
  private:
-  LimitedTime problem_;
-  PrimalDual point_;
+  // Copies share them. Nothing but the point that the program was evaluated at
+  // last changes.
+  std::shared_ptr<LimitedTime> problem_;
+  std::shared_ptr<const PrimalDual> point_;
   double transit_time_;
   std::vector<bool> active_;
 };

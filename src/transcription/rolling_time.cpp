@@ -163,7 +163,7 @@ Transcription::End RollingTime::world_end(
     const int row_w = layout().defect(point, W);
     const double c = scheme().rule.points[at(j)];
     const double lambda_w = lambda[at(row_w)];
-    const Jet& gain = collocation.second(point).states[rolling::kW];
+    const Jet gain = collocation.second(point).states[rolling::kW];
     const double by_x_place = gain.gradient[0];
     const double by_z_place = gain.gradient[1];
     out.p.p_x += h * U * c * lambda_w * by_x_place - lambda[at(row_x)];

@@ -100,8 +100,9 @@ class Collocation : public EvaluatedPoints<Description> {
     for (int e = 0; e < mesh.num_elements(); ++e) {
       double element = 0.0;
       for (int j = 0; j < mesh.degree; ++j) {
-        element +=
-            scheme_->rule.weights[at(j)] * this->cost_at(e * mesh.degree + j);
+        element += scheme_->rule.weights[at(j)] *
+                   this->template functions_at<FirstJet>(e * mesh.degree + j)(0)
+                       .value();
       }
       sum += mesh.length(e) * element;
     }
@@ -115,10 +116,12 @@ class Collocation : public EvaluatedPoints<Description> {
     for (int c = 0; c < layout_.num_points(); ++c) {
       const double b = scheme_->rule.weights[at(c % mesh.degree)];
       const double h = mesh.length(c / mesh.degree);
-      const auto& cost = this->template as<FirstJet>(c).cost;
-      sum += h * b * cost.value;
-      for (const int a : local_.rows.front()) {
-        const double slope = U * (length(a, h) * b) * cost.gradient[at(a)];
+      const auto of = this->template functions_at<FirstJet>(c);
+      const auto cost = of(0);
+      sum += h * b * cost.value();
+      for (std::size_t i = 0; i < cost.of->by.size(); ++i) {
+        const int a = cost.of->by[i];
+        const double slope = U * (length(a, h) * b) * cost.slope(i);
         spread(c, a, [&](int index, double share) {
           grad[at(index)] += slope * share;
         });
@@ -135,7 +138,7 @@ class Collocation : public EvaluatedPoints<Description> {
     for (int c = 0; c < layout_.num_points(); ++c) {
       const int first = c / p * p;
       const double hU = mesh.length(c / p) * U;
-      const auto& rates = this->template as<FirstJet>(c);
+      const auto of = this->template functions_at<FirstJet>(c);
       for (int s = 0; s < kStates; ++s) {
         if (!layout_.has_state(s)) continue;
         double difference = 0.0;
@@ -144,11 +147,10 @@ class Collocation : public EvaluatedPoints<Description> {
           difference += share * x[at(index)];
           index += layout_.stride();
         }
-        g[at(layout_.defect(c, s))] =
-            difference - hU * rates.states[at(s)].value;
+        g[at(layout_.defect(c, s))] = difference - hU * of(at(s + 1)).value();
       }
       for (int i = 0; i < layout_.num_limits(); ++i) {
-        g[at(layout_.limit(c, i))] = limit_at(c, i).value;
+        g[at(layout_.limit(c, i))] = limit_at(c, i).value();
       }
     }
   }
@@ -158,22 +160,25 @@ class Collocation : public EvaluatedPoints<Description> {
     put.each(0, mesh.num_elements(), [&](int e) {
       const double h = mesh.length(e);
       for (int c = e * p; c < (e + 1) * p; ++c) {
-        const auto& rates = this->template as<FirstJet>(c);
+        const auto of = this->template functions_at<FirstJet>(c);
         for (int s = 0; s < kStates; ++s) {
           if (!layout_.has_state(s)) continue;
           const int row = layout_.defect(c, s);
-          const auto& rate = rates.states[at(s)];
+          const auto rate = of(at(s + 1));
           put.row(row, layout_.state(e * p, s), layout_.stride(),
                   scheme_->derivative.row(c - e * p));
-          for (const int a : local_.rows[at(s + 1)]) {
-            put_slope(put, row, c, a, -length(a, h) * U * rate.gradient[at(a)]);
+          for (std::size_t k = 0; k < rate.of->by.size(); ++k) {
+            const int a = rate.of->by[k];
+            put_slope(put, row, c, a, -length(a, h) * U * rate.slope(k));
           }
-          put(row, layout_.last(), -h * rate.value);
+          put(row, layout_.last(), -h * rate.value());
         }
         for (int i = 0; i < layout_.num_limits(); ++i) {
-          for (const int a : local_.limit_rows[at(i)]) {
+          const auto limit = limit_at(c, i);
+          for (std::size_t k = 0; k < limit.of->by.size(); ++k) {
+            const int a = limit.of->by[k];
             put_slope(put, layout_.limit(c, i), c, a,
-                      limit_at(c, i).gradient[at(a)] * (length(a, h) / h));
+                      limit.slope(k) * (length(a, h) / h));
           }
         }
       }
@@ -192,14 +197,12 @@ class Collocation : public EvaluatedPoints<Description> {
         const int c = e * p + j;
         Density& D = of[at(j)];
         D = density(c, objective_factor * scheme_->rule.weights[at(j)], lambda);
+        for (double& second : D.hessian) second *= h * U;
+        for (int i = 0; i < layout_.num_limits(); ++i) {
+          add_second(limit_at(c, i), lambda[at(layout_.limit(c, i))], D);
+        }
         for (const auto& [a, b] : local_.pairs) {
-          double& second = D.hessian[Jet::pair(a, b)];
-          second *= h * U;
-          for (int i = 0; i < layout_.num_limits(); ++i) {
-            second += lambda[at(layout_.limit(c, i))] *
-                      limit_at(c, i).hessian[Jet::pair(a, b)];
-          }
-          second *= (length(a, h) / h) * (length(b, h) / h);
+          D.hessian[Jet::pair(a, b)] *= (length(a, h) / h) * (length(b, h) / h);
         }
         for (const int a : local_.by_duration) {
           D.gradient[at(a)] *= length(a, h);
@@ -253,23 +256,26 @@ class Collocation : public EvaluatedPoints<Description> {
                : 1.0;
   }
 
+  template <class Function>
+  static void add_second(const Function& function, double factor, Density& to) {
+    for (std::size_t i = 0; i < function.of->second.size(); ++i) {
+      to.hessian[function.of->second[i]] += factor * function.bend(i);
+    }
+  }
   [[nodiscard]] Density density(int point, double weight,
                                 std::span<const double> lambda) const {
-    const auto& rates = second(point);
-    std::array<double, kStates + 1> factor{weight};
-    std::array<const Jet*, kStates + 1> of{&rates.cost};
-    for (int s = 0; s < kStates; ++s) {
-      of[at(s + 1)] = &rates.states[at(s)];
-      if (layout_.has_state(s)) {
-        factor[at(s + 1)] = -lambda[at(layout_.defect(point, s))];
-      }
-    }
+    const auto of = this->template functions_at<Jet>(point);
     Density out{};
-    for (const auto& [number, where] : local_.first_terms) {
-      out.gradient[where] += factor[number] * of[number]->gradient[where];
-    }
-    for (const auto& [number, where] : local_.second_terms) {
-      out.hessian[where] += factor[number] * of[number]->hessian[where];
+    const auto add = [&](const auto& function, double factor) {
+      for (std::size_t i = 0; i < function.of->by.size(); ++i) {
+        out.gradient[at(function.of->by[i])] += factor * function.slope(i);
+      }
+      add_second(function, factor, out);
+    };
+    add(of(0), weight);
+    for (int s = 0; s < kStates; ++s) {
+      if (!layout_.has_state(s)) continue;
+      add(of(at(s + 1)), -lambda[at(layout_.defect(point, s))]);
     }
     return out;
   }

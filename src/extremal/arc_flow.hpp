@@ -18,7 +18,7 @@
 #include "model/path_inequality.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
-#include "rolling/steered_falling.hpp"
+#include "rolling/rolling_body.hpp"
 
 namespace brachisto::arcs {
 

@@ -14,7 +14,7 @@
 
 #include "lanes/lane.hpp"
 #include "model/inertia.hpp"
-#include "rolling/steered_falling.hpp"
+#include "rolling/rolling_body.hpp"
 
 namespace brachisto::lanes {
 

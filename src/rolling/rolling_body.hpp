@@ -20,11 +20,9 @@
 #include "brachisto/ocp/point_function.hpp"
 #include "model/field.hpp"
 #include "model/path_inequality.hpp"
+#include "rolling/falling_forms.hpp"
 
 namespace brachisto::rolling {
-
-/// Order of the states.
-enum State : std::size_t { kX, kZ, kTheta, kW, kBeta };
 
 /// What both descriptions are made of.
 class Moving {
@@ -159,6 +157,40 @@ class Steered : public Moving {
   }
 };
 
+/// Nothing depends on the place: p_x and p_z are constant.
+class SteeredFalling : public Steered {
+ public:
+  static constexpr std::size_t kIgnorable = 2;
+  using Forms = FallingForms<Body, double>;
+  template <class Scalar>
+  using Kept = Forms::Kept<Scalar>;
+  using Steered::Steered;
+
+  [[nodiscard]] Forms forms() const {
+    return {scene_.body, scene_.gravity, rotation_per_length_};
+  }
+  template <class Scalar>
+  [[nodiscard]] Kept<Scalar> kept(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    return forms().kept(yu);
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> jets(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    return forms().template jets<Jet>(yu);
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> rates_of(
+      const Kept<Scalar>& at) const {
+    return forms().template rates_of<Jet>(at);
+  }
+  template <class Scalar>
+  [[nodiscard]] ocp::ByControl<Scalar> hamiltonian_by_control(
+      const std::array<Scalar, 2 * kStates>& y, const Scalar& beta) const {
+    return forms().hamiltonian_by_control(y, beta);
+  }
+};
+
 /// β is a state, and how fast it turns the control, q = dβ/du.
 class Turning : public Moving {
  public:
@@ -171,6 +203,17 @@ class Turning : public Moving {
     const auto& [x, z, theta, w, beta, q] = yu;
     const auto [cost, f] = rolling_rates(x, z, theta, w, beta);
     return {cost, {f[kX], f[kZ], f[kTheta], f[kW], q}};
+  }
+  template <class Jet, class Scalar>
+  [[nodiscard]] ocp::Rates<Jet, kStates> jets(
+      const std::array<Scalar, kStates + 1>& yu) const {
+    if (!scene_.world.ordinary()) return rates(ocp::as_variables<Jet>(yu));
+    const auto [x, z, theta, w, beta, q] = yu;
+    const auto [cost, f] =
+        FallingForms(scene_.body, scene_.gravity, rotation_per_length_)
+            .template jets<Jet>(
+                std::array<Scalar, kStates>{x, z, theta, w, beta});
+    return {cost, {f[kX], f[kZ], f[kTheta], f[kW], Jet::variable(q, kStates)}};
   }
   template <class Scalar>
   [[nodiscard]] Scalar limit(std::size_t i,
@@ -247,6 +290,8 @@ class Turning : public Moving {
   }
 };
 
-static_assert(ocp::PointFunction<Steered> && ocp::PointFunction<Turning>);
+static_assert(ocp::PointFunction<Steered> &&
+              ocp::PointFunction<SteeredFalling> &&
+              ocp::PointFunction<Turning>);
 
 }  // namespace brachisto::rolling

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "brachisto/ocp/mesh.hpp"
-#include "rolling/steered_falling.hpp"
+#include "rolling/rolling_body.hpp"
 #include "transcription/collocated_time.hpp"
 
 namespace brachisto {

@@ -16,7 +16,7 @@
 #include "model/units.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
-#include "rolling/steered_falling.hpp"
+#include "rolling/rolling_body.hpp"
 #include "support/random_points.hpp"
 #include "support/world_scenes.hpp"
 

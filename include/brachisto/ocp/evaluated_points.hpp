@@ -176,7 +176,7 @@ class EvaluatedPoints {
     if constexpr (kKeepsLess<Description>) {
       return description_.template rates_of<Jet>(description_.kept(yu));
     } else {
-      return description_.rates(present(yu));
+      return jets_of(description_, yu);
     }
   }
   [[nodiscard]] typename Structure::Numbers limit_at(int point,
@@ -233,7 +233,7 @@ class EvaluatedPoints {
     if constexpr (kKeepsLess<Description>) {
       kept_[at(point)] = here.kept(yu);
     } else {
-      const Rates<Jet, kStates> rates = here.rates(present(yu));
+      const Rates<Jet, kStates> rates = jets_of(here, yu);
       local_.rates[0].pack(rates.cost, numbers);
       for (std::size_t s = 0; s < kStates; ++s) {
         local_.rates[s + 1].pack(rates.states[s], numbers + starts_[s + 1]);
@@ -292,6 +292,14 @@ class EvaluatedPoints {
   }
   using Kept = decltype(kept_type());
 
+  [[nodiscard]] Rates<Jet, kStates> jets_of(const Description& here,
+                                            const Locals& yu) const {
+    if constexpr (requires { here.template jets<Jet>(yu); }) {
+      return here.template jets<Jet>(yu);
+    } else {
+      return here.rates(present(yu));
+    }
+  }
   /// States and controls as variables; what is absent is a constant.
   [[nodiscard]] PointOf<Description, Jet> present(const Locals& yu) const {
     PointOf<Description, Jet> jets;

@@ -248,7 +248,7 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   } catch (const TooFewBits& error) {
     constexpr int kWord = 32;
     const int more = (accuracy.bits * 7 / 5 + kWord - 1) / kWord * kWord;
-    throw NotProven(
+    throw TooFewBits(
         more > kMostBits
             ? fmt::format("{}, even at {} bits", error.what(), accuracy.bits)
             : fmt::format("{}; more bits may help: --bits {}", error.what(),

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/clock.hpp"
+
 namespace brachisto::proof {
 
 namespace {
@@ -94,6 +96,7 @@ int Flow::go(State& state, const Real& length, bool backward,
     for (const Real& number : state) {
       if (!number.finite()) throw TooFewBits("the state has no bound");
     }
+    check_stop();
     series_.expand(state);
     tails_.take(rho);
     while (!tails_.bound(rho)) {

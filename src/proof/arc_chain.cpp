@@ -58,9 +58,31 @@ void add(const Nodes& node, double length, std::vector<Real>& unknowns) {
   unknowns.emplace_back(length);
 }
 
+/// Refuses a path on both sides of a surface where the field has a kink.
+/// \param at  (x, z, θ) at a share of the path
+template <class At>
+void refuse_passage(const Scene& scene, const At& at) {
+  constexpr int kPlaces = 256;
+  if (!has_surface(scene.world)) return;
+  int outside = 0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const auto [x, z, theta] = at(static_cast<double>(i) / kPlaces);
+    if (height_of_mass(scene, x, z, theta) > 0.0) ++outside;
+  }
+  if (outside > 0 && outside <= kPlaces) {
+    throw NotProven(
+        "nothing is proven where the path crosses the surface of the field, "
+        "where that has a kink");
+  }
+}
+
 NearChain one_free_arc(const Scene& scene) {
   const ExtremalSolution found = solve_extremal(scene);
   if (!found.usable()) throw NotProven("no extremal: " + found.message);
+  refuse_passage(scene, [&](double share) {
+    const ExtremalState there = found.path.at(share);
+    return std::array{there.x, there.z, there.theta};
+  });
   const ExtremalState at = found.path.at(0.0);
   NearChain out{{scene, {Held{}}, {false}}, {}};
   Nodes node{};
@@ -133,6 +155,13 @@ NearChain under_limits(const Scene& scene) {
     throw NotProven("the arcs of the answer do not fit");
   }
   for (std::size_t a = 0; a < stretches.size(); ++a) {
+    refuse_passage(scene, [&](double share) {
+      const auto y =
+          found.path.at(a, share * stretches[a].duration).y;
+      namespace n = ::brachisto::arcs;
+      return std::array{y[n::kX] * units.length, y[n::kZ] * units.length,
+                        y[n::kTheta]};
+    });
     Nodes node = in_si(in_order(found.path.at(a, 0.0).y), units);
     if (!along_bound(out.chain.arcs[a])) node[kPbeta] = 0.0;
     add(node, stretches[a].duration * units.time, out.unknowns);

@@ -32,6 +32,12 @@ struct ShownArc {
   }
 };
 
+/// Whether a curvature is held from rest on: q is 0 there as w is.
+bool bent_from_rest(const ShownArc& arc) {
+  return arc.leaves_rest() && along_bound(arc.held()) &&
+         !arc.held()->limit.bounds_force();
+}
+
 /// How often a function of u vanishes at an end of its arc: so often u, counted
 /// from there, is divided out.
 struct Zeros {
@@ -69,8 +75,12 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy,
 }
 
 /// How a limit's distance from a bound vanishes where its boundary begins or
-/// ends: like u², for the path touches it.
+/// ends: like u², for the path touches it. Where a bend is held from rest on,
+/// that of the other bend is 0 at rest as well, like w.
 Zeros touches(const ShownArc& arc, const PathInequality& limit) {
+  using Kind = PathInequality::Kind;
+  const bool bends = limit.kind == Kind::Hump || limit.kind == Kind::Valley;
+  if (bends && bent_from_rest(arc)) return {1, 0};
   const auto same = [&](const Held* other) {
     return other != nullptr && along_boundary(*other) &&
            (*other)->limit.kind == limit.kind &&
@@ -191,10 +201,9 @@ void physics(const ShownArc& arc, const Accuracy& accuracy, ArcTheorems& out) {
   } else {
     check(out.presses, "R_n > 0", {weightless ? 1 : 0, 0}, equations.normal);
   }
-  // Along a hump from rest w and q vanish together.
-  const bool bent_at_rest = arc.leaves_rest() && along_bound(arc.held());
-  check(out.no_fold, "r κ_c < 1", {bent_at_rest ? 1 : 0, 0},
-        equations.unfolded);
+  // Of a bead it is 1.
+  const bool at_rest = arc.chain.scene.body.rolls() && bent_from_rest(arc);
+  check(out.no_fold, "r κ_c < 1", {at_rest ? 1 : 0, 0}, equations.unfolded);
   const Real pi = Real::pi();
   positive_within(
       arc, accuracy, {},
